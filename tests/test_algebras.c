@@ -41,7 +41,7 @@ static void make_subject(tp_subject *subject) {
 
 /* The rational function and the ball of a text; whether there is a rational function. */
 static bool evaluate(fmpz_mpoly_q_t value, arb_t ball, const char *text, tp_subject *subject,
-                     const tp_sample *sample) {
+                     const tp_claim_sample *sample) {
   tp_formula formula;
   tp_message message = {""};
   bool rational = false;
@@ -58,7 +58,7 @@ static bool evaluate(fmpz_mpoly_q_t value, arb_t ball, const char *text, tp_subj
 START_TEST(verify_agrees_with_rationals) {
   random_numbers random = random_numbers_from(14);
   tp_subject subject;
-  tp_sample sample;
+  tp_claim_sample sample;
   written w;
   fmpq_t truth, own;
   arb_t ball;
@@ -93,7 +93,7 @@ START_TEST(verify_agrees_with_doubles) {
   random_numbers random = random_numbers_from(15);
   long rational = 0;
   tp_subject subject;
-  tp_sample sample;
+  tp_claim_sample sample;
   written w;
   arb_t ball, other;
   fmpz_mpoly_q_t value;

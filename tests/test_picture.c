@@ -79,7 +79,7 @@ static unsigned char *encode(unsigned long *length, int orientation, bool little
 }
 
 /* Which of the corners of the picture as it was taken is seen in this one. */
-static int seen_in(const tp_picture *picture, int corner) {
+static int seen_in(const tp_trace_picture *picture, int corner) {
   const int x = corner == 1 || corner == 2 ? picture->width - 1 - CORNER / 2 : CORNER / 2;
   const int y = corner >= 2 ? picture->height - 1 - CORNER / 2 : CORNER / 2;
   const unsigned char *pixel = picture->rgb + 3 * (y * picture->width + x);
@@ -100,7 +100,7 @@ START_TEST(turned_as_exif_says) {
                                  {3, 0, 1, 2}, {2, 1, 0, 3}, {1, 2, 3, 0}};
   for (int orientation = 0; orientation <= 8; orientation++) {
     for (int little = 0; little < 2; little++) {
-      tp_picture picture;
+      tp_trace_picture picture;
       tp_message message;
       unsigned long length = 0;
       unsigned char *bytes = encode(&length, orientation, little != 0);
@@ -122,7 +122,7 @@ START_TEST(cut_off_anywhere) {
   unsigned long length = 0;
   unsigned char *bytes = encode(&length, 6, false);
   for (unsigned long cut = 0; cut + 2 < length; cut++) {
-    tp_picture picture;
+    tp_trace_picture picture;
     tp_message message = {""};
     unsigned char *own = malloc(cut + 1); /* so that reading on is noticed */
     ck_assert_ptr_nonnull(own);

@@ -76,7 +76,7 @@ static truth try_all(const random_block *block, bool left) {
   return t;
 }
 
-static void claim_truth(const tp_turning *own, tp_status status, const truth *t) {
+static void claim_truth(const tp_block_turning *own, tp_status status, const truth *t) {
   claim((status == TP_OK) == (t->pivot >= 0), "a pivot is admissible, or none");
   claim(own->pivot == t->pivot, "the pivot");
   if (t->pivot < 0) return;
@@ -85,10 +85,11 @@ static void claim_truth(const tp_turning *own, tp_status status, const truth *t)
 }
 
 /* Solve it as any scene is; the number of its governing pivot's vertex from the coordinates. */
-static tp_status solve_alone(tp_turning *own, const random_block *block, tp_direction towards) {
+static tp_status solve_alone(tp_block_turning *own, const random_block *block,
+                             tp_direction towards) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  *own = (tp_turning){NAN, NAN, -1};
+  *own = (tp_block_turning){NAN, NAN, -1};
   claim(tp_scene_new(&scene, "m", &message) == TP_OK, "a scene");
   tp_status status =
       tp_scene_set_outline(scene, tp_coordinates_of(block->xy, block->count), &message);
@@ -103,7 +104,7 @@ static tp_status solve_alone(tp_turning *own, const random_block *block, tp_dire
   const tp_case *one = solution->cases;
   if (one->has_governing) {
     const tp_pivot *pivot = one->pivots + one->governing;
-    *own = (tp_turning){pivot->critical_angle_deg.value, pivot->critical_angle_deg.error, -1};
+    *own = (tp_block_turning){pivot->critical_angle_deg.value, pivot->critical_angle_deg.error, -1};
     for (long k = 0; k < block->whole.count; k++) {
       if (block->xy[2 * k] == pivot->x_m.value && block->xy[2 * k + 1] == pivot->y_m.value) {
         own->pivot = k;
@@ -115,9 +116,9 @@ static tp_status solve_alone(tp_turning *own, const random_block *block, tp_dire
   return status;
 }
 
-static void claim_alike(const tp_turning *own, tp_status status, const random_block *block,
+static void claim_alike(const tp_block_turning *own, tp_status status, const random_block *block,
                         tp_direction towards) {
-  tp_turning alone;
+  tp_block_turning alone;
   claim(solve_alone(&alone, block, towards) == status, "the status");
   claim(own->pivot == alone.pivot, "the pivot of tp_solve");
   if (status != TP_OK) return;
@@ -139,7 +140,7 @@ START_TEST(critical_angles_of_random_blocks) {
     const tp_outlines outlines = tp_outlines_of(block.xy, 1, block.count);
     tp_blocks_options options = tp_blocks_options_default();
     options.towards = towards;
-    tp_turning own;
+    tp_block_turning own;
     tp_status status;
     tp_blocks_summary summary;
     const tp_critical_columns columns = {&own.angle_deg, &own.error_deg, &own.pivot, &status};
@@ -167,12 +168,12 @@ START_TEST(instruction_sets) {
     random_numbers state = random_numbers_from(seed);
     random_block block;
     draw_block(&block, &state);
-    tp_turning first;
+    tp_block_turning first;
     tp_status first_status = TP_OK;
     for (int set = TP_INSTRUCTIONS_BASELINE; set < TP_INSTRUCTIONS_COUNT; set++) {
       if (!tp_instructions_present(set)) continue;
       const tp_turning_task task = {TP_TOWARDS_LEFT, k % 2 == 0, tp_scan_kernel_choose(set)};
-      tp_turning own;
+      tp_block_turning own;
       const tp_status status = tp_turning_filter(
           &own, &workspace, tp_vertices_open(block.xy, block.count), &task, &message);
       if (set == TP_INSTRUCTIONS_BASELINE) {

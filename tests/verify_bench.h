@@ -11,7 +11,7 @@
 /* A slab w = 2 wide and h = 3 high; a symbol m = 5 and an angle psi = 30 degrees besides. */
 typedef struct bench {
   tp_subject subject;
-  tp_sample sample;
+  tp_claim_sample sample;
   tp_message message;
 } bench;
 

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  tp_picture picture;
+  tp_trace_picture picture;
   tp_message message = {""};
   unsigned char *bytes = (unsigned char *)fuzz_text(data, size);
   const tp_status status = tp_picture_read_bytes(&picture, bytes, size, "picture", &message);

@@ -200,6 +200,29 @@ class Includes(unittest.TestCase):
             self.assertTrue(free, f"a circle among {sorted(wants)}")
             wants = {header: names for header, names in wants.items() if header not in free}
 
+    def test_guards_are_by_path(self):
+        """Two headers with one guard shut each other out: TP_ROOM_FILE_H, of a public header its name. What ends
+        in _in.h is included more than once; the explorer's headers are the browser's C library's."""
+        guards = {}
+        for path, text in sources():
+            if path.suffix not in (".h", ".hpp") or path.stem.endswith("_in") or room_of(path) == "explorer":
+                continue
+            name = re.sub(r"\W", "_", path.name).upper()
+            guard = name if path.parts[0] == "include" else f"TP_{room_of(path).upper()}_{name}"
+            self.assertIn(f"#ifndef {guard}\n#define {guard}\n", text, path)
+            self.assertEqual(guards.setdefault(guard, path), path)
+        self.assertGreater(len(guards), 300)
+
+    def test_type_names_are_unique(self):
+        """One name, one type in the whole house: so that units can be compiled together, and a reader is not misled."""
+        where = {}
+        for path, text in sources():
+            if path.suffix == ".h":
+                text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+                for name in re.findall(r"^typedef (?:struct|enum|union) (tp_\w+) \{", text, re.MULTILINE):
+                    self.assertEqual(where.setdefault(name, path), path, name)
+        self.assertGreater(len(where), 300)
+
     def test_files_that_comments_name_are_there(self):
         """A comment sends the reader to a file by its path from src/, or by its name where that says which."""
         files = {str(path) for path, _ in sources()} | {str(path.relative_to(ROOT)) for path in ROOT.glob("docs/*.md")}

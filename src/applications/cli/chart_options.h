@@ -3,8 +3,8 @@
 
 /* The options of topple chart. */
 
-#ifndef TP_CHART_OPTIONS_H
-#define TP_CHART_OPTIONS_H
+#ifndef TP_CLI_CHART_OPTIONS_H
+#define TP_CLI_CHART_OPTIONS_H
 
 #include "cli/settings.h"
 

@@ -3,8 +3,8 @@
 
 /* The command line: one entry a command, and what all commands share. */
 
-#ifndef TP_CLI_H
-#define TP_CLI_H
+#ifndef TP_CLI_CLI_H
+#define TP_CLI_CLI_H
 
 #include "cli/words.h"
 #include "topple.h"

@@ -3,8 +3,8 @@
 
 /* The words of `topple solve`. */
 
-#ifndef TP_SOLVE_WORDS_H
-#define TP_SOLVE_WORDS_H
+#ifndef TP_CLI_SOLVE_WORDS_H
+#define TP_CLI_SOLVE_WORDS_H
 
 #include "cli/settings.h"
 

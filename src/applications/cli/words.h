@@ -4,8 +4,8 @@
 /* Complaints and progress on stderr. What complaints quote of the command line is made plain
  * (tp_plain_text), so they are written by these alone. */
 
-#ifndef TP_WORDS_H
-#define TP_WORDS_H
+#ifndef TP_CLI_WORDS_H
+#define TP_CLI_WORDS_H
 
 #include <argp.h>
 #include <stdbool.h>

@@ -6,8 +6,8 @@
  * all files that the study rests on as attributes. In a library of its own, which alone needs HDF5;
  * the program loads it where such a file is asked for. */
 
-#ifndef TP_HDF5_H
-#define TP_HDF5_H
+#ifndef TP_HDF5_HDF5_H
+#define TP_HDF5_HDF5_H
 
 #include "topple_study.h"
 

@@ -48,7 +48,7 @@ static void include(double box[4], tp_trace_point p) {
   box[3] = fmax(box[3], p.y);
 }
 
-static view find_view(const tp_trace *trace, const tp_picture *picture,
+static view find_view(const tp_trace *trace, const tp_trace_picture *picture,
                       const tp_trace_options *options) {
   double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
   for (long k = 0; k < trace->ring.count; k++) include(box, trace->ring.points[k]);
@@ -67,7 +67,7 @@ static view find_view(const tp_trace *trace, const tp_picture *picture,
 /* ---- drawing -----------------------------------------------------------------------------------
  */
 
-static cairo_surface_t *surface_of(const tp_picture *picture) {
+static cairo_surface_t *surface_of(const tp_trace_picture *picture) {
   cairo_surface_t *surface =
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture->width, picture->height);
   if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) return surface;
@@ -199,7 +199,7 @@ static cairo_status_t draw(cairo_surface_t *surface, const tp_trace *trace,
 }
 
 tp_status tp_trace_draw(char **bytes, size_t *length, const tp_trace *trace,
-                        const tp_picture *picture, const tp_trace_options *options,
+                        const tp_trace_picture *picture, const tp_trace_options *options,
                         tp_message *message) {
   const view v = find_view(trace, picture, options);
   sink own = {0};

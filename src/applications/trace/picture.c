@@ -10,9 +10,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-void tp_picture_clear(tp_picture *picture) {
+void tp_picture_clear(tp_trace_picture *picture) {
   free(picture->rgb);
-  *picture = (tp_picture){0};
+  *picture = (tp_trace_picture){0};
 }
 
 static tp_status fail(const char *name, const char *what, tp_message *message) {
@@ -22,7 +22,7 @@ static tp_status fail(const char *name, const char *what, tp_message *message) {
 /* ---- PNG ---------------------------------------------------------------------------------------
  */
 
-static tp_status read_png(tp_picture *picture, const unsigned char *bytes, size_t length,
+static tp_status read_png(tp_trace_picture *picture, const unsigned char *bytes, size_t length,
                           const char *name, tp_message *message) {
   png_image image = {.version = PNG_IMAGE_VERSION};
   const png_color white = {255, 255, 255};
@@ -51,7 +51,7 @@ static tp_status read_png(tp_picture *picture, const unsigned char *bytes, size_
  */
 
 /* Where pixel (x, y) of the picture that is turned was. */
-static size_t source_of(const tp_picture *from, int orientation, int x, int y) {
+static size_t source_of(const tp_trace_picture *from, int orientation, int x, int y) {
   const int w = from->width, h = from->height;
   const bool swapped = orientation >= 5;
   int u = swapped ? y : x, v = swapped ? x : y;
@@ -60,11 +60,11 @@ static size_t source_of(const tp_picture *from, int orientation, int x, int y) {
   return 3 * ((size_t)v * (size_t)w + (size_t)u);
 }
 
-static tp_status turn(tp_picture *picture, int orientation, tp_message *message) {
+static tp_status turn(tp_trace_picture *picture, int orientation, tp_message *message) {
   if (orientation < 2 || orientation > 8) return TP_OK;
   const bool swapped = orientation >= 5;
-  tp_picture own = {.width = swapped ? picture->height : picture->width,
-                    .height = swapped ? picture->width : picture->height};
+  tp_trace_picture own = {.width = swapped ? picture->height : picture->width,
+                          .height = swapped ? picture->width : picture->height};
   own.rgb = malloc(3 * (size_t)own.width * (size_t)own.height);
   if (own.rgb == NULL) return tp_fail_memory(message, "a picture");
   unsigned char *to = own.rgb;
@@ -81,12 +81,12 @@ static tp_status turn(tp_picture *picture, int orientation, tp_message *message)
 /* ---- files -------------------------------------------------------------------------------------
  */
 
-tp_status tp_picture_read_bytes(tp_picture *picture, const unsigned char *bytes, size_t length,
-                                const char *name, tp_message *message) {
+tp_status tp_picture_read_bytes(tp_trace_picture *picture, const unsigned char *bytes,
+                                size_t length, const char *name, tp_message *message) {
   static const unsigned char png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   static const unsigned char jpeg[] = {0xff, 0xd8, 0xff};
   tp_status status = TP_OK;
-  *picture = (tp_picture){0};
+  *picture = (tp_trace_picture){0};
   if (length >= sizeof png && memcmp(bytes, png, sizeof png) == 0) {
     status = read_png(picture, bytes, length, name, message);
   } else if (length >= sizeof jpeg && memcmp(bytes, jpeg, sizeof jpeg) == 0) {
@@ -114,10 +114,10 @@ static tp_status read_all(unsigned char **bytes, size_t *length, FILE *file, con
   return ferror(file) == 0 ? TP_OK : tp_fail_file(message, path, "read", errno);
 }
 
-tp_status tp_picture_read(tp_picture *picture, const char *path, tp_message *message) {
+tp_status tp_picture_read(tp_trace_picture *picture, const char *path, tp_message *message) {
   unsigned char *bytes = NULL;
   size_t length = 0;
-  *picture = (tp_picture){0};
+  *picture = (tp_trace_picture){0};
   FILE *file = fopen(path, "rb");
   if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_status status = read_all(&bytes, &length, file, path, message);

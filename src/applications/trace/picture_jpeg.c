@@ -45,7 +45,7 @@ static void count_scans(j_common_ptr info) {
 }
 
 /* What libjpeg has taken is given back by its caller, whichever way this ends. */
-static tp_status decode(struct jpeg_decompress_struct *info, reader *r, tp_picture *picture,
+static tp_status decode(struct jpeg_decompress_struct *info, reader *r, tp_trace_picture *picture,
                         const char *name, tp_message *message) {
   if (setjmp(r->back) != 0) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
@@ -71,7 +71,7 @@ static tp_status decode(struct jpeg_decompress_struct *info, reader *r, tp_pictu
   return TP_OK;
 }
 
-tp_status tp_picture_read_jpeg(tp_picture *picture, const unsigned char *bytes, size_t length,
+tp_status tp_picture_read_jpeg(tp_trace_picture *picture, const unsigned char *bytes, size_t length,
                                const char *name, tp_message *message) {
   struct jpeg_decompress_struct info = {0};
   reader r = {.text = ""};

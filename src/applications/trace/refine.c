@@ -21,7 +21,7 @@ static long wrap(long k, long count) {
 }
 
 /* Means of neighbours take the stairs out of it: they shift it by less than a pixel at corners. */
-static tp_status smooth(tp_trace_ring *ring, const tp_region *region, tp_message *message) {
+static tp_status smooth(tp_trace_ring *ring, const tp_picture_region *region, tp_message *message) {
   const tp_trace_ring *from = &region->contour;
   for (long k = 0; k < from->count; k++) {
     tp_trace_point sum = {0, 0};
@@ -48,7 +48,7 @@ static tp_trace_point normal(const tp_trace_ring *ring, long k) {
  */
 
 /* The colour at a place, between the middles of four pixels; at the border that of the border. */
-static void colour_at(double colour[3], const tp_picture *picture, tp_trace_point at) {
+static void colour_at(double colour[3], const tp_trace_picture *picture, tp_trace_point at) {
   const double x = fmin(fmax(at.x - 0.5, 0), picture->width - 1);
   const double y = fmin(fmax(at.y - 0.5, 0), picture->height - 1);
   const int left = (int)x, top = (int)y;
@@ -66,8 +66,8 @@ static void colour_at(double colour[3], const tp_picture *picture, tp_trace_poin
 }
 
 /* Where between inside (0) and outside (1) each sample lies. False: they are too much alike. */
-static bool read_profile(double profile[SAMPLES], const tp_picture *picture, tp_trace_point at,
-                         tp_trace_point out, double step) {
+static bool read_profile(double profile[SAMPLES], const tp_trace_picture *picture,
+                         tp_trace_point at, tp_trace_point out, double step) {
   double colours[SAMPLES][3], axis[3], inside[3] = {0}, size = 0;
   for (int k = 0; k < SAMPLES; k++) {
     const double way = (k - REACH) * step;
@@ -132,8 +132,8 @@ static void move_points(tp_refined *refined, const double *middles, const tp_tra
   refined->shift_px = sqrt(squares / (double)ring->count);
 }
 
-static void find_edges(tp_refined *refined, const tp_picture *picture, double step, double *middles,
-                       tp_trace_point *normals) {
+static void find_edges(tp_refined *refined, const tp_trace_picture *picture, double step,
+                       double *middles, tp_trace_point *normals) {
   const tp_trace_ring *ring = &refined->ring;
   long found = 0;
   for (long k = 0; k < ring->count; k++) {
@@ -152,7 +152,7 @@ static void find_edges(tp_refined *refined, const tp_picture *picture, double st
 /* Half of the way from 16 to 84 per cent of the change in the mean of all profiles about the
  * outline as it was moved, in which noise falls away: one standard deviation where the blur is
  * Gaussian. */
-static void find_spread(tp_refined *refined, const tp_picture *picture, double step,
+static void find_spread(tp_refined *refined, const tp_trace_picture *picture, double step,
                         const tp_trace_point *normals) {
   const tp_trace_ring *ring = &refined->ring;
   double sum[SAMPLES] = {0}, profile[SAMPLES];
@@ -168,8 +168,8 @@ static void find_spread(tp_refined *refined, const tp_picture *picture, double s
   refined->edge_px = step * (isnan(spread) ? REACH : spread);
 }
 
-tp_status tp_refine(tp_refined *refined, const tp_region *region, const tp_picture *picture,
-                    tp_message *message) {
+tp_status tp_refine(tp_refined *refined, const tp_picture_region *region,
+                    const tp_trace_picture *picture, tp_message *message) {
   const size_t count = (size_t)region->contour.count;
   *refined = (tp_refined){0};
   tp_status status = smooth(&refined->ring, region, message);

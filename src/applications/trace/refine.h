@@ -4,8 +4,8 @@
 /* The outline of a region drawn to where the picture changes, to parts of a pixel, and how
  * uncertain it is there. */
 
-#ifndef TP_REFINE_H
-#define TP_REFINE_H
+#ifndef TP_TRACE_REFINE_H
+#define TP_TRACE_REFINE_H
 
 #include "trace/region.h"
 
@@ -17,8 +17,8 @@ typedef struct tp_refined {
   double weak;     /* share of the outline along which the colours hardly change */
 } tp_refined;
 
-TP_MUST_USE tp_status tp_refine(tp_refined *refined, const tp_region *region,
-                                const tp_picture *picture, tp_message *message);
+TP_MUST_USE tp_status tp_refine(tp_refined *refined, const tp_picture_region *region,
+                                const tp_trace_picture *picture, tp_message *message);
 
 /* Fewer points: none that is left out lies farther than `tolerance` from the chord in its place
  * (Douglas and Peucker 1973). In place. */

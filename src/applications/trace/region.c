@@ -60,7 +60,7 @@ double tp_trace_ring_length(const tp_trace_ring *ring) {
 
 /* The box of the rough polygon and an eighth of its size around it, where colours of the outside
  * are learnt. */
-static void place(work *w, const tp_picture *picture, const tp_trace_ring *rough) {
+static void place(work *w, const tp_trace_picture *picture, const tp_trace_ring *rough) {
   double low[2] = {rough->points[0].x, rough->points[0].y}, high[2] = {low[0], low[1]};
   for (long k = 1; k < rough->count; k++) {
     low[0] = fmin(low[0], rough->points[k].x);
@@ -79,7 +79,7 @@ static void place(work *w, const tp_picture *picture, const tp_trace_ring *rough
   w->height = (bottom - w->top) / w->step;
 }
 
-static void shrink(work *w, const tp_picture *picture) {
+static void shrink(work *w, const tp_trace_picture *picture) {
   const unsigned area = (unsigned)w->step * (unsigned)w->step;
   for (int y = 0; y < w->height; y++) {
     for (int x = 0; x < w->width; x++) {
@@ -181,7 +181,7 @@ static bool is_inside(const work *w, const unsigned char *of, int x, int y) {
 }
 
 /* Along the edges of its pixels, the part on the right hand: clockwise as it is seen. */
-static tp_status follow(tp_region *region, const work *w, tp_message *message) {
+static tp_status follow(tp_picture_region *region, const work *w, tp_message *message) {
   /* to the right, down, to the left, up; and from the corner that is reached the pixels on either
    * side of the next edge that way */
   static const int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
@@ -208,7 +208,8 @@ static tp_status follow(tp_region *region, const work *w, tp_message *message) {
   return TP_OK;
 }
 
-static tp_status segment(tp_region *region, work *w, const char *name, tp_message *message) {
+static tp_status segment(tp_picture_region *region, work *w, const char *name,
+                         tp_message *message) {
   const int count = w->width * w->height;
   int rough = 0;
   for (int k = 0; k < count; k++) rough += w->rough[k] != 0;
@@ -232,10 +233,10 @@ static tp_status segment(tp_region *region, work *w, const char *name, tp_messag
                  "nearer to the block, or trace a picture of more contrast");
 }
 
-tp_status tp_region_find(tp_region *region, const tp_picture *picture, const tp_trace_ring *rough,
-                         const char *name, tp_message *message) {
+tp_status tp_region_find(tp_picture_region *region, const tp_trace_picture *picture,
+                         const tp_trace_ring *rough, const char *name, tp_message *message) {
   work w = {0};
-  *region = (tp_region){0};
+  *region = (tp_picture_region){0};
   place(&w, picture, rough);
   const size_t count = (size_t)(w.width > 0 ? w.width : 0) * (size_t)(w.height > 0 ? w.height : 0);
   region->step = w.step;

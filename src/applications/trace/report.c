@@ -108,7 +108,8 @@ tp_status tp_trace_rock_text(char **text, const tp_trace_options *options) {
 }
 
 /* What the outline can be traced again by: the picture and what was said of it. */
-static void add_origin(tp_text *text, const tp_picture *picture, const tp_trace_options *options) {
+static void add_origin(tp_text *text, const tp_trace_picture *picture,
+                       const tp_trace_options *options) {
   tp_text_add(text, "# Traced by topple trace in ");
   tp_encode_plain(text, base_name(options->image));
   tp_text_add(text, ", SHA-256\n# ");
@@ -137,7 +138,7 @@ static bool misses(const tp_trace *trace, const tp_trace_options *options) {
   return options->between_given && trace->missed_px > BAND * trace->deviation_px;
 }
 
-tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_picture *picture,
+tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace_picture *picture,
                               const tp_trace_options *options) {
   tp_text own = {0};
   const double deviation = trace->deviation_px * trace->per_pixel;

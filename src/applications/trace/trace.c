@@ -15,11 +15,11 @@ enum { RUNS = 3 };
 /* ---- what is asked -----------------------------------------------------------------------------
  */
 
-static bool is_in_picture(const tp_picture *picture, tp_trace_point p) {
+static bool is_in_picture(const tp_trace_picture *picture, tp_trace_point p) {
   return p.x >= 0 && p.y >= 0 && p.x <= picture->width && p.y <= picture->height;
 }
 
-static tp_status check(const tp_trace_options *options, const tp_picture *picture,
+static tp_status check(const tp_trace_options *options, const tp_trace_picture *picture,
                        tp_message *message) {
   const tp_place place = {options->image, 0, 0};
   bool within =
@@ -61,7 +61,7 @@ static tp_status check_rock(const tp_trace_options *options, tp_message *message
 
 /* The rough polygon, made larger about the mean of its points by a share. */
 static bool grow_rough(tp_trace_ring *ring, const tp_trace_ring *rough, double share,
-                       const tp_picture *picture) {
+                       const tp_trace_picture *picture) {
   tp_trace_point middle = {0, 0};
   for (long k = 0; k < rough->count; k++) {
     middle.x += rough->points[k].x / (double)rough->count;
@@ -80,8 +80,9 @@ static bool grow_rough(tp_trace_ring *ring, const tp_trace_ring *rough, double s
 /* ---- tracing -----------------------------------------------------------------------------------
  */
 
-static tp_status trace_once(tp_refined *refined, tp_region *region, const tp_picture *picture,
-                            const tp_trace_options *options, double share, tp_message *message) {
+static tp_status trace_once(tp_refined *refined, tp_picture_region *region,
+                            const tp_trace_picture *picture, const tp_trace_options *options,
+                            double share, tp_message *message) {
   tp_trace_ring rough = {0};
   tp_status status = grow_rough(&rough, &options->rough, share, picture)
                          ? TP_OK
@@ -95,14 +96,14 @@ static tp_status trace_once(tp_refined *refined, tp_region *region, const tp_pic
 
 /* By how much the outlines of larger rough polygons lie outside of this one, in the mean over it.
  */
-static tp_status compare_runs(tp_trace *trace, const tp_picture *picture,
+static tp_status compare_runs(tp_trace *trace, const tp_trace_picture *picture,
                               const tp_trace_options *options, tp_message *message) {
   double squares = 0;
   const double area = tp_trace_ring_area(&trace->ring);
   const double length = tp_trace_ring_length(&trace->ring);
   for (int k = 1; k < RUNS; k++) {
     tp_refined refined = {0};
-    tp_region region;
+    tp_picture_region region;
     const tp_status status = trace_once(&refined, &region, picture, options, 0.04 * k, message);
     if (status != TP_OK) return status;
     const double away = (tp_trace_ring_area(&refined.ring) - area) / length;
@@ -114,10 +115,10 @@ static tp_status compare_runs(tp_trace *trace, const tp_picture *picture,
 }
 
 /* What the picture tells: the outline, and how well it tells it. */
-static tp_status look_for(tp_trace *trace, const tp_picture *picture,
+static tp_status look_for(tp_trace *trace, const tp_trace_picture *picture,
                           const tp_trace_options *options, tp_message *message) {
   tp_refined refined = {0};
-  tp_region region;
+  tp_picture_region region;
   tp_status status = trace_once(&refined, &region, picture, options, 0, message);
   if (status != TP_OK) return status;
   trace->ring = refined.ring;
@@ -148,7 +149,7 @@ static tp_status thin_out(tp_trace *trace, const tp_trace_options *options, tp_m
                            "points");
 }
 
-static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
+static tp_status find_outline(tp_trace *trace, const tp_trace_picture *picture,
                               const tp_trace_options *options, tp_message *message) {
   tp_status status = options->outline.count > 0 ? tp_trace_take_clicks(trace, options, message)
                                                 : look_for(trace, picture, options, message);
@@ -203,7 +204,7 @@ static tp_status write_all(const char *scene, const char *bytes, size_t length,
   return status;
 }
 
-static tp_status tell(char **report, const tp_trace *trace, const tp_picture *picture,
+static tp_status tell(char **report, const tp_trace *trace, const tp_trace_picture *picture,
                       const tp_trace_options *options, tp_message *message) {
   char *scene = NULL, *bytes = NULL, *own = NULL;
   size_t length = 0;
@@ -228,7 +229,7 @@ static tp_status tell(char **report, const tp_trace *trace, const tp_picture *pi
 }
 
 static tp_status run(char **report, const tp_trace_options *options, tp_message *message) {
-  tp_picture picture;
+  tp_trace_picture picture;
   tp_trace trace = {.origin = {0, 0}};
   tp_status status = check_rock(options, message);
   if (status != TP_OK) return status;

@@ -12,8 +12,8 @@
  * is not in it, nor what another hand would take for the block. Of an outline that was clicked it
  * is the last of the three alone. */
 
-#ifndef TP_TRACE_H
-#define TP_TRACE_H
+#ifndef TP_TRACE_TRACE_H
+#define TP_TRACE_TRACE_H
 
 #include "trace/refine.h"
 
@@ -83,14 +83,14 @@ TP_MUST_USE tp_status tp_trace_take_clicks(tp_trace *trace, const tp_trace_optio
                                            tp_message *message);
 TP_MUST_USE bool tp_trace_find_between(tp_trace *trace, const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_scene_text(char **text, const tp_trace *trace,
-                                          const tp_picture *picture,
+                                          const tp_trace_picture *picture,
                                           const tp_trace_options *options);
 /* The least scene with what is known of the rock: a slab, to learn whether a scene takes it. */
 TP_MUST_USE tp_status tp_trace_rock_text(char **text, const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_report(char **text, const tp_trace *trace,
                                       const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_draw(char **bytes, size_t *length, const tp_trace *trace,
-                                    const tp_picture *picture, const tp_trace_options *options,
-                                    tp_message *message);
+                                    const tp_trace_picture *picture,
+                                    const tp_trace_options *options, tp_message *message);
 
 #endif

@@ -10,8 +10,8 @@
  * by the number that asked for it. Of what a file writes out in full its own size is the measure.
  */
 
-#ifndef TP_BUDGET_H
-#define TP_BUDGET_H
+#ifndef TP_COMMON_BUDGET_H
+#define TP_COMMON_BUDGET_H
 
 enum {
   /* Points that curves, and blocks inserted, make of a drawing; or one a byte of its file, where

@@ -3,8 +3,8 @@
 
 /* The clock by which effects are timed; no result depends on it. */
 
-#ifndef TP_CLOCK_H
-#define TP_CLOCK_H
+#ifndef TP_COMMON_CLOCK_H
+#define TP_COMMON_CLOCK_H
 
 /* Seconds of a clock that never goes back. */
 double tp_clock_now(void);

@@ -3,8 +3,8 @@
 
 /* Arrays that grow by doubling, so that n items cost some 2 n copies in all. */
 
-#ifndef TP_GROW_H
-#define TP_GROW_H
+#ifndef TP_COMMON_GROW_H
+#define TP_COMMON_GROW_H
 
 #include <stddef.h>
 

@@ -10,8 +10,8 @@
  * put aside, and come back as the entry returns, whichever way. It takes about a microsecond.
  * Threads that an entry starts have the environment of the thread that starts them. */
 
-#ifndef TP_HOST_H
-#define TP_HOST_H
+#ifndef TP_COMMON_HOST_H
+#define TP_COMMON_HOST_H
 
 #include "common/message.h"
 

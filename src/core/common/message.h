@@ -3,8 +3,8 @@
 
 /* Messages: what went wrong, where (file:line:column), and what to do. */
 
-#ifndef TP_MESSAGE_H
-#define TP_MESSAGE_H
+#ifndef TP_COMMON_MESSAGE_H
+#define TP_COMMON_MESSAGE_H
 
 #include "topple.h"
 

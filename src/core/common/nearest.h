@@ -3,8 +3,8 @@
 
 /* How far two words are apart, for what a misspelt one may have meant. */
 
-#ifndef TP_NEAREST_H
-#define TP_NEAREST_H
+#ifndef TP_COMMON_NEAREST_H
+#define TP_COMMON_NEAREST_H
 
 #include <stddef.h>
 

@@ -3,8 +3,8 @@
 
 /* Notes and cautions beside an answer: gathered by a scene as it is read, and by its solution. */
 
-#ifndef TP_NOTES_H
-#define TP_NOTES_H
+#ifndef TP_COMMON_NOTES_H
+#define TP_COMMON_NOTES_H
 
 #include "common/message.h"
 

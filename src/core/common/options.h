@@ -5,8 +5,8 @@
  * sooner. Every struct of options begins with its size as its caller knows it; it grows at its end,
  * and the fields that a caller does not have are at their defaults. */
 
-#ifndef TP_OPTIONS_H
-#define TP_OPTIONS_H
+#ifndef TP_COMMON_OPTIONS_H
+#define TP_COMMON_OPTIONS_H
 
 #include "common/message.h"
 

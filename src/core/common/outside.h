@@ -11,8 +11,8 @@
  * text. tp_plain_text, which is public, makes a whole text plain; the encoders for every language
  * of output are in output/encode.h. */
 
-#ifndef TP_OUTSIDE_H
-#define TP_OUTSIDE_H
+#ifndef TP_COMMON_OUTSIDE_H
+#define TP_COMMON_OUTSIDE_H
 
 #include "topple.h"
 

@@ -9,8 +9,8 @@
  * would take for its own. Equations are the exception (math.h): only our own signs and numbers
  * stand in them. */
 
-#ifndef TP_DOCUMENT_H
-#define TP_DOCUMENT_H
+#ifndef TP_DOCUMENT_DOCUMENT_H
+#define TP_DOCUMENT_DOCUMENT_H
 
 #include "output/text.h"
 

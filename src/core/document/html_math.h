@@ -3,8 +3,8 @@
 
 /* Equations (math.h) in the languages of the writers. */
 
-#ifndef TP_HTML_MATH_H
-#define TP_HTML_MATH_H
+#ifndef TP_DOCUMENT_HTML_MATH_H
+#define TP_DOCUMENT_HTML_MATH_H
 
 #include "output/text.h"
 

@@ -5,8 +5,8 @@
  * paper A4 in black. Nothing is told by a colour alone. Contrasts are 7 to 1 and more (WCAG AAA).
  */
 
-#ifndef TP_HTML_STYLE_H
-#define TP_HTML_STYLE_H
+#ifndef TP_DOCUMENT_HTML_STYLE_H
+#define TP_DOCUMENT_HTML_STYLE_H
 
 extern const char tp_html_style[];
 

@@ -12,8 +12,8 @@
  *
  * Writers read it sign by sign; every one of them follows the same reader. */
 
-#ifndef TP_MATH_H
-#define TP_MATH_H
+#ifndef TP_DOCUMENT_MATH_H
+#define TP_DOCUMENT_MATH_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,8 +4,8 @@
 /* What may stand in a formula besides + - * / ^, parentheses, decimals and plain names, what
  * messages call its parts, and which names it knows. */
 
-#ifndef TP_DIALECT_H
-#define TP_DIALECT_H
+#ifndef TP_FORMULA_DIALECT_H
+#define TP_FORMULA_DIALECT_H
 
 #include <stdbool.h>
 #include <stddef.h>

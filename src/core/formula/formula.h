@@ -4,8 +4,8 @@
 /* The syntax tree of a formula, whose nodes know where in the text they stand. What it comes to is
  * a matter of an algebra (formula/evaluate.h). */
 
-#ifndef TP_FORMULA_H
-#define TP_FORMULA_H
+#ifndef TP_FORMULA_FORMULA_H
+#define TP_FORMULA_FORMULA_H
 
 #include "common/message.h"
 

@@ -4,8 +4,8 @@
 /* Formulas in exact rationals: + - * / and whole powers; 1/3 is a third. Values are bounded by
  * 20 000 bits, so that no text exhausts the memory, which would end the process. */
 
-#ifndef TP_RATIONAL_H
-#define TP_RATIONAL_H
+#ifndef TP_FORMULA_RATIONAL_H
+#define TP_FORMULA_RATIONAL_H
 
 #include "formula/evaluate.h"
 

@@ -3,8 +3,8 @@
 
 /* Names as formulas write them: letters, digits and _, not a digit first, and Greek letters. */
 
-#ifndef TP_SPELLING_H
-#define TP_SPELLING_H
+#ifndef TP_FORMULA_SPELLING_H
+#define TP_FORMULA_SPELLING_H
 
 #include <stddef.h>
 

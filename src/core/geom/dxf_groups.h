@@ -9,8 +9,8 @@
  * vertices and knots are those that there are, whatever the file says. Nothing that is thrown
  * crosses this face. */
 
-#ifndef TP_DXF_FILE_H
-#define TP_DXF_FILE_H
+#ifndef TP_GEOM_DXF_GROUPS_H
+#define TP_GEOM_DXF_GROUPS_H
 
 #include "geom/geom.h"
 

@@ -9,8 +9,8 @@
  * crosses this face. Cost per vertex for a million: simplicity 0.3 us, meeting edges 0.2 to 1.7 us,
  * triangulation 0.4 to 6 us. */
 
-#ifndef TP_GEOM_H
-#define TP_GEOM_H
+#ifndef TP_GEOM_GEOM_H
+#define TP_GEOM_GEOM_H
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>

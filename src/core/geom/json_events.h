@@ -4,8 +4,8 @@
 /* JSON by RapidJSON behind a C face: what comes one after another, numbers as the text that they
  * are. Nothing that is thrown crosses this face; depth costs no stack. */
 
-#ifndef TP_JSON_EVENTS_H
-#define TP_JSON_EVENTS_H
+#ifndef TP_GEOM_JSON_EVENTS_H
+#define TP_GEOM_JSON_EVENTS_H
 
 #include "geom/geom.h"
 

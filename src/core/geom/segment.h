@@ -3,8 +3,8 @@
 
 /* Parts of a picture by OpenCV, behind a C face. In the library of `topple trace` alone. */
 
-#ifndef TP_SEGMENT_H
-#define TP_SEGMENT_H
+#ifndef TP_GEOM_SEGMENT_H
+#define TP_GEOM_SEGMENT_H
 
 #ifdef __cplusplus
 extern "C" {

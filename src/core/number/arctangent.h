@@ -4,8 +4,8 @@
 /* The direction of a vector in degrees by double arithmetic alone, with a proven bound: the same
  * bits on every machine, where the atan2 of a C library promises neither. */
 
-#ifndef TP_ARCTANGENT_H
-#define TP_ARCTANGENT_H
+#ifndef TP_NUMBER_ARCTANGENT_H
+#define TP_NUMBER_ARCTANGENT_H
 
 /* The bound, as a share of the angle: 2^-49. */
 #define TP_ARCTANGENT_ERROR 0x1p-49

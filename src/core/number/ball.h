@@ -8,8 +8,8 @@
  * atan2 of rationals can tie; the functions here return them exactly. Every other comparison is
  * decided by enough precision. */
 
-#ifndef TP_BALL_H
-#define TP_BALL_H
+#ifndef TP_NUMBER_BALL_H
+#define TP_NUMBER_BALL_H
 
 #include "number/near.h"
 #include "topple.h"

@@ -4,8 +4,8 @@
 /* Powers of two and the larger of two doubles without a call: for loops over all columns of a
  * base, where ldexp, frexp and fmax of the C library take as long as the sums. */
 
-#ifndef TP_BINARY_H
-#define TP_BINARY_H
+#ifndef TP_NUMBER_BINARY_H
+#define TP_NUMBER_BINARY_H
 
 #include <float.h>
 #include <stdint.h>

@@ -5,8 +5,8 @@
  * ball are rounded to nearest by MPFR, and the text has the most digits on which the two agree: all
  * of them are certain. */
 
-#ifndef TP_DECIMALS_H
-#define TP_DECIMALS_H
+#ifndef TP_NUMBER_DECIMALS_H
+#define TP_NUMBER_DECIMALS_H
 
 #include <arb.h>
 #include <stdbool.h>

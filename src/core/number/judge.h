@@ -5,8 +5,8 @@
  * answer only by assumption, where it is as narrow as half the bits at hand and the rung is high
  * enough for that to be called a tie (docs/mechanics.md section 10). */
 
-#ifndef TP_JUDGE_H
-#define TP_JUDGE_H
+#ifndef TP_NUMBER_JUDGE_H
+#define TP_NUMBER_JUDGE_H
 
 #include <arb.h>
 #include <stdbool.h>

@@ -7,8 +7,8 @@
  * exact integers) and the working precision of what follows. The computation says after each rung
  * whether all its numbers and decisions are certain. */
 
-#ifndef TP_LADDER_H
-#define TP_LADDER_H
+#ifndef TP_NUMBER_LADDER_H
+#define TP_NUMBER_LADDER_H
 
 #include "topple.h"
 

@@ -8,8 +8,8 @@
  * left out of an alternating series of falling terms is below its first term, x^21 / 21! and
  * x^20 / 20!, less than 1e-20 at pi/4. Beyond 45 degrees those of what is left to 90. */
 
-#ifndef TP_NEAR_ANGLE_H
-#define TP_NEAR_ANGLE_H
+#ifndef TP_NUMBER_NEAR_ANGLE_H
+#define TP_NUMBER_NEAR_ANGLE_H
 
 #include "number/near.h"
 

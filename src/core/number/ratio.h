@@ -7,8 +7,8 @@
  * FLINT, which aborts when memory is exhausted: at most TP_RATIO_DIGITS digits, magnitude between
  * 1e-308 and 1e308 (the range of a double, so that every input can be reported back). */
 
-#ifndef TP_RATIO_H
-#define TP_RATIO_H
+#ifndef TP_NUMBER_RATIO_H
+#define TP_NUMBER_RATIO_H
 
 #include <flint/fmpq.h>
 #include <stdbool.h>

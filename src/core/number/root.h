@@ -6,8 +6,8 @@
  * Derivatives, 1973, chapter 4) as the GNU Scientific Library has it: some ten values where the
  * function is smooth; where it leaps up to twice as many as halving takes. */
 
-#ifndef TP_ROOT_H
-#define TP_ROOT_H
+#ifndef TP_NUMBER_ROOT_H
+#define TP_NUMBER_ROOT_H
 
 #include <stdbool.h>
 

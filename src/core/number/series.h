@@ -5,8 +5,8 @@
  * of real numbers (radix 2, in place; Cooley and Tukey), the line of least squares, and a standard
  * deviation. None asks for memory. */
 
-#ifndef TP_SERIES_H
-#define TP_SERIES_H
+#ifndef TP_NUMBER_SERIES_H
+#define TP_NUMBER_SERIES_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
 
 /* A double as the shortest decimal that names it. */
 
-#ifndef TP_SHORTEST_H
-#define TP_SHORTEST_H
+#ifndef TP_NUMBER_SHORTEST_H
+#define TP_NUMBER_SHORTEST_H
 
 enum { TP_SHORTEST_SIZE = 32 };
 

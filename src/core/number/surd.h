@@ -3,8 +3,8 @@
 
 /* Signs of sums of square roots, exactly: where rounding ends on an edge is such a number. */
 
-#ifndef TP_SURD_H
-#define TP_SURD_H
+#ifndef TP_NUMBER_SURD_H
+#define TP_NUMBER_SURD_H
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>

@@ -7,8 +7,8 @@
  * The unit is one column of a program at 64 bits, some 30 ns; a step over n columns at b bits
  * counts (n + 150) (1 + b / 128 + (b / 1024)^2), the 150 for what does not depend on n. */
 
-#ifndef TP_WORK_H
-#define TP_WORK_H
+#ifndef TP_NUMBER_WORK_H
+#define TP_NUMBER_WORK_H
 
 #include <stdbool.h>
 

@@ -6,8 +6,8 @@
  * never through tp_text_add. All but JSON, which carries any text, write the plain form (outside.h)
  * and escape what the language would take for its own. */
 
-#ifndef TP_ENCODE_H
-#define TP_ENCODE_H
+#ifndef TP_OUTPUT_ENCODE_H
+#define TP_OUTPUT_ENCODE_H
 
 #include "output/text.h"
 

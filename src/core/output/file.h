@@ -8,8 +8,8 @@
  * place. So it does with a file of several names, and where the folder takes no new file or the
  * owner cannot be kept: then after the room for it was reserved. */
 
-#ifndef TP_FILE_H
-#define TP_FILE_H
+#ifndef TP_OUTPUT_FILE_H
+#define TP_OUTPUT_FILE_H
 
 #include "topple_figure.h"
 

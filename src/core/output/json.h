@@ -8,8 +8,8 @@
  * says so. Every key and every text goes through the encoder; numbers have a point whatever the
  * locale. A value costs its own length; nesting is bounded by TP_JSON_DEEPEST. */
 
-#ifndef TP_JSON_H
-#define TP_JSON_H
+#ifndef TP_OUTPUT_JSON_H
+#define TP_OUTPUT_JSON_H
 
 #include "output/text.h"
 

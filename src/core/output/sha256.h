@@ -4,8 +4,8 @@
 /* The secure hash SHA-256 (FIPS 180-4) of bytes, by which a page names the input that it is of:
  * anyone can make the same with sha256sum. */
 
-#ifndef TP_SHA256_H
-#define TP_SHA256_H
+#ifndef TP_OUTPUT_SHA256_H
+#define TP_OUTPUT_SHA256_H
 
 #include <stddef.h>
 #include <stdint.h>

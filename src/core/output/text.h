@@ -3,8 +3,8 @@
 
 /* A text that grows, and numbers in it of which every printed digit is certain. */
 
-#ifndef TP_TEXT_H
-#define TP_TEXT_H
+#ifndef TP_OUTPUT_TEXT_H
+#define TP_OUTPUT_TEXT_H
 
 #include "topple.h"
 

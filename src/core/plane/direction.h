@@ -6,8 +6,8 @@
  * and lengths that are turned by it come out too long by a share of less than 2^-TP_DIRECTION_BITS,
  * as k is at least 1. */
 
-#ifndef TP_DIRECTION_H
-#define TP_DIRECTION_H
+#ifndef TP_PLANE_DIRECTION_H
+#define TP_PLANE_DIRECTION_H
 
 #include <flint/fmpq.h>
 

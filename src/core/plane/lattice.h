@@ -11,8 +11,8 @@
  * arithmetic u = x * 2^-exponent_u and v = y * 2^-exponent_v, rounded to nearest, the largest of
  * each near 2^53 or below; both exponents 0 say that all u and v are exact. */
 
-#ifndef TP_LATTICE_H
-#define TP_LATTICE_H
+#ifndef TP_PLANE_LATTICE_H
+#define TP_PLANE_LATTICE_H
 
 #include "plane/polyline.h"
 

@@ -3,8 +3,8 @@
 
 /* A chain of exact points in scene lengths, each with the place in a file that it came from. */
 
-#ifndef TP_POLYLINE_H
-#define TP_POLYLINE_H
+#ifndef TP_PLANE_POLYLINE_H
+#define TP_PLANE_POLYLINE_H
 
 #include "common/message.h"
 

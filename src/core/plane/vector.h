@@ -4,8 +4,8 @@
 /* Triples of balls: a force with its moment, or a twist (v_x, v_y, omega) about the origin. Their
  * dot product is a power. */
 
-#ifndef TP_VECTOR_H
-#define TP_VECTOR_H
+#ifndef TP_PLANE_VECTOR_H
+#define TP_PLANE_VECTOR_H
 
 #include "number/judge.h"
 

@@ -9,8 +9,8 @@
  * common, are balls. Edges that run back, above the block's own overhang, count for the length of
  * the underside, and for no gap. */
 
-#ifndef TP_APERTURE_H
-#define TP_APERTURE_H
+#ifndef TP_BASE_APERTURE_H
+#define TP_BASE_APERTURE_H
 
 #include "plane/polyline.h"
 

@@ -10,8 +10,8 @@
  * flush with what it faces, at any scale: of an edge that leaves a contact at more than 0.6 degrees
  * the far end is none. */
 
-#ifndef TP_CLOSENESS_H
-#define TP_CLOSENESS_H
+#ifndef TP_BASE_CLOSENESS_H
+#define TP_BASE_CLOSENESS_H
 
 #include "base/profile.h"
 

@@ -10,8 +10,8 @@
  * nothing to first order. The upright faces at which the rock ends are rock too. A rounded block
  * touches where the sharp one does and its outline still is (base/facets_cut.c). */
 
-#ifndef TP_CONTACT_H
-#define TP_CONTACT_H
+#ifndef TP_BASE_CONTACT_H
+#define TP_BASE_CONTACT_H
 
 #include "base/facets.h"
 

@@ -5,8 +5,8 @@
  * the meetings of their edges (CGAL's exact predicates) or, on a mated base, one by one. All of it
  * by signs of whole numbers, so that nothing needs a bound. */
 
-#ifndef TP_FACETS_H
-#define TP_FACETS_H
+#ifndef TP_BASE_FACETS_H
+#define TP_BASE_FACETS_H
 
 #include "base/profile.h"
 #include "block/tangents.h"

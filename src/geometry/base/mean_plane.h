@@ -12,8 +12,8 @@
  * rational wherever the points are. The line between the ends turns with the block, so that the
  * mean plane does too, whatever way the coordinates lie; a plane contact is its own mean plane. */
 
-#ifndef TP_MEAN_PLANE_H
-#define TP_MEAN_PLANE_H
+#ifndef TP_BASE_MEAN_PLANE_H
+#define TP_BASE_MEAN_PLANE_H
 
 #include "base/contact.h"
 

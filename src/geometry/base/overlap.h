@@ -7,8 +7,8 @@
  * and there the sectors that are their insides overlap. Rings that touch nowhere overlap where one
  * lies in the other. So each meeting is judged by itself, O(n) in all. */
 
-#ifndef TP_OVERLAP_H
-#define TP_OVERLAP_H
+#ifndef TP_BASE_OVERLAP_H
+#define TP_BASE_OVERLAP_H
 
 #include "base/facets.h"
 #include "geom/geom.h"

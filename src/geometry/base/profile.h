@@ -7,8 +7,8 @@
  * (base/underside.h). Past the contact it goes on as far
  * as the scene says: along the teeth of a toothed block, level otherwise. */
 
-#ifndef TP_PROFILE_H
-#define TP_PROFILE_H
+#ifndef TP_BASE_PROFILE_H
+#define TP_BASE_PROFILE_H
 
 #include "block/section.h"
 #include "topple.h"

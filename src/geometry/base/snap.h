@@ -13,8 +13,8 @@
  * An edge moves by w at most, all along it, as its ends do. So it never passes a point of the
  * profile that is farther than w from it, and what lay outside the block by more stays outside. */
 
-#ifndef TP_SNAP_H
-#define TP_SNAP_H
+#ifndef TP_BASE_SNAP_H
+#define TP_BASE_SNAP_H
 
 #include "base/closeness.h"
 

@@ -5,8 +5,8 @@
  * body its foot, the nearest point of the other within the distance; then where vertices go, and
  * which points of the profile are taken into edges. */
 
-#ifndef TP_SNAP_SEARCH_H
-#define TP_SNAP_SEARCH_H
+#ifndef TP_BASE_SNAP_SEARCH_H
+#define TP_BASE_SNAP_SEARCH_H
 
 #include "base/snap.h"
 

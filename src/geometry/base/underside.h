@@ -18,8 +18,8 @@
  *   the block overhangs its own support. Where the block reaches in below, it ends in the last
  *   corner before that, so that the upright face in which its rock ends cuts nothing. */
 
-#ifndef TP_UNDERSIDE_H
-#define TP_UNDERSIDE_H
+#ifndef TP_BASE_UNDERSIDE_H
+#define TP_BASE_UNDERSIDE_H
 
 #include "block/section.h"
 #include "topple.h"

@@ -5,8 +5,8 @@
  * Arcs are sorted once, by the points that they begin in; each edge is then looked up in
  * logarithmic time. */
 
-#ifndef TP_ARC_BEGINS_H
-#define TP_ARC_BEGINS_H
+#ifndef TP_BLOCK_ARC_BEGINS_H
+#define TP_BLOCK_ARC_BEGINS_H
 
 #include "scene/scene.h"
 

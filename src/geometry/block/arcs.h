@@ -9,8 +9,8 @@
  * Where this ring and the other one, of chords outwards and tangents inwards, are both simple no
  * arc meets another edge: each lies between the two. */
 
-#ifndef TP_ARCS_H
-#define TP_ARCS_H
+#ifndef TP_BLOCK_ARCS_H
+#define TP_BLOCK_ARCS_H
 
 #include "common/message.h"
 #include "plane/polyline.h"

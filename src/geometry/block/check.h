@@ -7,8 +7,8 @@
  * then the triangles of a constrained Delaunay triangulation: each says which rings it lies in.
  * Exact. Cost: a section of one ring is never triangulated. */
 
-#ifndef TP_CHECK_H
-#define TP_CHECK_H
+#ifndef TP_BLOCK_CHECK_H
+#define TP_BLOCK_CHECK_H
 
 #include "block/section.h"
 #include "geom/geom.h"

@@ -3,8 +3,8 @@
 
 /* Is a ring a simple polygon? */
 
-#ifndef TP_CHECK_RING_H
-#define TP_CHECK_RING_H
+#ifndef TP_BLOCK_CHECK_RING_H
+#define TP_BLOCK_CHECK_RING_H
 
 #include "common/message.h"
 #include "plane/lattice.h"

@@ -4,8 +4,8 @@
 /* Points, circles and arcs in exact rationals: the point at the angle t from another one is
  * rational with tan(t / 2), (1 - u^2, 2 u) / (1 + u^2), so an arc needs no roots. */
 
-#ifndef TP_CIRCLE_H
-#define TP_CIRCLE_H
+#ifndef TP_BLOCK_CIRCLE_H
+#define TP_BLOCK_CIRCLE_H
 
 #include <flint/fmpq.h>
 #include <stdbool.h>

@@ -8,8 +8,8 @@
  * kite of vertex, tangent points and centre and the sector about the centre, l r - r^2 (pi - theta)
  * / 2; model `paper` keeps the mass. */
 
-#ifndef TP_CORNERS_H
-#define TP_CORNERS_H
+#ifndef TP_BLOCK_CORNERS_H
+#define TP_BLOCK_CORNERS_H
 
 #include "block/moments.h"
 #include "block/region.h"

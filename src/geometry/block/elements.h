@@ -4,8 +4,8 @@
 /* The block as elements: the paper's own slabs and triangles for toothed blocks (Appendix A), the
  * triangles of the triangulation for any other. All moments are exact integers on the lattice. */
 
-#ifndef TP_ELEMENTS_H
-#define TP_ELEMENTS_H
+#ifndef TP_BLOCK_ELEMENTS_H
+#define TP_BLOCK_ELEMENTS_H
 
 #include "block/section.h"
 #include "geom/geom.h"

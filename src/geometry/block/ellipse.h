@@ -9,8 +9,8 @@
  * Y^2 = b/4 - sin 4b / 16,   int X^2 = b/4 - sin 2b / 6 + sin 4b / 48; the whole has area pi and
  * second moments pi / 4. Scaling by the half-axes gives the rest. */
 
-#ifndef TP_ELLIPSE_H
-#define TP_ELLIPSE_H
+#ifndef TP_BLOCK_ELLIPSE_H
+#define TP_BLOCK_ELLIPSE_H
 
 #include "block/ring_sums.h"
 #include "plane/lattice.h"

@@ -5,8 +5,8 @@
  * each times its ring's whole-number weight, or an ellipse's in closed form. The bound of the sums
  * goes along in balls; powers of two and weights are multiplied exactly. */
 
-#ifndef TP_MOMENTS_H
-#define TP_MOMENTS_H
+#ifndef TP_BLOCK_MOMENTS_H
+#define TP_BLOCK_MOMENTS_H
 
 #include "block/ring_sums.h"
 #include "block/section.h"

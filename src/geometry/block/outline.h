@@ -4,8 +4,8 @@
 /* Outlines that a scene describes by a few numbers: toothed blocks (Alejano et al., Fig. 5) and
  * slabs. The joints of the teeth lie at multiples of a, in turn at the heights 0 and c; exact. */
 
-#ifndef TP_OUTLINE_H
-#define TP_OUTLINE_H
+#ifndef TP_BLOCK_OUTLINE_H
+#define TP_BLOCK_OUTLINE_H
 
 #include "scene/scene.h"
 

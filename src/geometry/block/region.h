@@ -5,8 +5,8 @@
  * product of coordinates p q is A / 12 (sum p sum q + sum p q over the corners), and of circular
  * sectors about their own centres, moved to the origin. The balls are the bound. */
 
-#ifndef TP_REGION_H
-#define TP_REGION_H
+#ifndef TP_BLOCK_REGION_H
+#define TP_BLOCK_REGION_H
 
 #include "block/ring_sums.h"
 

@@ -3,8 +3,8 @@
 
 /* Rings whose edges meet by less than the last digit of their coordinates. */
 
-#ifndef TP_REPAIR_H
-#define TP_REPAIR_H
+#ifndef TP_BLOCK_REPAIR_H
+#define TP_BLOCK_REPAIR_H
 
 #include "common/notes.h"
 #include "plane/polyline.h"

@@ -5,8 +5,8 @@
  * meet the nearest to the other edge, and where it goes (block/repair.c says why). In rationals;
  * the nearest is decided exactly. */
 
-#ifndef TP_REPAIR_MOVE_H
-#define TP_REPAIR_MOVE_H
+#ifndef TP_BLOCK_REPAIR_MOVE_H
+#define TP_BLOCK_REPAIR_MOVE_H
 
 #include "geom/geom.h"
 #include "plane/polyline.h"

@@ -4,11 +4,11 @@
 /* Rings of a lattice as the geometry sees them, and meetings of their edges told in the user's
  * vertices. */
 
-#ifndef TP_RING_MEETINGS_H
-#define TP_RING_MEETINGS_H
+#ifndef TP_BLOCK_RING_MEETINGS_H
+#define TP_BLOCK_RING_MEETINGS_H
 
-#include "geom/geom.h"
 #include "common/message.h"
+#include "geom/geom.h"
 #include "plane/lattice.h"
 
 /* The chains from `first` on, `count` of them, as rings of the geometry. `start` has room for

@@ -16,8 +16,8 @@
  * Each entry has a `_first` form for the first `sum_count` of them alone: TP_AREA_SUM_COUNT, which
  * give area and centroid, or TP_SUM_COUNT. */
 
-#ifndef TP_RING_SUMS_H
-#define TP_RING_SUMS_H
+#ifndef TP_BLOCK_RING_SUMS_H
+#define TP_BLOCK_RING_SUMS_H
 
 #include <arb.h>
 #include <flint/fmpz.h>

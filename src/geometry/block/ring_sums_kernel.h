@@ -9,8 +9,8 @@
  * order of all operations is a matter of n alone, so neither the width of the registers nor the
  * number of threads changes a bit of the result. */
 
-#ifndef TP_RING_SUMS_KERNEL_H
-#define TP_RING_SUMS_KERNEL_H
+#ifndef TP_BLOCK_RING_SUMS_KERNEL_H
+#define TP_BLOCK_RING_SUMS_KERNEL_H
 
 #include "block/ring_sums.h"
 

@@ -7,8 +7,8 @@
  * which its moments enter the sum: w for the outline, -w for a hole, w_k - w for a part, in units
  * of `weight_unit` kN/m3, so that moments of parts of different density stay sums of integers. */
 
-#ifndef TP_SECTION_H
-#define TP_SECTION_H
+#ifndef TP_BLOCK_SECTION_H
+#define TP_BLOCK_SECTION_H
 
 #include "block/arcs.h"
 #include "plane/lattice.h"

@@ -11,8 +11,8 @@
  * |u| and |w| are roots of whole numbers, so that every question about these points is the sign of
  * a sum of square roots (number/surd.h). */
 
-#ifndef TP_TANGENTS_H
-#define TP_TANGENTS_H
+#ifndef TP_BLOCK_TANGENTS_H
+#define TP_BLOCK_TANGENTS_H
 
 #include "block/corners.h"
 

@@ -4,8 +4,8 @@
 /* Area and first moments of a section as sums over its triangles: the way of the textbooks, beside
  * which the boundary sums are measured. */
 
-#ifndef TP_TRIANGLE_SUMS_H
-#define TP_TRIANGLE_SUMS_H
+#ifndef TP_BLOCK_TRIANGLE_SUMS_H
+#define TP_BLOCK_TRIANGLE_SUMS_H
 
 #include "block/moments.h"
 #include "geom/geom.h"

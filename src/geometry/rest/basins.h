@@ -14,8 +14,8 @@
  * contact and the first turn change there; else in the middle. The work is bounded by
  * TP_BASIN_SETTLINGS; borders not narrowed by then stay as wide as they are, and say so. */
 
-#ifndef TP_BASINS_H
-#define TP_BASINS_H
+#ifndef TP_REST_BASINS_H
+#define TP_REST_BASINS_H
 
 #include "rest/endings.h"
 

@@ -15,8 +15,8 @@
  * is c a - s b + p: off by at most (3 + 2 + 1 + 1) u of |c a| + |s b| <= 4 M, 3 u of |p| and u of
  * the sum, 32 u M in all; the difference of two coordinates by 66 u M, with its own rounding. */
 
-#ifndef TP_BODIES_H
-#define TP_BODIES_H
+#ifndef TP_REST_BODIES_H
+#define TP_REST_BODIES_H
 
 #include "plane/polyline.h"
 #include "rest/boxes.h"

@@ -4,8 +4,8 @@
 /* Boxes around runs of a profile's edges, in a binary tree: what none of a run can touch is passed
  * over as a whole. Nodes are numbered as in a heap, 2 k and 2 k + 1 below k, the whole from 1. */
 
-#ifndef TP_BOXES_H
-#define TP_BOXES_H
+#ifndef TP_REST_BOXES_H
+#define TP_REST_BOXES_H
 
 #include <stdbool.h>
 

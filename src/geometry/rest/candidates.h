@@ -5,8 +5,8 @@
  * with their bounds, do not show that another pair touches sooner. The exact stage looks at these
  * alone, so that its cost does not grow with the bodies. */
 
-#ifndef TP_CANDIDATES_H
-#define TP_CANDIDATES_H
+#ifndef TP_REST_CANDIDATES_H
+#define TP_REST_CANDIDATES_H
 
 #include "rest/bodies.h"
 

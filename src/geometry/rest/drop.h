@@ -7,8 +7,8 @@
  * profile, and of the edges on its underside over the vertices of the profile: exact, a minimum of
  * rational numbers. */
 
-#ifndef TP_DROP_H
-#define TP_DROP_H
+#ifndef TP_REST_DROP_H
+#define TP_REST_DROP_H
 
 #include "rest/touch.h"
 

@@ -5,8 +5,8 @@
  * the same vertices and edges touch: over a stretch of starting positions such a pose shifts and
  * turns with them, since nothing slides, and its contacts stay. */
 
-#ifndef TP_ENDINGS_H
-#define TP_ENDINGS_H
+#ifndef TP_REST_ENDINGS_H
+#define TP_REST_ENDINGS_H
 
 #include "rest/settle.h"
 

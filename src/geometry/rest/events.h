@@ -4,8 +4,8 @@
 /* Shifts of a block at which its first contact, or its first turn, may become another: a vertex of
  * its outline, or its centroid, lies upright over a point of the profile. They are rational. */
 
-#ifndef TP_EVENTS_H
-#define TP_EVENTS_H
+#ifndef TP_REST_EVENTS_H
+#define TP_REST_EVENTS_H
 
 #include "rest/bodies.h"
 

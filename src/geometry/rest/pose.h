@@ -7,8 +7,8 @@
  * most poses in which a block touches twice have an irrational cosine, and are given in lengths
  * that are out by a share of less than 2^-TP_POSE_BITS, with all contacts exact. */
 
-#ifndef TP_POSE_H
-#define TP_POSE_H
+#ifndef TP_REST_POSE_H
+#define TP_REST_POSE_H
 
 #include <flint/fmpq.h>
 #include <stdbool.h>

@@ -10,8 +10,8 @@
  * minimum among all motions without sliding. Every turn ends lower than it began, so no pose comes
  * twice; of a block that has not come to rest after tp_settle_most turns that is said. */
 
-#ifndef TP_SETTLE_H
-#define TP_SETTLE_H
+#ifndef TP_REST_SETTLE_H
+#define TP_REST_SETTLE_H
 
 #include "rest/touch.h"
 

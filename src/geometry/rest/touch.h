@@ -14,8 +14,8 @@
  * where every line that parts them does; a corner in a notch where one of the notch's edges does.
  */
 
-#ifndef TP_TOUCH_H
-#define TP_TOUCH_H
+#ifndef TP_REST_TOUCH_H
+#define TP_REST_TOUCH_H
 
 #include "rest/bodies.h"
 

@@ -14,8 +14,8 @@
  * sqrt(D) of rationals: signs and orders are decided exactly (number/surd.h). A corner that grazes
  * a line, D = 0, goes on. */
 
-#ifndef TP_TURNING_H
-#define TP_TURNING_H
+#ifndef TP_REST_TURNING_H
+#define TP_REST_TURNING_H
 
 #include "rest/candidates.h"
 #include "rest/touch.h"

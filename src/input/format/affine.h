@@ -5,8 +5,8 @@
  * SVG writes them. A map that keeps circles (a turn, one scale, a mirror) keeps arcs as arcs, of
  * the same bulge or, mirrored, of its opposite. */
 
-#ifndef TP_AFFINE_MAP_H
-#define TP_AFFINE_MAP_H
+#ifndef TP_FORMAT_AFFINE_H
+#define TP_FORMAT_AFFINE_H
 
 #include "format/drawing.h"
 

@@ -17,8 +17,8 @@
  *   EAST, NORTH   of a plan: both together need a line of section
  *   DEGREES       on the globe: refused */
 
-#ifndef TP_COLUMN_WORDS_TABLE_H
-#define TP_COLUMN_WORDS_TABLE_H
+#ifndef TP_FORMAT_COLUMN_WORDS_TABLE_H
+#define TP_FORMAT_COLUMN_WORDS_TABLE_H
 
 #define TP_COLUMN_WORDS(ROW)                                                                       \
   ROW(X, "x")                                                                                      \

@@ -4,12 +4,12 @@
 /* Which columns of a CSV file of points are x and y, by what its header calls them
  * (format/column_words_table.h), and in which unit: an elevation is y wherever it stands. */
 
-#ifndef TP_COLUMNS_H
-#define TP_COLUMNS_H
+#ifndef TP_FORMAT_COLUMNS_H
+#define TP_FORMAT_COLUMNS_H
 
-#include "format/csv_row.h"
 #include "common/message.h"
 #include "common/notes.h"
+#include "format/csv_row.h"
 
 #include <flint/fmpq.h>
 

@@ -4,8 +4,8 @@
 /* Objects of a CSV file with named columns: x and y, and where there are such, layer, name and
  * bulge. Rows of one layer and name that follow each other are one object. */
 
-#ifndef TP_CSV_DRAWING_H
-#define TP_CSV_DRAWING_H
+#ifndef TP_FORMAT_CSV_DRAWING_H
+#define TP_FORMAT_CSV_DRAWING_H
 
 #include "format/drawing.h"
 #include "format/text_file.h"

@@ -7,8 +7,8 @@
  * blanks. A field may stand in double quotes, within which nothing separates. A comment runs from a
  * '#' outside quotes to the end; empty fields at the end are dropped. */
 
-#ifndef TP_CSV_ROW_H
-#define TP_CSV_ROW_H
+#ifndef TP_FORMAT_CSV_ROW_H
+#define TP_FORMAT_CSV_ROW_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -12,8 +12,8 @@
  *   Bezier curve, rational with weights above zero: it lies in the hull of its control points, so
  *   within the largest distance of these from its chord; halved until that is small enough */
 
-#ifndef TP_CURVE_H
-#define TP_CURVE_H
+#ifndef TP_FORMAT_CURVE_H
+#define TP_FORMAT_CURVE_H
 
 #include "format/drawing.h"
 

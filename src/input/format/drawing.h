@@ -10,8 +10,8 @@
  * most `deviation`. Which object is the block, and which the base, is told apart by layer and name
  * (format/roles.h), and pieces are joined end to end before (format/join.h). */
 
-#ifndef TP_DRAWING_H
-#define TP_DRAWING_H
+#ifndef TP_FORMAT_DRAWING_H
+#define TP_FORMAT_DRAWING_H
 
 #include "common/notes.h"
 #include "plane/polyline.h"

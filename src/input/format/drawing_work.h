@@ -4,8 +4,8 @@
 /* What the few bytes of a drawing may make work of, counted against its budgets (budget.h): points
  * that curves, and blocks inserted, become, and numbers of nested transforms. */
 
-#ifndef TP_DRAWING_WORK_H
-#define TP_DRAWING_WORK_H
+#ifndef TP_FORMAT_DRAWING_WORK_H
+#define TP_FORMAT_DRAWING_WORK_H
 
 #include "format/affine.h"
 

@@ -3,8 +3,8 @@
 
 /* Objects of a DXF file, as text from R12 on. */
 
-#ifndef TP_DXF_H
-#define TP_DXF_H
+#ifndef TP_FORMAT_DXF_H
+#define TP_FORMAT_DXF_H
 
 #include "format/drawing.h"
 #include "format/text_file.h"

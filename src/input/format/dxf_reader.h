@@ -3,12 +3,12 @@
 
 /* A DXF file while it is read: what its entities, blocks and inserts have in common. */
 
-#ifndef TP_DXF_READER_H
-#define TP_DXF_READER_H
+#ifndef TP_FORMAT_DXF_READER_H
+#define TP_FORMAT_DXF_READER_H
 
-#include "geom/dxf_groups.h"
 #include "format/curve.h"
 #include "format/drawing.h"
+#include "geom/dxf_groups.h"
 
 /* A block: objects and inserts that stand one after another in the lists of the reader. */
 typedef struct tp_dxf_block {

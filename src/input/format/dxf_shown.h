@@ -8,8 +8,8 @@
  * of the insert. An insert on a frozen layer hides all of its block, one on a layer that is off
  * only what is on layer 0 there. */
 
-#ifndef TP_DXF_SHOWN_H
-#define TP_DXF_SHOWN_H
+#ifndef TP_FORMAT_DXF_SHOWN_H
+#define TP_FORMAT_DXF_SHOWN_H
 
 #include "format/dxf_reader.h"
 

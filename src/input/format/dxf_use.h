@@ -8,8 +8,8 @@
  * nothing. Each block is looked through once: does it put an object there that has a role, one that
  * follows the layer of its insert, and how many in all? */
 
-#ifndef TP_DXF_USE_H
-#define TP_DXF_USE_H
+#ifndef TP_FORMAT_DXF_USE_H
+#define TP_FORMAT_DXF_USE_H
 
 #include "format/dxf_reader.h"
 

@@ -4,8 +4,8 @@
 /* Objects of a GeoJSON file (RFC 7946): lines and polygons, alone or in features, whose properties
  * "layer" and "name" are theirs. */
 
-#ifndef TP_GEOJSON_H
-#define TP_GEOJSON_H
+#ifndef TP_FORMAT_GEOJSON_H
+#define TP_FORMAT_GEOJSON_H
 
 #include "format/drawing.h"
 #include "format/text_file.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#ifndef TP_GIS_LIBRARY_H
-#define TP_GIS_LIBRARY_H
+#ifndef TP_FORMAT_GIS_LIBRARY_H
+#define TP_FORMAT_GIS_LIBRARY_H
 
 #include "gis/gis.h"
 

@@ -11,8 +11,8 @@
  *
  * Ends are sorted by x, so that n pieces cost n log n, as long as few ends share an x. */
 
-#ifndef TP_JOIN_H
-#define TP_JOIN_H
+#ifndef TP_FORMAT_JOIN_H
+#define TP_FORMAT_JOIN_H
 
 #include "format/drawing.h"
 

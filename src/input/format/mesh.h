@@ -9,8 +9,8 @@
  * counted. A file holds at most TP_MESH_MOST vertices and as many faces, and TP_MESH_BYTES bytes.
  */
 
-#ifndef TP_MESH_H
-#define TP_MESH_H
+#ifndef TP_FORMAT_MESH_H
+#define TP_FORMAT_MESH_H
 
 #include "common/message.h"
 

@@ -32,7 +32,7 @@ static const fmpq *vertex(const tp_crossings *c, int index) {
 }
 
 /* The point between both ends in the ratio of their distances from the plane. */
-static void find_point(const tp_crossings *c, tp_crossing *own) {
+static void find_point(const tp_crossings *c, tp_mesh_crossing *own) {
   fmpq_t from, to, s, height;
   fmpq_init(from);
   fmpq_init(to);
@@ -85,10 +85,10 @@ static tp_status find_crossing(tp_crossings *c, int *index, int face, int from, 
   if (!reserve_slot(c)) return tp_fail_memory(c->message, "a section");
   int *slot = find_slot(c, a, b);
   if (*slot == 0) {
-    tp_crossing *items = tp_grow(c->items, c->count, &c->room, sizeof *items);
+    tp_mesh_crossing *items = tp_grow(c->items, c->count, &c->room, sizeof *items);
     if (items == NULL) return tp_fail_memory(c->message, "a section");
     c->items = items;
-    items[c->count] = (tp_crossing){.a = a, .b = b, .face = face};
+    items[c->count] = (tp_mesh_crossing){.a = a, .b = b, .face = face};
     fmpq_init(&items[c->count].s);
     fmpq_init(&items[c->count].height);
     find_point(c, items + c->count);
@@ -103,11 +103,11 @@ static tp_status find_crossing(tp_crossings *c, int *index, int face, int from, 
  */
 
 static tp_status add_piece(tp_crossings *c, const tp_mesh_face *face, int one, int other) {
-  tp_piece *pieces = tp_grow(c->pieces, c->piece_count, &c->piece_room, sizeof *pieces);
+  tp_mesh_piece *pieces = tp_grow(c->pieces, c->piece_count, &c->piece_room, sizeof *pieces);
   if (pieces == NULL) return tp_fail_memory(c->message, "a section");
   c->pieces = pieces;
   for (int e = 0; e < 2; e++) {
-    tp_crossing *end = c->items + (e == 0 ? one : other);
+    tp_mesh_crossing *end = c->items + (e == 0 ? one : other);
     if (end->piece_count == 2) {
       return fail_face(c, face,
                        "shares an edge with two other faces where the plane cuts it; a surface has "
@@ -115,12 +115,12 @@ static tp_status add_piece(tp_crossings *c, const tp_mesh_face *face, int one, i
     }
     end->pieces[end->piece_count++] = (int)c->piece_count;
   }
-  pieces[c->piece_count++] = (tp_piece){.ends = {one, other}};
+  pieces[c->piece_count++] = (tp_mesh_piece){.ends = {one, other}};
   return TP_OK;
 }
 
 static int compare_crossings(const tp_crossings *c, int one, int other) {
-  const tp_crossing *a = c->items + one, *b = c->items + other;
+  const tp_mesh_crossing *a = c->items + one, *b = c->items + other;
   const int side = fmpq_cmp(&a->s, &b->s);
   return side != 0 ? side : fmpq_cmp(&a->height, &b->height);
 }

@@ -3,8 +3,8 @@
 
 #include "format/mesh_cut.h"
 
-#include "format/mesh_crossings.h"
 #include "common/grow.h"
+#include "format/mesh_crossings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,12 +18,13 @@ void tp_mesh_section_clear(tp_mesh_section *section) {
 /* ---- points of a chain -------------------------------------------------------------------------
  */
 
-static bool is_same_point(const tp_crossing *a, const tp_crossing *b) {
+static bool is_same_point(const tp_mesh_crossing *a, const tp_mesh_crossing *b) {
   return fmpq_equal(&a->s, &b->s) && fmpq_equal(&a->height, &b->height);
 }
 
 /* Is b on the straight line from a to c, between them? */
-static bool is_between(const tp_crossing *a, const tp_crossing *b, const tp_crossing *c) {
+static bool is_between(const tp_mesh_crossing *a, const tp_mesh_crossing *b,
+                       const tp_mesh_crossing *c) {
   if (tp_points_turn(&a->s, &a->height, &b->s, &b->height, &c->s, &c->height) != 0) return false;
   const int along = fmpq_cmp(&b->s, &a->s) * fmpq_cmp(&c->s, &b->s);
   const int up = fmpq_cmp(&b->height, &a->height) * fmpq_cmp(&c->height, &b->height);
@@ -34,7 +35,7 @@ static bool is_between(const tp_crossing *a, const tp_crossing *b, const tp_cros
 static void rotate(const tp_crossings *c, int *nodes, long count, int *copy) {
   long first = 0;
   for (long k = 1; k < count; k++) {
-    const tp_crossing *own = c->items + nodes[k], *best = c->items + nodes[first];
+    const tp_mesh_crossing *own = c->items + nodes[k], *best = c->items + nodes[first];
     const int side = fmpq_cmp(&own->s, &best->s);
     if (side < 0 || (side == 0 && fmpq_cmp(&own->height, &best->height) < 0)) first = k;
   }
@@ -71,7 +72,7 @@ static tp_status add_chain(tp_mesh_section *section, const tp_crossings *c, cons
   tp_section_chain *own = chains + section->count++;
   *own = (tp_section_chain){.closed = closed, .points = {.file = c->mesh->file}};
   for (long k = 0; k < count; k++) {
-    const tp_crossing *node = c->items + nodes[k];
+    const tp_mesh_crossing *node = c->items + nodes[k];
     const int line = c->mesh->faces[node->face].line;
     const tp_mark mark = {line, line > 0 ? 1 : 0};
     if (k == 0) own->points.mark = mark;
@@ -95,7 +96,7 @@ static long follow(tp_crossings *c, int start, int *nodes, bool *closed) {
     nodes[count++] = node;
     more = false;
     for (int k = 0; k < c->items[node].piece_count && !more; k++) {
-      tp_piece *piece = c->pieces + c->items[node].pieces[k];
+      tp_mesh_piece *piece = c->pieces + c->items[node].pieces[k];
       if (piece->used) continue;
       piece->used = more = true;
       node = piece->ends[piece->ends[0] == node];
@@ -106,7 +107,7 @@ static long follow(tp_crossings *c, int start, int *nodes, bool *closed) {
   return count;
 }
 
-static bool is_used(const tp_crossings *c, const tp_crossing *own) {
+static bool is_used(const tp_crossings *c, const tp_mesh_crossing *own) {
   for (int k = 0; k < own->piece_count; k++) {
     if (!c->pieces[own->pieces[k]].used) return false;
   }
@@ -132,7 +133,7 @@ static tp_status join(tp_mesh_section *section, tp_crossings *c) {
   tp_status status = TP_OK;
   for (int open = 1; open >= 0; open--) {
     for (int k = 0; k < c->count && status == TP_OK; k++) {
-      const tp_crossing *own = c->items + k;
+      const tp_mesh_crossing *own = c->items + k;
       if ((open == 0 || own->piece_count == 1) && !is_used(c, own)) {
         status = join_from(section, c, k, nodes);
       }
@@ -149,7 +150,7 @@ tp_status tp_mesh_cut(tp_mesh_section *section, const tp_mesh *mesh, long object
   tp_status status = tp_crossings_find(&crossings, mesh, object, plane, message);
   if (status == TP_OK) status = join(section, &crossings);
   for (long k = 0; k < crossings.count; k++) {
-    const tp_crossing *own = crossings.items + k;
+    const tp_mesh_crossing *own = crossings.items + k;
     section->flipped += own->piece_count == 2 && own->upward != 0;
   }
   section->is_left = crossings.left;

@@ -12,8 +12,8 @@
  * faces or more. Which way round faces are given does not matter; those that run against their
  * neighbours are counted. */
 
-#ifndef TP_MESH_CUT_H
-#define TP_MESH_CUT_H
+#ifndef TP_FORMAT_MESH_CUT_H
+#define TP_FORMAT_MESH_CUT_H
 
 #include "format/mesh.h"
 #include "format/section_plane.h"

@@ -4,8 +4,8 @@
 /* The header of a PLY file: which elements with which properties follow, as text or as binary
  * numbers of either order of bytes. */
 
-#ifndef TP_MESH_PLY_H
-#define TP_MESH_PLY_H
+#ifndef TP_FORMAT_MESH_PLY_H
+#define TP_FORMAT_MESH_PLY_H
 
 #include "format/mesh_source.h"
 

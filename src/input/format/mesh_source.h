@@ -4,8 +4,8 @@
 /* The bytes of a mesh file while they are read: words and lines of a text, numbers of a binary one.
  * What stands in the file is not quoted: it may be any file, which the scene names by mistake. */
 
-#ifndef TP_MESH_SOURCE_H
-#define TP_MESH_SOURCE_H
+#ifndef TP_FORMAT_MESH_SOURCE_H
+#define TP_FORMAT_MESH_SOURCE_H
 
 #include "format/mesh.h"
 

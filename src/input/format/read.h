@@ -3,8 +3,8 @@
 
 /* Drawings out of files of any format. */
 
-#ifndef TP_DRAWING_READ_H
-#define TP_DRAWING_READ_H
+#ifndef TP_FORMAT_READ_H
+#define TP_FORMAT_READ_H
 
 #include "format/drawing.h"
 

@@ -7,8 +7,8 @@
  * drawing any more.
  */
 
-#ifndef TP_DRAWING_REFERENCE_H
-#define TP_DRAWING_REFERENCE_H
+#ifndef TP_FORMAT_REFERENCE_H
+#define TP_FORMAT_REFERENCE_H
 
 #include "format/drawing.h"
 

@@ -5,8 +5,8 @@
  * one closed outline, the base one open line that runs from left to right, holes and parts are
  * closed; what is not says so. */
 
-#ifndef TP_ROLE_H
-#define TP_ROLE_H
+#ifndef TP_FORMAT_ROLE_H
+#define TP_FORMAT_ROLE_H
 
 #include "format/drawing.h"
 

@@ -8,8 +8,8 @@
  * the block and an only open line its base. Inner rings of the polygon that is the block are holes.
  * Pieces of a role are joined (format/join.h) into chains that it takes (format/role.h). */
 
-#ifndef TP_ROLES_H
-#define TP_ROLES_H
+#ifndef TP_FORMAT_ROLES_H
+#define TP_FORMAT_ROLES_H
 
 #include "format/role.h"
 

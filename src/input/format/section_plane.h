@@ -11,8 +11,8 @@
  * millionth of a millimetre in a kilometre. Then s is exact along that plane; multiples of 90
  * degrees are exact. */
 
-#ifndef TP_SECTION_PLANE_H
-#define TP_SECTION_PLANE_H
+#ifndef TP_FORMAT_SECTION_PLANE_H
+#define TP_FORMAT_SECTION_PLANE_H
 
 #include "common/message.h"
 

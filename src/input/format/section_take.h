@@ -11,11 +11,11 @@
  * that is at most 1e-9 of the section's greater side, so by less than half of that: thousands of
  * quotients without a common denominator cannot be computed with exactly in seconds. */
 
-#ifndef TP_SECTION_TAKE_H
-#define TP_SECTION_TAKE_H
+#ifndef TP_FORMAT_SECTION_TAKE_H
+#define TP_FORMAT_SECTION_TAKE_H
 
-#include "format/mesh_cut.h"
 #include "common/notes.h"
+#include "format/mesh_cut.h"
 
 typedef struct tp_section_wish {
   bool closed;      /* an outline; else a profile, of a closed chain its upper side */

@@ -8,8 +8,8 @@
  * Ends of the spline that are control points stay what they are; ends of spans are rounded as
  * chords' are. */
 
-#ifndef TP_SPLINE_H
-#define TP_SPLINE_H
+#ifndef TP_FORMAT_SPLINE_H
+#define TP_FORMAT_SPLINE_H
 
 #include "format/curve.h"
 

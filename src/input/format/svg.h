@@ -5,8 +5,8 @@
  * groups, y turned upwards. Read by expat; document types, and with them entities, are refused, and
  * nothing that the file refers to is ever opened. */
 
-#ifndef TP_SVG_H
-#define TP_SVG_H
+#ifndef TP_FORMAT_SVG_H
+#define TP_FORMAT_SVG_H
 
 #include "format/drawing.h"
 #include "format/text_file.h"

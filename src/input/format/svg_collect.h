@@ -4,8 +4,8 @@
 /* The style sheets of an SVG file, wherever they stand in it: they hold for what comes before them,
  * too, so they are read first. */
 
-#ifndef TP_SVG_COLLECT_H
-#define TP_SVG_COLLECT_H
+#ifndef TP_FORMAT_SVG_COLLECT_H
+#define TP_FORMAT_SVG_COLLECT_H
 
 #include "format/svg_style.h"
 #include "format/text_file.h"

@@ -4,8 +4,8 @@
 /* Declarations of CSS, as far as they bear on an outline: the properties that hide, move or shape
  * an element, and their values as they stand. */
 
-#ifndef TP_SVG_CSS_H
-#define TP_SVG_CSS_H
+#ifndef TP_FORMAT_SVG_CSS_H
+#define TP_FORMAT_SVG_CSS_H
 
 #include <stdbool.h>
 #include <stddef.h>

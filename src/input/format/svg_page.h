@@ -5,8 +5,8 @@
  * viewBox, or a pixel, 1/96 inch, where there is none. Only to tell where a unit that is said to be
  * that of the drawing is likely another one. */
 
-#ifndef TP_SVG_PAGE_H
-#define TP_SVG_PAGE_H
+#ifndef TP_FORMAT_SVG_PAGE_H
+#define TP_FORMAT_SVG_PAGE_H
 
 /* In metres, by the attributes of <svg>; 0: they give the page no size. */
 double tp_svg_page_unit(const char *const *attributes);

@@ -3,8 +3,8 @@
 
 /* The data of an SVG path, lists of numbers and transforms, in exact numbers. */
 
-#ifndef TP_SVG_PATH_H
-#define TP_SVG_PATH_H
+#ifndef TP_FORMAT_SVG_PATH_H
+#define TP_FORMAT_SVG_PATH_H
 
 #include "format/affine.h"
 #include "format/curve.h"

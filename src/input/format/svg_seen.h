@@ -3,8 +3,8 @@
 
 /* Is an element of an SVG seen where it stands? */
 
-#ifndef TP_SVG_SEEN_H
-#define TP_SVG_SEEN_H
+#ifndef TP_FORMAT_SVG_SEEN_H
+#define TP_FORMAT_SVG_SEEN_H
 
 #include "format/svg_style.h"
 

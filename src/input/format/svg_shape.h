@@ -3,8 +3,8 @@
 
 /* The basic shapes of SVG, and its paths, by their attributes. */
 
-#ifndef TP_SVG_SHAPE_H
-#define TP_SVG_SHAPE_H
+#ifndef TP_FORMAT_SVG_SHAPE_H
+#define TP_FORMAT_SVG_SHAPE_H
 
 #include "format/svg_path.h"
 

@@ -5,8 +5,8 @@
  * of elements, classes and ids are read; a rule by any other that would hide or move something is
  * refused, and so is what asks for another file or depends on the medium. */
 
-#ifndef TP_SVG_SHEET_H
-#define TP_SVG_SHEET_H
+#ifndef TP_FORMAT_SVG_SHEET_H
+#define TP_FORMAT_SVG_SHEET_H
 
 #include "format/svg_css.h"
 

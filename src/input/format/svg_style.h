@@ -8,8 +8,8 @@
  * attribute "style", the later in this order before the earlier, rules by how closely their
  * selector names an element, and what is !important before all others. */
 
-#ifndef TP_SVG_STYLE_H
-#define TP_SVG_STYLE_H
+#ifndef TP_FORMAT_SVG_STYLE_H
+#define TP_FORMAT_SVG_STYLE_H
 
 #include "format/svg_sheet.h"
 

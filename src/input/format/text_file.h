@@ -4,8 +4,8 @@
 /* A text file whole in memory, as UTF-8 without a mark at its beginning: UTF-16 with its mark is
  * turned into it, anything else is left as it is. At most 128 MiB. */
 
-#ifndef TP_TEXT_FILE_H
-#define TP_TEXT_FILE_H
+#ifndef TP_FORMAT_TEXT_FILE_H
+#define TP_FORMAT_TEXT_FILE_H
 
 #include "common/message.h"
 

@@ -3,8 +3,8 @@
 
 /* Pieces of a drawing that are drawn twice: the same curve, whichever end it begins at. */
 
-#ifndef TP_TWINS_H
-#define TP_TWINS_H
+#ifndef TP_FORMAT_TWINS_H
+#define TP_FORMAT_TWINS_H
 
 #include "format/drawing.h"
 

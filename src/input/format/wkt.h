@@ -4,8 +4,8 @@
 /* Objects of a text of geometries in WKT, one after another: lines and polygons, points left out.
  */
 
-#ifndef TP_WKT_H
-#define TP_WKT_H
+#ifndef TP_FORMAT_WKT_H
+#define TP_FORMAT_WKT_H
 
 #include "format/drawing.h"
 #include "format/text_file.h"

@@ -13,8 +13,8 @@
  * Every function is pure: options in, a chain of points out. The caller has checked the ranges that
  * stand beside the options. False: memory is exhausted, and the chain is untouched. */
 
-#ifndef TP_GENERATE_H
-#define TP_GENERATE_H
+#ifndef TP_GENERATE_GENERATE_H
+#define TP_GENERATE_GENERATE_H
 
 #include "common/budget.h"
 #include "plane/polyline.h"

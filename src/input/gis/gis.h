@@ -5,8 +5,8 @@
  * of its own, libtopple-gis, which alone needs GDAL, and nothing of Topple: the library loads it
  * where such a file is named (format/gis.c). GDAL itself ends the process where memory ends. */
 
-#ifndef TP_GIS_H
-#define TP_GIS_H
+#ifndef TP_GIS_GIS_H
+#define TP_GIS_GIS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,8 +4,8 @@
 /* What the calls that build a scene in memory share: numbers by their rules into the scene, all of
  * a call or none. The rules are those of the reader of files (scene/check.h). */
 
-#ifndef TP_BUILD_H
-#define TP_BUILD_H
+#ifndef TP_SCENE_BUILD_H
+#define TP_SCENE_BUILD_H
 
 #include "scene/check.h"
 #include "scene/exact.h"

@@ -4,8 +4,8 @@
 /* What a scene may hold, so far as it can be said without geometry: one place for the reader of
  * files and for the calls that build a scene in memory. Every check says where and what to do. */
 
-#ifndef TP_CHECK_SCENE_H
-#define TP_CHECK_SCENE_H
+#ifndef TP_SCENE_CHECK_H
+#define TP_SCENE_CHECK_H
 
 #include "scene/scene.h"
 

@@ -3,8 +3,8 @@
 
 /* What a simulated tilt test of a scene is, and what may stand in it together. */
 
-#ifndef TP_CHECK_TILT_TEST_H
-#define TP_CHECK_TILT_TEST_H
+#ifndef TP_SCENE_CHECK_TILT_TEST_H
+#define TP_SCENE_CHECK_TILT_TEST_H
 
 #include "scene/scene.h"
 

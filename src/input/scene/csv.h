@@ -8,8 +8,8 @@
  * that repeats the one before it is left out, with a note. A last point equal to the first one, as
  * GIS exports close their rings, is dropped when `closed`. */
 
-#ifndef TP_CSV_H
-#define TP_CSV_H
+#ifndef TP_SCENE_CSV_H
+#define TP_SCENE_CSV_H
 
 #include "common/notes.h"
 #include "plane/polyline.h"

@@ -3,8 +3,8 @@
 
 /* A drawing or a mesh in place of a scene: the scene that names it, and has what is set. */
 
-#ifndef TP_DRAWING_SCENE_H
-#define TP_DRAWING_SCENE_H
+#ifndef TP_SCENE_DRAWING_SCENE_H
+#define TP_SCENE_DRAWING_SCENE_H
 
 #include "scene/scene.h"
 

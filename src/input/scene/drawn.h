@@ -4,8 +4,8 @@
 /* What a drawing gives a scene: outline and arcs, holes, parts, the profile of the base, in scene
  * lengths; and which of its objects became what. */
 
-#ifndef TP_DRAWN_H
-#define TP_DRAWN_H
+#ifndef TP_SCENE_DRAWN_H
+#define TP_SCENE_DRAWN_H
 
 #include "format/roles.h"
 #include "scene/quantity.h"

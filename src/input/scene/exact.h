@@ -6,8 +6,8 @@
  * A double is m 2^e with whole m and e, and is taken as that. A text is a decimal or a fraction of
  * decimals (number/ratio.h). What is no number, or no finite one, is refused. */
 
-#ifndef TP_EXACT_H
-#define TP_EXACT_H
+#ifndef TP_SCENE_EXACT_H
+#define TP_SCENE_EXACT_H
 
 #include "plane/polyline.h"
 

@@ -4,8 +4,8 @@
 /* Expressions in named parameters, as scenes write their numbers: formulas (formula/formula.h) in
  * their plainest dialect, evaluated in exact rationals. */
 
-#ifndef TP_EXPRESSION_H
-#define TP_EXPRESSION_H
+#ifndef TP_SCENE_EXPRESSION_H
+#define TP_SCENE_EXPRESSION_H
 
 #include "formula/evaluate.h"
 

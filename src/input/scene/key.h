@@ -4,8 +4,8 @@
 /* The way to a node of a scene by its keys, and what in the scene a number bears upon. A miss names
  * the nearest key by Levenshtein's distance (scene/keys.c). */
 
-#ifndef TP_KEY_H
-#define TP_KEY_H
+#ifndef TP_SCENE_KEY_H
+#define TP_SCENE_KEY_H
 
 #include "scene/node.h"
 

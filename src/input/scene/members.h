@@ -4,8 +4,8 @@
 /* What a scene holds, by offsets: single numbers, chains of points, and lists of items that have
  * numbers and a chain of their own. One table for what is done with all of them. */
 
-#ifndef TP_MEMBERS_H
-#define TP_MEMBERS_H
+#ifndef TP_SCENE_MEMBERS_H
+#define TP_SCENE_MEMBERS_H
 
 #include "scene/scene.h"
 

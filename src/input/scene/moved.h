@@ -4,8 +4,8 @@
 /* A copy of a scene whose points are moved. It owns these, and shares all else with the scene,
  * which must outlive it. */
 
-#ifndef TP_MOVED_H
-#define TP_MOVED_H
+#ifndef TP_SCENE_MOVED_H
+#define TP_SCENE_MOVED_H
 
 #include "scene/scene.h"
 

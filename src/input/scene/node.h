@@ -6,8 +6,8 @@
  * Scalars keep their raw text, so that 0.1 stays one tenth. Keys given twice, aliases, nesting
  * deeper than 32 and files beyond 256 MiB are refused. */
 
-#ifndef TP_NODE_H
-#define TP_NODE_H
+#ifndef TP_SCENE_NODE_H
+#define TP_SCENE_NODE_H
 
 #include "common/message.h"
 #include "plane/polyline.h"

@@ -3,8 +3,8 @@
 
 /* A base profile made by its rule. `line` is empty before, and stays so on failure. */
 
-#ifndef TP_PROFILE_MAKE_H
-#define TP_PROFILE_MAKE_H
+#ifndef TP_SCENE_PROFILE_MAKE_H
+#define TP_SCENE_PROFILE_MAKE_H
 
 #include "scene/profile_rule.h"
 

@@ -5,8 +5,8 @@
  * from a file or set by calls. Whatever holds of them is checked in one place, where the profile is
  * made of them (generate/generate.h). */
 
-#ifndef TP_PROFILE_RULE_H
-#define TP_PROFILE_RULE_H
+#ifndef TP_SCENE_PROFILE_RULE_H
+#define TP_SCENE_PROFILE_RULE_H
 
 #include "plane/polyline.h"
 #include "scene/quantity.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#ifndef TP_QUANTITY_H
-#define TP_QUANTITY_H
+#ifndef TP_SCENE_QUANTITY_H
+#define TP_SCENE_QUANTITY_H
 
 #include "common/message.h"
 

@@ -3,8 +3,8 @@
 
 /* Reading values of a scene out of its nodes. Shared by the readers of its sections. */
 
-#ifndef TP_READ_H
-#define TP_READ_H
+#ifndef TP_SCENE_READ_H
+#define TP_SCENE_READ_H
 
 #include "scene/check.h"
 #include "scene/node.h"

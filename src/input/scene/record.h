@@ -9,8 +9,8 @@
  * that names the columns with their units ("time_s, acceleration_m_s2"), the time first, and a
  * sample a line, at even steps. */
 
-#ifndef TP_RECORD_H
-#define TP_RECORD_H
+#ifndef TP_SCENE_RECORD_H
+#define TP_SCENE_RECORD_H
 
 #include "plane/polyline.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#ifndef TP_RECORD_CSV_H
-#define TP_RECORD_CSV_H
+#ifndef TP_SCENE_RECORD_CSV_H
+#define TP_SCENE_RECORD_CSV_H
 
 #include "scene/record_source.h"
 

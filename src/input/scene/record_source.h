@@ -4,8 +4,8 @@
 /* The lines of the file of an accelerogram, shared by the readers of its formats. What stands in
  * the file is not quoted: it may be any file, which the scene names by mistake. */
 
-#ifndef TP_RECORD_SOURCE_H
-#define TP_RECORD_SOURCE_H
+#ifndef TP_SCENE_RECORD_SOURCE_H
+#define TP_SCENE_RECORD_SOURCE_H
 
 #include "plane/polyline.h"
 

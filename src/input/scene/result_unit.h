@@ -3,8 +3,8 @@
 
 /* Units that a scene asks for in its reports: names and factors of units_table.h. */
 
-#ifndef TP_RESULT_UNIT_H
-#define TP_RESULT_UNIT_H
+#ifndef TP_SCENE_RESULT_UNIT_H
+#define TP_SCENE_RESULT_UNIT_H
 
 #include "scene/scene.h"
 

@@ -3,8 +3,8 @@
 
 /* What must hold of the numbers of a rule. */
 
-#ifndef TP_RULE_CHECK_H
-#define TP_RULE_CHECK_H
+#ifndef TP_SCENE_RULE_CHECK_H
+#define TP_SCENE_RULE_CHECK_H
 
 #include "scene/profile_rule.h"
 

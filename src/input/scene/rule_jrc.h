@@ -3,8 +3,8 @@
 
 /* Profiles of a wanted JRC, and what is to be told of them. */
 
-#ifndef TP_RULE_JRC_H
-#define TP_RULE_JRC_H
+#ifndef TP_SCENE_RULE_JRC_H
+#define TP_SCENE_RULE_JRC_H
 
 #include "common/notes.h"
 #include "scene/profile_rule.h"

@@ -5,8 +5,8 @@
  * the file, or the call, that called for it. Only what can be said without geometry is checked
  * here. */
 
-#ifndef TP_SCENE_H
-#define TP_SCENE_H
+#ifndef TP_SCENE_SCENE_H
+#define TP_SCENE_SCENE_H
 
 #include "common/message.h"
 #include "common/notes.h"

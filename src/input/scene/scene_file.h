@@ -5,11 +5,11 @@
  * scenes that are read out of it, with the numbers that stand there or with others, share it, in
  * whichever thread they are: once read it is not changed any more. */
 
-#ifndef TP_SCENE_FILE_H
-#define TP_SCENE_FILE_H
+#ifndef TP_SCENE_SCENE_FILE_H
+#define TP_SCENE_SCENE_FILE_H
 
-#include "format/mesh.h"
 #include "common/message.h"
+#include "format/mesh.h"
 #include "plane/polyline.h"
 #include "scene/drawn.h"
 #include "scene/node.h"

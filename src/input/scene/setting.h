@@ -4,8 +4,8 @@
 /* Settings, "KEY=FORMULA": a number of a scene that is to be what the formula says as if it stood
  * there in the file. A scene keeps those that it was made by, and its solution tells them. */
 
-#ifndef TP_SETTING_H
-#define TP_SETTING_H
+#ifndef TP_SCENE_SETTING_H
+#define TP_SCENE_SETTING_H
 
 #include "scene/scene.h"
 

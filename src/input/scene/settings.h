@@ -3,8 +3,8 @@
 
 /* What was set in a scene, to be told with its solution. */
 
-#ifndef TP_SETTINGS_H
-#define TP_SETTINGS_H
+#ifndef TP_SCENE_SETTINGS_H
+#define TP_SCENE_SETTINGS_H
 
 #include "scene/vary.h"
 

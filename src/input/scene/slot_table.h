@@ -3,8 +3,8 @@
 
 /* The table of keys and the numbers of a scene in memory that they name. */
 
-#ifndef TP_SLOT_TABLE_H
-#define TP_SLOT_TABLE_H
+#ifndef TP_SCENE_SLOT_TABLE_H
+#define TP_SCENE_SLOT_TABLE_H
 
 #include "scene/check.h"
 #include "scene/members.h"

@@ -5,8 +5,8 @@
  * (docs/scene.md), each with the place where the scene holds it and the rule of the call that sets
  * it. Of a scene that has not been given a number there is no such key. */
 
-#ifndef TP_SLOTS_H
-#define TP_SLOTS_H
+#ifndef TP_SCENE_SLOTS_H
+#define TP_SCENE_SLOTS_H
 
 #include "scene/check.h"
 

@@ -5,8 +5,8 @@
  * name ends in (friction_angle_deg, cohesion_kpa), or a number by itself (jrc, count). A parameter
  * is what it stands alone for. */
 
-#ifndef TP_UNIT_H
-#define TP_UNIT_H
+#ifndef TP_SCENE_UNIT_H
+#define TP_SCENE_UNIT_H
 
 #include "scene/scene.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#ifndef TP_UNIT_CAUTIONS_H
-#define TP_UNIT_CAUTIONS_H
+#ifndef TP_SCENE_UNIT_CAUTIONS_H
+#define TP_SCENE_UNIT_CAUTIONS_H
 
 #include "common/notes.h"
 #include "scene/scene.h"

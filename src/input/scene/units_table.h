@@ -12,8 +12,8 @@
  *   exactly. So lbf = 0.45359237 * 9.80665 N = 4.4482216152605 N, kgf = 9.80665 N; kip = 1000 lbf,
  *   tf = 1000 kgf; psi = lbf/in2, psf = lbf/ft2, ksf = 1000 psf. */
 
-#ifndef TP_UNITS_TABLE_H
-#define TP_UNITS_TABLE_H
+#ifndef TP_SCENE_UNITS_TABLE_H
+#define TP_SCENE_UNITS_TABLE_H
 
 #define TP_RESULT_UNITS(X)                                                                         \
   X(LENGTH, "mm", 1, 1000)                                                                         \

@@ -9,8 +9,8 @@
  * in memory is copied, with its chains shared, and the number put where the table of keys says
  * (scene/slot_table.c). Threads may do so with one scene at the same time. */
 
-#ifndef TP_VARY_H
-#define TP_VARY_H
+#ifndef TP_SCENE_VARY_H
+#define TP_SCENE_VARY_H
 
 #include "scene/key.h"
 #include "scene/slots.h"

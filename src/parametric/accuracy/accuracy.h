@@ -4,8 +4,8 @@
 /* What accuracy costs: one number by several ways at several prices, each timed and compared with
  * the exact value. */
 
-#ifndef TP_ACCURACY_H
-#define TP_ACCURACY_H
+#ifndef TP_ACCURACY_ACCURACY_H
+#define TP_ACCURACY_ACCURACY_H
 
 #include "number/ladder.h"
 

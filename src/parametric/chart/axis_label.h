@@ -3,8 +3,8 @@
 
 /* What an axis of a map says of a number of the scene: quantity, symbol and unit. */
 
-#ifndef TP_AXIS_LABEL_H
-#define TP_AXIS_LABEL_H
+#ifndef TP_CHART_AXIS_LABEL_H
+#define TP_CHART_AXIS_LABEL_H
 
 #include "scene/scene.h"
 

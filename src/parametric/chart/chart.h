@@ -4,8 +4,8 @@
 /* A chart as data: panels, series of points in them, labels and a legend. How it is drawn is the
  * business of report/; a style here is a number that tells series apart. */
 
-#ifndef TP_CHART_H
-#define TP_CHART_H
+#ifndef TP_CHART_CHART_H
+#define TP_CHART_CHART_H
 
 #include "topple.h"
 

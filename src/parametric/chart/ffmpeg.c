@@ -36,7 +36,7 @@ static const char *const gif[] = {"ffmpeg",     "-hide_banner",
 
 tp_status tp_ffmpeg_run(char **video, size_t *length, const char *frames, size_t frames_length,
                         tp_video_format format, tp_message *message) {
-  const tp_program program = {
+  const tp_plot_program program = {
       .name = "ffmpeg",
       .arguments = format == TP_VIDEO_GIF ? gif : webm,
       .input = frames,

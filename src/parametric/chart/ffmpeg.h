@@ -3,8 +3,8 @@
 
 /* Frames into a moving picture by ffmpeg. */
 
-#ifndef TP_FFMPEG_H
-#define TP_FFMPEG_H
+#ifndef TP_CHART_FFMPEG_H
+#define TP_CHART_FFMPEG_H
 
 #include "topple_basics.h"
 

@@ -9,7 +9,7 @@
 
 tp_status tp_gnuplot_run(char **figure, size_t *length, const char *script, tp_message *message) {
   static const char *const arguments[] = {"gnuplot", "-d", NULL}; /* none but its own settings */
-  const tp_program program = {
+  const tp_plot_program program = {
       .name = "gnuplot",
       .arguments = arguments,
       .input = script,

@@ -4,8 +4,8 @@
 /* Running gnuplot: its commands go in, its figure comes out. Neither its settings of the user nor
  * the environment, but for where programs and libraries are, reach it. */
 
-#ifndef TP_GNUPLOT_H
-#define TP_GNUPLOT_H
+#ifndef TP_CHART_GNUPLOT_H
+#define TP_CHART_GNUPLOT_H
 
 #include "topple.h"
 

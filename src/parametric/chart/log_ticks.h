@@ -4,8 +4,8 @@
 /* Labels within the decades of a logarithmic axis, as a command of gnuplot: 1, 2, 5, and more of
  * them where the axis is short. */
 
-#ifndef TP_LOG_TICKS_H
-#define TP_LOG_TICKS_H
+#ifndef TP_CHART_LOG_TICKS_H
+#define TP_CHART_LOG_TICKS_H
 
 #include "chart/chart.h"
 #include "output/text.h"

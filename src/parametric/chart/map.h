@@ -4,8 +4,8 @@
 /* The mechanism map of a scene: what it is sampled for, and how borders between certified
  * mechanisms are found. Shared by the map along one scalar and the map over two. */
 
-#ifndef TP_MAP_H
-#define TP_MAP_H
+#ifndef TP_CHART_MAP_H
+#define TP_CHART_MAP_H
 
 #include "chart/chart.h"
 #include "chart/motion_names.h"

@@ -3,8 +3,8 @@
 
 /* The map along one scalar: what its parts share. */
 
-#ifndef TP_MAP_LINE_H
-#define TP_MAP_LINE_H
+#ifndef TP_CHART_MAP_LINE_H
+#define TP_CHART_MAP_LINE_H
 
 #include "chart/map.h"
 

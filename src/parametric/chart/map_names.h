@@ -3,8 +3,8 @@
 
 /* Names of regions of a map along one scalar, where there is room for them. */
 
-#ifndef TP_MAP_NAMES_H
-#define TP_MAP_NAMES_H
+#ifndef TP_CHART_MAP_NAMES_H
+#define TP_CHART_MAP_NAMES_H
 
 #include "chart/map_line.h"
 

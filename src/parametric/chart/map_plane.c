@@ -193,8 +193,8 @@ static void add_regions(tp_map *map, const tp_pieces *pieces) {
 }
 
 /* The curves of a field: contours of the present level, or borders. */
-static void add_curves(plane *p, const tp_field *field, tp_chart_style style, const char *series,
-                       bool levels) {
+static void add_curves(plane *p, const tp_map_field *field, tp_chart_style style,
+                       const char *series, bool levels) {
   tp_pieces pieces = {0};
   tp_trace(&pieces, p->map, field, p->grid, SIDE, SIDE);
   free(p->points);
@@ -238,7 +238,7 @@ typedef struct contours {
 } contours;
 
 static void add_contour(plane *p, const contours *of, double level) {
-  const tp_field field = {p, contour_region, cross_level};
+  const tp_map_field field = {p, contour_region, cross_level};
   p->read = of->read;
   p->level = level;
   if (level != 0) add_curves(p, &field, of->style, of->series, true);
@@ -285,7 +285,7 @@ void tp_map_draw_plane(tp_map *map) {
   const bool any = scan(&p);
   solve->digits = digits;
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
-  const tp_field field = {&p, regime_region, cross_regimes};
+  const tp_map_field field = {&p, regime_region, cross_regimes};
   if (map->status == TP_OK && map->options->governing_fos) {
     add_contours(&p, (contours){read_fos, tp_line_contour, "governing_fos"});
   } else if (map->status == TP_OK) {

@@ -3,8 +3,8 @@
 
 /* The motions that can begin, in a map along one scalar. */
 
-#ifndef TP_MAP_STRIPS_H
-#define TP_MAP_STRIPS_H
+#ifndef TP_CHART_MAP_STRIPS_H
+#define TP_CHART_MAP_STRIPS_H
 
 #include "chart/map_line.h"
 

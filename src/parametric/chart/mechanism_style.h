@@ -3,8 +3,8 @@
 
 /* How maps of mechanisms tell their regions and borders apart. */
 
-#ifndef TP_MECHANISM_STYLE_H
-#define TP_MECHANISM_STYLE_H
+#ifndef TP_CHART_MECHANISM_STYLE_H
+#define TP_CHART_MECHANISM_STYLE_H
 
 #include "chart/chart.h"
 

@@ -3,8 +3,8 @@
 
 /* The motions that can begin at a tilt, in words and in colour. */
 
-#ifndef TP_MOTION_NAMES_H
-#define TP_MOTION_NAMES_H
+#ifndef TP_CHART_MOTION_NAMES_H
+#define TP_CHART_MOTION_NAMES_H
 
 #include "chart/chart.h"
 

@@ -24,7 +24,7 @@ enum { COMMANDS, FIGURE, COMPLAINTS, STREAMS };
 
 /* The program, and our ends of its standard streams; -1 when closed. */
 typedef struct child {
-  const tp_program *program;
+  const tp_plot_program *program;
   pid_t process;
   int ends[STREAMS];
   size_t told; /* of its input */
@@ -163,7 +163,7 @@ static void close_end(child *own, int which) {
 
 /* Until it has read all, or reads no more. */
 static void tell(child *own) {
-  const tp_program *program = own->program;
+  const tp_plot_program *program = own->program;
   const ssize_t sent = send(own->ends[COMMANDS], program->input + own->told,
                             program->input_length - own->told, MSG_NOSIGNAL);
   if (sent < 0 && (errno == EINTR || errno == EAGAIN)) return;
@@ -270,7 +270,7 @@ static tp_status have_drawn(child *own, tp_message *message) {
                  own->program->name, (int)MOST_SECONDS, own->program->name);
 }
 
-tp_status tp_program_run(char **figure, size_t *length, const tp_program *program,
+tp_status tp_program_run(char **figure, size_t *length, const tp_plot_program *program,
                          tp_message *message) {
   child *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the figure");

@@ -62,7 +62,8 @@ static tp_map_point point_of(const tp_map_sample *sample) {
 
 /* The crossing of an edge, always from its lower or left end, so that both cells beside it find the
  * same point. */
-static tp_crossing cross(const tp_field *field, const tp_map_sample *a, const tp_map_sample *b) {
+static tp_crossing cross(const tp_map_field *field, const tp_map_sample *a,
+                         const tp_map_sample *b) {
   if (field->region(field->context, a) == field->region(field->context, b)) {
     return (tp_crossing){0};
   }
@@ -70,13 +71,13 @@ static tp_crossing cross(const tp_field *field, const tp_map_sample *a, const tp
   return forward ? field->cross(field->context, *a, *b) : field->cross(field->context, *b, *a);
 }
 
-static void set_crossings(cell *c, const tp_field *field) {
+static void set_crossings(cell *c, const tp_map_field *field) {
   for (int k = 0; k < 4; k++) {
     c->crossings[k] = cross(field, c->corners + k, c->corners + (k + 1) % 4);
   }
 }
 
-static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, const cell *c,
+static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_map_field *field, const cell *c,
                        int depth);
 
 static tp_map_sample middle(tp_map *map, const tp_map_sample *a, const tp_map_sample *b) {
@@ -85,7 +86,8 @@ static tp_map_sample middle(tp_map *map, const tp_map_sample *a, const tp_map_sa
   return tp_map_take_sample(map, values);
 }
 
-static void halve(tp_pieces *pieces, tp_map *map, const tp_field *field, const cell *c, int depth) {
+static void halve(tp_pieces *pieces, tp_map *map, const tp_map_field *field, const cell *c,
+                  int depth) {
   tp_map_sample sides[4];
   for (int k = 0; k < 4; k++) sides[k] = middle(map, c->corners + k, c->corners + (k + 1) % 4);
   const tp_map_sample centre = middle(map, c->corners, c->corners + 2);
@@ -100,13 +102,14 @@ static void halve(tp_pieces *pieces, tp_map *map, const tp_field *field, const c
   }
 }
 
-static int region_of(const tp_field *field, const cell *c, int corner) {
+static int region_of(const tp_map_field *field, const cell *c, int corner) {
   return field->region(field->context, c->corners + corner % 4);
 }
 
 /* The side of a cell that was cut across edges `from` and `to`: the corners behind `from` up to
  * `to`, and the cut. */
-static void add_side(tp_pieces *pieces, const tp_field *field, const cell *c, int from, int to) {
+static void add_side(tp_pieces *pieces, const tp_map_field *field, const cell *c, int from,
+                     int to) {
   tp_patch patch = {.region = region_of(field, c, from + 1)};
   patch.corners[patch.count++] = c->crossings[from % 4].point;
   for (int k = from + 1; k <= to; k++) {
@@ -116,14 +119,14 @@ static void add_side(tp_pieces *pieces, const tp_field *field, const cell *c, in
   add_patch(pieces, &patch);
 }
 
-static void add_whole(tp_pieces *pieces, const tp_field *field, const cell *c) {
+static void add_whole(tp_pieces *pieces, const tp_map_field *field, const cell *c) {
   tp_patch patch = {.region = region_of(field, c, 0), .count = 4};
   for (int k = 0; k < 4; k++) patch.corners[k] = point_of(c->corners + k);
   add_patch(pieces, &patch);
 }
 
 /* Is the border between two crossings about straight? */
-static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const int found[2]) {
+static bool is_straight(tp_map *map, const tp_map_field *field, const cell *c, const int found[2]) {
   const tp_map_point a = c->crossings[found[0]].point, b = c->crossings[found[1]].point;
   const double wide = c->corners[2].values[0] - c->corners[0].values[0];
   const double high = c->corners[2].values[1] - c->corners[0].values[1];
@@ -145,7 +148,7 @@ static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const
 }
 
 /* Regions meet in a cell that is small enough: at its centre. */
-static void meet(tp_pieces *pieces, const tp_field *field, const cell *c) {
+static void meet(tp_pieces *pieces, const tp_map_field *field, const cell *c) {
   const double *low = c->corners[0].values, *high = c->corners[2].values;
   const double half_x = (high[0] - low[0]) / 2, half_y = (high[1] - low[1]) / 2;
   const tp_map_point centre = {low[0] + half_x, low[1] + half_y, half_x, half_y};
@@ -157,7 +160,7 @@ static void meet(tp_pieces *pieces, const tp_field *field, const cell *c) {
   add_whole(pieces, field, c);
 }
 
-static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, const cell *c,
+static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_map_field *field, const cell *c,
                        int depth) {
   int found[4], count = 0;
   for (int k = 0; k < 4; k++) {
@@ -179,7 +182,7 @@ static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, co
 }
 
 /* The crossings of the row's lower edges become those of the next row's. */
-void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_map_sample *grid,
+void tp_trace(tp_pieces *pieces, tp_map *map, const tp_map_field *field, const tp_map_sample *grid,
               size_t columns, size_t rows) {
   tp_crossing *below = calloc(columns, sizeof *below), *above = calloc(columns, sizeof *above);
   pieces->failed = below == NULL || above == NULL;

@@ -7,8 +7,8 @@
  * holds a point where regions meet, and is halved until that point is known to 2^-12 of a cell.
  * Pieces that share an end are joined. Where a border crosses an edge is for the caller to find. */
 
-#ifndef TP_TRACE_H
-#define TP_TRACE_H
+#ifndef TP_CHART_TRACE_H
+#define TP_CHART_TRACE_H
 
 #include "chart/map.h"
 
@@ -24,11 +24,11 @@ typedef struct tp_crossing {
 } tp_crossing;
 
 /* What is traced: regions by number, and the border between two samples of different regions. */
-typedef struct tp_field {
+typedef struct tp_map_field {
   void *context;
   int (*region)(const void *context, const tp_map_sample *sample);
   tp_crossing (*cross)(void *context, tp_map_sample low, tp_map_sample high);
-} tp_field;
+} tp_map_field;
 
 /* A polygon of a region, convex and counter-clockwise. */
 typedef struct tp_patch {
@@ -54,7 +54,7 @@ typedef struct tp_pieces {
 void tp_pieces_clear(tp_pieces *pieces);
 
 /* All pieces over a grid of columns x rows samples, row by row. */
-void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_map_sample *grid,
+void tp_trace(tp_pieces *pieces, tp_map *map, const tp_map_field *field, const tp_map_sample *grid,
               size_t columns, size_t rows);
 
 /* The next curve: its points in order into `points` (of room for pieces->count + 1), their number,

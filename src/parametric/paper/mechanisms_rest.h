@@ -4,8 +4,8 @@
 /* What begins from rest, in the mechanism maps of a planar and of a rough base: where one motion
  * takes over from another, from the modes of motion of exact blocks. */
 
-#ifndef TP_MECHANISMS_REST_H
-#define TP_MECHANISMS_REST_H
+#ifndef TP_PAPER_MECHANISMS_REST_H
+#define TP_PAPER_MECHANISMS_REST_H
 
 #include "chart/chart.h"
 

@@ -3,8 +3,8 @@
 
 /* The examples of Table 6 of Alejano et al.: factors of safety of toothed blocks, as printed. */
 
-#ifndef TP_TABLE_6_H
-#define TP_TABLE_6_H
+#ifndef TP_PAPER_TABLE_6_H
+#define TP_PAPER_TABLE_6_H
 
 enum { TP_TABLE_6_EXAMPLES = 6 };
 

@@ -10,8 +10,8 @@
  *   4  at phi + 1, halfway between the x of a planar base and that about a valley:
  * the last two where the table's verdicts are possible at all. */
 
-#ifndef TP_TABLE_7_H
-#define TP_TABLE_7_H
+#ifndef TP_PAPER_TABLE_7_H
+#define TP_PAPER_TABLE_7_H
 
 #include "chart/motion_names.h"
 

@@ -3,8 +3,8 @@
 
 /* Regularly toothed blocks by the general parameters of section 5.1 of Alejano et al. */
 
-#ifndef TP_TEETH_H
-#define TP_TEETH_H
+#ifndef TP_PAPER_TEETH_H
+#define TP_PAPER_TEETH_H
 
 #include "topple.h"
 

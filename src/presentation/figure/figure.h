@@ -6,8 +6,8 @@
  * The page is measured in points, y down. A panel's block frame (units of the block's size, y up)
  * is turned by the tilt and scaled onto it by a tp_view. */
 
-#ifndef TP_FIGURE_H
-#define TP_FIGURE_H
+#ifndef TP_FIGURE_FIGURE_H
+#define TP_FIGURE_FIGURE_H
 
 #include "report/page.h"
 #include "shape/shape.h"

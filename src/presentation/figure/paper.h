@@ -4,8 +4,8 @@
 /* A document on A4 pages, by Cairo: measured in points, y down. All of it is drawn twice, first on
  * a page of one dot to count pages, then as PDF. */
 
-#ifndef TP_PAPER_H
-#define TP_PAPER_H
+#ifndef TP_FIGURE_PAPER_H
+#define TP_FIGURE_PAPER_H
 
 #include "document/document.h"
 #include "figure/figure.h"

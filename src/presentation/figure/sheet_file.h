@@ -3,8 +3,8 @@
 
 /* What all sheets share on their way into a file. */
 
-#ifndef TP_SHEET_FILE_H
-#define TP_SHEET_FILE_H
+#ifndef TP_FIGURE_SHEET_FILE_H
+#define TP_FIGURE_SHEET_FILE_H
 
 #include "figure/paper.h"
 #include "figure/sheet_name.h"

@@ -3,8 +3,8 @@
 
 /* What kind of file a sheet is to be, by its name. */
 
-#ifndef TP_SHEET_NAME_H
-#define TP_SHEET_NAME_H
+#ifndef TP_FIGURE_SHEET_NAME_H
+#define TP_FIGURE_SHEET_NAME_H
 
 #include "topple.h"
 

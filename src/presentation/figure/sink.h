@@ -3,8 +3,8 @@
 
 /* What Cairo writes, kept in memory; Cairo does not hand every error on. */
 
-#ifndef TP_SINK_H
-#define TP_SINK_H
+#ifndef TP_FIGURE_SINK_H
+#define TP_FIGURE_SINK_H
 
 #include <cairo.h>
 #include <stdbool.h>

@@ -3,8 +3,8 @@
 
 /* Units of the account of moments by elements. */
 
-#ifndef TP_ACCOUNT_UNITS_H
-#define TP_ACCOUNT_UNITS_H
+#ifndef TP_REPORT_ACCOUNT_UNITS_H
+#define TP_REPORT_ACCOUNT_UNITS_H
 
 #include "report/page.h"
 

@@ -3,8 +3,8 @@
 
 /* Heads of C functions that evaluate derived formulas. */
 
-#ifndef TP_C_ARGUMENTS_H
-#define TP_C_ARGUMENTS_H
+#ifndef TP_REPORT_C_ARGUMENTS_H
+#define TP_REPORT_C_ARGUMENTS_H
 
 #include "output/text.h"
 

@@ -4,8 +4,8 @@
 /* A page for a terminal, 80 columns wide: numbers in the scene's units, every printed digit
  * certain. */
 
-#ifndef TP_PAGE_H
-#define TP_PAGE_H
+#ifndef TP_REPORT_PAGE_H
+#define TP_REPORT_PAGE_H
 
 #include "output/text.h"
 

@@ -3,8 +3,8 @@
 
 /* The parts of JSON that reports of several results share. */
 
-#ifndef TP_PARTS_JSON_H
-#define TP_PARTS_JSON_H
+#ifndef TP_REPORT_PARTS_JSON_H
+#define TP_REPORT_PARTS_JSON_H
 
 #include "output/json.h"
 

@@ -5,8 +5,8 @@
  * Every number on it is one of the solution, printed with certain digits alone; every formula has
  * its numbers put in, as they stand elsewhere on the sheet. */
 
-#ifndef TP_SHEET_H
-#define TP_SHEET_H
+#ifndef TP_REPORT_SHEET_H
+#define TP_REPORT_SHEET_H
 
 #include "document/document.h"
 #include "report/page.h"

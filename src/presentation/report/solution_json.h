@@ -3,8 +3,8 @@
 
 /* A solution as a part of a report in JSON. */
 
-#ifndef TP_SOLUTION_JSON_H
-#define TP_SOLUTION_JSON_H
+#ifndef TP_REPORT_SOLUTION_JSON_H
+#define TP_REPORT_SOLUTION_JSON_H
 
 #include "output/json.h"
 

@@ -5,8 +5,8 @@
  * timed, by the tilt. It takes as long as the motion did, slowed down or hastened to between 2 and
  * 12 seconds. */
 
-#ifndef TP_TILT_COURSE_H
-#define TP_TILT_COURSE_H
+#ifndef TP_REPORT_TILT_COURSE_H
+#define TP_REPORT_TILT_COURSE_H
 
 #include "report/tilt_svg.h"
 

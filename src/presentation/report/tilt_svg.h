@@ -4,8 +4,8 @@
 /* Drawings of a tilt test as SVG, shared by the one with frames and the one that moves. All units
  * of the drawing are such that the block's extent is 100; y grows downwards. */
 
-#ifndef TP_TILT_SVG_H
-#define TP_TILT_SVG_H
+#ifndef TP_REPORT_TILT_SVG_H
+#define TP_REPORT_TILT_SVG_H
 
 #include "output/text.h"
 

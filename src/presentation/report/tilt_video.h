@@ -3,8 +3,8 @@
 
 /* The drawing that moves as WebM or GIF: frames by gnuplot, one after the other, and ffmpeg. */
 
-#ifndef TP_TILT_VIDEO_H
-#define TP_TILT_VIDEO_H
+#ifndef TP_REPORT_TILT_VIDEO_H
+#define TP_REPORT_TILT_VIDEO_H
 
 #include "chart/ffmpeg.h"
 #include "topple_tilt_test.h"

@@ -7,8 +7,8 @@
  * origin of its lattice, which is subtracted exactly: a block far from the origin of its scene is
  * drawn as well as one near it. */
 
-#ifndef TP_SHAPE_H
-#define TP_SHAPE_H
+#ifndef TP_SHAPE_SHAPE_H
+#define TP_SHAPE_SHAPE_H
 
 #include "stability/problem.h"
 

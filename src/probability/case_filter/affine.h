@@ -4,8 +4,8 @@
 /* Numbers of a scene as affine functions of those that vary, exactly: c_0 + sum c_k v_k. Formulas
  * that multiply or divide by what varies are none. */
 
-#ifndef TP_AFFINE_H
-#define TP_AFFINE_H
+#ifndef TP_CASE_FILTER_AFFINE_H
+#define TP_CASE_FILTER_AFFINE_H
 
 #include "scene/vary.h"
 

@@ -9,8 +9,8 @@
  *
  * What scenes share is prepared once (contact_plan.h), by any number of threads read at once. */
 
-#ifndef TP_CASE_FILTER_H
-#define TP_CASE_FILTER_H
+#ifndef TP_CASE_FILTER_CASE_FILTER_H
+#define TP_CASE_FILTER_CASE_FILTER_H
 
 #include "case_filter/limit_filter.h"
 #include "case_filter/onset_filter.h"
@@ -31,8 +31,8 @@ typedef struct tp_filter_facet {
 
 typedef struct tp_case_filter {
   tp_contact_plan plan;
-  tp_shape shape; /* of the scene as it is */
-  bool varies;    /* the block does, by this map: */
+  tp_case_shape shape; /* of the scene as it is */
+  bool varies;         /* the block does, by this map: */
   tp_outline_map map;
   int pivot_count, facet_count;
   tp_filter_pivot pivots[TP_PLAN_POINTS];
@@ -49,8 +49,8 @@ TP_MUST_USE tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene
 /* At any tilt. */
 typedef struct tp_case_told {
   const tp_case_filter *filter;
-  const tp_shape *shape; /* the filter's, or this: */
-  tp_shape own;
+  const tp_case_shape *shape; /* the filter's, or this: */
+  tp_case_shape own;
   tp_near friction; /* tan(phi) */
   tp_near pivot_x_m, pivot_y_m;
   tp_near moments_deg, limit_deg, limit_tangent, onset_deg;

@@ -7,8 +7,8 @@
  * same contact it is the same as long as every ray leaves and slips along each point in the same
  * sense (shape.h). */
 
-#ifndef TP_CONTACT_PLAN_H
-#define TP_CONTACT_PLAN_H
+#ifndef TP_CASE_FILTER_CONTACT_PLAN_H
+#define TP_CASE_FILTER_CONTACT_PLAN_H
 
 #include "stability/evaluation.h"
 

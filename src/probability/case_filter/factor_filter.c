@@ -6,7 +6,8 @@
 #include "case_filter/sliding_filter.h"
 #include "case_filter/strength_filter.h"
 
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot) {
+void tp_filter_arms(tp_near *x, tp_near *y, const tp_case_shape *shape,
+                    const tp_filter_pivot *pivot) {
   const tp_shape_point *p = shape->points + pivot->point;
   *x = tp_near_neg(p->x);
   *y = tp_near_neg(p->y);

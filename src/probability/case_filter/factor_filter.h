@@ -4,13 +4,14 @@
 /* The factor of safety that governs, as stability/governing.c has it, of a block under its weight
  * alone, in doubles with bounds. */
 
-#ifndef TP_FACTOR_FILTER_H
-#define TP_FACTOR_FILTER_H
+#ifndef TP_CASE_FILTER_FACTOR_FILTER_H
+#define TP_CASE_FILTER_FACTOR_FILTER_H
 
 #include "case_filter/standing_filter.h"
 
 /* The arms of the weight about a pivot: x / y is the tangent of its critical angle. */
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot);
+void tp_filter_arms(tp_near *x, tp_near *y, const tp_case_shape *shape,
+                    const tp_filter_pivot *pivot);
 
 /* Fills in the factor; false where doubles do not tell. */
 TP_MUST_USE bool tp_factor_filter(tp_case_told_at *at, const tp_case_told *told,

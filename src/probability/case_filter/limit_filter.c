@@ -10,7 +10,7 @@
 
 #include "case_filter/limit_filter.h"
 
-void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_shape *shape,
+void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_case_shape *shape,
                       tp_near friction) {
   set->plan = plan;
   set->shape = shape;

@@ -5,19 +5,19 @@
  * then proven as certificate/face.h does, by a mechanism that no edge of a friction cone resists
  * and by forces that hold. */
 
-#ifndef TP_LIMIT_FILTER_H
-#define TP_LIMIT_FILTER_H
+#ifndef TP_CASE_FILTER_LIMIT_FILTER_H
+#define TP_CASE_FILTER_LIMIT_FILTER_H
 
 #include "case_filter/shape.h"
 
 /* The edges of the plan with a friction. */
 typedef struct tp_edge_set {
   const tp_contact_plan *plan;
-  const tp_shape *shape;
+  const tp_case_shape *shape;
   tp_near of[2 * TP_PLAN_POINTS][3];
 } tp_edge_set;
 
-void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_shape *shape,
+void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_case_shape *shape,
                       tp_near friction);
 
 typedef struct tp_limit_filter {

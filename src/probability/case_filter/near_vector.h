@@ -3,8 +3,8 @@
 
 /* Vectors of doubles with bounds in which an exact zero stays one (number/near.h). */
 
-#ifndef TP_NEAR_VECTOR_H
-#define TP_NEAR_VECTOR_H
+#ifndef TP_CASE_FILTER_NEAR_VECTOR_H
+#define TP_CASE_FILTER_NEAR_VECTOR_H
 
 #include "number/near.h"
 

@@ -47,7 +47,7 @@ typedef struct cone {
   tp_near across[3]; /* to both rays: M^-1 h of their normal line, times k^2 */
 } cone;
 
-static void set_cone(cone *c, const tp_plan_mode *mode, const tp_shape *shape,
+static void set_cone(cone *c, const tp_plan_mode *mode, const tp_case_shape *shape,
                      tp_near edges[][2][3]) {
   c->mode = mode;
   for (int k = 0; k < mode->ray_count; k++) {
@@ -124,7 +124,7 @@ static void add_perhaps(tp_near_interval *sum, const tp_near_interval *perhaps) 
   }
 }
 
-static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_shape *shape,
+static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_case_shape *shape,
                       tp_near edges[][2][3]) {
   cone c;
   set_cone(&c, mode, shape, edges);
@@ -145,7 +145,7 @@ static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_
 
 /* Where all points open under the weight: h . (-t, -1, 0) >= 0 of each. */
 static bool find_leaving(tp_near_interval *own, const tp_contact_plan *plan,
-                         const tp_shape *shape) {
+                         const tp_case_shape *shape) {
   *own = (tp_near_interval){.empty = !plan->opens_all};
   for (int k = 0; k < plan->point_count && !own->empty; k++) {
     const tp_plan_point *point = plan->points + k;
@@ -177,7 +177,7 @@ static bool take(tp_onset_filter *found, const tp_near_interval *own) {
 }
 
 bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
-                          const tp_shape *shape, tp_near friction) {
+                          const tp_case_shape *shape, tp_near friction) {
   tp_near edges[TP_PLAN_POINTS][2][3];
   for (long k = 0; k < plan->point_count; k++) {
     tp_shape_edge(edges[k][0], shape, (tp_plan_edge){k, false}, friction);

@@ -3,8 +3,8 @@
 
 /* The tilts at which motions can begin, by the weight alone, in doubles with bounds. */
 
-#ifndef TP_ONSET_FILTER_H
-#define TP_ONSET_FILTER_H
+#ifndef TP_CASE_FILTER_ONSET_FILTER_H
+#define TP_CASE_FILTER_ONSET_FILTER_H
 
 #include "case_filter/shape.h"
 
@@ -33,7 +33,7 @@ typedef struct tp_onset_filter {
 
 /* False where doubles do not tell, or where a motion can begin on level ground. */
 bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
-                          const tp_shape *shape, tp_near friction);
+                          const tp_case_shape *shape, tp_near friction);
 
 /* Can a motion begin at the tilt, and which: the bit 1 << mechanism of each. False where doubles do
  * not tell. */

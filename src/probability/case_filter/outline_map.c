@@ -139,8 +139,8 @@ static bool take_point(tp_outline_mapping *m, int k) {
   const tp_facet *facet = m->problem->contact.facets + own->facet;
   const bool second = k > 0 && m->plan->points[k - 1].facet == own->facet;
   const int from = point_at(m, facet->t0), to = point_at(m, facet->t1);
-  tp_map_point *p = m->map->points + k;
-  *p = (tp_map_point){point_at(m, second ? facet->q1 : facet->q0), from, to, false};
+  tp_mapped_point *p = m->map->points + k;
+  *p = (tp_mapped_point){point_at(m, second ? facet->q1 : facet->q0), from, to, false};
   if (from < 0 || to < 0 || p->vertex < 0 || p->vertex >= m->map->vertex_count) return false;
   p->is_level = tp_affine_equal(m->y + from, m->y + to);
   if (from >= m->map->vertex_count || to >= m->map->vertex_count) p->from = -1; /* level ground */
@@ -148,7 +148,7 @@ static bool take_point(tp_outline_mapping *m, int k) {
 }
 
 /* Is a difference of points the same whatever varies? */
-static bool is_constant(const tp_outline_mapping *m, const tp_map_point *p) {
+static bool is_constant(const tp_outline_mapping *m, const tp_mapped_point *p) {
   tp_affine dx, dy;
   tp_affine_init(&dx);
   tp_affine_init(&dy);
@@ -164,7 +164,7 @@ static bool is_constant(const tp_outline_mapping *m, const tp_map_point *p) {
 static bool stay_parallel(const tp_outline_mapping *m) {
   for (int k = 0; k < m->plan->point_count; k++) {
     for (int j = 0; j < k; j++) {
-      const tp_map_point *a = m->map->points + k, *b = m->map->points + j;
+      const tp_mapped_point *a = m->map->points + k, *b = m->map->points + j;
       if (m->plan->points[k].axis != m->plan->points[j].axis) continue;
       const bool same = a->from == b->from && a->to == b->to;
       if (same || (a->is_level && b->is_level)) continue;

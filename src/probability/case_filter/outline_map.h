@@ -9,8 +9,8 @@
  * sum and the difference of these, and of the turns of three points, the ends of the base among
  * them. Where each has the sign that it has in the scene at hand, the contact is the same one. */
 
-#ifndef TP_OUTLINE_MAP_H
-#define TP_OUTLINE_MAP_H
+#ifndef TP_CASE_FILTER_OUTLINE_MAP_H
+#define TP_CASE_FILTER_OUTLINE_MAP_H
 
 #include "case_filter/outline_mapping.h"
 
@@ -27,7 +27,7 @@ typedef struct tp_near_outline {
 
 /* The shape of the contact, not completed (shape.h); false where it is not certainly the contact of
  * the plan. */
-bool tp_outline_map_shape(tp_shape *shape, tp_near_outline *outline, const tp_outline_map *map,
+bool tp_outline_map_shape(tp_case_shape *shape, tp_near_outline *outline, const tp_outline_map *map,
                           const tp_contact_plan *plan, const tp_near *variables);
 
 #endif

@@ -3,8 +3,8 @@
 
 /* An outline map (outline_map.h), and what it is made of in the making. */
 
-#ifndef TP_OUTLINE_MAPPING_H
-#define TP_OUTLINE_MAPPING_H
+#ifndef TP_CASE_FILTER_OUTLINE_MAPPING_H
+#define TP_CASE_FILTER_OUTLINE_MAPPING_H
 
 #include "case_filter/affine.h"
 #include "case_filter/shape.h"
@@ -37,16 +37,16 @@ typedef struct tp_near_affine {
 } tp_near_affine;
 
 /* Of a point of the plan: its vertex, and t: between two vertices, or level. */
-typedef struct tp_map_point {
+typedef struct tp_mapped_point {
   int vertex, from, to; /* from -1: (1, 0) */
   bool is_level;
-} tp_map_point;
+} tp_mapped_point;
 
 typedef struct tp_outline_map {
   int variable_count, vertex_count, point_count, sign_count;
   bool mirrored;
   tp_near_affine x[TP_MAP_POINTS], y[TP_MAP_POINTS];
-  tp_map_point points[TP_PLAN_POINTS];
+  tp_mapped_point points[TP_PLAN_POINTS];
   tp_map_sign signs[TP_MAP_SIGNS];
   double metres_per_unit;
 } tp_outline_map;

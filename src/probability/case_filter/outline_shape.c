@@ -79,7 +79,7 @@ static bool set_centroid(tp_near *x, tp_near *y, tp_near *gyration, const tp_nea
   return tp_near_sign(*gyration) > 0;
 }
 
-static void set_point(tp_shape_point *p, const tp_map_point *own, const tp_near_outline *o,
+static void set_point(tp_shape_point *p, const tp_mapped_point *own, const tp_near_outline *o,
                       tp_near x, tp_near y, bool mirrored) {
   static const tp_near zero = {0, 0}, one = {1, 0};
   p->x = tp_near_minus(tp_near_minus(o->x[own->vertex], o->x[0]), x);
@@ -91,7 +91,7 @@ static void set_point(tp_shape_point *p, const tp_map_point *own, const tp_near_
   p->ty = tp_near_neg(p->ty);
 }
 
-bool tp_outline_map_shape(tp_shape *shape, tp_near_outline *o, const tp_outline_map *map,
+bool tp_outline_map_shape(tp_case_shape *shape, tp_near_outline *o, const tp_outline_map *map,
                           const tp_contact_plan *plan, const tp_near *variables) {
   for (int k = 0; k < map->point_count; k++) {
     o->x[k] = value_of(map->x + k, variables, map->variable_count);

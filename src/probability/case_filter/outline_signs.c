@@ -97,7 +97,7 @@ static void add_turns(tp_outline_mapping *m, int i, int j) {
  */
 static void add_admissible(tp_outline_mapping *m, tp_direction towards) {
   for (int k = 0; k < m->plan->point_count; k++) {
-    const tp_map_point *f = m->map->points + k;
+    const tp_mapped_point *f = m->map->points + k;
     const bool second = k > 0 && m->plan->points[k - 1].facet == m->plan->points[k].facet;
     const bool last =
         k + 1 == m->plan->point_count || m->plan->points[k + 1].facet != m->plan->points[k].facet;

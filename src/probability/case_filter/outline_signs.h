@@ -3,8 +3,8 @@
 
 /* Which signs tell the contact of a block that varies. */
 
-#ifndef TP_OUTLINE_SIGNS_H
-#define TP_OUTLINE_SIGNS_H
+#ifndef TP_CASE_FILTER_OUTLINE_SIGNS_H
+#define TP_CASE_FILTER_OUTLINE_SIGNS_H
 
 #include "case_filter/outline_mapping.h"
 

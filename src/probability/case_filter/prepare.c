@@ -35,7 +35,7 @@ static tp_near from_centroid(const arb_t own, const arb_t scale, const arb_t cen
   return near;
 }
 
-static void set_shape(tp_shape *shape, const tp_onset_asked *asked) {
+static void set_shape(tp_case_shape *shape, const tp_onset_asked *asked) {
   const tp_motion_question *q = &asked->question;
   arb_t square;
   arb_init(square);

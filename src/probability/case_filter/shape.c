@@ -11,7 +11,7 @@
 
 #include "case_filter/shape.h"
 
-static void set_ray(tp_near ray[3], const tp_shape *shape, const tp_plan_ray *own) {
+static void set_ray(tp_near ray[3], const tp_case_shape *shape, const tp_plan_ray *own) {
   static const tp_near zero = {0, 0}, one = {1, 0};
   const tp_shape_point *p = shape->points + own->point;
   if (own->kind == TP_RAY_SLIDES) {
@@ -42,8 +42,8 @@ static tp_near slip(const tp_near ray[3], const tp_shape_point *p) {
                       tp_near_times(ray[2], p->about));
 }
 
-static bool is_of_plan(const tp_near ray[3], const tp_shape *shape, const tp_contact_plan *plan,
-                       const tp_plan_ray *own) {
+static bool is_of_plan(const tp_near ray[3], const tp_case_shape *shape,
+                       const tp_contact_plan *plan, const tp_plan_ray *own) {
   for (int k = 0; k < plan->point_count; k++) {
     const tp_shape_point *p = shape->points + k;
     if (own->opens[k] != 0) {
@@ -55,7 +55,7 @@ static bool is_of_plan(const tp_near ray[3], const tp_shape *shape, const tp_con
   return true;
 }
 
-bool tp_shape_complete(tp_shape *shape, const tp_contact_plan *plan) {
+bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan) {
   for (int k = 0; k < plan->point_count; k++) {
     tp_shape_point *p = shape->points + k;
     p->along = tp_near_plus(tp_near_times(p->tx, p->x), tp_near_times(p->ty, p->y));
@@ -73,7 +73,8 @@ bool tp_shape_complete(tp_shape *shape, const tp_contact_plan *plan) {
 }
 
 /* n + t tan(phi) with n = (-t_y, t_x); its moment q x n + tan(phi) q x t, q x n = t . q. */
-void tp_shape_edge(tp_near force[3], const tp_shape *shape, tp_plan_edge edge, tp_near friction) {
+void tp_shape_edge(tp_near force[3], const tp_case_shape *shape, tp_plan_edge edge,
+                   tp_near friction) {
   const tp_shape_point *p = shape->points + edge.point;
   const tp_near along = edge.against ? tp_near_neg(friction) : friction;
   force[0] = tp_near_minus(tp_near_times(along, p->tx), p->ty);

@@ -4,8 +4,8 @@
 /* The contact of a case in doubles with bounds (number/near.h), about the block's centroid,
  * down-dip towards -x; any one unit of length. What is zero by the plan is so exactly. */
 
-#ifndef TP_SHAPE_H
-#define TP_SHAPE_H
+#ifndef TP_CASE_FILTER_SHAPE_H
+#define TP_CASE_FILTER_SHAPE_H
 
 #include "case_filter/contact_plan.h"
 #include "case_filter/near_vector.h"
@@ -17,17 +17,18 @@ typedef struct tp_shape_point {
   tp_near about;  /* q x t */
 } tp_shape_point;
 
-typedef struct tp_shape {
+typedef struct tp_case_shape {
   tp_near gyration; /* square of its radius */
   tp_shape_point points[TP_PLAN_POINTS];
   tp_near inertia[TP_PLAN_RAYS][3]; /* M r = (v_x, v_y, k^2 omega) of each ray */
-} tp_shape;
+} tp_case_shape;
 
 /* From the points' x, y, t and the gyration: the rest; false where the motions are not certainly
  * those of the plan. */
-bool tp_shape_complete(tp_shape *shape, const tp_contact_plan *plan);
+bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan);
 
 /* The edge of a point's friction cone as (f_x, f_y, moment), with tan(phi). */
-void tp_shape_edge(tp_near force[3], const tp_shape *shape, tp_plan_edge edge, tp_near friction);
+void tp_shape_edge(tp_near force[3], const tp_case_shape *shape, tp_plan_edge edge,
+                   tp_near friction);
 
 #endif

@@ -4,8 +4,8 @@
 /* The facet that governs sliding by angles (stability/sliding_facet.h), and its two factors, in
  * doubles with bounds. */
 
-#ifndef TP_SLIDING_FILTER_H
-#define TP_SLIDING_FILTER_H
+#ifndef TP_CASE_FILTER_SLIDING_FILTER_H
+#define TP_CASE_FILTER_SLIDING_FILTER_H
 
 #include "case_filter/case_filter.h"
 

@@ -4,8 +4,8 @@
 /* Does the factor of a way to move count (stability/governing_factors.h), in doubles with bounds?
  */
 
-#ifndef TP_STANDING_FILTER_H
-#define TP_STANDING_FILTER_H
+#ifndef TP_CASE_FILTER_STANDING_FILTER_H
+#define TP_CASE_FILTER_STANDING_FILTER_H
 
 #include "case_filter/case_filter.h"
 

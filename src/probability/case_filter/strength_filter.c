@@ -9,7 +9,7 @@
 #include "motion/mode_shares.h"
 #include "motion/strength_change.h"
 
-static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_shape *shape,
+static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_case_shape *shape,
                      tp_plan_edge edge, tp_near friction) {
   static const tp_near zero = {0, 0};
   const tp_plan_point *at = plan->points + edge.point;
@@ -29,7 +29,7 @@ static void set_loads(tp_share_mode *mode, tp_near tangent) {
   mode->free_count = 0;
 }
 
-static void set_mode(tp_share_mode *mode, const tp_contact_plan *plan, const tp_shape *shape,
+static void set_mode(tp_share_mode *mode, const tp_contact_plan *plan, const tp_case_shape *shape,
                      const tp_plan_mode *own, tp_near friction) {
   mode->mechanism = own->mechanism;
   mode->interior = false;
@@ -47,7 +47,8 @@ static void set_mode(tp_share_mode *mode, const tp_contact_plan *plan, const tp_
 }
 
 /* Where all points open under the weight: no share changes that. */
-static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan, const tp_shape *shape) {
+static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan,
+                         const tp_case_shape *shape) {
   mode->mechanism = TP_LEAVES_BASE;
   mode->interior = true;
   mode->ray_count = 0;
@@ -61,7 +62,7 @@ static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan, const
 /* The modes at a tilt, one after another; the last is that in which all points open. */
 typedef struct modes {
   const tp_contact_plan *plan;
-  const tp_shape *shape;
+  const tp_case_shape *shape;
   tp_near friction, tangent;
 } modes;
 
@@ -122,8 +123,8 @@ static bool find_change(tp_share_change *change, const modes *m, bool moves) {
 }
 
 bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
-                             const tp_shape *shape, tp_near friction, tp_near tangent, bool moves,
-                             double most) {
+                             const tp_case_shape *shape, tp_near friction, tp_near tangent,
+                             bool moves, double most) {
   const modes m = {plan, shape, friction, tangent};
   tp_share_change change;
   const bool done = find_change(&change, &m, moves);
@@ -134,7 +135,7 @@ bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan
   return enclose(&told->share, &m, change.share);
 }
 
-bool tp_strength_filter_moves_onset(const tp_contact_plan *plan, const tp_shape *shape,
+bool tp_strength_filter_moves_onset(const tp_contact_plan *plan, const tp_case_shape *shape,
                                     tp_near friction, tp_near onset) {
   static const double beside = TP_BESIDE_END_DEG * M_PI / 180;
   const double t = onset.value;

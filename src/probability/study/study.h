@@ -8,8 +8,8 @@
  * of cell s % cells, so that the first samples hold all cells alike. Without anything drawn each
  * cell is one sample. */
 
-#ifndef TP_STUDY_H
-#define TP_STUDY_H
+#ifndef TP_STUDY_STUDY_H
+#define TP_STUDY_STUDY_H
 
 #include "sampling/distribution.h"
 #include "sampling/draws.h"

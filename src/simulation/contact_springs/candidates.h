@@ -5,8 +5,8 @@
  * much as they were taken apart. Finding them costs some m log n for m features of the block and n
  * of the base, and all that are near each other; between that a step looks at those alone. */
 
-#ifndef TP_SPRING_CANDIDATES_H
-#define TP_SPRING_CANDIDATES_H
+#ifndef TP_CONTACT_SPRINGS_CANDIDATES_H
+#define TP_CONTACT_SPRINGS_CANDIDATES_H
 
 #include "contact_springs/meeting.h"
 

@@ -3,8 +3,8 @@
 
 /* A contact on its springs, and what contacts add up to. */
 
-#ifndef TP_SPRING_CONTACT_H
-#define TP_SPRING_CONTACT_H
+#ifndef TP_CONTACT_SPRINGS_CONTACT_H
+#define TP_CONTACT_SPRINGS_CONTACT_H
 
 #include "contact_springs/candidates.h"
 #include "rigid_body/drive.h"

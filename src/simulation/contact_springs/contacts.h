@@ -11,8 +11,8 @@
  * times the shear displacement since it closed, at most tan(phi) times the normal force. Where they
  * are asked for, dashpots beside both springs resist their rates; the limits hold for the sums. */
 
-#ifndef TP_SPRING_CONTACTS_H
-#define TP_SPRING_CONTACTS_H
+#ifndef TP_CONTACT_SPRINGS_CONTACTS_H
+#define TP_CONTACT_SPRINGS_CONTACTS_H
 
 #include "contact_springs/candidates.h"
 #include "contact_springs/contact.h"

@@ -12,8 +12,8 @@
  * it an error of third order is left, as the next step is not quite the last one.
  */
 
-#ifndef TP_SPRING_CROSSING_H
-#define TP_SPRING_CROSSING_H
+#ifndef TP_CONTACT_SPRINGS_CROSSING_H
+#define TP_CONTACT_SPRINGS_CROSSING_H
 
 #include "contact_springs/contact.h"
 

@@ -11,8 +11,8 @@
  * its centre stands above that, and another disc where each lies within the reach of the other, so
  * that a contact that runs along a boundary goes from feature to feature without a leap. */
 
-#ifndef TP_FEATURES_H
-#define TP_FEATURES_H
+#ifndef TP_CONTACT_SPRINGS_FEATURES_H
+#define TP_CONTACT_SPRINGS_FEATURES_H
 
 #include "rigid_body/body.h"
 

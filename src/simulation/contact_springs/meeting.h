@@ -3,8 +3,8 @@
 
 /* A feature of the block, where that is now, and a feature of the base. */
 
-#ifndef TP_MEETING_H
-#define TP_MEETING_H
+#ifndef TP_CONTACT_SPRINGS_MEETING_H
+#define TP_CONTACT_SPRINGS_MEETING_H
 
 #include "contact_springs/features.h"
 

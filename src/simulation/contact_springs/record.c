@@ -90,7 +90,7 @@ static bool insert_event(const tp_spring_record *r, tp_tilt_event event) {
 }
 
 static bool add_event(const tp_spring_record *r, const tp_stepper *s, tp_tilt_event_kind kind,
-                      double time_s, const tp_known_contact *contact, double speed) {
+                      double time_s, const tp_known_spring *contact, double speed) {
   tp_tilt_event event = event_at(r, s, kind, time_s, contact->at);
   event.facet = contact->facet;
   event.speed_m_s = speed;
@@ -106,24 +106,24 @@ bool tp_spring_record_block(tp_spring_record *r, const tp_stepper *s, tp_tilt_ev
 /* ---- contacts
  * --------------------------------------------------------------------------------------------- */
 
-static tp_known_contact *find_known(const tp_spring_record *r, tp_pair story) {
+static tp_known_spring *find_known(const tp_spring_record *r, tp_pair story) {
   for (long k = 0; k < r->count; k++) {
-    tp_known_contact *own = r->known + k;
+    tp_known_spring *own = r->known + k;
     if (own->story.of_block == story.of_block && own->story.of_base == story.of_base) return own;
   }
   return NULL;
 }
 
-static tp_known_contact *add_known(tp_spring_record *r, const tp_spring_contact *contact) {
-  tp_known_contact *known = tp_grow(r->known, r->count, &r->room, sizeof *known);
+static tp_known_spring *add_known(tp_spring_record *r, const tp_spring_contact *contact) {
+  tp_known_spring *known = tp_grow(r->known, r->count, &r->room, sizeof *known);
   if (known == NULL) return NULL;
   r->known = known;
-  known[r->count] = (tp_known_contact){.story = contact->story};
+  known[r->count] = (tp_known_spring){.story = contact->story};
   return known + r->count++;
 }
 
 /* Did it begin or end to slip since it was last observed? */
-static bool observe_slip(tp_spring_record *r, const tp_stepper *s, tp_known_contact *known,
+static bool observe_slip(tp_spring_record *r, const tp_stepper *s, tp_known_spring *known,
                          const tp_spring_contact *contact, bool tell, bool *told) {
   const double most = contact->friction * contact->normal_n;
   const bool slips = contact->slipped > 0 && fabs(contact->shear_n) >= at_limit * most;
@@ -145,7 +145,7 @@ static double least_force(const tp_spring_record *r) {
 
 static bool observe_contact(tp_spring_record *r, const tp_stepper *s, tp_spring_contact *contact,
                             bool tell, bool *told) {
-  tp_known_contact *known = find_known(r, contact->story);
+  tp_known_spring *known = find_known(r, contact->story);
   const bool closes = known == NULL;
   if (closes && contact->normal_n < least_force(r)) return true;
   if (closes) known = add_known(r, contact);
@@ -167,7 +167,7 @@ static bool drop_unseen(tp_spring_record *r, const tp_stepper *s, bool *told) {
   long kept = 0;
   bool done = true;
   for (long k = 0; k < r->count; k++) {
-    tp_known_contact own = r->known[k];
+    tp_known_spring own = r->known[k];
     if (own.missing == 0 && !own.seen) own.opened_s = s->time_s;
     own.missing = own.seen ? 0 : own.missing + 1;
     own.seen = false;

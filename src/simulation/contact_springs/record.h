@@ -7,26 +7,26 @@
  * its share of the weight, and opens when it bore nothing in eight observations: less is vibration.
  */
 
-#ifndef TP_SPRING_RECORD_H
-#define TP_SPRING_RECORD_H
+#ifndef TP_CONTACT_SPRINGS_RECORD_H
+#define TP_CONTACT_SPRINGS_RECORD_H
 
 #include "contact_springs/stepper.h"
 #include "rigid_body/history.h"
 
 /* A contact that was closed when it was last observed. */
-typedef struct tp_known_contact {
+typedef struct tp_known_spring {
   tp_pair story;
   tp_xy at;
   long facet;
   bool slips, seen;
   int stuck, missing; /* observations in a row without slip, without a force */
   double opened_s;    /* when the first of those was */
-} tp_known_contact;
+} tp_known_spring;
 
 typedef struct tp_spring_record {
   const tp_run *run;
   long count, room;
-  tp_known_contact *known;
+  tp_known_spring *known;
   double last_observed_s, next_moment_s;
 } tp_spring_record;
 

@@ -13,8 +13,8 @@
  * it from bouncing through the first five periods of the shear springs; they resist no motion but
  * that of the springs. */
 
-#ifndef TP_SETTLEMENT_H
-#define TP_SETTLEMENT_H
+#ifndef TP_CONTACT_SPRINGS_SETTLEMENT_H
+#define TP_CONTACT_SPRINGS_SETTLEMENT_H
 
 #include "contact_springs/stepper.h"
 

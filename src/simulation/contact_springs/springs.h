@@ -14,8 +14,8 @@
  * one, which goes with sqrt(m / k). The answer depends on stiffness, rounding, damping and step:
  * see docs/tilt_springs.md for how it converges. */
 
-#ifndef TP_SPRINGS_H
-#define TP_SPRINGS_H
+#ifndef TP_CONTACT_SPRINGS_SPRINGS_H
+#define TP_CONTACT_SPRINGS_SPRINGS_H
 
 #include "rigid_body/history.h"
 

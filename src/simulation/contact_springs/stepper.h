@@ -12,8 +12,8 @@
  * is m v v' / 2, work is the mean of the forces at both ends of a step times the step, so that
  * linear springs and steady forces balance but for rounding. What is left measures the step. */
 
-#ifndef TP_STEPPER_H
-#define TP_STEPPER_H
+#ifndef TP_CONTACT_SPRINGS_STEPPER_H
+#define TP_CONTACT_SPRINGS_STEPPER_H
 
 #include "contact_springs/contacts.h"
 #include "rigid_body/drive.h"

@@ -3,8 +3,8 @@
 
 /* The length of a facet that a contact stands for. */
 
-#ifndef TP_TRIBUTARY_H
-#define TP_TRIBUTARY_H
+#ifndef TP_CONTACT_SPRINGS_TRIBUTARY_H
+#define TP_CONTACT_SPRINGS_TRIBUTARY_H
 
 #include "contact_springs/meeting.h"
 

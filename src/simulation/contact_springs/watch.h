@@ -13,8 +13,8 @@
  * times the extent, through four windows: it rests, where its drive is steady. While the base is
  * shaken neither is told. */
 
-#ifndef TP_SPRING_WATCH_H
-#define TP_SPRING_WATCH_H
+#ifndef TP_CONTACT_SPRINGS_WATCH_H
+#define TP_CONTACT_SPRINGS_WATCH_H
 
 #include "contact_springs/stepper.h"
 

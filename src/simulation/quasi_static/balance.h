@@ -9,8 +9,8 @@
  * follows; else e goes with the block. e is the one thing that the past leaves behind, so in a step
  * of any length in which no facet turns from slip to stick the state at its end is exact. */
 
-#ifndef TP_BALANCE_H
-#define TP_BALANCE_H
+#ifndef TP_QUASI_STATIC_BALANCE_H
+#define TP_QUASI_STATIC_BALANCE_H
 
 #include "quasi_static/frame.h"
 

@@ -9,8 +9,8 @@
  * F = C v with contact forces of Coulomb's law for v: v is an acceleration with which a rigid block
  * begins to move from rest (docs/onset.md), and C v what its weight has too much. */
 
-#ifndef TP_DRIFT_H
-#define TP_DRIFT_H
+#ifndef TP_QUASI_STATIC_DRIFT_H
+#define TP_QUASI_STATIC_DRIFT_H
 
 #include "quasi_static/state.h"
 

@@ -9,8 +9,8 @@
  * derivatives have no jump), so that a facet opens bit by bit. A contact in a point has one spring,
  * at `from`. */
 
-#ifndef TP_FACET_STRESS_H
-#define TP_FACET_STRESS_H
+#ifndef TP_QUASI_STATIC_FACET_STRESS_H
+#define TP_QUASI_STATIC_FACET_STRESS_H
 
 #include <stdbool.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#ifndef TP_PATH_FOLLOW_H
-#define TP_PATH_FOLLOW_H
+#ifndef TP_QUASI_STATIC_FOLLOW_H
+#define TP_QUASI_STATIC_FOLLOW_H
 
 #include "quasi_static/model.h"
 

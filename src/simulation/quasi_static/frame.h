@@ -9,8 +9,8 @@
  * where it stands, each along the normal there, and the turn; where it stands in one place, that
  * point's along its normal and along its tangent, and the turn. */
 
-#ifndef TP_PATH_FRAME_H
-#define TP_PATH_FRAME_H
+#ifndef TP_QUASI_STATIC_FRAME_H
+#define TP_QUASI_STATIC_FRAME_H
 
 #include "quasi_static/model.h"
 

@@ -6,8 +6,8 @@
  * one extent carry the weight. Stress is then the closure, and nothing depends on the stiffness but
  * `moves`. */
 
-#ifndef TP_PATH_MODEL_H
-#define TP_PATH_MODEL_H
+#ifndef TP_QUASI_STATIC_MODEL_H
+#define TP_QUASI_STATIC_MODEL_H
 
 #include "quasi_static/path.h"
 

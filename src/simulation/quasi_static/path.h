@@ -17,8 +17,8 @@
  * mass, moves off for good; the direction is then one in which a rigid block can begin to move from
  * rest (docs/onset.md), so that the collapse never lies below the onset, nor above the limit. */
 
-#ifndef TP_PATH_H
-#define TP_PATH_H
+#ifndef TP_QUASI_STATIC_PATH_H
+#define TP_QUASI_STATIC_PATH_H
 
 #include "rigid_body/history.h"
 

@@ -3,8 +3,8 @@
 
 /* States of a path written into a history: events between two of them, moments, reactions. */
 
-#ifndef TP_PATH_RECORD_H
-#define TP_PATH_RECORD_H
+#ifndef TP_QUASI_STATIC_RECORD_H
+#define TP_QUASI_STATIC_RECORD_H
 
 #include "quasi_static/state.h"
 

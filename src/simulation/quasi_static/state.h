@@ -3,8 +3,8 @@
 
 /* A state on the path: where the block is at a tilt, what its facets do, and how both go on. */
 
-#ifndef TP_PATH_STATE_H
-#define TP_PATH_STATE_H
+#ifndef TP_QUASI_STATIC_STATE_H
+#define TP_QUASI_STATIC_STATE_H
 
 #include "quasi_static/balance.h"
 

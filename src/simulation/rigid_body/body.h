@@ -8,8 +8,8 @@
  * pose is the displacement of its centroid and its turn; gaps of contacts that are closed at the
  * start are exactly zero there. */
 
-#ifndef TP_RIGID_BODY_H
-#define TP_RIGID_BODY_H
+#ifndef TP_RIGID_BODY_BODY_H
+#define TP_RIGID_BODY_BODY_H
 
 #include "load/wrench.h"
 #include "rigid_body/boundary.h"

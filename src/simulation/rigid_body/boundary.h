@@ -7,8 +7,8 @@
  * arcs that meet smoothly (two to each of 64 pieces of a quarter), off by less than 1e-7 of its
  * longer axis where that is at most four times the shorter one. */
 
-#ifndef TP_BOUNDARY_H
-#define TP_BOUNDARY_H
+#ifndef TP_RIGID_BODY_BOUNDARY_H
+#define TP_RIGID_BODY_BOUNDARY_H
 
 #include "rigid_body/local.h"
 

@@ -6,8 +6,8 @@
  * itself adds (its speed squared times a length, 1e-6 of gravity at 20 degrees a minute and a
  * metre) is left out. */
 
-#ifndef TP_DRIVE_H
-#define TP_DRIVE_H
+#ifndef TP_RIGID_BODY_DRIVE_H
+#define TP_RIGID_BODY_DRIVE_H
 
 #include "rigid_body/body.h"
 

@@ -3,8 +3,8 @@
 
 /* What a simulation writes down as it goes: events, moments, reactions (topple_tilt.h). */
 
-#ifndef TP_HISTORY_H
-#define TP_HISTORY_H
+#ifndef TP_RIGID_BODY_HISTORY_H
+#define TP_RIGID_BODY_HISTORY_H
 
 #include "rigid_body/drive.h"
 #include "topple_tilt.h"

@@ -4,8 +4,8 @@
 /* Points of a problem in metres from the centroid of its block: subtracted before they are rounded,
  * so that a block far from the origin of its scene loses no digits. */
 
-#ifndef TP_LOCAL_H
-#define TP_LOCAL_H
+#ifndef TP_RIGID_BODY_LOCAL_H
+#define TP_RIGID_BODY_LOCAL_H
 
 #include "stability/evaluation.h"
 

@@ -11,7 +11,7 @@
 
 /* What a contact did when it was recorded last. */
 typedef struct tp_known_contact {
-  tp_pair pair;
+  tp_gap_pair pair;
   tp_contact_phase phase;
   tp_xy at;
   long facet;

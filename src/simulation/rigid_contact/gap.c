@@ -152,7 +152,7 @@ static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
   arc_on_arc(gap, &a, block);
 }
 
-tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_gap_pair *pair,
                  const tp_motion_state *state) {
   const double angle = state->place[2];
   const turned block = {.sine = sin(angle),
@@ -185,7 +185,7 @@ bool tp_gap_faces(const tp_gap *gap) {
   return within >= -TP_FACE_SLACK && (within > TP_FACE_SLACK || gap->cone_margin >= -TP_FACE_SLACK);
 }
 
-bool tp_pair_is(const tp_pair *a, const tp_pair *b) {
+bool tp_pair_is(const tp_gap_pair *a, const tp_gap_pair *b) {
   return a->kind == b->kind && a->block == b->block && a->base == b->base;
 }
 

@@ -37,13 +37,13 @@ typedef enum tp_pair_kind {
 } tp_pair_kind;
 
 /* What may touch: a part of the block on a part of the base. */
-typedef struct tp_pair {
+typedef struct tp_gap_pair {
   tp_pair_kind kind;
   long block, base; /* of their corners or faces */
   bool touching;    /* closed when last judged: it counts as closing anew only below a tolerance */
-} tp_pair;
+} tp_gap_pair;
 
-bool tp_pair_is(const tp_pair *a, const tp_pair *b);
+bool tp_pair_is(const tp_gap_pair *a, const tp_gap_pair *b);
 
 typedef struct tp_gap {
   double width;  /* below 0: the parts lie in each other, where they do face each other */
@@ -63,7 +63,7 @@ typedef struct tp_contact_shapes {
   tp_contact_shape block, base;
 } tp_contact_shapes;
 
-tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_gap_pair *pair,
                  const tp_motion_state *state);
 
 /* How far beyond the end of a face, or of an arc, a contact may lie: more than what a closed gap in

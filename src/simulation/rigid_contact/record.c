@@ -64,7 +64,7 @@ static double times(const double a[3], const double b[3]) {
 static tp_contact_phase phase_of(const tp_dynamics *d, long of_law) {
   const double *x = d->solution.x;
   const tp_law_contact *own = d->law.contacts + of_law;
-  const tp_pair *pair = &d->touching.items[d->touching.of_law[of_law]].pair;
+  const tp_gap_pair *pair = &d->touching.items[d->touching.of_law[of_law]].pair;
   for (int k = 0; k < d->smooth.count; k++) {
     const tp_pressing *pressing = d->smooth.pressing + k;
     if (!tp_pair_is(&pressing->pair, pair)) continue;

@@ -8,8 +8,8 @@
  * Accuracy: steps within the tolerance, events to the last digits of the time, contacts kept closed
  * within 1e-11 of the extent of the block; the account says what the energy's balance came to. */
 
-#ifndef TP_RIGID_CONTACT_H
-#define TP_RIGID_CONTACT_H
+#ifndef TP_RIGID_CONTACT_RIGID_CONTACT_H
+#define TP_RIGID_CONTACT_RIGID_CONTACT_H
 
 #include "rigid_body/history.h"
 

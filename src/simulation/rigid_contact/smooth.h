@@ -13,7 +13,7 @@
 
 /* A contact that presses. */
 typedef struct tp_pressing {
-  tp_pair pair;
+  tp_gap_pair pair;
   double friction;
   long facet;
   bool sticks; /* by both of its edges; else: */

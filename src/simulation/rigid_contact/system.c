@@ -39,10 +39,10 @@ static tp_xy seen_from_block(const tp_motion_state *at, tp_xy p) {
 static bool add_pair(tp_contact_system *s, tp_pair_kind kind, long block, long base) {
   s->too_many = s->pair_count >= TP_BUDGET_RIGID_PAIRS;
   if (s->too_many) return false;
-  tp_pair *grown = tp_grow(s->pairs, s->pair_count, &s->pair_room, sizeof *grown);
+  tp_gap_pair *grown = tp_grow(s->pairs, s->pair_count, &s->pair_room, sizeof *grown);
   if (grown == NULL) return false;
   s->pairs = grown;
-  s->pairs[s->pair_count++] = (tp_pair){.kind = kind, .block = block, .base = base};
+  s->pairs[s->pair_count++] = (tp_gap_pair){.kind = kind, .block = block, .base = base};
   return true;
 }
 
@@ -90,7 +90,7 @@ static bool list_all(tp_contact_system *s, const tp_motion_state *at) {
   return true;
 }
 
-static void take_over(tp_contact_system *s, const tp_pair *old, long old_count) {
+static void take_over(tp_contact_system *s, const tp_gap_pair *old, long old_count) {
   for (long k = 0; k < old_count; k++) {
     if (!old[k].touching) continue;
     for (long j = 0; j < s->pair_count; j++) {
@@ -112,7 +112,7 @@ bool tp_contact_system_covers(const tp_contact_system *s, const tp_motion_state 
 
 bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) {
   if (moved_since(s, state) < listed_reach / 2) return true;
-  tp_pair *old = s->pairs;
+  tp_gap_pair *old = s->pairs;
   const long old_count = s->pair_count;
   s->pairs = NULL;
   s->pair_room = 0;

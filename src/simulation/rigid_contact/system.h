@@ -28,7 +28,7 @@ typedef struct tp_contact_system {
   tp_contact_shapes shapes;
   double base_left, base_right;
   long pair_count, pair_room;
-  tp_pair *pairs; /* that can close before the block has moved by the reach from where it was */
+  tp_gap_pair *pairs; /* that can close before the block has moved by the reach from where it was */
   tp_motion_state listed_at;
   bool too_many; /* pairs; told of a system that could not be set up (budget.h) */
 } tp_contact_system;

@@ -77,7 +77,7 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
   t->count = 0;
   t->can_stay_count = -1;
   for (long k = 0; k < system->pair_count; k++) {
-    tp_pair *pair = system->pairs + k;
+    tp_gap_pair *pair = system->pairs + k;
     tp_touching_contact own = {.pair = *pair, .gap = tp_gap_at(&system->shapes, pair, state)};
     const double width = own.gap.width;
     pair->touching =
@@ -93,7 +93,7 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
 
 void tp_touching_open(tp_contact_system *system, const tp_motion_state *state) {
   for (long k = 0; k < system->pair_count; k++) {
-    tp_pair *pair = system->pairs + k;
+    tp_gap_pair *pair = system->pairs + k;
     if (!pair->touching) continue;
     pair->touching = tp_gap_at(&system->shapes, pair, state).width <= 2 * TP_CLOSED_GAP;
   }

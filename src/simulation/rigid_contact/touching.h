@@ -13,7 +13,7 @@
 typedef enum tp_contact_phase { TP_PHASE_OPEN, TP_PHASE_STICKS, TP_PHASE_SLIPS } tp_contact_phase;
 
 typedef struct tp_touching_contact {
-  tp_pair pair;
+  tp_gap_pair pair;
   tp_gap gap;
   double friction;
   long facet;

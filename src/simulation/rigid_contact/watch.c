@@ -128,7 +128,7 @@ typedef struct gap_look {
 
 static gap_look look_at_gap(const looking *of, double share) {
   const tp_motion_state state = at_share(of, share);
-  const tp_pair *pair = of->watch->system->pairs + of->own->number;
+  const tp_gap_pair *pair = of->watch->system->pairs + of->own->number;
   const tp_gap gap = tp_gap_at(&of->watch->system->shapes, pair, &state);
   return (gap_look){gap.width + of->own->slack,
                     tp_gap_speed(gap.across, state.speed) * of->watch->step / LOOKS};
@@ -222,7 +222,7 @@ static void consider(looking *of, const watched *own) {
   memcpy(of->first->numbers, numbers, sizeof numbers);
 }
 
-static bool presses(const tp_smooth *smooth, const tp_pair *pair) {
+static bool presses(const tp_smooth *smooth, const tp_gap_pair *pair) {
   for (int k = 0; k < smooth->count; k++) {
     if (tp_pair_is(&smooth->pressing[k].pair, pair)) return true;
   }
@@ -239,7 +239,7 @@ static void consider_pairs(looking *of, const tp_motion_state *begin) {
     moves += w->step * w->step * fmax(fabs(of->from_rates[3 + e]), fabs(of->to_rates[3 + e]));
   }
   for (long p = 0; p < w->system->pair_count; p++) {
-    const tp_pair *pair = w->system->pairs + p;
+    const tp_gap_pair *pair = w->system->pairs + p;
     if (presses(w->smooth, pair)) continue;
     const tp_gap gap = tp_gap_at(&w->system->shapes, pair, begin);
     if (gap.width > moves || gap.width < (pair->touching ? -TP_DEEPEST_GAP : 0)) continue;

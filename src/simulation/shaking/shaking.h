@@ -10,8 +10,8 @@
  * which is what decides. Velocities are exact integrals of that but for rounding: relative error
  * below 1e-15 times the number of samples. */
 
-#ifndef TP_SHAKING_H
-#define TP_SHAKING_H
+#ifndef TP_SHAKING_SHAKING_H
+#define TP_SHAKING_SHAKING_H
 
 #include "rigid_body/drive.h"
 #include "scene/scene.h"

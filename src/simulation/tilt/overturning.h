@@ -7,8 +7,8 @@
  * any width. So nothing is told but of factors that were run: no search by halves finds the least.
  * A run that is not decided spares no block and ends the search, which is then not converged. */
 
-#ifndef TP_OVERTURNING_H
-#define TP_OVERTURNING_H
+#ifndef TP_TILT_OVERTURNING_H
+#define TP_TILT_OVERTURNING_H
 
 #include "shaking/shaking.h"
 #include "tilt/trial.h"

@@ -7,8 +7,8 @@
  * spared again. Each change is narrowed by halves. What lies between two of these steps may be
  * missed. At most 113 runs and 17 narrowings a frequency, each ended by the bounds of a run. */
 
-#ifndef TP_OVERTURNING_SPECTRUM_H
-#define TP_OVERTURNING_SPECTRUM_H
+#ifndef TP_TILT_OVERTURNING_SPECTRUM_H
+#define TP_TILT_OVERTURNING_SPECTRUM_H
 
 #include "topple_tilt_test.h"
 

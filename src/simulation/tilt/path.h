@@ -3,8 +3,8 @@
 
 /* A test by the quasi-static path (quasi_static/path.h). */
 
-#ifndef TP_TILT_BY_PATH_H
-#define TP_TILT_BY_PATH_H
+#ifndef TP_TILT_PATH_H
+#define TP_TILT_PATH_H
 
 #include "tilt/trial.h"
 

@@ -4,8 +4,8 @@
 /* Area, centroid and second moments of one outline by double arithmetic, where its bound is worth
  * telling; exactly, where not. */
 
-#ifndef TP_AREA_H
-#define TP_AREA_H
+#ifndef TP_BATCH_AREA_H
+#define TP_BATCH_AREA_H
 
 #include "batch/outline_scan.h"
 

@@ -3,8 +3,8 @@
 
 /* An outline of a batch as a scene of its own, by the calls of topple_scene.h. */
 
-#ifndef TP_BLOCK_SCENE_H
-#define TP_BLOCK_SCENE_H
+#ifndef TP_BATCH_BLOCK_SCENE_H
+#define TP_BATCH_BLOCK_SCENE_H
 
 #include "batch/outlines.h"
 

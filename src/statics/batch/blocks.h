@@ -3,8 +3,8 @@
 
 /* What the calls of topple_blocks.h have in common. */
 
-#ifndef TP_BLOCKS_H
-#define TP_BLOCKS_H
+#ifndef TP_BATCH_BLOCKS_H
+#define TP_BATCH_BLOCKS_H
 
 #include "batch/outlines.h"
 #include "common/host.h"

@@ -22,7 +22,7 @@ static tp_status find(tp_workspace *workspace, const void *task, size_t block,
   const critical_task *t = task;
   const tp_critical_columns *c = t->columns;
   const tp_vertices vertices = tp_outlines_at(t->outlines, block);
-  tp_turning turning;
+  tp_block_turning turning;
   tp_status status = tp_turning_filter(&turning, workspace, vertices, &t->turning, message);
   if (status == TP_UNDECIDED) {
     workspace->summary.climbed++;

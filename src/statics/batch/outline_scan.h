@@ -5,8 +5,8 @@
  * what turning about one of them does to the facets between them. Vectors of whatever instruction
  * set the machine has, the same bits by each (outline_scan.c). */
 
-#ifndef TP_OUTLINE_SCAN_H
-#define TP_OUTLINE_SCAN_H
+#ifndef TP_BATCH_OUTLINE_SCAN_H
+#define TP_BATCH_OUTLINE_SCAN_H
 
 #include "batch/outlines.h"
 #include "batch/share.h"

@@ -3,8 +3,8 @@
 
 /* Many outlines in one array, as the calls of topple_blocks.h are given them. */
 
-#ifndef TP_OUTLINES_H
-#define TP_OUTLINES_H
+#ifndef TP_BATCH_OUTLINES_H
+#define TP_BATCH_OUTLINES_H
 
 #include "common/message.h"
 

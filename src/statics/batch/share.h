@@ -7,8 +7,8 @@
  * fills its own places of the columns, so what comes out does not depend on the number of threads:
  * counts are sums, and the complaint is that of the first bad block. */
 
-#ifndef TP_SHARE_H
-#define TP_SHARE_H
+#ifndef TP_BATCH_SHARE_H
+#define TP_BATCH_SHARE_H
 
 #include "common/message.h"
 

@@ -4,8 +4,8 @@
 /* Is an outline a simple polygon: its edges meet in the vertex that two of them share, and nowhere
  * else? */
 
-#ifndef TP_SIMPLE_H
-#define TP_SIMPLE_H
+#ifndef TP_BATCH_SIMPLE_H
+#define TP_BATCH_SIMPLE_H
 
 #include <stdbool.h>
 

@@ -25,7 +25,7 @@
 static const double most_error = 1e-9; /* as a share of the angle */
 
 /* The direction of (cosine, sine), each within its error. */
-static bool take_angle(tp_turning *turning, double sine, double cosine, double error) {
+static bool take_angle(tp_block_turning *turning, double sine, double cosine, double error) {
   const double up = fabs(sine), along = fabs(cosine), size = (up < along ? along : up) - error;
   if (!(error < 0.1 * size)) return false;
   if (cosine < 0 && !(up > error)) return false; /* 180 or -180 */
@@ -48,7 +48,7 @@ static tp_scan_chain chain_of(const tp_scan *scan, bool left, bool counter_clock
 }
 
 /* Of an outline that was read. */
-static tp_status decide(tp_turning *turning, tp_scan *scan, const tp_turning_task *task) {
+static tp_status decide(tp_block_turning *turning, tp_scan *scan, const tp_turning_task *task) {
   const bool left = task->towards == TP_TOWARDS_LEFT;
   const long pivot = left ? scan->first : scan->last;
   const double scale = tp_scan_scale(scan);
@@ -73,15 +73,16 @@ static tp_status decide(tp_turning *turning, tp_scan *scan, const tp_turning_tas
   return certain ? TP_OK : TP_UNDECIDED;
 }
 
-tp_status tp_turning_filter(tp_turning *turning, tp_workspace *workspace, tp_vertices vertices,
-                            const tp_turning_task *task, tp_message *message) {
-  *turning = (tp_turning){NAN, NAN, -1};
+tp_status tp_turning_filter(tp_block_turning *turning, tp_workspace *workspace,
+                            tp_vertices vertices, const tp_turning_task *task,
+                            tp_message *message) {
+  *turning = (tp_block_turning){NAN, NAN, -1};
   if (vertices.count < 3) return TP_UNDECIDED;
   tp_scan scan;
   if (!tp_scan_read(&scan, workspace, vertices, task->kernel)) {
     return tp_fail_memory(message, "the vertices");
   }
-  tp_turning own = *turning;
+  tp_block_turning own = *turning;
   const tp_status status = decide(&own, &scan, task);
   if (status == TP_OK) *turning = own;
   return status;

@@ -4,8 +4,8 @@
 /* The critical angle of a block by double arithmetic, where that proves it; and by exact arithmetic
  * as tp_solve has it, where not. */
 
-#ifndef TP_TURNING_H
-#define TP_TURNING_H
+#ifndef TP_BATCH_TURNING_H
+#define TP_BATCH_TURNING_H
 
 #include "batch/outline_scan.h"
 
@@ -16,19 +16,19 @@ typedef struct tp_turning_task {
   const tp_scan_kernel *kernel;
 } tp_turning_task;
 
-typedef struct tp_turning {
+typedef struct tp_block_turning {
   double angle_deg, error_deg; /* NaN without an admissible pivot */
   long pivot;                  /* the vertex, from 0, or -1 */
-} tp_turning;
+} tp_block_turning;
 
 /* TP_OK, or TP_NO_ANSWER without an admissible pivot, where that is proven; TP_UNDECIDED where
  * doubles prove nothing; TP_OUT_OF_MEMORY. */
-TP_MUST_USE tp_status tp_turning_filter(tp_turning *turning, tp_workspace *workspace,
+TP_MUST_USE tp_status tp_turning_filter(tp_block_turning *turning, tp_workspace *workspace,
                                         tp_vertices vertices, const tp_turning_task *task,
                                         tp_message *message);
 
 /* The same by exact arithmetic; any status of tp_solve. */
-TP_MUST_USE tp_status tp_turning_solve(tp_turning *turning, tp_vertices vertices,
+TP_MUST_USE tp_status tp_turning_solve(tp_block_turning *turning, tp_vertices vertices,
                                        tp_direction towards, tp_message *message);
 
 #endif

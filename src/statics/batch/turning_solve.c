@@ -24,16 +24,16 @@ static long vertex_at(const tp_problem *problem, size_t contact_point) {
   return -1;
 }
 
-static tp_status read_off(tp_turning *turning, const tp_solution *solution,
+static tp_status read_off(tp_block_turning *turning, const tp_solution *solution,
                           const tp_problem *problem) {
   const tp_case *own = solution->cases;
   if (!own->has_governing) return TP_NO_ANSWER;
   const tp_bounded angle = own->pivots[own->governing].critical_angle_deg;
-  *turning = (tp_turning){angle.value, angle.error, vertex_at(problem, own->governing)};
+  *turning = (tp_block_turning){angle.value, angle.error, vertex_at(problem, own->governing)};
   return tp_solution_is_undecided(solution) ? TP_UNDECIDED : TP_OK;
 }
 
-static tp_status solve(tp_turning *turning, const tp_scene *scene, tp_solution *solution,
+static tp_status solve(tp_block_turning *turning, const tp_scene *scene, tp_solution *solution,
                        tp_message *message) {
   tp_solve_options options = tp_solve_options_default();
   options.limit = false;
@@ -48,9 +48,9 @@ static tp_status solve(tp_turning *turning, const tp_scene *scene, tp_solution *
   return status;
 }
 
-tp_status tp_turning_solve(tp_turning *turning, tp_vertices vertices, tp_direction towards,
+tp_status tp_turning_solve(tp_block_turning *turning, tp_vertices vertices, tp_direction towards,
                            tp_message *message) {
-  *turning = (tp_turning){NAN, NAN, -1};
+  *turning = (tp_block_turning){NAN, NAN, -1};
   tp_scene *scene = NULL;
   tp_status status = tp_block_scene_new(&scene, vertices, towards, message);
   if (status != TP_OK) return status;

@@ -5,8 +5,8 @@
  * loads leave it there, its twist, and the two forces that still hold. What is proven, and by whom,
  * is in certificate/prove.h, extremes.h and bracket.h. */
 
-#ifndef TP_ANSWER_H
-#define TP_ANSWER_H
+#ifndef TP_CERTIFICATE_ANSWER_H
+#define TP_CERTIFICATE_ANSWER_H
 
 #include "certificate/face.h"
 #include "certificate/question.h"

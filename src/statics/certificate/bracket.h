@@ -4,8 +4,8 @@
 /* The proof of a limit that needs no zero to be told from what is nearly one: the base bears the
  * loads a hair below it, and an admissible twist shows that it does not a hair above. */
 
-#ifndef TP_BRACKET_H
-#define TP_BRACKET_H
+#ifndef TP_CERTIFICATE_BRACKET_H
+#define TP_CERTIFICATE_BRACKET_H
 
 #include "certificate/answer.h"
 #include "linear_program/scaled.h"

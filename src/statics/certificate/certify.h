@@ -5,8 +5,8 @@
  * is the first from level, that the block holds at every tilt or at none. Proven over intervals of
  * tilts (interval.h), or open. */
 
-#ifndef TP_CERTIFY_H
-#define TP_CERTIFY_H
+#ifndef TP_CERTIFICATE_CERTIFY_H
+#define TP_CERTIFICATE_CERTIFY_H
 
 #include "certificate/answer.h"
 #include "linear_program/scaled.h"

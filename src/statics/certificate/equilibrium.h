@@ -4,8 +4,8 @@
 /* The proof that the base bears a wrench: factors on its columns, found in doubles and enclosed in
  * balls, that balance it. */
 
-#ifndef TP_EQUILIBRIUM_H
-#define TP_EQUILIBRIUM_H
+#ifndef TP_CERTIFICATE_EQUILIBRIUM_H
+#define TP_CERTIFICATE_EQUILIBRIUM_H
 
 #include "certificate/question.h"
 #include "linear_program/basis.h"

@@ -5,8 +5,8 @@
  * which it passes zero upwards. Where all loads turn with the tilt that is an arctangent; else one
  * of the zeros that are isolated in balls (load/zeros.h), all of which have to be certain. */
 
-#ifndef TP_EXCESS_H
-#define TP_EXCESS_H
+#ifndef TP_CERTIFICATE_EXCESS_H
+#define TP_CERTIFICATE_EXCESS_H
 
 #include "certificate/answer.h"
 

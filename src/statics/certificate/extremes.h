@@ -6,8 +6,8 @@
  * resists. Both are looked for in doubles and proven in balls (certificate/equilibrium.h, face.h).
  */
 
-#ifndef TP_EXTREMES_H
-#define TP_EXTREMES_H
+#ifndef TP_CERTIFICATE_EXTREMES_H
+#define TP_CERTIFICATE_EXTREMES_H
 
 #include "certificate/question.h"
 #include "linear_program/basis.h"

@@ -9,8 +9,8 @@
  * bonds can hold. At v . F = K the two forces, if none is negative, hold the block: both together
  * prove the limit (duality of linear programs; docs/mechanics.md section 6). */
 
-#ifndef TP_FACE_H
-#define TP_FACE_H
+#ifndef TP_CERTIFICATE_FACE_H
+#define TP_CERTIFICATE_FACE_H
 
 #include "linear_program/cones.h"
 #include "linear_program/scaled.h"

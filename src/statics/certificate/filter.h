@@ -9,8 +9,8 @@
  *
  *     |v . c - fl(v . c)| <= sum |v_k| e + (r_k + 4 u |v_k|) (C_k + e),   u = 2^-53. */
 
-#ifndef TP_FILTER_H
-#define TP_FILTER_H
+#ifndef TP_CERTIFICATE_FILTER_H
+#define TP_CERTIFICATE_FILTER_H
 
 #include "linear_program/scaled.h"
 #include "plane/vector.h"

@@ -4,8 +4,8 @@
 /* Proofs that nothing holds the block, at a tilt or over an interval of tilts: admissible twists on
  * which the loads do more work than is resisted (Farkas). */
 
-#ifndef TP_INFEASIBLE_H
-#define TP_INFEASIBLE_H
+#ifndef TP_CERTIFICATE_INFEASIBLE_H
+#define TP_CERTIFICATE_INFEASIBLE_H
 
 #include "certificate/equilibrium.h"
 #include "certificate/face.h"

@@ -21,8 +21,8 @@
  * that is at most B_1 max|f''| sin^2 r / cos r. So F(alpha) = B_0 F(a) + B_1 A + B_2 F(b), A the
  * apex within that ball: the base bears F over the interval if it bears F(a), A and F(b). */
 
-#ifndef TP_INTERVAL_H
-#define TP_INTERVAL_H
+#ifndef TP_CERTIFICATE_INTERVAL_H
+#define TP_CERTIFICATE_INTERVAL_H
 
 #include "certificate/equilibrium.h"
 

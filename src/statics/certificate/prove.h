@@ -6,8 +6,8 @@
  * columns bear forces that are not negative. By duality no base bears more, and this one bears as
  * much. */
 
-#ifndef TP_PROVE_H
-#define TP_PROVE_H
+#ifndef TP_CERTIFICATE_PROVE_H
+#define TP_CERTIFICATE_PROVE_H
 
 #include "certificate/answer.h"
 #include "linear_program/basis.h"

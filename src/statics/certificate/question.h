@@ -3,8 +3,8 @@
 
 /* What is asked of the linear program of contact forces, and the loads in it as wrenches. */
 
-#ifndef TP_QUESTION_H
-#define TP_QUESTION_H
+#ifndef TP_CERTIFICATE_QUESTION_H
+#define TP_CERTIFICATE_QUESTION_H
 
 #include "linear_program/cones.h"
 #include "load/wrench.h"

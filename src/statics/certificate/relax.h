@@ -4,8 +4,8 @@
 /* A twist that is admissible beyond doubt, beside one that some columns do no work against as far
  * as the bits tell. */
 
-#ifndef TP_RELAX_H
-#define TP_RELAX_H
+#ifndef TP_CERTIFICATE_RELAX_H
+#define TP_CERTIFICATE_RELAX_H
 
 #include "certificate/answer.h"
 #include "linear_program/scaled.h"

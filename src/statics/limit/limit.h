@@ -5,8 +5,8 @@
  * section 6), by one linear program where the loads turn with the tilt as the weight does, and by a
  * search in the tilt where some of them do not. */
 
-#ifndef TP_LIMIT_H
-#define TP_LIMIT_H
+#ifndef TP_LIMIT_LIMIT_H
+#define TP_LIMIT_LIMIT_H
 
 #include "certificate/answer.h"
 #include "topple.h"

@@ -6,8 +6,8 @@
  * too short at full precision, proven by its mechanism (prove.h) or between two tilts (bracket.h),
  * and as the first by what holds before it (certify.h). */
 
-#ifndef TP_NEAR_H
-#define TP_NEAR_H
+#ifndef TP_LIMIT_NEAR_H
+#define TP_LIMIT_NEAR_H
 
 #include "certificate/answer.h"
 #include "linear_program/scaled.h"

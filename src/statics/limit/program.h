@@ -7,8 +7,8 @@
  * target -F_c. Otherwise it is the program at a tilt near the limit, t the way from there:
  * direction F', target -F. */
 
-#ifndef TP_PROGRAM_H
-#define TP_PROGRAM_H
+#ifndef TP_LIMIT_PROGRAM_H
+#define TP_LIMIT_PROGRAM_H
 
 #include "certificate/answer.h"
 #include "linear_program/scaled.h"

@@ -3,8 +3,8 @@
 
 /* About where nothing holds the block any more, in doubles. */
 
-#ifndef TP_SEARCH_H
-#define TP_SEARCH_H
+#ifndef TP_LIMIT_SEARCH_H
+#define TP_LIMIT_SEARCH_H
 
 #include "certificate/question.h"
 #include "linear_program/scaled.h"

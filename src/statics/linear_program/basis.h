@@ -7,11 +7,11 @@
  *
  * first in doubles; and where those were wrong, exactly on the midpoints of the data. */
 
-#ifndef TP_BASIS_H
-#define TP_BASIS_H
+#ifndef TP_LINEAR_PROGRAM_BASIS_H
+#define TP_LINEAR_PROGRAM_BASIS_H
 
-#include "linear_program/scaled.h"
 #include "common/message.h"
+#include "linear_program/scaled.h"
 
 typedef struct tp_basis {
   tp_simplex_outcome outcome;

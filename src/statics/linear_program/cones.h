@@ -10,8 +10,8 @@
  * middle, both up to a bound. phi is one for all points but those of facets that have their own.
  * Any one unit of length and force; x mirrored towards the right, so that down-dip is -x. */
 
-#ifndef TP_CONES_H
-#define TP_CONES_H
+#ifndef TP_LINEAR_PROGRAM_CONES_H
+#define TP_LINEAR_PROGRAM_CONES_H
 
 #include "load/wrench.h"
 

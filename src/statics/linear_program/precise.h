@@ -5,8 +5,8 @@
  * do not tell facets apart: the same steps, from the bounds at which the scaled program's last one
  * ended. Nothing here is certain either. */
 
-#ifndef TP_PRECISE_H
-#define TP_PRECISE_H
+#ifndef TP_LINEAR_PROGRAM_PRECISE_H
+#define TP_LINEAR_PROGRAM_PRECISE_H
 
 #include "linear_program/cones.h"
 #include "linear_program/scaled.h"

@@ -4,8 +4,8 @@
 /* The steps of the simplex method in floating point of any number of bits (simplex.c has them in
  * doubles). */
 
-#ifndef TP_PRECISE_STEP_H
-#define TP_PRECISE_STEP_H
+#ifndef TP_LINEAR_PROGRAM_PRECISE_STEP_H
+#define TP_LINEAR_PROGRAM_PRECISE_STEP_H
 
 #include "linear_program/simplex.h"
 #include "number/work.h"

@@ -5,8 +5,8 @@
  * about a point of it: what the simplex method works on. A scaled finds a basis; a face then proves
  * it. */
 
-#ifndef TP_SCALED_H
-#define TP_SCALED_H
+#ifndef TP_LINEAR_PROGRAM_SCALED_H
+#define TP_LINEAR_PROGRAM_SCALED_H
 
 #include "linear_program/cones.h"
 #include "linear_program/simplex.h"

@@ -11,8 +11,8 @@
  * certain: the answer is a basis that a certificate then judges. Columns are best scaled to size
  * one. */
 
-#ifndef TP_SIMPLEX_H
-#define TP_SIMPLEX_H
+#ifndef TP_LINEAR_PROGRAM_SIMPLEX_H
+#define TP_LINEAR_PROGRAM_SIMPLEX_H
 
 #include <stdbool.h>
 

@@ -3,8 +3,8 @@
 
 /* The zeros of functions with terms in 1 / cos a, one by one (load/zeros.h). */
 
-#ifndef TP_ISOLATE_H
-#define TP_ISOLATE_H
+#ifndef TP_LOAD_ISOLATE_H
+#define TP_LOAD_ISOLATE_H
 
 #include "load/roots.h"
 #include "load/wrench.h"

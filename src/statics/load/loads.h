@@ -3,8 +3,8 @@
 
 /* The loads that a scene calls for, in its order. */
 
-#ifndef TP_LOADS_H
-#define TP_LOADS_H
+#ifndef TP_LOAD_LOADS_H
+#define TP_LOAD_LOADS_H
 
 #include "load/setting.h"
 

@@ -4,8 +4,8 @@
 /* The tilts at which a moment or a force vanishes, and the one at which a block lets go: of zeros
  * that are told apart (load/zeros.h, load/isolate.h), the first that rises above level. */
 
-#ifndef TP_ROOTS_H
-#define TP_ROOTS_H
+#ifndef TP_LOAD_ROOTS_H
+#define TP_LOAD_ROOTS_H
 
 #include <arb.h>
 #include <stdbool.h>

@@ -10,8 +10,8 @@
  * they cancel at a tilt of 0, 45 or 60 degrees. At no other rational angle is the tangent or the
  * cosine rational (Niven). The same of the direction of an anchor. */
 
-#ifndef TP_VANISH_H
-#define TP_VANISH_H
+#ifndef TP_LOAD_VANISH_H
+#define TP_LOAD_VANISH_H
 
 #include "load/loads.h"
 

@@ -9,8 +9,8 @@
  * to the block give constants; gravity and pseudo-static forces cosines and sines; a level of water
  * that stays horizontal the rest. SI units. */
 
-#ifndef TP_WRENCH_H
-#define TP_WRENCH_H
+#ifndef TP_LOAD_WRENCH_H
+#define TP_LOAD_WRENCH_H
 
 #include <arb.h>
 

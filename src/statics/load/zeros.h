@@ -9,8 +9,8 @@
  * settled, any other is halved; then each is narrowed by Newton's steps in intervals.
  */
 
-#ifndef TP_ZEROS_H
-#define TP_ZEROS_H
+#ifndef TP_LOAD_ZEROS_H
+#define TP_LOAD_ZEROS_H
 
 #include "load/roots.h"
 #include "load/wrench.h"

@@ -10,8 +10,8 @@
  * pull adds friction, without bound, so that the least of a slide's accelerations says nothing:
  * there it is the greatest, with no more pull than balance needs. */
 
-#ifndef TP_ACCELERATIONS_H
-#define TP_ACCELERATIONS_H
+#ifndef TP_MOTION_ACCELERATIONS_H
+#define TP_MOTION_ACCELERATIONS_H
 
 #include "motion/motion.h"
 #include "motion/start.h"

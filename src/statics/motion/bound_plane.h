@@ -4,8 +4,8 @@
 /* One plane h . w = 0 that bounds the loads of a mode (motion/bounds.h), through two of its
  * generators. */
 
-#ifndef TP_BOUND_PLANE_H
-#define TP_BOUND_PLANE_H
+#ifndef TP_MOTION_BOUND_PLANE_H
+#define TP_MOTION_BOUND_PLANE_H
 
 #include "motion/mode_filter.h"
 

@@ -10,8 +10,8 @@
  * but for loads that stay within a plane all that counts is C. A plane therefore notes which rays
  * lie in it. */
 
-#ifndef TP_BOUNDS_H
-#define TP_BOUNDS_H
+#ifndef TP_MOTION_BOUNDS_H
+#define TP_MOTION_BOUNDS_H
 
 #include "motion/bound_plane.h"
 

@@ -6,8 +6,8 @@
  * normals that slips, all forces of one friction have one direction, and the two with the least and
  * the largest moment span the rest. Every sign is judged in balls (number/judge.h). */
 
-#ifndef TP_CLOSED_H
-#define TP_CLOSED_H
+#ifndef TP_MOTION_CLOSED_H
+#define TP_MOTION_CLOSED_H
 
 #include "motion/mode.h"
 

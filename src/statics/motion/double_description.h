@@ -9,8 +9,8 @@
  * Every new ray is the cross product of the normals of the two planes that it lies on, so that its
  * entries stay as short as those are. Signs are exact, or as the judge has them. */
 
-#ifndef TP_DOUBLE_DESCRIPTION_H
-#define TP_DOUBLE_DESCRIPTION_H
+#ifndef TP_MOTION_DOUBLE_DESCRIPTION_H
+#define TP_MOTION_DOUBLE_DESCRIPTION_H
 
 #include "motion/normals.h"
 

@@ -4,8 +4,8 @@
 /* What spans the cone of loads of a mode: M r for its rays, -e for its edges, and what cohesion and
  * bonds add; each with where it comes from, which tells planes that are one by construction. */
 
-#ifndef TP_GENERATORS_H
-#define TP_GENERATORS_H
+#ifndef TP_MOTION_GENERATORS_H
+#define TP_MOTION_GENERATORS_H
 
 #include "motion/mode.h"
 #include "motion/question.h"

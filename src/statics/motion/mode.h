@@ -3,8 +3,8 @@
 
 /* A mode of motion: twists, and the forces that they allow (motion/strata.h). */
 
-#ifndef TP_MODE_H
-#define TP_MODE_H
+#ifndef TP_MOTION_MODE_H
+#define TP_MOTION_MODE_H
 
 #include "motion/twists.h"
 

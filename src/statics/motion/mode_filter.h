@@ -9,8 +9,8 @@
  * leaves A + B tan >= 0 with A = h . F_c and B = h . F_s, the mode what all of its planes leave.
  * All that is said here is proven; what doubles do not tell is left open. */
 
-#ifndef TP_MODE_FILTER_H
-#define TP_MODE_FILTER_H
+#ifndef TP_MOTION_MODE_FILTER_H
+#define TP_MOTION_MODE_FILTER_H
 
 #include "motion/generators.h"
 #include "number/near.h"

@@ -5,8 +5,8 @@
  * strength (motion/mode_shares.h). Moments over a length of the question, by powers of two, which
  * round nothing. */
 
-#ifndef TP_MODE_READING_H
-#define TP_MODE_READING_H
+#ifndef TP_MOTION_MODE_READING_H
+#define TP_MOTION_MODE_READING_H
 
 #include "motion/mode_shares.h"
 #include "motion/motion.h"

@@ -14,8 +14,8 @@
  * doubles with bounds, or left open. A coefficient that doubles do not tell from zero is asked of
  * balls, where the mode has them. */
 
-#ifndef TP_MODE_SHARES_H
-#define TP_MODE_SHARES_H
+#ifndef TP_MOTION_MODE_SHARES_H
+#define TP_MOTION_MODE_SHARES_H
 
 #include "motion/mode.h"
 #include "motion/share_spans.h"

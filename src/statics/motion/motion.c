@@ -27,9 +27,9 @@ typedef struct collecting {
   tp_mode_filter filter;
   tp_bounds bounds;
   tp_strength strength;
-  long mode;           /* from 1 on */
-  long number;         /* tp_strength_number */
-  tp_tilts own, other; /* of the mode, of one bound */
+  long mode;                  /* from 1 on */
+  long number;                /* tp_strength_number */
+  tp_motion_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
 /* h . w, and the scale of its terms where the judge may ask for it. */
@@ -99,7 +99,7 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
 static tp_motion_outcome apply_chosen(collecting *c, long number, const tp_mode *mode) {
   enum { NEIGHBOURS = 4 };
   const tp_bound *bound = c->bounds.items + number;
-  const tp_tilts *spans = &c->m->spans;
+  const tp_motion_tilts *spans = &c->m->spans;
   tp_tilt *end = bound->lower ? &c->own.items->from : &c->own.items->to;
   if (!end->endless) {
     end->rays &= bound->rays;

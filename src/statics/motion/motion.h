@@ -5,8 +5,8 @@
  * (motion/strata.h) the planes that bound its cone of loads (motion/bounds.h) are inequalities
  * h . w(alpha) >= 0; the tilts that keep all of them are intersected (motion/tilts.h). */
 
-#ifndef TP_MOTION_H
-#define TP_MOTION_H
+#ifndef TP_MOTION_MOTION_H
+#define TP_MOTION_MOTION_H
 
 #include "motion/question.h"
 #include "motion/strata.h"
@@ -26,7 +26,7 @@ typedef struct tp_motions {
   tp_twists twists;
   long mode_count, mode_room;
   tp_motion_mode *modes; /* those that can begin at some tilt, or all, where that is asked for */
-  tp_tilts spans;        /* each with its mode, in their order; not merged */
+  tp_motion_tilts spans; /* each with its mode, in their order; not merged */
 } tp_motions;
 
 TP_MUST_USE tp_motion_outcome tp_motions_init(tp_motions *motions,

@@ -4,8 +4,8 @@
 /* Newton's law for a block at rest, M a = w + sum f, about its centroid: its terms in the lengths
  * of a question, accelerations over gravity and forces over the weight, each as three balls. */
 
-#ifndef TP_NEWTON_H
-#define TP_NEWTON_H
+#ifndef TP_MOTION_NEWTON_H
+#define TP_MOTION_NEWTON_H
 
 #include "motion/mode.h"
 #include "motion/question.h"

@@ -14,8 +14,8 @@
  * its first and its last line alone decide what a twist may do. Families with t and with -t have
  * the same axis. Coordinates are whole numbers, but for the tangent points of rounded corners. */
 
-#ifndef TP_NORMALS_H
-#define TP_NORMALS_H
+#ifndef TP_MOTION_NORMALS_H
+#define TP_MOTION_NORMALS_H
 
 #include "linear_program/cones.h"
 #include "number/judge.h"

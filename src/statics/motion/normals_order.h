@@ -4,8 +4,8 @@
 /* The order of contact points by the lines of their normals: by axis, by sense, by t . q, and on
  * one line by site. Inner header of motion/normals_*.c. */
 
-#ifndef TP_NORMALS_ORDER_H
-#define TP_NORMALS_ORDER_H
+#ifndef TP_MOTION_NORMALS_ORDER_H
+#define TP_MOTION_NORMALS_ORDER_H
 
 #include "motion/normals.h"
 

@@ -4,8 +4,8 @@
 /* Polynomials of a share of strength, in doubles, and the shares at which products of two are not
  * negative. */
 
-#ifndef TP_SHARE_SPANS_H
-#define TP_SHARE_SPANS_H
+#ifndef TP_MOTION_SHARE_SPANS_H
+#define TP_MOTION_SHARE_SPANS_H
 
 #include "number/near.h"
 #include "topple.h"

@@ -12,8 +12,8 @@
  * product of the h of its two faces, in their order around the cone, so that its entries stay as
  * short as those are. */
 
-#ifndef TP_SOLID_CONE_H
-#define TP_SOLID_CONE_H
+#ifndef TP_MOTION_SOLID_CONE_H
+#define TP_MOTION_SOLID_CONE_H
 
 #include "motion/normals.h"
 

@@ -4,8 +4,8 @@
 /* How a block begins to move in one mode: acceleration and forces, as motion/accelerations.h finds
  * them. */
 
-#ifndef TP_START_H
-#define TP_START_H
+#ifndef TP_MOTION_START_H
+#define TP_MOTION_START_H
 
 #include "motion/motion.h"
 #include "motion/strength.h"

@@ -5,8 +5,8 @@
  * generators, free forces that are not among the three at their bounds, every such sum with factors
  * within their bounds tried. */
 
-#ifndef TP_STARTING_H
-#define TP_STARTING_H
+#ifndef TP_MOTION_STARTING_H
+#define TP_MOTION_STARTING_H
 
 #include "motion/motion.h"
 #include "motion/start.h"

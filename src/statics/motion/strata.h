@@ -11,8 +11,8 @@
  * within it, the edge against its slip or, where one sticks, both. Of contacts that slide along one
  * direction the two whose forces lie farthest apart stand for all. */
 
-#ifndef TP_STRATA_H
-#define TP_STRATA_H
+#ifndef TP_MOTION_STRATA_H
+#define TP_MOTION_STRATA_H
 
 #include "motion/mode.h"
 

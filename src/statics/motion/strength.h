@@ -12,8 +12,8 @@
  * can begin are those of friction alone (motion/bounds.h) less what is fixed, plus what may be
  * anything within its bounds, plus the pulls of slides. */
 
-#ifndef TP_STRENGTH_H
-#define TP_STRENGTH_H
+#ifndef TP_MOTION_STRENGTH_H
+#define TP_MOTION_STRENGTH_H
 
 #include "motion/mode.h"
 #include "motion/question.h"

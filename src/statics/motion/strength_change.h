@@ -10,8 +10,8 @@
  * these tell, else by the modes in balls (motion/motion.h). That none lies nearer is as the search
  * in doubles has it. */
 
-#ifndef TP_STRENGTH_CHANGE_H
-#define TP_STRENGTH_CHANGE_H
+#ifndef TP_MOTION_STRENGTH_CHANGE_H
+#define TP_MOTION_STRENGTH_CHANGE_H
 
 #include "motion/motion.h"
 

@@ -47,7 +47,7 @@ bool tp_tilt_is_same(const tp_tilt *a, const tp_tilt *b) {
          (arb_is_exact(a->degrees) && arb_equal(a->degrees, b->degrees));
 }
 
-void tp_tilts_clear(tp_tilts *spans) {
+void tp_tilts_clear(tp_motion_tilts *spans) {
   for (long k = 0; k < spans->room; k++) {
     tp_tilt_clear(&spans->items[k].from);
     tp_tilt_clear(&spans->items[k].to);
@@ -56,11 +56,11 @@ void tp_tilts_clear(tp_tilts *spans) {
   memset(spans, 0, sizeof *spans);
 }
 
-void tp_tilts_empty(tp_tilts *spans) {
+void tp_tilts_empty(tp_motion_tilts *spans) {
   spans->count = 0;
 }
 
-tp_tilt_span *tp_tilts_add(tp_tilts *spans) {
+tp_tilt_span *tp_tilts_add(tp_motion_tilts *spans) {
   const long before = spans->room;
   tp_tilt_span *more = tp_grow(spans->items, spans->count, &spans->room, sizeof *more);
   if (more == NULL) return NULL;
@@ -104,7 +104,7 @@ void tp_tilt_set_zero(tp_tilt *end, const tp_tilt *zero, const arb_t a, const ar
 }
 
 /* A cos a + B sin a >= 0, where cos a > 0: A + B tan a >= 0. */
-static bool of_line(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
+static bool of_line(tp_motion_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
                     double log2_scale, const tp_judge *judge) {
   const int rises = tp_judge_sign(judge, f->of + TP_SIN, log2_scale);
   if (rises == TP_OPEN_SIGN) {
@@ -135,7 +135,7 @@ static int sign_level(const tp_trig *f, double log2_scale, const tp_judge *judge
   return sign;
 }
 
-static bool between_roots(tp_tilts *spans, const tp_roots *roots, const tp_tilt *zero) {
+static bool between_roots(tp_motion_tilts *spans, const tp_roots *roots, const tp_tilt *zero) {
   tp_tilt_span *span = NULL;
   if (!roots->rising[0] && (span = tp_tilts_add(spans)) == NULL) return false;
   for (long k = 0; k < roots->count; k++) {
@@ -148,7 +148,7 @@ static bool between_roots(tp_tilts *spans, const tp_roots *roots, const tp_tilt 
   return true;
 }
 
-bool tp_tilts_of(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
+bool tp_tilts_of(tp_motion_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
                  double log2_scale, const tp_judge *judge) {
   tp_tilts_empty(spans);
   *told = TP_YES;
@@ -200,9 +200,9 @@ static tp_answer is_something(const tp_tilt_span *span, unsigned rays, const tp_
   return order < 0 ? TP_YES : TP_NO;
 }
 
-bool tp_tilts_intersect(tp_tilts *spans, tp_answer *told, const tp_tilts *other, unsigned rays,
-                        const tp_judge *judge) {
-  tp_tilts both = {0};
+bool tp_tilts_intersect(tp_motion_tilts *spans, tp_answer *told, const tp_motion_tilts *other,
+                        unsigned rays, const tp_judge *judge) {
+  tp_motion_tilts both = {0};
   *told = TP_YES;
   bool done = true;
   for (long i = 0; i < spans->count && done && *told == TP_YES; i++) {
@@ -221,7 +221,7 @@ bool tp_tilts_intersect(tp_tilts *spans, tp_answer *told, const tp_tilts *other,
       if (something == TP_NO) both.count--;
     }
   }
-  const tp_tilts old = *spans;
+  const tp_motion_tilts old = *spans;
   *spans = both;
   both = old;
   tp_tilts_clear(&both);

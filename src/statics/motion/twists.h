@@ -9,8 +9,8 @@
  * in a circle, each face between two of them lies on one normal line. A K with a line in it is cut
  * into pieces without by rays of its own: then some faces lie on one plane. */
 
-#ifndef TP_TWISTS_H
-#define TP_TWISTS_H
+#ifndef TP_MOTION_TWISTS_H
+#define TP_MOTION_TWISTS_H
 
 #include "motion/normals.h"
 

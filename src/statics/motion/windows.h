@@ -5,8 +5,8 @@
  * put together where they meet. Ends whose order stays open are one ball that holds both, and a gap
  * that may be none counts as none: a block is never said to stand in it. */
 
-#ifndef TP_WINDOWS_H
-#define TP_WINDOWS_H
+#ifndef TP_MOTION_WINDOWS_H
+#define TP_MOTION_WINDOWS_H
 
 #include "motion/motion.h"
 

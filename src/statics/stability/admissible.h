@@ -3,8 +3,8 @@
 
 /* First-order admissibility of pivots (Reuleaux; docs/mechanics.md section 3). */
 
-#ifndef TP_ADMISSIBLE_H
-#define TP_ADMISSIBLE_H
+#ifndef TP_STABILITY_ADMISSIBLE_H
+#define TP_STABILITY_ADMISSIBLE_H
 
 #include "base/contact.h"
 

@@ -4,8 +4,8 @@
 /* A block as its author gave it, before it is turned or set down: messages on what is no block
  * speak of those coordinates. */
 
-#ifndef TP_AS_GIVEN_H
-#define TP_AS_GIVEN_H
+#ifndef TP_STABILITY_AS_GIVEN_H
+#define TP_STABILITY_AS_GIVEN_H
 
 #include "block/section.h"
 

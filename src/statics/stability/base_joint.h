@@ -5,8 +5,8 @@
  * block fills. A block on a profile touches it in a few places, and the joint goes on beyond the
  * outermost of them as far as its underside (stability/sole.h) has base below it. */
 
-#ifndef TP_BASE_JOINT_H
-#define TP_BASE_JOINT_H
+#ifndef TP_STABILITY_BASE_JOINT_H
+#define TP_STABILITY_BASE_JOINT_H
 
 #include "base/contact.h"
 #include "stability/sole.h"

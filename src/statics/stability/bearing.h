@@ -3,8 +3,8 @@
 
 /* Which pivots bear the block at its limit. */
 
-#ifndef TP_BEARING_H
-#define TP_BEARING_H
+#ifndef TP_STABILITY_BEARING_H
+#define TP_STABILITY_BEARING_H
 
 #include "topple.h"
 

@@ -3,8 +3,8 @@
 
 /* What a direction of tilt comes to, number by number, as rows of tables tell it. */
 
-#ifndef TP_CASE_NUMBERS_H
-#define TP_CASE_NUMBERS_H
+#ifndef TP_STABILITY_CASE_NUMBERS_H
+#define TP_STABILITY_CASE_NUMBERS_H
 
 #include "topple_solution.h"
 

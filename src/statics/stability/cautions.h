@@ -3,8 +3,8 @@
 
 /* What of a problem is computed otherwise than its author may think. */
 
-#ifndef TP_CAUTIONS_H
-#define TP_CAUTIONS_H
+#ifndef TP_STABILITY_CAUTIONS_H
+#define TP_STABILITY_CAUTIONS_H
 
 #include "stability/problem.h"
 

@@ -7,8 +7,8 @@
  * rung of the ladder has told. Every part of a solve hands out the certainty of its own results
  * beside them; what it calls for them adds to it. */
 
-#ifndef TP_CERTAINTY_H
-#define TP_CERTAINTY_H
+#ifndef TP_STABILITY_CERTAINTY_H
+#define TP_STABILITY_CERTAINTY_H
 
 #include "stability/evaluation.h"
 

@@ -4,8 +4,8 @@
 /* The ladder climbed for a problem: at every rung the stages of a solve (stability/stages.h), as
  * far as a lower one has not settled them. */
 
-#ifndef TP_CLIMB_H
-#define TP_CLIMB_H
+#ifndef TP_STABILITY_CLIMB_H
+#define TP_STABILITY_CLIMB_H
 
 #include "stability/problem.h"
 #include "stability/tilts.h"

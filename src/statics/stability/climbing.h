@@ -4,8 +4,8 @@
 /* What a climb of the ladder keeps from one rung to the next, and the same for the further tilts
  * that its first rung serves (stability/further.h). */
 
-#ifndef TP_CLIMBING_H
-#define TP_CLIMBING_H
+#ifndef TP_STABILITY_CLIMBING_H
+#define TP_STABILITY_CLIMBING_H
 
 #include "stability/further.h"
 #include "stability/onset.h"

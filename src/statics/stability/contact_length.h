@@ -4,8 +4,8 @@
 /* How long the contact is, how much of the underside that is, and what presses on each part of it.
  */
 
-#ifndef TP_CONTACT_LENGTH_H
-#define TP_CONTACT_LENGTH_H
+#ifndef TP_STABILITY_CONTACT_LENGTH_H
+#define TP_STABILITY_CONTACT_LENGTH_H
 
 #include "stability/evaluation.h"
 

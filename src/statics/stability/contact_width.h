@@ -3,8 +3,8 @@
 
 /* Has the contact an area that a normal stress can be the mean over? */
 
-#ifndef TP_CONTACT_WIDTH_H
-#define TP_CONTACT_WIDTH_H
+#ifndef TP_STABILITY_CONTACT_WIDTH_H
+#define TP_STABILITY_CONTACT_WIDTH_H
 
 #include "base/contact.h"
 

@@ -4,8 +4,8 @@
 /* Critical angles by their directions, and their order: exact where the directions are, so that
  * ties are ties. */
 
-#ifndef TP_DIRECTION_BALL_H
-#define TP_DIRECTION_BALL_H
+#ifndef TP_STABILITY_DIRECTION_BALL_H
+#define TP_STABILITY_DIRECTION_BALL_H
 
 #include "stability/certainty.h"
 

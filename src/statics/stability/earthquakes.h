@@ -7,8 +7,8 @@
  * and names the others. What fails counts as worse than what stands, and a lower governing factor
  * as worse than a higher. */
 
-#ifndef TP_EARTHQUAKES_H
-#define TP_EARTHQUAKES_H
+#ifndef TP_STABILITY_EARTHQUAKES_H
+#define TP_STABILITY_EARTHQUAKES_H
 
 #include "scene/scene.h"
 #include "topple.h"

@@ -3,8 +3,8 @@
 
 /* The account of what ran and what called for it. */
 
-#ifndef TP_EFFECTS_H
-#define TP_EFFECTS_H
+#ifndef TP_STABILITY_EFFECTS_H
+#define TP_STABILITY_EFFECTS_H
 
 #include "common/message.h"
 

@@ -4,8 +4,8 @@
 /* A problem at one rung of the ladder: what all parts of a solve read and none of them writes. What
  * they find goes out as results, each with its own certainty (stability/certainty.h). */
 
-#ifndef TP_EVALUATION_H
-#define TP_EVALUATION_H
+#ifndef TP_STABILITY_EVALUATION_H
+#define TP_STABILITY_EVALUATION_H
 
 #include "block/moments.h"
 #include "number/decimals.h"

@@ -4,8 +4,8 @@
 /* Forces along and across the facet that a block slides on under loads: with s the direction of
  * motion along it and n its normal. */
 
-#ifndef TP_FACET_FRAME_H
-#define TP_FACET_FRAME_H
+#ifndef TP_STABILITY_FACET_FRAME_H
+#define TP_STABILITY_FACET_FRAME_H
 
 #include "load/wrench.h"
 #include "stability/evaluation.h"

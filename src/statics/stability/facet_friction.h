@@ -10,8 +10,8 @@
  * upright faces at which a base ends, and what it has past the underside it is mated with, have the
  * scene's. */
 
-#ifndef TP_FACET_FRICTION_H
-#define TP_FACET_FRICTION_H
+#ifndef TP_STABILITY_FACET_FRICTION_H
+#define TP_STABILITY_FACET_FRICTION_H
 
 #include "base/contact.h"
 #include "scene/scene.h"

@@ -4,8 +4,8 @@
 /* What lies between two points of a range that are on different sides of the wanted value, or at
  * it. */
 
-#ifndef TP_FIND_LEVEL_H
-#define TP_FIND_LEVEL_H
+#ifndef TP_STABILITY_FIND_LEVEL_H
+#define TP_STABILITY_FIND_LEVEL_H
 
 #include "stability/find_sample.h"
 

@@ -3,8 +3,8 @@
 
 /* Back-analysis: the result of a scene at a number, and the list of what is found. */
 
-#ifndef TP_FIND_SAMPLE_H
-#define TP_FIND_SAMPLE_H
+#ifndef TP_STABILITY_FIND_SAMPLE_H
+#define TP_STABILITY_FIND_SAMPLE_H
 
 #include "stability/varied.h"
 

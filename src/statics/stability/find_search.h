@@ -3,8 +3,8 @@
 
 /* The numbers of a range at which a result has a wanted value. */
 
-#ifndef TP_FIND_SEARCH_H
-#define TP_FIND_SEARCH_H
+#ifndef TP_STABILITY_FIND_SEARCH_H
+#define TP_STABILITY_FIND_SEARCH_H
 
 #include "stability/find_sample.h"
 

@@ -10,8 +10,8 @@
  * the contact's area on the mean plane, as in the paper's Table 2, or over the width that the scene
  * states: at a tilt alpha W cos(alpha) / S, under loads with what they add. */
 
-#ifndef TP_FRICTION_H
-#define TP_FRICTION_H
+#ifndef TP_STABILITY_FRICTION_H
+#define TP_STABILITY_FRICTION_H
 
 #include "linear_program/cones.h"
 #include "stability/loaded.h"

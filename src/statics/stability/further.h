@@ -9,8 +9,8 @@
  * own at the tilt would have found the same, and ended. Else the tilt is left to such a solve, also
  * where so much work is spent that the bound on all of it might matter. */
 
-#ifndef TP_FURTHER_H
-#define TP_FURTHER_H
+#ifndef TP_STABILITY_FURTHER_H
+#define TP_STABILITY_FURTHER_H
 
 #include "stability/certainty.h"
 

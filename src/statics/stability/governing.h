@@ -4,8 +4,8 @@
 /* Which factor of safety governs: the least over what can happen, each by the definition that its
  * mode has in practice. */
 
-#ifndef TP_GOVERNING_H
-#define TP_GOVERNING_H
+#ifndef TP_STABILITY_GOVERNING_H
+#define TP_STABILITY_GOVERNING_H
 
 #include "topple.h"
 

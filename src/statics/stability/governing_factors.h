@@ -4,8 +4,8 @@
 /* The factors against the ways in which a block can move at the scene's tilt, and which of them
  * count (topple_governing.h). */
 
-#ifndef TP_GOVERNING_FACTORS_H
-#define TP_GOVERNING_FACTORS_H
+#ifndef TP_STABILITY_GOVERNING_FACTORS_H
+#define TP_STABILITY_GOVERNING_FACTORS_H
 
 #include "topple_solution.h"
 

@@ -7,8 +7,8 @@
  *
  * Its holes, parts and the points of its loads go with the block. */
 
-#ifndef TP_JOINTED_H
-#define TP_JOINTED_H
+#ifndef TP_STABILITY_JOINTED_H
+#define TP_STABILITY_JOINTED_H
 
 #include "scene/moved.h"
 #include "stability/sole.h"

@@ -6,8 +6,8 @@
  * turned into the frame of its base, where its coordinates are those of the world. A mated base has
  * its mean plane before the block is shifted along that, and other blocks as they rest. */
 
-#ifndef TP_LAY_H
-#define TP_LAY_H
+#ifndef TP_STABILITY_LAY_H
+#define TP_STABILITY_LAY_H
 
 #include "stability/jointed.h"
 #include "stability/rested.h"

@@ -3,8 +3,8 @@
 
 /* What contact forces have to hold, put as a question to limit/. */
 
-#ifndef TP_LIMIT_ASKED_H
-#define TP_LIMIT_ASKED_H
+#ifndef TP_STABILITY_LIMIT_ASKED_H
+#define TP_STABILITY_LIMIT_ASKED_H
 
 #include "limit/limit.h"
 #include "stability/evaluation.h"

@@ -7,8 +7,8 @@
  * that are nearer level than upright or go straight on. From there it is the next flank of a
  * toothed base, level ground otherwise. */
 
-#ifndef TP_LIMIT_BEYOND_H
-#define TP_LIMIT_BEYOND_H
+#ifndef TP_STABILITY_LIMIT_BEYOND_H
+#define TP_STABILITY_LIMIT_BEYOND_H
 
 #include "stability/problem.h"
 

@@ -3,8 +3,8 @@
 
 /* The contact of a problem as friction cones, with the base as the scene has it or otherwise. */
 
-#ifndef TP_LIMIT_CONES_H
-#define TP_LIMIT_CONES_H
+#ifndef TP_STABILITY_LIMIT_CONES_H
+#define TP_STABILITY_LIMIT_CONES_H
 
 #include "linear_program/cones.h"
 #include "stability/evaluation.h"

@@ -3,8 +3,8 @@
 
 /* The limit of one question with the friction of the scene, which may depend on the load. */
 
-#ifndef TP_LIMIT_FRICTION_H
-#define TP_LIMIT_FRICTION_H
+#ifndef TP_STABILITY_LIMIT_FRICTION_H
+#define TP_STABILITY_LIMIT_FRICTION_H
 
 #include "limit/limit.h"
 #include "stability/certainty.h"

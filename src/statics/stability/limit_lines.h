@@ -4,8 +4,8 @@
 /* The straight lines that the facets of a contact lie on. Shears along one line are one force: its
  * cohesion is that of all facets on it together, however many pieces it is written in. */
 
-#ifndef TP_LIMIT_LINES_H
-#define TP_LIMIT_LINES_H
+#ifndef TP_STABILITY_LIMIT_LINES_H
+#define TP_STABILITY_LIMIT_LINES_H
 
 #include "stability/problem.h"
 

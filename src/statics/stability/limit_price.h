@@ -3,8 +3,8 @@
 
 /* The static limit alone, at one price: what accuracy costs there. */
 
-#ifndef TP_LIMIT_PRICE_H
-#define TP_LIMIT_PRICE_H
+#ifndef TP_STABILITY_LIMIT_PRICE_H
+#define TP_STABILITY_LIMIT_PRICE_H
 
 #include "stability/evaluation.h"
 

@@ -3,8 +3,8 @@
 
 /* A proven limit in the words of the field. */
 
-#ifndef TP_LIMIT_RESULT_H
-#define TP_LIMIT_RESULT_H
+#ifndef TP_STABILITY_LIMIT_RESULT_H
+#define TP_STABILITY_LIMIT_RESULT_H
 
 #include "limit/limit.h"
 #include "stability/certainty.h"

@@ -9,8 +9,8 @@
  * that it adds, it has the same limit. With both forces above zero no other twist is as good, so
  * that the mechanism is the same, too. */
 
-#ifndef TP_LIMIT_SERVES_H
-#define TP_LIMIT_SERVES_H
+#ifndef TP_STABILITY_LIMIT_SERVES_H
+#define TP_STABILITY_LIMIT_SERVES_H
 
 #include "limit/limit.h"
 #include "stability/evaluation.h"

@@ -3,8 +3,8 @@
 
 /* Stability under the loads of a scene (docs/mechanics.md section 5). */
 
-#ifndef TP_LOADED_H
-#define TP_LOADED_H
+#ifndef TP_STABILITY_LOADED_H
+#define TP_STABILITY_LOADED_H
 
 #include "load/loads.h"
 #include "load/roots.h"

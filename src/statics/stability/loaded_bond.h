@@ -8,8 +8,8 @@
  * above zero. All of a facet that opens has the moment ((q0 + q1) / 2 - P) . t for a bond of 1, so
  * runs of facets that open wholly have one between them. */
 
-#ifndef TP_LOADED_BOND_H
-#define TP_LOADED_BOND_H
+#ifndef TP_STABILITY_LOADED_BOND_H
+#define TP_STABILITY_LOADED_BOND_H
 
 #include "stability/evaluation.h"
 

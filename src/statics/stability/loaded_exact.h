@@ -3,8 +3,8 @@
 
 /* The exact question about a load whose moment is a ball about zero. */
 
-#ifndef TP_LOADED_EXACT_H
-#define TP_LOADED_EXACT_H
+#ifndef TP_STABILITY_LOADED_EXACT_H
+#define TP_STABILITY_LOADED_EXACT_H
 
 #include "load/vanish.h"
 #include "stability/loaded.h"

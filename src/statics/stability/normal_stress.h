@@ -4,8 +4,8 @@
 /* The mean normal stress that friction by Barton's law is asked at: is it one for which the law
  * holds? */
 
-#ifndef TP_NORMAL_STRESS_H
-#define TP_NORMAL_STRESS_H
+#ifndef TP_STABILITY_NORMAL_STRESS_H
+#define TP_STABILITY_NORMAL_STRESS_H
 
 #include "stability/problem.h"
 

@@ -5,8 +5,8 @@
  * within 1e-6 of the block's size beside the outline is put on it, with a note. Points of anchors
  * may lie inside; farther out a load is refused later (load/check.h). */
 
-#ifndef TP_ON_FACE_H
-#define TP_ON_FACE_H
+#ifndef TP_STABILITY_ON_FACE_H
+#define TP_STABILITY_ON_FACE_H
 
 #include "scene/scene.h"
 

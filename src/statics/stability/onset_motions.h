@@ -3,8 +3,8 @@
 
 /* The ways in which a block can begin to move at the scene's tilt. */
 
-#ifndef TP_ONSET_MOTIONS_H
-#define TP_ONSET_MOTIONS_H
+#ifndef TP_STABILITY_ONSET_MOTIONS_H
+#define TP_STABILITY_ONSET_MOTIONS_H
 
 #include "stability/onset_result.h"
 

@@ -3,8 +3,8 @@
 
 /* The onset of motion alone, at one price: what accuracy costs there. */
 
-#ifndef TP_ONSET_PRICE_H
-#define TP_ONSET_PRICE_H
+#ifndef TP_STABILITY_ONSET_PRICE_H
+#define TP_STABILITY_ONSET_PRICE_H
 
 #include "stability/evaluation.h"
 

@@ -3,8 +3,8 @@
 
 /* The contact, the block's inertia and its loads put as a question to motion/. */
 
-#ifndef TP_ONSET_QUESTION_H
-#define TP_ONSET_QUESTION_H
+#ifndef TP_STABILITY_ONSET_QUESTION_H
+#define TP_STABILITY_ONSET_QUESTION_H
 
 #include "motion/motion.h"
 #include "stability/evaluation.h"

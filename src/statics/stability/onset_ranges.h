@@ -3,8 +3,8 @@
 
 /* Which motions can begin at every tilt: where one takes over from another. */
 
-#ifndef TP_ONSET_RANGES_H
-#define TP_ONSET_RANGES_H
+#ifndef TP_STABILITY_ONSET_RANGES_H
+#define TP_STABILITY_ONSET_RANGES_H
 
 #include "stability/onset_result.h"
 

@@ -3,8 +3,8 @@
 
 /* Proven windows of motion in the words of the field. */
 
-#ifndef TP_ONSET_RESULT_H
-#define TP_ONSET_RESULT_H
+#ifndef TP_STABILITY_ONSET_RESULT_H
+#define TP_STABILITY_ONSET_RESULT_H
 
 #include "motion/windows.h"
 #include "stability/certainty.h"

@@ -3,8 +3,8 @@
 
 /* The factor of safety of the onset, by a change of all strength (motion/strength_change.h). */
 
-#ifndef TP_ONSET_STRENGTH_H
-#define TP_ONSET_STRENGTH_H
+#ifndef TP_STABILITY_ONSET_STRENGTH_H
+#define TP_STABILITY_ONSET_STRENGTH_H
 
 #include "stability/onset_question.h"
 #include "stability/onset_result.h"

@@ -3,8 +3,8 @@
 
 /* Does the block stand in a resting pose? The scene is solved with it there. */
 
-#ifndef TP_POSE_VERDICT_H
-#define TP_POSE_VERDICT_H
+#ifndef TP_STABILITY_POSE_VERDICT_H
+#define TP_STABILITY_POSE_VERDICT_H
 
 #include "scene/scene.h"
 #include "topple.h"

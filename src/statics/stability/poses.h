@@ -4,8 +4,8 @@
 /* All resting poses of a block on its profile, each with its basins and its verdict: a scene whose
  * base says 'place: all' (docs/rest.md). */
 
-#ifndef TP_POSES_H
-#define TP_POSES_H
+#ifndef TP_STABILITY_POSES_H
+#define TP_STABILITY_POSES_H
 
 #include "scene/scene.h"
 #include "topple.h"

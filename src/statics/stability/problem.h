@@ -3,8 +3,8 @@
 
 /* A scene made ready for statics: the exact block on its exact base. Nothing here is rounded. */
 
-#ifndef TP_PROBLEM_H
-#define TP_PROBLEM_H
+#ifndef TP_STABILITY_PROBLEM_H
+#define TP_STABILITY_PROBLEM_H
 
 #include "base/contact.h"
 #include "block/corners.h"

@@ -3,8 +3,8 @@
 
 /* Numbers of a block that was set down, as results. */
 
-#ifndef TP_REST_RESULT_H
-#define TP_REST_RESULT_H
+#ifndef TP_STABILITY_REST_RESULT_H
+#define TP_STABILITY_REST_RESULT_H
 
 #include "stability/rested.h"
 

@@ -10,8 +10,8 @@
  * block's size over the arm of a turn gives, which is what the digits of such a scene are limited
  * for. */
 
-#ifndef TP_RESTED_H
-#define TP_RESTED_H
+#ifndef TP_STABILITY_RESTED_H
+#define TP_STABILITY_RESTED_H
 
 #include "rest/settle.h"
 #include "scene/moved.h"

@@ -5,8 +5,8 @@
  * on its mated base gains by that what only rock would give it: where they come from the
  * digitising, or where the friction angle is that of the rough joint, it is not there. */
 
-#ifndef TP_ROUGH_SOLE_H
-#define TP_ROUGH_SOLE_H
+#ifndef TP_STABILITY_ROUGH_SOLE_H
+#define TP_STABILITY_ROUGH_SOLE_H
 
 #include "stability/problem.h"
 

@@ -3,8 +3,8 @@
 
 /* The facet that governs sliding (stability/sliding.c says which). */
 
-#ifndef TP_SLIDING_FACET_H
-#define TP_SLIDING_FACET_H
+#ifndef TP_STABILITY_SLIDING_FACET_H
+#define TP_STABILITY_SLIDING_FACET_H
 
 #include "stability/direction_ball.h"
 

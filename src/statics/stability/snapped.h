@@ -6,8 +6,8 @@
  * loads that lie on an edge of the outline go with it, at the share of the edge at which they lie.
  */
 
-#ifndef TP_SNAPPED_H
-#define TP_SNAPPED_H
+#ifndef TP_STABILITY_SNAPPED_H
+#define TP_STABILITY_SNAPPED_H
 
 #include "base/snap.h"
 #include "scene/moved.h"

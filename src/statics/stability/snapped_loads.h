@@ -5,8 +5,8 @@
  * of such an edge, and the load acts on each of the edges between them, as large at each as it was
  * above it. */
 
-#ifndef TP_SNAPPED_LOADS_H
-#define TP_SNAPPED_LOADS_H
+#ifndef TP_STABILITY_SNAPPED_LOADS_H
+#define TP_STABILITY_SNAPPED_LOADS_H
 
 #include "scene/scene.h"
 

@@ -5,8 +5,8 @@
  * shifted along its mated base what was mated, of others the edges that by default would be the
  * contact of a mated base (base/underside.h), in the pose that they have. */
 
-#ifndef TP_SOLE_H
-#define TP_SOLE_H
+#ifndef TP_STABILITY_SOLE_H
+#define TP_STABILITY_SOLE_H
 
 #include "base/facets.h"
 

@@ -3,8 +3,8 @@
 
 /* A solution before anything is evaluated: what the scene says of itself, and room for the rest. */
 
-#ifndef TP_SOLUTION_H
-#define TP_SOLUTION_H
+#ifndef TP_STABILITY_SOLUTION_H
+#define TP_STABILITY_SOLUTION_H
 
 #include "stability/problem.h"
 

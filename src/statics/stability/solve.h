@@ -3,8 +3,8 @@
 
 /* Solving a problem that is prepared already. */
 
-#ifndef TP_SOLVE_H
-#define TP_SOLVE_H
+#ifndef TP_STABILITY_SOLVE_H
+#define TP_STABILITY_SOLVE_H
 
 #include "stability/problem.h"
 #include "stability/tilts.h"

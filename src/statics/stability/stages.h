@@ -5,8 +5,8 @@
  * reads the evaluation, fills in its part of the solution, and hands out the certainty of that:
  * what it is given it adds to. */
 
-#ifndef TP_STAGES_H
-#define TP_STAGES_H
+#ifndef TP_STABILITY_STAGES_H
+#define TP_STABILITY_STAGES_H
 
 #include "stability/direction_ball.h"
 #include "stability/further.h"

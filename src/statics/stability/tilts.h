@@ -4,8 +4,8 @@
 /* A scene solved at its own tilt, and what that tells of it at further ones
  * (stability/further.h). */
 
-#ifndef TP_TILTS_H
-#define TP_TILTS_H
+#ifndef TP_STABILITY_TILTS_H
+#define TP_STABILITY_TILTS_H
 
 #include "scene/scene.h"
 

@@ -3,8 +3,8 @@
 
 /* A scene with some of its numbers replaced, solved. The scene itself stays as it is. */
 
-#ifndef TP_VARIED_H
-#define TP_VARIED_H
+#ifndef TP_STABILITY_VARIED_H
+#define TP_STABILITY_VARIED_H
 
 #include "scene/vary.h"
 

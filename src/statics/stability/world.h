@@ -21,8 +21,8 @@
  * other: from the ends that the coordinates themselves have, plane and ends are found in turn until
  * they stay. */
 
-#ifndef TP_WORLD_H
-#define TP_WORLD_H
+#ifndef TP_STABILITY_WORLD_H
+#define TP_STABILITY_WORLD_H
 
 #include "stability/sole.h"
 #include "stability/world_turn.h"

@@ -3,8 +3,8 @@
 
 /* All points of a scene, turned into the frame of its mean plane (stability/world.h). */
 
-#ifndef TP_WORLD_TURN_H
-#define TP_WORLD_TURN_H
+#ifndef TP_STABILITY_WORLD_TURN_H
+#define TP_STABILITY_WORLD_TURN_H
 
 #include "scene/moved.h"
 

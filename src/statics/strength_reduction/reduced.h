@@ -6,8 +6,8 @@
  * limit/limit.h proves it; and on which side of the tilt it lies, by forces that hold or a twist
  * that fails, both proven. */
 
-#ifndef TP_REDUCED_H
-#define TP_REDUCED_H
+#ifndef TP_STRENGTH_REDUCTION_REDUCED_H
+#define TP_STRENGTH_REDUCTION_REDUCED_H
 
 #include "limit/limit.h"
 #include "linear_program/scaled.h"

@@ -7,8 +7,8 @@
  * What the base bears shrinks with its strength, so a factor at which some forces are proven to
  * hold the block and one at which none do enclose it. */
 
-#ifndef TP_REDUCTION_H
-#define TP_REDUCTION_H
+#ifndef TP_STRENGTH_REDUCTION_REDUCTION_H
+#define TP_STRENGTH_REDUCTION_REDUCTION_H
 
 #include "limit/limit.h"
 

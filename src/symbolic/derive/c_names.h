@@ -3,8 +3,8 @@
 
 /* Names of parameters in C, where some mean something else already. */
 
-#ifndef TP_C_NAMES_H
-#define TP_C_NAMES_H
+#ifndef TP_DERIVE_C_NAMES_H
+#define TP_DERIVE_C_NAMES_H
 
 #include "derive/field.h"
 

@@ -3,8 +3,8 @@
 
 /* Ways out from the scene's values, and the scene at other values of its symbols. */
 
-#ifndef TP_CHECK_WALK_H
-#define TP_CHECK_WALK_H
+#ifndef TP_DERIVE_CHECK_WALK_H
+#define TP_DERIVE_CHECK_WALK_H
 
 #include "derive/conditions.h"
 #include "derive/model.h"

@@ -9,8 +9,8 @@
  * certified solver has to agree with the formula, or the derivation fails; just outside it says
  * what comes then. A condition that no direction meets first is left without a check. */
 
-#ifndef TP_CHECKS_H
-#define TP_CHECKS_H
+#ifndef TP_DERIVE_CHECKS_H
+#define TP_DERIVE_CHECKS_H
 
 #include "derive/check_walk.h"
 

@@ -5,8 +5,8 @@
  * values, read in balls, and is written as its factors (FLINT), each with its own sign. That is
  * enough for the product, not needed for it. */
 
-#ifndef TP_CONDITIONS_H
-#define TP_CONDITIONS_H
+#ifndef TP_DERIVE_CONDITIONS_H
+#define TP_DERIVE_CONDITIONS_H
 
 #include "derive/field.h"
 

@@ -3,8 +3,8 @@
 
 /* Where a contact that the scene leaves to the default keeps its ends. */
 
-#ifndef TP_CONTACT_CONDITIONS_H
-#define TP_CONTACT_CONDITIONS_H
+#ifndef TP_DERIVE_CONTACT_CONDITIONS_H
+#define TP_DERIVE_CONTACT_CONDITIONS_H
 
 #include "derive/conditions.h"
 #include "derive/model.h"

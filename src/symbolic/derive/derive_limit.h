@@ -5,8 +5,8 @@
  * and tan(alpha) follows from them in the field (derive/limit_formulas.h), with
  * the conditions under which they stay the ones. */
 
-#ifndef TP_DERIVE_LIMIT_H
-#define TP_DERIVE_LIMIT_H
+#ifndef TP_DERIVE_DERIVE_LIMIT_H
+#define TP_DERIVE_DERIVE_LIMIT_H
 
 #include "derive/limit_formulas.h"
 

@@ -4,8 +4,8 @@
 /* Formulas of the onset of motion, written: the plane at which the first motion begins, its tangent
  * and its conditions, from derive/onset_formulas.h. */
 
-#ifndef TP_DERIVE_ONSET_H
-#define TP_DERIVE_ONSET_H
+#ifndef TP_DERIVE_DERIVE_ONSET_H
+#define TP_DERIVE_DERIVE_ONSET_H
 
 #include "derive/model.h"
 

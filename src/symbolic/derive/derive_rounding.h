@@ -4,8 +4,8 @@
 /* Formulas of a rounded corner, written: tan(alpha) about the axis where rounding puts it, with the
  * tangent length and the angle of its flank as symbols (Eqs. 4 and 5; derive/rounding.h). */
 
-#ifndef TP_DERIVE_ROUNDING_H
-#define TP_DERIVE_ROUNDING_H
+#ifndef TP_DERIVE_DERIVE_ROUNDING_H
+#define TP_DERIVE_DERIVE_ROUNDING_H
 
 #include "derive/rounding.h"
 

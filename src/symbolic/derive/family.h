@@ -3,8 +3,8 @@
 
 /* The moment sums of a toothed block as functions of its number of teeth. */
 
-#ifndef TP_FAMILY_H
-#define TP_FAMILY_H
+#ifndef TP_DERIVE_FAMILY_H
+#define TP_DERIVE_FAMILY_H
 
 #include "derive/formulas.h"
 

@@ -6,8 +6,8 @@
  * A parameter that the scene gives by a number is a symbol; one that it gives by an expression in
  * others stands for that expression. Further symbols are a count, and whatever a caller adds. */
 
-#ifndef TP_FIELD_H
-#define TP_FIELD_H
+#ifndef TP_DERIVE_FIELD_H
+#define TP_DERIVE_FIELD_H
 
 #include "derive/field_work.h"
 #include "scene/scene.h"

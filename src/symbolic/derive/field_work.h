@@ -11,8 +11,8 @@
  * operation that would be too large, or that the budget has no room for, is not done: its value is
  * zero, and so are all that follow, until someone asks for the problem and reports it. */
 
-#ifndef TP_FIELD_WORK_H
-#define TP_FIELD_WORK_H
+#ifndef TP_DERIVE_FIELD_WORK_H
+#define TP_DERIVE_FIELD_WORK_H
 
 #include "common/message.h"
 #include "scene/scene.h"

@@ -3,8 +3,8 @@
 
 /* The moment sums and lever arms of a block in symbols (docs/mechanics.md section 9). */
 
-#ifndef TP_FORMULAS_H
-#define TP_FORMULAS_H
+#ifndef TP_DERIVE_FORMULAS_H
+#define TP_DERIVE_FORMULAS_H
 
 #include "derive/symbols.h"
 #include "stability/problem.h"

@@ -5,8 +5,8 @@
  * numbers): the columns of all contact points, and what follows from the two of an optimal basis.
  */
 
-#ifndef TP_LIMIT_FORMULAS_H
-#define TP_LIMIT_FORMULAS_H
+#ifndef TP_DERIVE_LIMIT_FORMULAS_H
+#define TP_DERIVE_LIMIT_FORMULAS_H
 
 #include "derive/model.h"
 

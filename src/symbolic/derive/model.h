@@ -4,8 +4,8 @@
 /* A scene that was solved at its numbers and set up in symbols: what derivations begin with. The
  * numbers say which points touch, which pivot governs and which side a moment is on. */
 
-#ifndef TP_MODEL_H
-#define TP_MODEL_H
+#ifndef TP_DERIVE_MODEL_H
+#define TP_DERIVE_MODEL_H
 
 #include "derive/formulas.h"
 

@@ -3,8 +3,8 @@
 
 /* Formulas in writing: plain text that computer algebra reads, LaTeX, or C. */
 
-#ifndef TP_NOTATION_H
-#define TP_NOTATION_H
+#ifndef TP_DERIVE_NOTATION_H
+#define TP_DERIVE_NOTATION_H
 
 #include "derive/field.h"
 

@@ -3,8 +3,8 @@
 
 /* That no motion begins below the onset: for each mode the signs that keep it from beginning. */
 
-#ifndef TP_ONSET_EXCLUSION_H
-#define TP_ONSET_EXCLUSION_H
+#ifndef TP_DERIVE_ONSET_EXCLUSION_H
+#define TP_DERIVE_ONSET_EXCLUSION_H
 
 #include "derive/onset_planes.h"
 

@@ -20,8 +20,8 @@
  * All of it is signs of polynomials, each of which is what it is at the scene's values: conditions.
  * They are enough; the formula may hold beyond them. */
 
-#ifndef TP_ONSET_FORMULAS_H
-#define TP_ONSET_FORMULAS_H
+#ifndef TP_DERIVE_ONSET_FORMULAS_H
+#define TP_DERIVE_ONSET_FORMULAS_H
 
 #include "derive/onset_planes.h"
 

@@ -4,8 +4,8 @@
 /* The modes in which a block can begin to move, in symbols: which there are is found at the scene's
  * values (motion/strata.h), and stays so while the signs do that are told here. */
 
-#ifndef TP_ONSET_MODES_H
-#define TP_ONSET_MODES_H
+#ifndef TP_DERIVE_ONSET_MODES_H
+#define TP_DERIVE_ONSET_MODES_H
 
 #include "derive/conditions.h"
 #include "derive/onset_terms.h"

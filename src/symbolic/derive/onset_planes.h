@@ -4,8 +4,8 @@
 /* Planes that bound the loads at which a mode can begin, as bounds on the tilt: h . w >= 0 is
  * slope tan(alpha) + level >= 0 for the weight (derive/onset_terms.h). */
 
-#ifndef TP_ONSET_PLANES_H
-#define TP_ONSET_PLANES_H
+#ifndef TP_DERIVE_ONSET_PLANES_H
+#define TP_DERIVE_ONSET_PLANES_H
 
 #include "derive/onset_modes.h"
 

@@ -11,8 +11,8 @@
  *
  * for the twist r = (v_x, v_y, theta), P12 twelve times the polar second moment. */
 
-#ifndef TP_ONSET_TERMS_H
-#define TP_ONSET_TERMS_H
+#ifndef TP_DERIVE_ONSET_TERMS_H
+#define TP_DERIVE_ONSET_TERMS_H
 
 #include "derive/limit_formulas.h"
 #include "derive/vector_formulas.h"

@@ -7,8 +7,8 @@
  * paper's r), with the mass kept. l, cos i and sin i are symbols of their own, i the angle of that
  * facet to the mean plane; on a level facet cos i = 1 and sin i = 0. */
 
-#ifndef TP_ROUNDING_H
-#define TP_ROUNDING_H
+#ifndef TP_DERIVE_ROUNDING_H
+#define TP_DERIVE_ROUNDING_H
 
 #include "derive/model.h"
 

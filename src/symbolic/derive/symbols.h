@@ -4,8 +4,8 @@
 /* The section of a block in symbols: the same rings, vertex by vertex, as rational functions of the
  * scene's parameters. Coordinates that the scene gives by numbers are constants. */
 
-#ifndef TP_SYMBOLS_H
-#define TP_SYMBOLS_H
+#ifndef TP_DERIVE_SYMBOLS_H
+#define TP_DERIVE_SYMBOLS_H
 
 #include "block/section.h"
 #include "derive/field.h"

@@ -4,8 +4,8 @@
 /* Triples in symbols: a force with its moment, or a twist (v_x, v_y, omega) about the origin
  * (plane/vector.h says the same in balls). */
 
-#ifndef TP_VECTOR_FORMULAS_H
-#define TP_VECTOR_FORMULAS_H
+#ifndef TP_DERIVE_VECTOR_FORMULAS_H
+#define TP_DERIVE_VECTOR_FORMULAS_H
 
 #include "derive/field.h"
 

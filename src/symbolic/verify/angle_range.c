@@ -18,7 +18,7 @@ typedef struct range {
 
 static const range unknown = {0, 0, false};
 
-int tp_direction_quadrant(const tp_name *name, const tp_sample *sample, tp_subject *s) {
+int tp_direction_quadrant(const tp_name *name, const tp_claim_sample *sample, tp_subject *s) {
   arb_t rise, run;
   arb_init(rise);
   arb_init(run);

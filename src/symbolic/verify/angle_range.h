@@ -3,8 +3,8 @@
 
 /* Where angles lie over a domain. */
 
-#ifndef TP_ANGLE_RANGE_H
-#define TP_ANGLE_RANGE_H
+#ifndef TP_VERIFY_ANGLE_RANGE_H
+#define TP_VERIFY_ANGLE_RANGE_H
 
 #include "verify/question.h"
 
@@ -12,6 +12,6 @@
 bool tp_angles_in_reach(const tp_question *question);
 
 /* The quadrant of a direction at a sample, 1 to 4; 0 where it is not known. */
-int tp_direction_quadrant(const tp_name *name, const tp_sample *sample, tp_subject *subject);
+int tp_direction_quadrant(const tp_name *name, const tp_claim_sample *sample, tp_subject *subject);
 
 #endif

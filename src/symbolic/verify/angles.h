@@ -3,8 +3,8 @@
 
 /* Sines, cosines and tangents of sums of a subject's angles, as rational functions. */
 
-#ifndef TP_ANGLES_H
-#define TP_ANGLES_H
+#ifndef TP_VERIFY_ANGLES_H
+#define TP_VERIFY_ANGLES_H
 
 #include "verify/subject.h"
 

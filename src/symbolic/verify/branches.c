@@ -13,7 +13,7 @@ static const fmpz_mpoly_ctx_struct *ring_of(const tp_branches *b) {
   return b->subject->field->ring;
 }
 
-void tp_branches_init(tp_branches *b, tp_subject *subject, const tp_sample *sample) {
+void tp_branches_init(tp_branches *b, tp_subject *subject, const tp_claim_sample *sample) {
   memset(b, 0, sizeof *b);
   b->subject = subject;
   b->sample = sample;

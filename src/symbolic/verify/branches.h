@@ -8,8 +8,8 @@
  * signs, and an identity is one only if it is one in every branch: they are gone through one by
  * one, the last sign turned first, since what is met later may depend on what is met before. */
 
-#ifndef TP_BRANCHES_H
-#define TP_BRANCHES_H
+#ifndef TP_VERIFY_BRANCHES_H
+#define TP_VERIFY_BRANCHES_H
 
 #include "verify/domain.h"
 
@@ -23,8 +23,8 @@ typedef struct tp_branch_sign {
 
 struct tp_branches {
   tp_subject *subject;
-  const tp_sample *sample; /* whose branch comes first */
-  bool only_sample;        /* formulas are evaluated at the sample alone */
+  const tp_claim_sample *sample; /* whose branch comes first */
+  bool only_sample;              /* formulas are evaluated at the sample alone */
   bool too_many;
   long count;
   tp_branch_sign items[TP_MOST_BRANCH_SIGNS];
@@ -33,7 +33,7 @@ struct tp_branches {
   fmpz_mpoly_q_t divisors[TP_MOST_DIVISORS];
 };
 
-void tp_branches_init(tp_branches *branches, tp_subject *subject, const tp_sample *sample);
+void tp_branches_init(tp_branches *branches, tp_subject *subject, const tp_claim_sample *sample);
 void tp_branches_clear(tp_branches *branches);
 
 /* The sign to take for a formula, 0 where none may be taken. */

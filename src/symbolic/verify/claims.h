@@ -3,8 +3,8 @@
 
 /* A claims file as it is written: geometries, names, and claims, the cells of tables among them. */
 
-#ifndef TP_CLAIMS_H
-#define TP_CLAIMS_H
+#ifndef TP_VERIFY_CLAIMS_H
+#define TP_VERIFY_CLAIMS_H
 
 #include "verify/domain.h"
 #include "verify/subject_init.h"
@@ -55,7 +55,7 @@ TP_MUST_USE tp_status tp_claims_read_list(tp_claims *claims, const tp_node *list
  * out unless `all_names` are to be known. */
 TP_MUST_USE tp_status tp_claims_read_domain(tp_domain *domain, const tp_claims *claims,
                                             const tp_node *node, bool all_names,
-                                            tp_subject *subject, const tp_sample *sample,
+                                            tp_subject *subject, const tp_claim_sample *sample,
                                             tp_message *message);
 
 /* Fail at a node of the file. */

@@ -3,8 +3,8 @@
 
 /* Deciding claims: formulas by identity or at points, numbers by their digits. */
 
-#ifndef TP_DECIDE_H
-#define TP_DECIDE_H
+#ifndef TP_VERIFY_DECIDE_H
+#define TP_VERIFY_DECIDE_H
 
 #include "verify/branches.h"
 #include "verify/question.h"

@@ -26,14 +26,14 @@ enum { BITS = 256 }; /* 77 digits: both sides agree to fewer unless they are one
 
 /* Both sides at a sample. */
 static tp_status both_sides(arb_t printed, arb_t derived, const tp_question *q,
-                            const tp_sample *sample) {
+                            const tp_claim_sample *sample) {
   tp_status status =
       tp_evaluate_ball(printed, q->printed, q->subject, sample, false, BITS, q->message);
   if (status != TP_OK) return status;
   return tp_evaluate_ball(derived, q->quantity, q->subject, sample, false, BITS, q->message);
 }
 
-static tp_status values_text(char **out, const tp_question *q, const tp_sample *sample) {
+static tp_status values_text(char **out, const tp_question *q, const tp_claim_sample *sample) {
   char text[600];
   int *used = calloc((size_t)sample->count, sizeof *used);
   if (used == NULL) return tp_fail_memory(q->message, "a claim");
@@ -47,7 +47,7 @@ static tp_status values_text(char **out, const tp_question *q, const tp_sample *
 }
 
 static tp_status keep_values(tp_claim_result *result, const arb_t printed, const arb_t derived,
-                             const tp_question *q, const tp_sample *sample) {
+                             const tp_question *q, const tp_claim_sample *sample) {
   result->has_values = true;
   result->printed_value = tp_ball_bounded(printed);
   result->computed = tp_ball_bounded(derived);
@@ -87,8 +87,8 @@ typedef struct tally {
   tp_claim_result *result;
 } tally;
 
-static tp_status count_point(tally *t, const tp_question *q, const tp_sample *sample, bool own,
-                             bool counts) {
+static tp_status count_point(tally *t, const tp_question *q, const tp_claim_sample *sample,
+                             bool own, bool counts) {
   arb_t printed, derived;
   arb_init(printed);
   arb_init(derived);
@@ -116,7 +116,7 @@ static tp_status visit(tally *t, const tp_question *q, const tp_branches *branch
   tp_points points;
   tp_status status = tp_points_init(&points, q, branches);
   if (status != TP_OK) return status;
-  tp_sample sample = {0};
+  tp_claim_sample sample = {0};
   bool own = true;
   while (status == TP_OK && !t->differs && tp_points_next(&sample, &points)) {
     const bool counts = points.at <= TP_DOMAIN_NEAR || q->subject->domain->bounds_count > 0;

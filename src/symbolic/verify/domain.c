@@ -26,7 +26,7 @@ static bool within_right_angle(const fmpq_t value) {
   return fmpq_sgn(value) >= 0 && fmpq_cmp_si(value, 90) <= 0;
 }
 
-tp_domain *tp_domain_new(const tp_subject *s, const tp_sample *sample) {
+tp_domain *tp_domain_new(const tp_subject *s, const tp_claim_sample *sample) {
   const fmpz_mpoly_ctx_struct *ring = s->field->ring;
   tp_domain *d = calloc(1, sizeof *d);
   if (d == NULL) return NULL;
@@ -67,12 +67,13 @@ const tp_angle *tp_domain_angle_of(const tp_domain *d, long symbol) {
 }
 
 bool tp_domain_bound_at(fmpq_t value, const fmpz_mpoly_q_t bound, const tp_domain *d,
-                        const tp_sample *sample) {
+                        const tp_claim_sample *sample) {
   return tp_field_evaluate_at(value, bound, sample->values, d->subject->field);
 }
 
 /* Does the symbol lie within these bounds, its ends included with `closed`? */
-static bool inside(const tp_domain *d, const tp_bounds *b, const tp_sample *sample, bool closed) {
+static bool inside(const tp_domain *d, const tp_domain_bounds *b, const tp_claim_sample *sample,
+                   bool closed) {
   fmpq_t end;
   fmpq_init(end);
   const fmpq *own = sample->values + b->symbol;
@@ -88,7 +89,7 @@ static bool inside(const tp_domain *d, const tp_bounds *b, const tp_sample *samp
 }
 
 /* An angle's bounds are numbers. */
-static bool bound_angle(tp_domain *d, const tp_bounds *b, const tp_angle *angle) {
+static bool bound_angle(tp_domain *d, const tp_domain_bounds *b, const tp_angle *angle) {
   const fmpz_mpoly_ctx_struct *ring = d->subject->field->ring;
   fmpq_t low, high;
   fmpq_init(low);
@@ -105,18 +106,18 @@ static bool bound_angle(tp_domain *d, const tp_bounds *b, const tp_angle *angle)
   return known;
 }
 
-tp_status tp_domain_bound(tp_domain *d, const tp_bounds *bounds, const tp_sample *sample,
-                          tp_place place, tp_message *message) {
+tp_status tp_domain_bound(tp_domain *d, const tp_domain_bounds *bounds,
+                          const tp_claim_sample *sample, tp_place place, tp_message *message) {
   if (d->bounds_count == d->bounds_capacity) {
     const long capacity = 2 * d->bounds_capacity + 8;
-    tp_bounds *all = realloc(d->bounds, (size_t)capacity * sizeof *all);
+    tp_domain_bounds *all = realloc(d->bounds, (size_t)capacity * sizeof *all);
     if (all == NULL) return tp_fail_memory(message, "a domain");
     d->bounds = all;
     d->bounds_capacity = capacity;
   }
   const fmpz_mpoly_ctx_struct *ring = d->subject->field->ring;
-  tp_bounds *own = d->bounds + d->bounds_count++;
-  *own = (tp_bounds){
+  tp_domain_bounds *own = d->bounds + d->bounds_count++;
+  *own = (tp_domain_bounds){
       .symbol = bounds->symbol, .has_low = bounds->has_low, .has_high = bounds->has_high};
   fmpz_mpoly_q_init(own->low, ring);
   fmpz_mpoly_q_init(own->high, ring);
@@ -136,7 +137,7 @@ tp_status tp_domain_bound(tp_domain *d, const tp_bounds *bounds, const tp_sample
   return tp_field_check(d->subject->field, place, message);
 }
 
-const tp_bounds *tp_domain_bounds_of(const tp_domain *d, long symbol) {
+const tp_domain_bounds *tp_domain_bounds_of(const tp_domain *d, long symbol) {
   for (long k = d->bounds_count - 1; k >= 0; k--) {
     if (d->bounds[k].symbol == symbol) return d->bounds + k;
   }
@@ -145,7 +146,7 @@ const tp_bounds *tp_domain_bounds_of(const tp_domain *d, long symbol) {
 
 bool tp_domain_angle(double *low, double *high, const tp_domain *d, long angle) {
   const long symbol = d->subject->angles[angle].degrees;
-  const tp_bounds *b = tp_domain_bounds_of(d, symbol);
+  const tp_domain_bounds *b = tp_domain_bounds_of(d, symbol);
   if (d->images.free[symbol] && b == NULL) return false;
   *low = 0;
   *high = 90;
@@ -160,11 +161,11 @@ bool tp_domain_angle(double *low, double *high, const tp_domain *d, long angle) 
   return known;
 }
 
-bool tp_domain_holds(const tp_domain *d, const tp_sample *sample) {
+bool tp_domain_holds(const tp_domain *d, const tp_claim_sample *sample) {
   for (long k = 0; k < d->symbol_count; k++) {
     const fmpq *value = sample->values + k;
     const int sign = d->signs[k];
-    const tp_bounds *bounds = tp_domain_bounds_of(d, k);
+    const tp_domain_bounds *bounds = tp_domain_bounds_of(d, k);
     if (bounds != NULL) {
       if (!inside(d, bounds, sample, true)) return false;
     } else if (tp_domain_angle_of(d, k) != NULL) {

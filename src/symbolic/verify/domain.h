@@ -12,8 +12,8 @@
  * an angle u = tan(angle/2) is, and sin = 2u/(1 + u^2), cos = (1 - u^2)/(1 + u^2). A polynomial
  * that then has coefficients of one sign alone keeps that sign on the whole domain. */
 
-#ifndef TP_DOMAIN_H
-#define TP_DOMAIN_H
+#ifndef TP_VERIFY_DOMAIN_H
+#define TP_VERIFY_DOMAIN_H
 
 #include "verify/domain_images.h"
 #include "verify/sample.h"
@@ -24,39 +24,40 @@ struct tp_domain {
   int *signs;       /* by symbol without bounds: of its value at the claim */
   tp_images images; /* of the symbols, in terms of t */
   long bounds_count, bounds_capacity;
-  tp_bounds *bounds;
+  tp_domain_bounds *bounds;
 };
 
 /* The domain about a claim's values; NULL when memory is exhausted. */
-tp_domain *tp_domain_new(const tp_subject *subject, const tp_sample *sample);
+tp_domain *tp_domain_new(const tp_subject *subject, const tp_claim_sample *sample);
 void tp_domain_free(tp_domain *domain);
 
 /* Bound a symbol: takes the formulas over. Bad input where the claim's own value is outside;
  * `place` says where the bounds stand. */
-TP_MUST_USE tp_status tp_domain_bound(tp_domain *domain, const tp_bounds *bounds,
-                                      const tp_sample *sample, tp_place place, tp_message *message);
+TP_MUST_USE tp_status tp_domain_bound(tp_domain *domain, const tp_domain_bounds *bounds,
+                                      const tp_claim_sample *sample, tp_place place,
+                                      tp_message *message);
 
 /* 1 or -1 where the formula is nowhere below, or above, zero on the domain, 0 where this is not
  * known; with `strict`, and nowhere zero. */
 int tp_domain_sign(const fmpz_mpoly_q_t formula, const tp_domain *domain, bool strict);
 
 /* The bounds of a symbol, the angle whose degrees it is; NULL: none. */
-const tp_bounds *tp_domain_bounds_of(const tp_domain *domain, long symbol);
+const tp_domain_bounds *tp_domain_bounds_of(const tp_domain *domain, long symbol);
 const tp_angle *tp_domain_angle_of(const tp_domain *domain, long symbol);
 
 /* A bound at a sample; false where it has no value there. */
 bool tp_domain_bound_at(fmpq_t value, const fmpz_mpoly_q_t bound, const tp_domain *domain,
-                        const tp_sample *sample);
+                        const tp_claim_sample *sample);
 
 /* Move a sample within the domain, by a fixed sequence of numbers: by up to 15 % for a seed below
  * TP_DOMAIN_NEAR, from one end to the other for the others. False where it does not get inside. */
 enum { TP_DOMAIN_NEAR = 24 };
-TP_MUST_USE bool tp_domain_scatter(tp_sample *sample, const tp_domain *domain, unsigned seed);
+TP_MUST_USE bool tp_domain_scatter(tp_claim_sample *sample, const tp_domain *domain, unsigned seed);
 
 /* The range of an angle, in degrees; false where it takes any value. */
 bool tp_domain_angle(double *low, double *high, const tp_domain *domain, long angle);
 
 /* Is a sample inside? */
-bool tp_domain_holds(const tp_domain *domain, const tp_sample *sample);
+bool tp_domain_holds(const tp_domain *domain, const tp_claim_sample *sample);
 
 #endif

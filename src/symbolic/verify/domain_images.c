@@ -128,7 +128,7 @@ static bool in_images(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t bound, const tp
   return known;
 }
 
-void tp_images_set_symbol(tp_images *images, const tp_bounds *b) {
+void tp_images_set_symbol(tp_images *images, const tp_domain_bounds *b) {
   const tp_field *field = images->field;
   const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t t, low, high;

@@ -4,17 +4,17 @@
 /* Symbols of a domain in terms of one number t > 0 each (verify/domain.h), for which the symbol
  * itself stands. */
 
-#ifndef TP_DOMAIN_IMAGES_H
-#define TP_DOMAIN_IMAGES_H
+#ifndef TP_VERIFY_DOMAIN_IMAGES_H
+#define TP_VERIFY_DOMAIN_IMAGES_H
 
 #include "verify/subject.h"
 
 /* Bounds of a symbol, open; `has_…` false: none. */
-typedef struct tp_bounds {
+typedef struct tp_domain_bounds {
   long symbol;
   bool has_low, has_high;
   fmpz_mpoly_q_t low, high;
-} tp_bounds;
+} tp_domain_bounds;
 
 /* By symbol; what is free takes any value and has no image. */
 typedef struct tp_images {
@@ -33,6 +33,6 @@ void tp_images_set_angle(tp_images *images, const tp_angle *angle, const fmpq_t 
 
 /* The symbol in terms of its own t. Where a denominator may not be positive the symbol is free:
  * nothing is then proven about it, and points alone tell. */
-void tp_images_set_symbol(tp_images *images, const tp_bounds *bounds);
+void tp_images_set_symbol(tp_images *images, const tp_domain_bounds *bounds);
 
 #endif

@@ -36,8 +36,8 @@ static void shift(fmpq_t value, uint64_t random) {
 }
 
 /* A symbol between its bounds. */
-static bool place_between(fmpq_t value, const tp_domain *d, const tp_bounds *b,
-                          const tp_sample *sample, uint64_t random, bool near) {
+static bool place_between(fmpq_t value, const tp_domain *d, const tp_domain_bounds *b,
+                          const tp_claim_sample *sample, uint64_t random, bool near) {
   fmpq_t low, high, part;
   fmpq_init(low);
   fmpq_init(high);
@@ -89,7 +89,7 @@ static void move(fmpq_t value, bool angle, bool is_free, uint64_t random, bool n
   fmpq_clear(factor);
 }
 
-bool tp_domain_scatter(tp_sample *sample, const tp_domain *d, unsigned seed) {
+bool tp_domain_scatter(tp_claim_sample *sample, const tp_domain *d, unsigned seed) {
   uint64_t state = 88172645463325252ULL + seed;
   const bool near = seed < TP_DOMAIN_NEAR;
   const long count = d->subject->field->parameters->count; /* a count stays one */
@@ -100,7 +100,7 @@ bool tp_domain_scatter(tp_sample *sample, const tp_domain *d, unsigned seed) {
   }
   bool inside_all = true;
   for (long k = 0; k < d->bounds_count && inside_all; k++) {
-    const tp_bounds *b = d->bounds + k;
+    const tp_domain_bounds *b = d->bounds + k;
     inside_all = place_between(sample->values + b->symbol, d, b, sample, next(&state), near);
   }
   return inside_all && tp_domain_holds(d, sample);

@@ -33,8 +33,8 @@ static tp_status read_end(fmpz_mpoly_q_t value, bool *has, const tp_claims *clai
 }
 
 static tp_status read_bounds(tp_domain *domain, const tp_claims *claims, const tp_node *node,
-                             tp_bounds *bounds, tp_subject *subject, const tp_sample *sample,
-                             tp_message *message) {
+                             tp_domain_bounds *bounds, tp_subject *subject,
+                             const tp_claim_sample *sample, tp_message *message) {
   const bool pair = node->kind == TP_NODE_SEQUENCE && node->count == 2 &&
                     node->first->kind == TP_NODE_SCALAR && node->last->kind == TP_NODE_SCALAR;
   if (!pair) {
@@ -50,7 +50,7 @@ static tp_status read_bounds(tp_domain *domain, const tp_claims *claims, const t
 }
 
 tp_status tp_claims_read_domain(tp_domain *domain, const tp_claims *claims, const tp_node *node,
-                                bool all_names, tp_subject *subject, const tp_sample *sample,
+                                bool all_names, tp_subject *subject, const tp_claim_sample *sample,
                                 tp_message *message) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_MAPPING) {
@@ -59,7 +59,7 @@ tp_status tp_claims_read_domain(tp_domain *domain, const tp_claims *claims, cons
   }
   const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
   tp_status status = TP_OK;
-  tp_bounds bounds;
+  tp_domain_bounds bounds;
   fmpz_mpoly_q_init(bounds.low, ring);
   fmpz_mpoly_q_init(bounds.high, ring);
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {

@@ -3,8 +3,8 @@
 
 /* Values of formulas about a subject: as rational functions, where they are some, and in balls. */
 
-#ifndef TP_EVALUATE_H
-#define TP_EVALUATE_H
+#ifndef TP_VERIFY_EVALUATE_H
+#define TP_VERIFY_EVALUATE_H
 
 #include "verify/sample.h"
 
@@ -29,7 +29,7 @@ TP_MUST_USE tp_status tp_evaluate_tangent(fmpz_mpoly_q_t value, bool *rational,
 /* The formula at a sample. With `strict`, symbols without a value are bad input. A value that is
  * not finite is left for the caller to judge. */
 TP_MUST_USE tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, tp_subject *subject,
-                                       const tp_sample *sample, bool strict, long bits,
+                                       const tp_claim_sample *sample, bool strict, long bits,
                                        tp_message *message);
 
 /* Units of work (derive/field_work.h) that enclosing a formula takes, definitions included. */

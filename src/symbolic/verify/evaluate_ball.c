@@ -14,7 +14,7 @@
 /* The context of the algebra of balls. */
 typedef struct ball_context {
   tp_subject *subject;
-  const tp_sample *sample;
+  const tp_claim_sample *sample;
   bool strict;
   long bits;
   arb_srcptr symbols;
@@ -224,7 +224,8 @@ static tp_status of_formula(arb_t value, const ball_context *c, const tp_formula
 }
 
 tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, tp_subject *subject,
-                           const tp_sample *sample, bool strict, long bits, tp_message *message) {
+                           const tp_claim_sample *sample, bool strict, long bits,
+                           tp_message *message) {
   ball_context c = {.subject = subject,
                     .sample = sample,
                     .strict = strict,

@@ -3,8 +3,8 @@
 
 /* The search for a mend, and what it tries: other texts of a formula. */
 
-#ifndef TP_MEND_H
-#define TP_MEND_H
+#ifndef TP_VERIFY_MEND_H
+#define TP_VERIFY_MEND_H
 
 #include "verify/question.h"
 

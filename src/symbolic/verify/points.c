@@ -145,7 +145,7 @@ static void beside(fmpq_t value, const fmpq_t zero, unsigned side) {
 }
 
 /* The k-th of all points; false where it is not within the domain. */
-static bool set_point(tp_sample *sample, const tp_points *points, unsigned k) {
+static bool set_point(tp_claim_sample *sample, const tp_points *points, unsigned k) {
   const tp_domain *domain = points->question->subject->domain;
   const unsigned scattered = TP_DOMAIN_NEAR + TP_POINTS_WIDE;
   if (k == 0) return true;
@@ -155,7 +155,7 @@ static bool set_point(tp_sample *sample, const tp_points *points, unsigned k) {
   return tp_domain_holds(domain, sample);
 }
 
-static bool keeps_directions(const tp_points *points, const tp_sample *sample) {
+static bool keeps_directions(const tp_points *points, const tp_claim_sample *sample) {
   bool kept = true;
   for (long k = 0; k < points->direction_count && kept; k++) {
     kept = tp_direction_quadrant(points->directions[k], sample, points->question->subject) ==
@@ -164,7 +164,7 @@ static bool keeps_directions(const tp_points *points, const tp_sample *sample) {
   return kept;
 }
 
-bool tp_points_next(tp_sample *sample, tp_points *points) {
+bool tp_points_next(tp_claim_sample *sample, tp_points *points) {
   const tp_question *q = points->question;
   const unsigned all = TP_DOMAIN_NEAR + TP_POINTS_WIDE + SIDES * (unsigned)points->zero_count;
   while (points->at < all && tp_field_spend(q->subject->field, points->units)) {

@@ -3,8 +3,8 @@
 
 /* The points of a domain at which a claim is looked at, one after the other. */
 
-#ifndef TP_POINTS_H
-#define TP_POINTS_H
+#ifndef TP_VERIFY_POINTS_H
+#define TP_VERIFY_POINTS_H
 
 #include "verify/branches.h"
 #include "verify/question.h"
@@ -35,6 +35,6 @@ TP_MUST_USE tp_status tp_points_init(tp_points *points, const tp_question *quest
 void tp_points_clear(tp_points *points);
 
 /* The next point; false after the last. */
-bool tp_points_next(tp_sample *sample, tp_points *points);
+bool tp_points_next(tp_claim_sample *sample, tp_points *points);
 
 #endif

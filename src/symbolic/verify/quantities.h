@@ -3,8 +3,8 @@
 
 /* The quantities that a block offers to claims; what each is stands in quantities.c. */
 
-#ifndef TP_QUANTITIES_H
-#define TP_QUANTITIES_H
+#ifndef TP_VERIFY_QUANTITIES_H
+#define TP_VERIFY_QUANTITIES_H
 
 #include "verify/subject.h"
 

@@ -4,8 +4,8 @@
 /* Rules of the derived quantities; what each is stands in quantities.c. `run` is a second value
  * where the quantity is a direction, and scratch otherwise. */
 
-#ifndef TP_QUANTITY_RULES_H
-#define TP_QUANTITY_RULES_H
+#ifndef TP_VERIFY_QUANTITY_RULES_H
+#define TP_VERIFY_QUANTITY_RULES_H
 
 #include "verify/subject.h"
 

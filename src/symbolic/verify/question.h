@@ -3,8 +3,8 @@
 
 /* A question about a claim: is what is printed the quantity? */
 
-#ifndef TP_QUESTION_H
-#define TP_QUESTION_H
+#ifndef TP_VERIFY_QUESTION_H
+#define TP_VERIFY_QUESTION_H
 
 #include "verify/sample.h"
 
@@ -14,7 +14,7 @@ typedef struct tp_question {
   const tp_formula *quantity, *printed; /* printed NULL where a number is printed */
   const char *number;                   /* as printed */
   tp_place number_place;
-  const tp_sample *sample;
+  const tp_claim_sample *sample;
   tp_message *message;
 } tp_question;
 

@@ -3,18 +3,18 @@
 
 #include "verify/sample.h"
 
+#include "common/outside.h"
 #include "formula/spelling.h"
 #include "number/ball.h"
 #include "number/ratio.h"
-#include "common/outside.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool tp_sample_init_copy(tp_sample *sample, const tp_sample *other) {
-  *sample = (tp_sample){.values = calloc((size_t)other->count, sizeof *sample->values),
-                        .given = calloc((size_t)other->count, sizeof *sample->given)};
+bool tp_sample_init_copy(tp_claim_sample *sample, const tp_claim_sample *other) {
+  *sample = (tp_claim_sample){.values = calloc((size_t)other->count, sizeof *sample->values),
+                              .given = calloc((size_t)other->count, sizeof *sample->given)};
   if (sample->values == NULL || sample->given == NULL) {
     tp_sample_clear(sample);
     return false;
@@ -28,18 +28,18 @@ bool tp_sample_init_copy(tp_sample *sample, const tp_sample *other) {
   return true;
 }
 
-bool tp_sample_init(tp_sample *sample, const tp_subject *s) {
-  const tp_sample own = {s->field->symbol_count, s->values, s->given};
+bool tp_sample_init(tp_claim_sample *sample, const tp_subject *s) {
+  const tp_claim_sample own = {s->field->symbol_count, s->values, s->given};
   return tp_sample_init_copy(sample, &own);
 }
 
-void tp_sample_clear(tp_sample *sample) {
+void tp_sample_clear(tp_claim_sample *sample) {
   for (long k = 0; sample->values != NULL && k < sample->count; k++) {
     fmpq_clear(sample->values + k);
   }
   free(sample->values);
   free(sample->given);
-  *sample = (tp_sample){0};
+  *sample = (tp_claim_sample){0};
 }
 
 /* The field's symbol that a name is, or -1. */
@@ -62,7 +62,7 @@ long tp_sample_symbol(const tp_subject *s, const char *name) {
   return index >= 0 ? symbol_of(s, s->names + index) : -1;
 }
 
-tp_status tp_sample_set(tp_sample *sample, const tp_subject *s, const char *name,
+tp_status tp_sample_set(tp_claim_sample *sample, const tp_subject *s, const char *name,
                         const fmpq_t value, tp_place place, tp_message *message) {
   const long symbol = tp_sample_symbol(s, name);
   if (symbol < 0) {
@@ -92,7 +92,7 @@ static bool facet_angle(arb_t angle, arb_srcptr symbols, tp_subject *s, long bit
   return true;
 }
 
-arb_ptr tp_sample_balls(const tp_sample *sample, tp_subject *s, long bits) {
+arb_ptr tp_sample_balls(const tp_claim_sample *sample, tp_subject *s, long bits) {
   arb_ptr symbols = _arb_vec_init(sample->count);
   for (long k = 0; k < sample->count; k++) arb_set_fmpq(symbols + k, sample->values + k, bits);
   for (long k = 0; k < s->angle_count; k++) {
@@ -105,7 +105,7 @@ arb_ptr tp_sample_balls(const tp_sample *sample, tp_subject *s, long bits) {
   return symbols;
 }
 
-void tp_sample_evaluate(arb_t value, const fmpz_mpoly_q_t formula, const tp_sample *sample,
+void tp_sample_evaluate(arb_t value, const fmpz_mpoly_q_t formula, const tp_claim_sample *sample,
                         tp_subject *s, long bits) {
   arb_ptr symbols = tp_sample_balls(sample, s, bits);
   tp_field_evaluate_ball(value, formula, symbols, s->field, bits);
@@ -128,7 +128,7 @@ static bool is_function(const tp_subject *s, long symbol) {
   return false;
 }
 
-void tp_sample_text(char *text, size_t size, const tp_sample *sample, const tp_subject *s,
+void tp_sample_text(char *text, size_t size, const tp_claim_sample *sample, const tp_subject *s,
                     const int *used) {
   size_t length = 0;
   text[0] = '\0';

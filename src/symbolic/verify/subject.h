@@ -8,8 +8,8 @@
  * that is derived (the critical angle), or for a formula that the claims file defines. Derived
  * quantities are computed when first asked for. */
 
-#ifndef TP_SUBJECT_H
-#define TP_SUBJECT_H
+#ifndef TP_VERIFY_SUBJECT_H
+#define TP_VERIFY_SUBJECT_H
 
 #include "derive/family.h"
 #include "derive/rounding.h"

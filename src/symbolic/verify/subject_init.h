@@ -4,8 +4,8 @@
 /* A subject from a geometry: its block and pivot, the symbols of its field, the names of the
  * program, of the claims file and of the scene. */
 
-#ifndef TP_SUBJECT_INIT_H
-#define TP_SUBJECT_INIT_H
+#ifndef TP_VERIFY_SUBJECT_INIT_H
+#define TP_VERIFY_SUBJECT_INIT_H
 
 #include "verify/subject.h"
 

@@ -3,8 +3,8 @@
 
 /* Verdicts on the claims of a file. */
 
-#include "derive/field_work.h"
 #include "common/host.h"
+#include "derive/field_work.h"
 #include "verify/claims.h"
 #include "verify/decide.h"
 #include "verify/domain.h"
@@ -93,7 +93,7 @@ static tp_status define(work *w, tp_subject *subject, const tp_node *with) {
 }
 
 /* The values under an `at`. */
-static tp_status set_values(work *w, tp_sample *sample, const tp_subject *subject,
+static tp_status set_values(work *w, tp_claim_sample *sample, const tp_subject *subject,
                             const tp_node *at) {
   if (at == NULL) return TP_OK;
   if (at->kind != TP_NODE_MAPPING) {
@@ -120,7 +120,7 @@ static tp_status set_values(work *w, tp_sample *sample, const tp_subject *subjec
 }
 
 static tp_status decide(work *w, tp_claim_result *result, const tp_claim *claim,
-                        tp_subject *subject, const tp_sample *sample) {
+                        tp_subject *subject, const tp_claim_sample *sample) {
   tp_formula quantity, printed = {0};
   tp_status status = tp_subject_read(&quantity, claim->quantity->text,
                                      text_place(w, claim->quantity), subject, w->message);
@@ -154,7 +154,7 @@ static tp_status decide_claim(work *w, tp_claim_result *result, const tp_claim *
     return tp_fail_memory(w->message, "the verdicts");
   }
   tp_subject *subject = NULL;
-  tp_sample sample = {0};
+  tp_claim_sample sample = {0};
   tp_status status = find_subject(&subject, w, claim);
   if (status != TP_OK) return status;
   subject->field->work->spent = w->spent;
