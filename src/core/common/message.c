@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Formats a message as place, then text, cut to the size of the struct and made plain as one piece
+ * (common/outside.h). */
+
 #include "common/message.h"
 
 #include "common/outside.h"

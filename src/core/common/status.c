@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Meaning and exit status of every status, from the one list in topple.h. */
+/* Meaning and exit status of every status, from the one list in topple_basics.h. */
 
 #include "topple.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes a temporary file in the same folder, copies owner and mode, and renames it, in a thread
+ * with signals blocked; links, pipes, devices and files of several names are written in place. */
+
 #define _GNU_SOURCE
 #include "output/file.h"
 #include "common/message.h"
