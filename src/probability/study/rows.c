@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Opens or continues the file of rows under a lock, checks by its header and its progress that it
+ * is of this study, reads back what is there and appends chunk by chunk. */
+
 #include "study/rows.h"
 
 #include "output/file.h"
