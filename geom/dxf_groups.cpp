@@ -21,10 +21,10 @@ bool is(const tp_dxf_group &group, const char *word) {
 
 /* What dxflib is shown, besides the beginnings of all else. */
 bool is_wanted(const tp_dxf_group &name) {
-  static const char *const wanted[] = {"SECTION",   "ENDSEC",  "EOF",     "BLOCK",      "ENDBLK",
-                                       "LINE",      "VERTEX",  "SEQEND",  "LWPOLYLINE", "POLYLINE",
-                                       "ARC",       "CIRCLE",  "ELLIPSE", "SPLINE",     "INSERT",
-                                       "$INSUNITS", "$ACADVER"};
+  static const char *const wanted[] = {"SECTION",   "ENDSEC",   "EOF",     "BLOCK",      "ENDBLK",
+                                       "LINE",      "VERTEX",   "SEQEND",  "LWPOLYLINE", "POLYLINE",
+                                       "ARC",       "CIRCLE",   "ELLIPSE", "SPLINE",     "INSERT",
+                                       "$INSUNITS", "$ACADVER", "LAYER"};
   for (const char *word : wanted) {
     if (is(name, word)) return true;
   }
@@ -58,6 +58,9 @@ public:
     }
   }
 
+  void addLayer(const DL_LayerData &) override {
+    tell(TP_DXF_LAYER);
+  }
   void addBlock(const DL_BlockData &) override {
     tell(TP_DXF_BLOCK);
   }

@@ -27,6 +27,7 @@ typedef struct tp_dxf_group {
 
 typedef enum tp_dxf_event {
   TP_DXF_VARIABLE, /* of the header: its name, and its value */
+  TP_DXF_LAYER,    /* an entry of the table of layers */
   TP_DXF_BLOCK,
   TP_DXF_BLOCK_END,
   TP_DXF_LINE,

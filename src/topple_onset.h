@@ -38,6 +38,8 @@ typedef struct tp_window {
   bool from_below, to_above;   /* it has no lower end, no upper end, within that range */
   tp_bounded from_deg, to_deg; /* its ends, where it has them */
   tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
+  bool from_by_strength, to_by_strength; /* a little more or less of all strength moves that end;
+                                            told of the ends next to the scene's tilt */
 } tp_window;
 
 /* Tilts from one to another throughout which the same motions can begin. */

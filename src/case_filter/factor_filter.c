@@ -229,6 +229,23 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
   return true;
 }
 
+/* Where the tilt tells beside a change of strength, as at an end of a window that strength does not
+ * move, balls do: that of a gap or of a window that begins at the onset and goes on is known. */
+static bool is_told_without_tilt(const least *l, const tp_case_told *told,
+                                 const tp_filter_state *s) {
+  if (!l->number || told->never || tp_near_is_zero(s->tangent)) return true;
+  if (s->moves &&
+      (tp_filter_begins_from(told, told->onset.tangent, s->tangent) != TP_FILTER_COUNTS ||
+       !goes_on(&told->onset, s->tangent))) {
+    return false;
+  }
+  const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
+  const int order = tp_near_sign(tp_near_sub(fos, l->fos));
+  return (s->moves ? order <= 0 : order >= 0) ||
+         tp_strength_filter_moves_onset(&told->filter->plan, told->shape, told->friction,
+                                        told->onset.tangent);
+}
+
 /* Between windows of motion, where the tilt may tell, balls do. */
 static bool lies_between_windows(const tp_case_told *told, const tp_filter_state *s) {
   return !s->moves && !told->never &&
@@ -238,7 +255,8 @@ static bool lies_between_windows(const tp_case_told *told, const tp_filter_state
 bool tp_factor_filter(tp_case_told_at *at, const tp_case_told *told, const tp_filter_state *s) {
   least l = {.any = false};
   if (lies_between_windows(told, s) || !take_moments(&l, &at->by_moments, told, s) ||
-      !take_sliding(&l, &at->by_shear, told, s) || !take_strength(&l, told, s)) {
+      !take_sliding(&l, &at->by_shear, told, s) || !take_strength(&l, told, s) ||
+      !is_told_without_tilt(&l, told, s)) {
     return false;
   }
   if (!l.any) name(&l, TP_FOS_BY_REDUCTION, TP_MECHANISM_UNDECIDED);

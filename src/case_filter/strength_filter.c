@@ -7,6 +7,7 @@
 #include "case_filter/strength_filter.h"
 
 #include "motion/mode_shares.h"
+#include "motion/strength_change.h"
 
 static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_shape *shape,
                      tp_plan_edge edge, tp_near friction) {
@@ -106,22 +107,39 @@ static bool enclose(tp_near *share, const modes *m, double about) {
   return proven;
 }
 
+/* Where what can begin, or cannot, first changes; false where doubles do not tell. */
+static bool find_change(tp_share_change *change, const modes *m, bool moves) {
+  tp_share_mode mode;
+  tp_share_spans spans = {.count = 0};
+  bool done = true;
+  for (int k = 0; k < count_of(m) && done; k++) {
+    read_mode(&mode, m, k);
+    done = tp_share_spans_add(&spans, &mode);
+  }
+  *change = tp_share_spans_change(&spans, moves);
+  tp_share_spans_clear(&spans);
+  return done;
+}
+
 bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
                              const tp_shape *shape, tp_near friction, tp_near tangent, bool moves,
                              double most) {
   const modes m = {plan, shape, friction, tangent};
-  tp_share_mode mode;
-  tp_share_spans spans = {.count = 0};
-  bool done = true;
-  for (int k = 0; k < count_of(&m) && done; k++) {
-    read_mode(&mode, &m, k);
-    done = tp_share_spans_add(&spans, &mode);
-  }
-  const tp_share_change change = tp_share_spans_change(&spans, moves);
-  tp_share_spans_clear(&spans);
+  tp_share_change change;
+  const bool done = find_change(&change, &m, moves);
   told->found = change.found;
   told->farther = change.found && fabs(log(change.share)) > log(most);
   if (!done || !change.found || told->farther) return done;
   told->mechanism = change.mechanism;
   return enclose(&told->share, &m, change.share);
+}
+
+bool tp_strength_filter_moves_onset(const tp_contact_plan *plan, const tp_shape *shape,
+                                    tp_near friction, tp_near onset) {
+  static const double beside = TP_BESIDE_END_DEG * M_PI / 180;
+  const double t = onset.value;
+  const modes m = {plan, shape, friction, {t + beside * (1 + t * t), 0}};
+  tp_share_change change;
+  return find_change(&change, &m, true) && change.found &&
+         fabs(log(change.share)) < TP_LITTLE_STRENGTH;
 }

@@ -22,4 +22,9 @@ TP_MUST_USE bool tp_strength_filter_find(tp_strength_told *told, const tp_contac
                                          const tp_shape *shape, tp_near friction, tp_near tangent,
                                          bool moves, double most);
 
+/* Does a little more or less friction move the onset (tp_window.from_by_strength)? By the same
+ * search just above it; false where doubles do not tell. */
+TP_MUST_USE bool tp_strength_filter_moves_onset(const tp_contact_plan *plan, const tp_shape *shape,
+                                                tp_near friction, tp_near onset);
+
 #endif

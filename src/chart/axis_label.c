@@ -152,6 +152,11 @@ void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const
   const char *unit = scene->length_unit;
   long number = 0;
   const quantity *q = known(key, &number);
+  if (strcmp(key, "tilt.angle_deg") == 0 && scene->frame == TP_FRAME_WORLD) {
+    *plain = true;
+    snprintf(label, size, "Steepened by (°)");
+    return;
+  }
   *plain = q == NULL;
   if (q != NULL) {
     write_known(label, size, q, number, unit, NULL);

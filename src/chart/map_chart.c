@@ -113,6 +113,11 @@ static tp_status find_numbers(tp_map *map) {
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
   tp_panel_axis axis = {.label = label, .range = from->range};
+  if (is_tilt(from) && map->options->scene->frame == TP_FRAME_WORLD) {
+    snprintf(label, LABEL_SIZE, "Dip that it is steepened to (°)");
+    axis.plain = true;
+    return axis;
+  }
   tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
                 map->options->scene);
   return axis;
@@ -177,7 +182,13 @@ static void set_title(tp_map *map) {
   tp_text text = {0};
   if (own != NULL) tp_text_add(&text, "%s", own);
   if (map->has_tilt && !map->tilts_differ) {
-    tp_text_add(&text, "%s%.6g°", own != NULL ? ", at a tilt of " : "At a tilt of ", map->tilt_deg);
+    if (map->options->scene->frame == TP_FRAME_WORLD) {
+      tp_text_add(&text, "%s%.6g°", own != NULL ? ", as it lies, at " : "As it lies, at ",
+                  map->tilt_deg);
+    } else {
+      tp_text_add(&text, "%s%.6g°", own != NULL ? ", at a tilt of " : "At a tilt of ",
+                  map->tilt_deg);
+    }
   }
   map->chart->failed |= text.failed;
   if (text.data != NULL && !text.failed) tp_chart_set_title(map->chart, text.data);

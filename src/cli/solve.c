@@ -17,6 +17,10 @@ static const char *direction(const tp_case *c) {
   return c->towards == TP_TOWARDS_LEFT ? "left" : "right";
 }
 
+static const char *stance(const tp_solution *solution) {
+  return solution->frame.world ? "as it lies," : "tilted";
+}
+
 /* What a case leaves open; NULL: nothing. */
 static const char *what_is_open(const tp_case *c) {
   if (c->limit.kind == TP_LIMIT_UNDECIDED) return "the limit by contact forces";
@@ -34,8 +38,8 @@ static void print_open(const tp_case *c, const tp_solution *solution, const char
   const char *what = what_is_open(c);
   if (what == NULL) return;
   tp_cli_complain(
-      "%s: undecided at %ld bits: %s, tilted towards the %s; %s", scene, solution->bits, what,
-      direction(c),
+      "%s: undecided at %ld bits: %s, %s towards the %s; %s", scene, solution->bits, what,
+      stance(solution), direction(c),
       c->limit.too_dear || c->onset.too_dear
           ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
             "help, or a tilt farther from where the block lets go"
@@ -44,7 +48,8 @@ static void print_open(const tp_case *c, const tp_solution *solution, const char
 }
 
 /* Why a case does not meet the design factor. */
-static void print_short_of(const tp_case *c, const tp_solve_words *a, const char *scene) {
+static void print_short_of(const tp_case *c, const tp_solution *solution, const tp_solve_words *a,
+                           const char *scene) {
   const tp_governing_fos *g = &c->governing_fos;
   const char *why =
       g->fos.state == TP_FOS_NO_TILT ? "the scene gives no tilt, so no factor: add tilt.angle_deg"
@@ -53,8 +58,8 @@ static void print_short_of(const tp_case *c, const tp_solve_words *a, const char
       : c->mechanism != TP_STANDS && c->mechanism != TP_INTERLOCKED
           ? "at this tilt it is not certain to stand"
           : "its governing factor is below";
-  tp_cli_complain("%s: tilted towards the %s, the design factor of safety %g is not met: %s", scene,
-                  direction(c), a->design_fos, why);
+  tp_cli_complain("%s: %s towards the %s, the design factor of safety %g is not met: %s", scene,
+                  stance(solution), direction(c), a->design_fos, why);
 }
 
 static int judge(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
@@ -68,7 +73,7 @@ static int judge(const tp_solution *solution, const tp_solve_words *a, const cha
   }
   for (size_t k = 0; k < solution->case_count; k++) {
     if (tp_case_meets(solution->cases + k, a->design_fos) == TP_DESIGN_NOT_MET) {
-      print_short_of(solution->cases + k, a, scene);
+      print_short_of(solution->cases + k, solution, a, scene);
     }
   }
   return TP_EXIT_REFUTED;

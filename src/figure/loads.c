@@ -54,14 +54,17 @@ static void draw_water(const tp_panel *p) {
   const tp_water_description *water = &p->figure->problem->scene->loads.water;
   const tp_contact *contact = &p->figure->problem->contact;
   if (!water->given || contact->point_count == 0) return;
-  const bool left = p->state->own->towards == TP_TOWARDS_LEFT;
+  /* behind a block that goes down-dip, before one that goes up-dip */
+  const bool left = (p->state->own->towards == TP_TOWARDS_LEFT) != water->lifts_alone;
   const tp_spot heel = joint_spot(p, left ? 1 : 0), toe = joint_spot(p, left ? 0 : 1);
   double height = in_units(p, water->height.value);
-  if (water->stays_level) height /= fmax(cos(p->state->turn), 0.05);
+  if (water->stays_level && !water->lifts_alone) height /= fmax(cos(p->state->turn), 0.05);
   const double width = WATER_WIDTH * height, side = left ? 1 : -1;
   cairo_new_path(p->cr);
-  fill_triangle(
-      p, (const tp_spot[3]){heel, {heel.x + side * width, heel.y}, {heel.x, heel.y + height}});
+  if (!water->lifts_alone) {
+    fill_triangle(
+        p, (const tp_spot[3]){heel, {heel.x + side * width, heel.y}, {heel.x, heel.y + height}});
+  }
   if (!water->uplift) return;
   fill_triangle(p, (const tp_spot[3]){heel, toe, {heel.x, heel.y - width / 2}});
 }

@@ -124,14 +124,20 @@ static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *
   if (!solution->has_tilt_angle) return;
   const bool moves = own->mechanism == TP_SLIDES || own->mechanism == TP_TOPPLES ||
                      own->mechanism == TP_SLIDES_AND_TOPPLES;
-  tp_text_add(t, " At the scene's tilt of %s° it %s",
-              tp_page_degrees(n[0], solution->tilt_angle_deg),
-              own->mechanism == TP_INTERLOCKED          ? "stands"
-              : moves && tp_onset_is_known(&own->onset) ? "does not stand"
-                                                        : tp_mechanism_name(own->mechanism));
+  tp_text_add(
+      t, solution->frame.world ? " As it lies, at %s°, it %s" : " At the scene's tilt of %s° it %s",
+      tp_page_degrees(n[0], solution->tilt_angle_deg),
+      own->mechanism == TP_INTERLOCKED          ? "stands"
+      : moves && tp_onset_is_known(&own->onset) ? "does not stand"
+                                                : tp_mechanism_name(own->mechanism));
   const bool passed = own->mechanism == TP_STANDS && own->margin_deg.value < 0; /* a window */
   if (own->has_margin && own->mechanism != TP_MAY_MOVE && !passed) {
-    tp_text_add(t, ", a margin of %s°", degrees(n[1], own->margin_deg));
+    degrees(n[1], own->margin_deg);
+    if (solution->frame.world) {
+      tp_text_add(t, "; it may %s by %s°", tp_text_steepen(solution), n[1]);
+    } else {
+      tp_text_add(t, ", a margin of %s°", n[1]);
+    }
   }
   tp_text_add(t, ".");
 }
@@ -159,7 +165,9 @@ static void add_loads(tp_text *t, const tp_figure *figure) {
     bool acts;
     const char *name;
   } kinds[] = {{l->horizontal.given || l->vertical.given, "earthquake"},
-               {l->water.given, l->water.uplift ? "water and uplift" : "water"},
+               {l->water.given, l->water.lifts_alone ? "uplift of water"
+                                : l->water.uplift    ? "water and uplift"
+                                                     : "water"},
                {l->pressure_count > 0, "pressure"},
                {l->surcharge_count > 0, "surcharge"},
                {l->anchor_count > 0, l->anchor_count > 1 ? "anchors" : "anchor"},
@@ -185,7 +193,9 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
                                        [TP_STATE_LEVEL] = "drawn level"};
   char n[TP_NUMBER_SIZE];
   tp_text t = {0};
-  tp_text_add(&t, "%s: %s", tp_text_stance(figure->solution, state->own), states[state->kind]);
+  const bool lies = state->kind == TP_STATE_SCENE && figure->solution->frame.world;
+  tp_text_add(&t, "%s: %s", tp_text_stance(figure->solution, state->own),
+              lies ? "drawn as it lies" : states[state->kind]);
   if (state->kind == TP_STATE_LIMIT && figure->solution->has_friction) {
     tp_text_add(&t, ", φ = %s°%s", tp_page_degrees(n, figure->solution->friction_angle_deg),
                 figure->solution->friction_facet_count > 0 ? " but on some facets" : "");
@@ -206,8 +216,7 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   if (verdict.length > 0) tp_text_add(&verdict, ". ");
   const size_t begin = verdict.length;
   if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
-    tp_text_add(&verdict, "Does not hold even %s: ",
-                figure->solution->frame.level ? "as it lies" : "on level ground");
+    tp_text_add(&verdict, "Does not hold even %s: ", tp_text_level(figure->solution));
   }
   add_limit(&verdict, figure, state, &state->own->limit);
   add_base(&verdict, figure, state);

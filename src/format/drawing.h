@@ -43,6 +43,7 @@ typedef struct tp_drawing {
   const char *path;      /* borrowed: outlives it */
   const char *unit;      /* "mm", "cm", "m", "km", "in", "ft"; NULL: the file does not say */
   const char *unit_from; /* where the file says it, a static text; with the unit */
+  double page_unit_m;    /* how long one of its units is on its page; 0: it has none */
   long count, room;
   tp_drawing_object *objects;
   long hidden;    /* objects of the file that are not shown, and were left out */

@@ -5,7 +5,7 @@
 
 #include "format/dxf.h"
 
-#include "format/dxf_reader.h"
+#include "format/dxf_shown.h"
 #include "grow.h"
 
 #include <ctype.h>
@@ -168,8 +168,10 @@ static bool take_entity(tp_dxf_reader *r, tp_dxf_event event, const tp_dxf_entit
 static bool visit(void *context, tp_dxf_event event, const tp_dxf_group *items, size_t count) {
   tp_dxf_reader *r = context;
   const tp_dxf_entity entity = {items, count};
-  bool paper = false;
+  bool paper = false, shown = true;
   switch (event) {
+  case TP_DXF_LAYER:
+    return tp_dxf_layer_add(r, &entity);
   case TP_DXF_VARIABLE:
     return tp_dxf_says(items, "$INSUNITS") ? take_unit(r, &entity) : take_version(r, &entity);
   case TP_DXF_BLOCK:
@@ -184,7 +186,9 @@ static bool visit(void *context, tp_dxf_event event, const tp_dxf_group *items, 
     break;
   }
   if (!tp_dxf_sequence_end(r) || !is_of_paper(r, &entity, &paper)) return false;
-  return paper || take_entity(r, event, &entity);
+  if (paper) return true;
+  if (!tp_dxf_shown(r, &shown, &entity, event == TP_DXF_INSERT)) return false;
+  return !shown || take_entity(r, event, &entity);
 }
 
 static tp_status read_groups(tp_dxf_reader *r, const groups *all) {
@@ -194,7 +198,7 @@ static tp_status read_groups(tp_dxf_reader *r, const groups *all) {
   if (visited != TP_GEOM_OK) {
     return fail(r->drawing, r->message, 0, "dxflib does not read this DXF; export it again");
   }
-  if (!tp_dxf_sequence_end(r) || !tp_dxf_insert_all(r)) return r->status;
+  if (!tp_dxf_sequence_end(r) || !tp_dxf_insert_all(r) || !tp_dxf_shown_note(r)) return r->status;
   return TP_OK;
 }
 
@@ -234,6 +238,7 @@ tp_status tp_dxf_read(tp_drawing *drawing, const tp_text_file *file,
     fmpq_init(reader.height);
     status = read_groups(&reader, &all);
     tp_dxf_inserts_clear(&reader);
+    free(reader.layers);
     tp_drawing_clear(&reader.parts);
     fmpq_clear(reader.height);
   }

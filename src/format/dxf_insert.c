@@ -9,7 +9,7 @@
  * object on layer 0 of a block is on the layer of the insert. */
 
 #include "format/drawing_work.h"
-#include "format/dxf_reader.h"
+#include "format/dxf_shown.h"
 #include "format/dxf_use.h"
 #include "grow.h"
 
@@ -179,6 +179,7 @@ static bool copy_object(tp_dxf_reader *r, const tp_drawing_object *from, const t
                         const char *layer, const char *problem) {
   const bool follows = strcmp(from->layer, "0") == 0;
   const char *own = follows ? layer : from->layer;
+  if (follows && !tp_dxf_shown_on(r, own)) return true;
   if (r->sparing && !tp_dxf_use_object(r, own, from->name)) return true;
   tp_drawing_object *object =
       tp_drawing_add(r->drawing, from->kind, own, from->name, from->line.mark);

@@ -29,6 +29,13 @@ typedef struct tp_dxf_insert {
   const char *problem; /* of all that it puts there */
 } tp_dxf_insert;
 
+/* A layer that is off or frozen, and how many objects on it were left out. */
+typedef struct tp_dxf_layer {
+  tp_dxf_group name;
+  bool frozen; /* else it is off */
+  long left_out;
+} tp_dxf_layer;
+
 typedef struct tp_dxf_reader {
   tp_drawing *drawing; /* objects of the file itself */
   tp_drawing parts;    /* objects of its blocks */
@@ -47,6 +54,10 @@ typedef struct tp_dxf_reader {
   fmpq_t height;               /* z of its first vertex */
   bool has_height;
   bool comma; /* a decimal comma was noted */
+  tp_dxf_layer *layers;
+  long layer_count, layer_room;
+  long invisible;   /* objects that are so by their own word */
+  int first_hidden; /* the line of the first object that is not shown */
 } tp_dxf_reader;
 
 /* The groups of an entity. */

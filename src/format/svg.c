@@ -6,6 +6,7 @@
 #include "format/svg.h"
 
 #include "format/svg_collect.h"
+#include "format/svg_page.h"
 #include "format/svg_seen.h"
 #include "format/svg_shape.h"
 #include "grow.h"
@@ -249,6 +250,7 @@ static void begin(void *context, const XML_Char *qualified, const XML_Char **giv
   tp_svg_property bad = TP_SVG_VISIBILITY;
   frame *own = push(r);
   if (own == NULL) return;
+  if (r->depth == 1) r->drawing->page_unit_m = tp_svg_page_unit(attributes);
   tp_svg_style(values, &r->sheets, name, attributes);
   if (!tp_svg_seen_within(&own->seen, name, values, &bad)) {
     stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r), "its '%s' is no value of CSS",

@@ -116,28 +116,46 @@ static tp_status check_sense(const tp_line_load *loads, long count, const tp_pol
   return TP_OK;
 }
 
+/* Does a point of the outline stand as high above the heel, normal to the mean plane? */
+static bool reaches(const tp_polyline *ring, long k, const tp_scene *scene, const fmpq_t heel_x,
+                    const fmpq_t heel_y) {
+  const tp_base_description *base = &scene->base;
+  fmpq_t x, height;
+  fmpq_init(x);
+  fmpq_init(height);
+  fmpq_sub(height, ring->y + k, heel_y);
+  if (base->beyond_cosine != NULL) {
+    fmpq_sub(x, ring->x + k, heel_x);
+    fmpq_mul(height, height, base->beyond_cosine);
+    fmpq_submul(height, x, base->beyond_sine);
+  }
+  const bool own = fmpq_cmp(height, scene->loads.water.height.value) >= 0;
+  fmpq_clear(x);
+  fmpq_clear(height);
+  return own;
+}
+
 tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
-                               const fmpq_t heel_y, const char *towards, tp_message *message) {
+                               const fmpq_t heel_x, const fmpq_t heel_y, const char *towards,
+                               tp_message *message) {
   const tp_water_description *water = &scene->loads.water;
   const tp_polyline *ring = section->rings;
   if (!water->given) return TP_OK;
-  fmpq_t top;
-  fmpq_init(top);
-  fmpq_set(top, ring->y);
-  for (long k = 1; k < ring->count; k++) {
-    if (fmpq_cmp(ring->y + k, top) > 0) fmpq_set(top, ring->y + k);
-  }
-  fmpq_sub(top, top, heel_y);
-  const bool above = fmpq_cmp(water->height.value, top) > 0;
-  fmpq_clear(top);
+  bool above = true;
+  for (long k = 0; k < ring->count && above; k++) above = !reaches(ring, k, scene, heel_x, heel_y);
   const tp_quantity *tilt = &scene->tilt_angle_deg;
   const bool upright = fmpq_cmp_si(tilt->value, 90) == 0 || fmpq_cmp_si(tilt->value, -90) == 0;
-  if (upright && water->stays_level && !fmpq_is_zero(water->height.value)) {
+  if (upright && water->stays_level && !water->lifts_alone && !fmpq_is_zero(water->height.value)) {
     return tp_fail(message, TP_BAD_INPUT, tilt->place,
                    "at 90° the face behind the block lies level, and water that stays level never "
                    "comes to its end; give a tilt below, or leave out 'stays_level'");
   }
   if (!above) return TP_OK;
+  if (scene->frame == TP_FRAME_WORLD) {
+    return tp_fail(message, TP_BAD_INPUT, water->height.place,
+                   "the water stands above the top of the block: its height counts from the up-dip "
+                   "end of the joint below it, normal to the mean plane; lower it");
+  }
   return tp_fail(
       message, TP_BAD_INPUT, water->height.place,
       "the water stands above the top of the block when it is tilted towards the %s: its "

@@ -14,11 +14,11 @@
 TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *section,
                                      tp_message *message);
 
-/* Refuse water that stands above the block's top already on level ground. `heel_y` is the height of
- * the up-dip end of the base joint, in scene lengths, when the table is tilted `towards` a side. */
+/* Refuse water that stands above the block's top, normal to the mean plane. The heel is the up-dip
+ * end of the base joint, in scene lengths; the block goes `towards` a side. */
 TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
-                                           const fmpq_t heel_y, const char *towards,
-                                           tp_message *message);
+                                           const fmpq_t heel_x, const fmpq_t heel_y,
+                                           const char *towards, tp_message *message);
 
 /* Does a point lie on the edge from the k-th vertex of the outline on, or in or on all of it? */
 bool tp_loads_on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y);

@@ -14,9 +14,14 @@ static bool is_seismic(const tp_loads_description *loads) {
   return loads->horizontal.given || loads->vertical.given;
 }
 
+static bool pushes(const tp_water_description *water) {
+  return water->given && !water->lifts_alone;
+}
+
 long tp_loads_count(const tp_loads_description *loads) {
-  return 1 + is_seismic(loads) + loads->water.given + (loads->water.given && loads->water.uplift) +
-         loads->pressure_count + loads->surcharge_count + loads->anchor_count;
+  return 1 + is_seismic(loads) + pushes(&loads->water) +
+         (loads->water.given && loads->water.uplift) + loads->pressure_count +
+         loads->surcharge_count + loads->anchor_count;
 }
 
 bool tp_loads_are_called_for(const tp_loads_description *loads) {
@@ -41,7 +46,7 @@ void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
   const tp_loads_description *d = &s->scene->loads;
   tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
   if (is_seismic(d)) tp_load_seismic(&next(&loads, TP_LOAD_SEISMIC, d->seismic_place)->wrench, s);
-  if (d->water.given) tp_load_water(&next(&loads, TP_LOAD_WATER, d->water.place)->wrench, s);
+  if (pushes(&d->water)) tp_load_water(&next(&loads, TP_LOAD_WATER, d->water.place)->wrench, s);
   if (d->water.given && d->water.uplift) {
     tp_load_uplift(&next(&loads, TP_LOAD_UPLIFT, d->water.place)->wrench, s);
   }

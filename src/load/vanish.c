@@ -5,12 +5,14 @@
 
 void tp_exact_setting_init(tp_exact_setting *s, const tp_scene *scene, bool mirrored) {
   *s = (tp_exact_setting){.scene = scene, .mirrored = mirrored};
-  fmpq *const all[] = {s->x, s->y, s->heel_x, s->heel_y, s->toe_x, s->pivot_x, s->pivot_y};
+  fmpq *const all[] = {s->x,     s->y,     s->heel_x,  s->heel_y,
+                       s->toe_x, s->toe_y, s->pivot_x, s->pivot_y};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
 }
 
 void tp_exact_setting_clear(tp_exact_setting *s) {
-  fmpq *const all[] = {s->x, s->y, s->heel_x, s->heel_y, s->toe_x, s->pivot_x, s->pivot_y};
+  fmpq *const all[] = {s->x,     s->y,     s->heel_x,  s->heel_y,
+                       s->toe_x, s->toe_y, s->pivot_x, s->pivot_y};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
 }
 
@@ -78,7 +80,41 @@ static bool set_water(exact_force *f, const tp_exact_setting *s) {
   return true;
 }
 
+/* Of a block that goes up-dip, as load/water.c has it: at a third from the heel of the water along
+ * the mean plane, normal to that. */
+static void set_uplift_up_dip(exact_force *f, const tp_exact_setting *s) {
+  const tp_base_description *base = &s->scene->base;
+  const bool level = s->scene->loads.water.stays_level;
+  fmpq_t sine, length;
+  fmpq_init(sine);
+  fmpq_init(length);
+  fmpq_abs(sine, base->beyond_sine);
+  fmpq_sub(f->x, s->heel_x, s->toe_x);
+  fmpq_mul(length, f->x, base->beyond_cosine);
+  fmpq_sub(f->y, s->toe_y, s->heel_y);
+  fmpq_addmul(length, f->y, sine);
+  fmpq_div_fmpz(length, length, (const fmpz[]){3});
+  fmpq_set(f->x, s->toe_x);
+  fmpq_addmul(f->x, length, base->beyond_cosine);
+  fmpq_set(f->y, s->toe_y);
+  fmpq_submul(f->y, length, sine);
+  fmpq_set(f->fx + TP_ONE, sine);
+  fmpq_set(f->fy + TP_ONE, base->beyond_cosine);
+  fmpq *const both[2] = {f->fx, f->fy};
+  for (int k = 0; k < 2 && !level; k++) {
+    fmpq_mul(both[k] + TP_COS, both[k] + TP_ONE, base->beyond_cosine);
+    fmpq_mul(both[k] + TP_SIN, both[k] + TP_ONE, sine);
+    fmpq_zero(both[k] + TP_ONE);
+  }
+  fmpq_clear(sine);
+  fmpq_clear(length);
+}
+
 static bool set_uplift(exact_force *f, const tp_exact_setting *s) {
+  if (s->scene->loads.water.lifts_alone) {
+    set_uplift_up_dip(f, s);
+    return true;
+  }
   fmpq_mul_si(f->x, s->heel_x, 2);
   fmpq_add(f->x, f->x, s->toe_x);
   fmpq_div_fmpz(f->x, f->x, (const fmpz[]){3});

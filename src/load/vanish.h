@@ -21,7 +21,7 @@ typedef struct tp_exact_setting {
   bool mirrored;
   bool has_centroid; /* of the weight: known exactly */
   fmpq_t x, y;
-  fmpq_t heel_x, heel_y, toe_x; /* of the base joint, where there is water */
+  fmpq_t heel_x, heel_y, toe_x, toe_y; /* of the base joint, where there is water */
   fmpq_t pivot_x, pivot_y;
 } tp_exact_setting;
 

@@ -288,3 +288,16 @@ tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
   tp_mode_reading_clear(&r.reading);
   return done == TP_MOTION_PROVEN && !proven ? TP_MOTION_OPEN : done;
 }
+
+tp_motion_outcome tp_strength_change_of_modes(double *share, const tp_strength_asked *asked) {
+  searching r = {.asked = asked};
+  tp_share_spans spans = {.count = 0};
+  tp_mode_reading_init(&r.reading, asked->question, asked->motions, asked->degrees);
+  const bool all = search(&spans, &r);
+  const tp_share_change found = tp_share_spans_change(&spans, asked->can_begin);
+  *share = found.found ? found.share : 0;
+  const tp_motion_outcome done = r.reading.outcome;
+  tp_share_spans_clear(&spans);
+  tp_mode_reading_clear(&r.reading);
+  return done == TP_MOTION_PROVEN && !all ? TP_MOTION_OPEN : done;
+}

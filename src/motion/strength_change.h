@@ -15,6 +15,11 @@
 
 #include "motion/motion.h"
 
+/* Does a change of strength move an end of a window of motion? As far inside it as this, a change
+ * of strength by this, as a logarithm, then ends what can begin. */
+#define TP_BESIDE_END_DEG 1e-6
+#define TP_LITTLE_STRENGTH 1e-3
+
 /* What is asked: the motions at the strength as given, with all modes kept, and a tilt. */
 typedef struct tp_strength_asked {
   const tp_motion_question *question;
@@ -41,5 +46,10 @@ void tp_strength_change_clear(tp_strength_change *change);
 
 TP_MUST_USE tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
                                                       const tp_strength_asked *asked);
+
+/* The share nearest to 1 at which the modes alone change it, as the search in doubles has it; 0
+ * where there is none. */
+TP_MUST_USE tp_motion_outcome tp_strength_change_of_modes(double *share,
+                                                          const tp_strength_asked *asked);
 
 #endif

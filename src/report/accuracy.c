@@ -76,9 +76,9 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
     tp_text_add(&t, "\n\n");
   }
   tp_text_add(&t,
-              a->sweep ? "What accuracy costs on rough blocks of growing size, tilted towards "
+              a->sweep ? "What accuracy costs on rough blocks of growing size, towards "
                          "the left:\nangles in degrees, against their exact values\n\n%10s  "
-                       : "What accuracy costs, tilted towards the %s: angles in degrees, "
+                       : "What accuracy costs, towards the %s: angles in degrees, "
                          "against their\nexact values\n\n",
               a->sweep ? "vertices" : tp_text_direction(a->towards));
   tp_text_add(&t, "%-25s%-12s %5s %11s %10s %10s\n", "method", "arithmetic", "bits", "time",

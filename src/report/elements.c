@@ -17,8 +17,11 @@ static void add_account(tp_page *p, const tp_case *c) {
   if (a->count == 0) return;
   tp_text_add(&p->text, "\nMoments by elements");
   tp_page_add_centre(p, c, c->pivots[c->governing].x_m, c->pivots[c->governing].y_m);
-  tp_text_add(&p->text, ",\ntilted towards the %s by %s°%s\n", tp_text_direction(c->towards),
-              tp_page_degrees(n[0], a->angle_deg),
+  tp_text_add(&p->text,
+              !s->frame.world        ? ",\ntilted towards the %s by %s°%s\n"
+              : a->at_critical_angle ? ",\nsteepened towards the %s to %s°%s\n"
+                                     : ",\nas it lies, towards the %s, at %s°%s\n",
+              tp_text_direction(c->towards), tp_page_degrees(n[0], a->angle_deg),
               a->at_critical_angle ? ", the critical angle" : "");
   snprintf(head[0], sizeof head[0], "weight (%s)", units.weight);
   snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);

@@ -5,6 +5,7 @@
 
 #include "report/first.h"
 #include "report/onset.h"
+#include "report/words.h"
 
 static const char *base_text(const tp_limit *l) {
   return l->base_beyond_toe ? "goes on past the toe" : "ends at the toe";
@@ -128,10 +129,8 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, ".\n");
   if (l->kind == TP_LIMIT_AT_ANGLE &&
       l->critical_angle_deg.value + l->critical_angle_deg.error < 0) {
-    tp_text_add(&p->text,
-                p->solution->frame.level
-                    ? "  Below 0: as it lies nothing holds it.\n"
-                    : "  Below 0: on level ground nothing holds it, nor at any tilt above.\n");
+    tp_text_add(&p->text, "  Below 0: %s nothing holds it%s.\n", tp_text_level(p->solution),
+                p->solution->frame.level ? "" : ", nor at any tilt above");
   }
   if (l->tie) {
     tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit",

@@ -19,8 +19,12 @@ bool tp_onset_leaves_window(const tp_case *c) {
 static void add_margin(tp_page *p, tp_bounded angle) {
   char n[TP_NUMBER_SIZE];
   const tp_bounded margin = tp_text_less(angle, p->solution->tilt_angle_deg);
-  if (p->solution->has_tilt_angle && margin.value > margin.error) {
-    tp_text_add(&p->text, ", a margin of %s°", tp_text_fixed(n, margin, 3));
+  if (!p->solution->has_tilt_angle || margin.value <= margin.error) return;
+  tp_text_fixed(n, margin, 3);
+  if (p->solution->frame.world) {
+    tp_text_add(&p->text, ", %s by %s°", tp_text_tilted(p->solution), n);
+  } else {
+    tp_text_add(&p->text, ", a margin of %s°", n);
   }
 }
 
@@ -51,19 +55,24 @@ static void add_stands(tp_page *p, const tp_case *c) {
     return;
   }
   if (o->kind == TP_ONSET_NOWHERE) {
-    tp_text_add(&p->text, o->window_count > 1
-                              ? "  Not certain to stand on level ground, however it is tilted back"
-                              : "  Not certain to stand at any tilt");
+    if (o->window_count > 1) {
+      tp_text_add(&p->text, "  Not certain to stand %s, however it is %s back",
+                  tp_text_level(p->solution), p->solution->frame.world ? "turned" : "tilted");
+    } else {
+      tp_text_add(&p->text, "  Not certain to stand at any tilt");
+    }
     add_beginning(p, c);
     return;
   }
   tp_text_fixed(n, o->critical_angle_deg, 3);
   if (o->critical_angle_deg.value < 0) {
-    tp_text_add(&p->text,
-                p->solution->frame.level
-                    ? "  Not certain to stand as it lies, but only where that is turned by %s°"
-                    : "  Not certain to stand even on level ground, but only below %s°",
-                n);
+    if (p->solution->frame.level) {
+      tp_text_add(&p->text,
+                  "  Not certain to stand as it lies, but only where that is turned by %s°", n);
+    } else {
+      tp_text_add(&p->text, "  Not certain to stand even %s, but only below %s°",
+                  tp_text_level(p->solution), n);
+    }
     add_beginning(p, c);
     return;
   }
@@ -157,11 +166,11 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
   if (tp_onset_leaves_window(c)) {
     tp_text_add(&p->text,
                 "  %s history decides: friction on facets that nothing has pressed\n"
-                "  could hold it. How it came to lie there would tell, or a tilt test, or the\n"
-                "  tilting table.\n",
+                "  could hold it. How it came to lie there would tell%s.\n",
                 c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between them"
                 : c->onset.kind == TP_ONSET_AT_ANGLE ? "Beyond α_s"
-                                                     : "Beyond that");
+                                                     : "Beyond that",
+                p->solution->frame.world ? "" : ", or a tilt test, or the\n  tilting table");
   }
   tp_page_add_windows(p, &c->onset);
   if (c->onset.paradox) {

@@ -32,6 +32,8 @@ static void add_windows(tp_json *j, const tp_onset *o) {
     tp_json_known(j, "from_deg", !w->from_below, w->from_deg);
     tp_json_known(j, "to_deg", !w->to_above, w->to_deg);
     tp_json_string(j, "begins", tp_mechanism_name(w->begins));
+    tp_json_truth(j, "from_by_strength", w->from_by_strength);
+    tp_json_truth(j, "to_by_strength", w->to_by_strength);
     tp_json_close(j);
   }
   tp_json_close(j);

@@ -109,7 +109,7 @@ static void add_anchor(tp_json *j, const tp_shape *s, const tp_problem *problem,
 
 static void add_loads(tp_json *j, const tp_shape *s, const tp_problem *problem) {
   const tp_loads_description *loads = &problem->scene->loads;
-  if (loads->water.given) {
+  if (loads->water.given && !loads->water.lifts_alone) {
     tp_json_object(j, "water", TP_JSON_LINE);
     tp_json_double(j, "height_m",
                    fmpq_get_d(loads->water.height.value) *

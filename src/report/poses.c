@@ -98,9 +98,9 @@ static void add_least(tp_page *p) {
     const tp_resting_pose *pose = r->poses + least;
     const tp_pose_verdict *v = pose->verdicts + c;
     char n[TP_NUMBER_SIZE + 4];
-    tp_text_add(&p->text,
-                "  Tilted towards the %s pose %zu lets go first: ", tp_text_direction(v->towards),
-                least + 1);
+    tp_text_add(&p->text, "  %s the %s pose %zu lets go first: ",
+                p->solution->frame.world ? "Towards" : "Tilted towards",
+                tp_text_direction(v->towards), least + 1);
     if (v->has_first_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
     tp_text_add(&p->text, "%s.\n", tp_mechanism_name(v->first));
   }

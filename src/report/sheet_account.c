@@ -7,6 +7,7 @@
 
 #include "report/account_units.h"
 #include "report/loads.h"
+#include "report/words.h"
 
 #include <string.h>
 
@@ -22,12 +23,15 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &page.text);
   if (!c->has_governing || c->load_count == 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "Their moments are told about a governing pivot at the scene's tilt, where "
-                    "there are both.");
+                    "Their moments are told about a governing pivot %s, where there are both.",
+                    tp_text_present(s->solution));
     return;
   }
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2,
-                    "Moments about the governing pivot at the scene's tilt, overturning positive");
+                    s->solution->frame.world
+                        ? "Moments about the governing pivot as it lies, overturning positive"
+                        : "Moments about the governing pivot at the scene's tilt, overturning "
+                          "positive");
   tp_document_cell(d, "Load");
   const tp_result_unit unit = s->solution->result_units.moment;
   tp_document_cell(d, "Moment (%s)", unit.name != NULL ? unit.name : "N m");

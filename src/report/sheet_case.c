@@ -159,13 +159,17 @@ void tp_sheet_add_window(tp_sheet *s, const tp_case *c) {
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
                     "Tilts up to which it stands and beyond which it moves");
   if (s->solution->has_tilt_angle) {
-    tp_document_cell(d, "Tilt of the scene");
+    tp_document_cell(d, s->solution->frame.world ? "As it lies" : "Tilt of the scene");
     tp_document_cell(d, "α = %s°", tp_page_degrees(n, s->solution->tilt_angle_deg));
   }
   add_onset(d, &c->onset);
   add_limit(s, c);
   if (c->has_margin) {
-    tp_document_cell(d, "Margin to the lower of them");
+    if (s->solution->frame.world) {
+      tp_document_cell(d, "It may %s by", tp_text_steepen(s->solution));
+    } else {
+      tp_document_cell(d, "Margin to the lower of them");
+    }
     tp_document_cell(d, "%s°", tp_text_fixed(n, c->margin_deg, 3));
   }
 }

@@ -95,7 +95,7 @@ void tp_sheet_add_motions(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const tp_onset *o = &c->onset;
   if (!o->has_motions || o->motion_count == 0) return;
-  tp_document_heading(d, 3, "Motions that can begin at the scene's tilt");
+  tp_document_heading(d, 3, "Motions that can begin %s", tp_text_present(s->solution));
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x38, "Accelerations of the centroid, g gravity");
   tp_document_cell(d, "Motion");
   tp_document_cell(d, "About (%s)", s->solution->length_unit);

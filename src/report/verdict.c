@@ -76,8 +76,7 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], c->first_angle_deg, 3);
   if (!c->has_margin_to_first && c->first_angle_deg.value < 0) {
-    tp_text_add(&p->text, "  Does not hold even %s: it\n  ",
-                p->solution->frame.level ? "as it lies" : "on level ground");
+    tp_text_add(&p->text, "  Does not hold even %s: it\n  ", tp_text_level(p->solution));
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
@@ -87,8 +86,8 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
     if (c->mechanism == TP_MECHANISM_UNDECIDED) {
       tp_text_add(&p->text, "Whether it stands %s is undecided. ", where);
     }
-    tp_text_add(&p->text, p->solution->frame.world ? "As it is steepened, it\n  "
-                                                   : "As the table is tilted, it\n  ");
+    tp_text_add(&p->text, "As %s is %s, it\n  ", p->solution->frame.world ? "it" : "the table",
+                tp_text_tilted(p->solution));
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
@@ -96,14 +95,17 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   if (c->mechanism == TP_STANDS) {
     tp_text_add(&p->text, "  Stands %s%s. %s, it\n  ", where,
                 c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "",
-                p->solution->frame.world ? "Steepened" : "Tilted further");
+                p->solution->frame.level   ? "Turned"
+                : p->solution->frame.world ? "Steepened"
+                                           : "Tilted further");
   } else {
     tp_text_add(&p->text, "  Does not stand %s: it\n  ", where);
   }
   tp_page_add_first(p, c);
   tp_text_fixed(n[1], c->margin_to_first_deg, 3);
   if (p->solution->frame.world && c->mechanism == TP_STANDS) {
-    tp_text_add(&p->text, "\n  at %s°: it may steepen by %s°.\n", n[0], n[1]);
+    tp_text_add(&p->text, "\n  at %s°: it may %s by %s°.\n", n[0], tp_text_steepen(p->solution),
+                n[1]);
   } else {
     tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0], n[1]);
   }

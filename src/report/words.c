@@ -97,6 +97,24 @@ const char *tp_text_stance(const tp_solution *solution, const tp_case *of) {
   return left ? "Tilted towards the left" : "Tilted towards the right";
 }
 
+const char *tp_text_level(const tp_solution *solution) {
+  if (solution->frame.level) return "as it lies";
+  return solution->frame.world ? "where its mean plane is level" : "on level ground";
+}
+
+const char *tp_text_tilted(const tp_solution *solution) {
+  if (solution->frame.level) return "turned";
+  return solution->frame.world ? "steepened" : "tilted";
+}
+
+const char *tp_text_steepen(const tp_solution *solution) {
+  return solution->frame.level ? "turn" : "steepen";
+}
+
+const char *tp_text_present(const tp_solution *solution) {
+  return solution->frame.world ? "as it lies" : "at the scene's tilt";
+}
+
 const char *tp_text_table(const tp_tilt_test *test, const tp_tilt_case *of) {
   if (test->settings.protocol == TP_TILT_RELEASE && test->settings.release_deg == 0) {
     return "On level ground";

@@ -20,6 +20,15 @@ const char *tp_text_direction(tp_direction direction);
 /* How the block of a case stands before its angle is told: "Tilted towards the left"; of a scene in
  * the frame of the world "As it lies, towards the left", the side that it can go to. */
 const char *tp_text_stance(const tp_solution *solution, const tp_case *of);
+/* Where tilts count from: "on level ground"; of a scene in the frame of the world "where its mean
+ * plane is level", or "as it lies" where that is what they count from. */
+const char *tp_text_level(const tp_solution *solution);
+/* What a tilt from there on is: "tilted", in the frame of the world "steepened", or "turned" where
+ * they count from how it lies, up-dip; and the same as a verb, "steepen" or "turn". */
+const char *tp_text_tilted(const tp_solution *solution);
+const char *tp_text_steepen(const tp_solution *solution);
+/* "at the scene's tilt", or in the frame of the world "as it lies". */
+const char *tp_text_present(const tp_solution *solution);
 /* How the table of a tilt test stands: "Tilted towards the left", "On level ground". */
 const char *tp_text_table(const tp_tilt_test *test, const tp_tilt_case *of);
 

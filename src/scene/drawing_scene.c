@@ -27,12 +27,13 @@ static bool add_drawing(tp_node *root, const char *name, const char *unit) {
   return unit[0] == '\0' || tp_node_add(drawing, "unit", TP_NODE_SCALAR, unit) != NULL;
 }
 
-/* length_unit: …, block: {outline: {mesh: …}}; likewise. */
+/* length_unit: …, block: {outline: {mesh: …, unit: …}}; likewise. */
 static bool add_mesh(tp_node *root, const char *name, const char *unit) {
   if (tp_node_add(root, "length_unit", TP_NODE_SCALAR, unit) == NULL) return false;
   tp_node *block = tp_node_add(root, "block", TP_NODE_MAPPING, NULL);
   tp_node *outline = block != NULL ? tp_node_add(block, "outline", TP_NODE_MAPPING, NULL) : NULL;
-  return outline != NULL && tp_node_add(outline, "mesh", TP_NODE_SCALAR, name) != NULL;
+  return outline != NULL && tp_node_add(outline, "mesh", TP_NODE_SCALAR, name) != NULL &&
+         tp_node_add(outline, "unit", TP_NODE_SCALAR, unit) != NULL;
 }
 
 /* topple: 1, and the file; NULL when memory is exhausted. */

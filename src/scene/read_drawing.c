@@ -9,6 +9,7 @@
 #include "scene/drawn.h"
 #include "scene/read.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -121,6 +122,25 @@ static tp_status read_keys(const tp_reader *reader, drawing_keys *k, const tp_no
 /* ---- unit --------------------------------------------------------------------------------------
  */
 
+/* A page that says how long its units are, and is drawn to no scale of 1, 10, 100 … or one to 10, …
+ * in the unit that the scene says: the two were likely taken for each other, as pixels for
+ * millimetres. */
+static tp_status check_page(const tp_reader *reader, const drawing_keys *k, tp_drawing *drawing,
+                            const char *unit, const fmpq_t metres) {
+  static const double within = 1e-3, mm = 1000;
+  const double page_m = drawing->page_unit_m;
+  if (page_m <= 0 || k->options.reference != NULL) return TP_OK;
+  const double times = fmpq_get_d(metres) / page_m;
+  if (fabs(log10(times) - nearbyint(log10(times))) < within) return TP_OK;
+  return tp_notes_add(
+      &drawing->notes, reader->message, TP_CAUTION, tp_read_place(reader, k->unit),
+      "one unit of this drawing is %.4g mm on its page (its width and viewBox), and "
+      "is taken for 1 %s, %.4g times that: if its lengths are true on the page, let "
+      "the program that wrote it use %s for its units; or scale it by an object of "
+      "known length, drawing: {reference: {id: …, length: …}}",
+      mm * page_m, unit, times, unit);
+}
+
 /* That of the drawing: what the scene says it is, or the file; of a scaled one that of the length
  * that scales it. */
 static tp_status choose_unit(const tp_reader *reader, const drawing_keys *k, tp_drawing *drawing) {
@@ -138,6 +158,7 @@ static tp_status choose_unit(const tp_reader *reader, const drawing_keys *k, tp_
     } else if (!tp_unit_find(metres, &said)) {
       status = tp_read_fail(reader, k->unit, "unit must be one of mm, cm, m, km, in, ft");
     }
+    if (status == TP_OK) status = check_page(reader, k, drawing, said, metres);
     drawing->unit = said;
   } else if (k->options.reference != NULL) {
     drawing->unit = reader->scene->length_unit;

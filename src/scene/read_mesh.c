@@ -127,6 +127,15 @@ static tp_status read_unit(const tp_reader *reader, fmpq_t factor, const tp_node
   return TP_OK;
 }
 
+static tp_status note_unit(const tp_reader *reader, const tp_node *mesh, tp_notes *notes) {
+  const char *unit = reader->scene->length_unit;
+  if (tp_node_get(mesh, "unit") != NULL) return TP_OK;
+  return tp_notes_add(notes, reader->message, TP_CAUTION, tp_read_place(reader, mesh),
+                      "a mesh does not say what the unit of its lengths is: taken for %s, the "
+                      "scene's; say {mesh: …, unit: %s} where that is right",
+                      unit, unit);
+}
+
 static tp_status read_taking(const tp_reader *reader, bool *largest, const tp_node *node) {
   if (node == NULL) return TP_OK;
   *largest = node->kind == TP_NODE_SCALAR && strcmp(node->text, "largest") == 0;
@@ -232,6 +241,7 @@ tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines 
   if (status == TP_OK) status = cut(reader, &section, node, &wish, notes);
   if (status == TP_OK)
     status = tp_section_take(line, holes, &section, &wish, notes, reader->message);
+  if (status == TP_OK) status = note_unit(reader, node, notes);
   if (status == TP_OK) status = check_points(reader, line, wish.place);
   for (long k = 0; holes != NULL && k < holes->count && status == TP_OK; k++) {
     status = check_points(reader, holes->lines + k, wish.place);

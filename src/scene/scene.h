@@ -136,6 +136,9 @@ typedef struct tp_water_description {
   tp_quantity unit_weight_kn_m3; /* 9.81 where not given */
   bool stays_level;              /* the height is vertical, whatever the tilt */
   bool uplift;                   /* along the base, falling to nothing at the toe */
+  bool
+      lifts_alone; /* what it pushes down-dip is left out: the block goes up-dip (stability/world.h)
+                    */
 } tp_water_description;
 
 typedef struct tp_loads_description {

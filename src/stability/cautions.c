@@ -47,19 +47,21 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
                             tp_message *message) {
   const tp_contact *contact = &problem->contact;
   const tp_water_description *water = &problem->scene->loads.water;
+  if (water->lifts_alone) return tp_earthquake_note_water(notes, water, message);
   const long end = problem->joint.vertex[left ? 1 : 0];
   const tp_contact_point *heel = contact->points + (left ? contact->point_count - 1 : 0);
   const tp_lattice *l = &problem->lattice;
   const char *towards = left ? "left" : "right";
+  const char *stance = problem->world != NULL ? "as it lies," : "tilted";
   const long facet = left ? heel->left : heel->right;
   if (facet >= 0 && end == tp_contact_extreme(contact, !left).point) {
     const tp_facet *f = contact->facets + facet;
     if (fmpz_equal(l->x + f->t0, l->x + f->t1)) {
       const tp_status status = tp_notes_add(
           notes, message, TP_CAUTION, water->place,
-          "tilted towards the %s, the contact ends up-dip in an upright facet: the water is taken "
+          "%s towards the %s, the contact ends up-dip in an upright facet: the water is taken "
           "to stand above the upper end of that facet, and none behind it",
-          towards);
+          stance, towards);
       if (status != TP_OK) return status;
     }
   }
@@ -68,11 +70,11 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
   if (!wetted.out && !wetted.back) return TP_OK;
   return tp_notes_add(
       notes, message, TP_CAUTION, water->place,
-      "tilted towards the %s, the water is put on a face normal to the base, but "
+      "%s towards the %s, the water is put on a face normal to the base, but "
       "the side of the block that it wets leans %s: what it pushes %s there is left "
       "out, which is %s; give it as 'pressures' on the edges that it wets",
-      towards, wetted.out ? "out over it" : "back from it", wetted.out ? "upwards" : "downwards",
-      wetted.out ? "not cautious" : "cautious");
+      stance, towards, wetted.out ? "out over it" : "back from it",
+      wetted.out ? "upwards" : "downwards", wetted.out ? "not cautious" : "cautious");
 }
 
 static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {

@@ -50,6 +50,18 @@ void tp_earthquake_scene(tp_scene *shaken, const tp_scene *scene, const tp_solut
   if (solution->earthquake_count > 0) shake(shaken, scene, governs->up_dip, governs->vertical);
 }
 
+tp_status tp_earthquake_note_water(tp_notes *notes, const tp_water_description *water,
+                                   tp_message *message) {
+  return tp_notes_add(
+      notes, message, TP_NOTE, water->place,
+      "under the earthquake up-dip the push of the water, which holds the block back, is left "
+      "out%s: "
+      "cautious at any level up to the one given where the block slides or turns about the upper "
+      "end "
+      "of its contact; where its push is certain, give it as 'pressures' on the edges that it wets",
+      water->uplift ? ", and its uplift alone acts" : "");
+}
+
 /* ---- which is worse ----------------------------------------------------------------------------
  */
 
@@ -152,7 +164,12 @@ static tp_status solve_way(looking *l, const tp_scene *scene, bool up_dip,
 static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_options *options,
                               tp_earthquake_solve *solve, tp_message *message) {
   tp_message why = {""};
+  const tp_water_description *water = &scene->loads.water;
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
+  const bool wets = water->given && !fmpq_is_zero(water->height.value);
+  if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
+    return tp_earthquake_note_water(&l->governs->notes, water, message);
+  }
   if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) {
     if (status != TP_OK && message != NULL) *message = why;
     return status;

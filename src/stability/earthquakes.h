@@ -31,6 +31,10 @@ TP_MUST_USE tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scen
  * and is not to be cleared. */
 void tp_earthquake_scene(tp_scene *shaken, const tp_scene *scene, const tp_solution *solution);
 
+/* What counts of water under an earthquake up-dip. */
+TP_MUST_USE tp_status tp_earthquake_note_water(tp_notes *notes, const tp_water_description *water,
+                                               tp_message *message);
+
 /* Is a scene that is tilted on a table shaken to one side alone, without having said so? */
 bool tp_earthquake_is_one_sided(const tp_scene *scene);
 

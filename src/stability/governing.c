@@ -11,8 +11,9 @@
  *
  * Where a motion can begin, two things would stop it: a change of strength, and of what drives
  * those ways that begin whatever the strength. The nearer governs, so that the factor is 1 where
- * the motion begins. Of numbers that their bounds do not tell apart, that which governs lies in the
- * enclosure of both, and the first is named. */
+ * the motion begins. Of a tilt at which motions begin or end for neither reason, as where a contact
+ * opens, the tilt itself tells. Of numbers that their bounds do not tell apart, that which governs
+ * lies in the enclosure of both, and the first is named. */
 
 #include "stability/governing.h"
 #include "host.h"
@@ -107,8 +108,20 @@ static const tp_factor *find(const tp_governing_fos *g, tp_fos_definition defini
   return NULL;
 }
 
-/* Of a block that moves: by strength, where that comes nearer to 1; where nothing else tells, by
- * the tilt. */
+/* Of a block that moves: another factor not above 1, where it is the nearer to 1. */
+static void take_if_nearer(tp_governing_fos *g, const tp_factor *own) {
+  if (tp_fos_rank_of(own->fos) != TP_RANK_NUMBER) return;
+  const bool number = tp_fos_rank_of(g->fos) == TP_RANK_NUMBER;
+  if (number && overlap(own->fos.value, g->fos.value)) {
+    g->tie = g->tie || own->mechanism != g->factors[g->factor].mechanism;
+    g->fos.value = larger(own->fos.value, g->fos.value);
+  } else if (!number || own->fos.value.value > g->fos.value.value) {
+    g->tie = false;
+    take(g, (size_t)(own - g->factors));
+  }
+}
+
+/* Likewise that by strength; and by the tilt, which is there where nothing else tells. */
 static void take_nearer(tp_governing_fos *g) {
   const tp_factor *strength = find(g, TP_FOS_BY_REDUCTION), *tilt = find(g, TP_FOS_BY_TILT);
   if (strength == NULL) {
@@ -117,19 +130,12 @@ static void take_nearer(tp_governing_fos *g) {
   }
   if (tp_fos_is_above(strength->fos)) return;
   if (!g->has_factor) {
-    const bool by_tilt = tilt != NULL && tp_fos_rank_of(strength->fos) == TP_RANK_NONE;
-    take(g, (size_t)((by_tilt ? tilt : strength) - g->factors));
-    return;
-  }
-  if (tp_fos_rank_of(strength->fos) != TP_RANK_NUMBER) return;
-  const bool number = tp_fos_rank_of(g->fos) == TP_RANK_NUMBER;
-  if (number && overlap(strength->fos.value, g->fos.value)) {
-    g->tie = g->tie || strength->mechanism != g->factors[g->factor].mechanism;
-    g->fos.value = larger(strength->fos.value, g->fos.value);
-  } else if (!number || strength->fos.value.value > g->fos.value.value) {
-    g->tie = false;
     take(g, (size_t)(strength - g->factors));
+  } else {
+    take_if_nearer(g, strength);
   }
+  const bool told = tp_fos_rank_of(strength->fos) != TP_RANK_UNDECIDED;
+  if (tilt != NULL && told) take_if_nearer(g, tilt);
 }
 
 /* What moves at a lesser tilt does not come to this one, though forces would hold it here: under

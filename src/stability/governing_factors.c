@@ -252,23 +252,47 @@ static bool has_way(const tp_governing_fos *g) {
   return false;
 }
 
-/* Where no change of strength matters, the tilt tells; and where motions end as it rises, how far
- * it lies above that. */
+static bool is_at(tp_bounded degrees, tp_bounded end) {
+  static const double beside = 1e-9;
+  return fabs(degrees.value - end.value) <= degrees.error + end.error + beside;
+}
+
+/* Is a factor that counts 1 at an end of a window: by moments, or along the facet? */
+static bool formulas_tell(const tp_governing_fos *g, const tp_at_scene *at, tp_bounded end) {
+  const tp_case *c = at->c;
+  const tp_sliding *s = &c->sliding;
+  for (size_t k = 0; k < g->factor_count; k++) {
+    const bool shear = g->factors[k].definition == TP_FOS_BY_SHEAR && g->factors[k].counts;
+    if (shear && !s->never && !s->always && is_at(s->critical_angle_deg, end)) return true;
+  }
+  for (size_t k = 0; k < c->pivot_count && c->has_governing; k++) {
+    const tp_pivot *p = c->pivots + k;
+    if (!p->admissible || p->never || p->always || !is_at(p->critical_angle_deg, end)) continue;
+    if (by_moments(at, k).counts) return true;
+  }
+  return false;
+}
+
+/* Where no change of strength matters, the tilt tells, and of an end of a window at which no other
+ * factor is 1; and where motions end as it rises, how far it lies above that. */
 static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
   const tp_onset *onset = &at->c->onset;
   const tp_bounded tilt = at->solution->tilt_angle_deg;
   const double upright = 90;
   by_tilt own = {.at = at, .factor = {.definition = TP_FOS_BY_TILT, .counts = true}};
   const bool sits = tilt.value > 0 && tilt.value < upright && (at->moves || at->stands);
-  if (!sits || at->solution->friction_is_residual || (at->moves && has_way(g))) return;
+  if (!sits || at->solution->friction_is_residual) return;
   const bool strength = onset->fos.state == TP_FOS_NUMBER;
+  const bool told = strength || (at->moves && has_way(g));
   for (size_t k = 0; k < onset->window_count; k++) {
     const tp_window *w = onset->windows + k;
     const bool holds = window_of(onset, tilt.value, tilt.value) == w;
-    if (at->moves != holds || (at->moves && strength)) continue;
+    if (at->moves != holds) continue;
     const bool rises = w->from_deg.value > tilt.value;
-    if (!w->from_below && (at->moves || (rises && !strength))) add_end(&own, w, w->from_deg);
-    if (!w->to_above && (at->moves || !rises)) add_end(&own, w, w->to_deg);
+    const bool from = !told || !(w->from_by_strength || formulas_tell(g, at, w->from_deg));
+    const bool to = !told || !(w->to_by_strength || formulas_tell(g, at, w->to_deg));
+    if (!w->from_below && (at->moves || rises) && from) add_end(&own, w, w->from_deg);
+    if (!w->to_above && (at->moves ? to : !rises)) add_end(&own, w, w->to_deg);
   }
   if (own.has) add(g, own.factor);
 }

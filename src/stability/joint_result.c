@@ -29,6 +29,21 @@ static tp_bounded ball_metres(const tp_scene *scene, const arb_t length) {
   return result;
 }
 
+/* Normal to the mean plane, also where the block was laid level as it lies on that. */
+static void measure(tp_aperture *a, const tp_problem *problem) {
+  const tp_sole *sole = &problem->jointed->sole;
+  const fmpq *closure = problem->scene->base.closure.value;
+  const tp_scene *along = problem->world != NULL ? problem->world->along : NULL;
+  if (along != NULL) {
+    const tp_polyline *profile = &along->base.profile;
+    tp_aperture_measure(a, &along->block.outline, sole->first, sole->count, profile, profile->count,
+                        closure, BITS);
+  } else {
+    tp_aperture_measure(a, problem->section.rings, sole->first, sole->count, &problem->base.ring,
+                        problem->base.edge_count + 1, closure, BITS);
+  }
+}
+
 void tp_describe_joint(tp_solution *solution, const tp_problem *problem) {
   const tp_jointed *j = problem->jointed;
   if (j == NULL) return;
@@ -37,8 +52,7 @@ void tp_describe_joint(tp_solution *solution, const tp_problem *problem) {
   tp_joint_result *result = &solution->joint;
   tp_aperture a;
   tp_aperture_init(&a);
-  tp_aperture_measure(&a, problem->section.rings, j->sole.first, j->sole.count, &problem->base.ring,
-                      problem->base.edge_count + 1, base->closure.value, BITS);
+  measure(&a, problem);
   *result = (tp_joint_result){.known = true,
                               .shift_m = metres(scene, j->shift),
                               .above_base_m = ball_metres(scene, a.covered),

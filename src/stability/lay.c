@@ -83,5 +83,6 @@ tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **reste
     if (status != TP_OK) return status;
     *scene = &(*world)->scene;
   }
+  if (turns && shifts && (*world)->goes_up_dip) return tp_world_level(*world, scene, message);
   return TP_OK;
 }

@@ -56,7 +56,8 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
 /* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
  * bounds to all but a millionth of that. */
 static double range_deg(const tp_water_description *water) {
-  const bool level = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
+  const bool level = water->given && water->stays_level && !water->lifts_alone &&
+                     !fmpq_is_zero(water->height.value);
   return level ? 90 * (1 - 0x1p-20) : 90;
 }
 
@@ -64,7 +65,8 @@ void tp_loaded_overtops(tp_case *result, const tp_evaluation *e, tp_certainty *c
   const tp_water_description *water = &e->problem->scene->loads.water;
   const tp_lattice *l = &e->problem->lattice;
   const int heel = result->towards == TP_TOWARDS_LEFT ? 1 : 0;
-  result->water_overtops = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
+  result->water_overtops = water->given && water->stays_level && !water->lifts_alone &&
+                           !fmpq_is_zero(water->height.value);
   if (!result->water_overtops) return;
   long top = 0;
   for (long k = 1; k < l->start[1]; k++) {

@@ -32,6 +32,7 @@ static void set_joint(tp_exact_setting *s, const tp_base_joint *joint) {
   fmpq_set(s->heel_x, joint->x + heel);
   fmpq_set(s->heel_y, joint->y + heel);
   fmpq_set(s->toe_x, joint->x + 1 - heel);
+  fmpq_set(s->toe_y, joint->y + 1 - heel);
   if (!s->mirrored) return;
   fmpq_neg(s->heel_x, s->heel_x);
   fmpq_neg(s->toe_x, s->toe_x);

@@ -39,13 +39,17 @@ static tp_status note_stress(tp_notes *notes, const tp_evaluation *e, bool *told
   arb_clear(tilt);
   *told = above;
   if (!above) return TP_OK;
+  const bool world = scene->frame == TP_FRAME_WORLD;
   return tp_notes_add(
       notes, message, TP_CAUTION, scene->friction.jcs_mpa.place,
       "%s the mean normal stress on the contact is %.4g MPa and exceeds JCS, %.4g MPa: asperities "
       "are crushed, and friction is the residual angle, %.4g°; if the contact is wider than it is "
       "drawn, say 'contact: {width: …}'",
-      level ? "on level ground" : "at the scene's tilt", stress_mpa,
-      fmpq_get_d(scene->friction.jcs_mpa.value), fmpq_get_d(scene->friction_angle_deg.value));
+      world   ? (level ? "where its mean plane is level" : "as it lies")
+      : level ? "on level ground"
+              : "at the scene's tilt",
+      stress_mpa, fmpq_get_d(scene->friction.jcs_mpa.value),
+      fmpq_get_d(scene->friction_angle_deg.value));
 }
 
 static tp_status note_width(tp_notes *notes, const tp_evaluation *e, tp_message *message) {

@@ -171,13 +171,18 @@ static void find_joint(tp_problem *problem) {
                      (const long[2]){first, first + problem->base.edge_count});
 }
 
-/* By the up-dip end of the joint. */
+/* By the up-dip end of the joint: behind a block that goes down-dip, before one that goes up-dip.
+ */
 static tp_status check_water(const tp_problem *problem, bool left, tp_message *message) {
-  fmpq_t y;
+  const int heel = left != problem->scene->loads.water.lifts_alone ? 1 : 0;
+  fmpq_t x, y;
+  fmpq_init(x);
   fmpq_init(y);
-  fmpq_div(y, problem->joint.y + (left ? 1 : 0), problem->scene->metres_per_unit);
-  const tp_status status =
-      tp_loads_check_water(problem->scene, &problem->section, y, left ? "left" : "right", message);
+  fmpq_div(x, problem->joint.x + heel, problem->scene->metres_per_unit);
+  fmpq_div(y, problem->joint.y + heel, problem->scene->metres_per_unit);
+  const tp_status status = tp_loads_check_water(problem->scene, &problem->section, x, y,
+                                                left ? "left" : "right", message);
+  fmpq_clear(x);
   fmpq_clear(y);
   return status;
 }
@@ -270,6 +275,8 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
                            &problem->lattice, message);
   if (status == TP_OK && problem->jointed != NULL) {
     problem->sole = problem->jointed->sole;
+  } else if (status == TP_OK && problem->world != NULL && problem->world->level) {
+    problem->sole = problem->world->sole;
   } else if (status == TP_OK && !scene->base.mated) {
     status = tp_sole_find(&problem->sole, scene, &problem->section, message);
   }

@@ -200,37 +200,13 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
 void tp_world_free(tp_world *w) {
   if (w == NULL) return;
   tp_moved_clear(&w->scene);
+  if (w->along != NULL) tp_moved_clear(&w->levelled);
   fmpq_clear(w->scene.tilt_angle_deg.value);
   tp_turn_clear(&w->turn);
   tp_turn_clear(&w->lay);
   fmpq_clear(w->cosine);
   fmpq_clear(w->sine);
   free(w);
-}
-
-/* Under an earthquake up-dip the block turns and slides against the dip: in a frame that is level
- * as the block lies, tilted by nothing towards the side up-dip. */
-static tp_status lay_level(tp_world *w, const tp_scene *scene, tp_message *message) {
-  const tp_place place = scene->loads.seismic_place;
-  if (scene->loads.water.given) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "an earthquake up-dip is not looked at with 'water', which is a load of a block "
-                   "that goes down-dip; give it as 'pressures' on the edges that it wets");
-  }
-  if (tp_scene_is_shifted(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "an earthquake up-dip is not looked at where a 'joint' shifts the block; give "
-                   "the block where it lies");
-  }
-  w->level = true;
-  tp_turn_by(&w->lay, scene->tilt_angle_deg.value, &w->turn);
-  tp_turn_direction(w->cosine, w->sine, &w->turn, &w->lay);
-  w->scene.base.beyond_cosine = w->cosine;
-  w->scene.base.beyond_sine = w->sine;
-  w->scene.towards_left = w->turn.rises < 0;
-  w->scene.towards_right = w->turn.rises > 0;
-  fmpq_zero(w->scene.tilt_angle_deg.value);
-  return TP_OK;
 }
 
 static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
@@ -248,7 +224,10 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
   fmpq_set(w->turn.y, f->y);
   tp_turn_set(&w->turn, f->u, f->v);
   tp_status status = set_tilt(w, scene, message);
-  if (status == TP_OK && f->up_dip && w->turn.rises != 0) status = lay_level(w, scene, message);
+  w->goes_up_dip = f->up_dip && w->turn.rises != 0;
+  if (status == TP_OK && w->goes_up_dip && !tp_scene_is_shifted(scene)) {
+    status = tp_world_lay_up_dip(w, scene, message);
+  }
   if (status == TP_OK && !tp_turn_scene(&w->scene, w->level ? &w->lay : &w->turn, scene,
                                         f->keeps_ends, f->first, f->last)) {
     status = tp_fail_memory(message, "the turned scene");

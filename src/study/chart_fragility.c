@@ -122,8 +122,11 @@ bool tp_study_add_fragility(tp_chart *chart, const tp_study_view *v) {
   double *sorted = sort(&onset_count, onsets, v->kept, true);
   const bool done = limits != NULL && sorted != NULL;
   if (done) {
-    tp_chart_add_panel(chart, "Probability against tilt, with 95 % bands",
-                       (tp_panel_axis){.label = "Tilt (°)", .range = range},
+    const bool lies = r->tilts[0].as_it_lies;
+    tp_chart_add_panel(chart,
+                       lies ? "Probability against the dip that it is steepened to, with 95 % bands"
+                            : "Probability against tilt, with 95 % bands",
+                       (tp_panel_axis){.label = lies ? "Dip (°)" : "Tilt (°)", .range = range},
                        (tp_panel_axis){.label = "Probability", .range = {0, 1}, .tick = 0.2});
     add_own_tilt(chart, r->tilts, range);
     add_curve(chart, v, limits, limit_count, range, moves_line, "certain to move");

@@ -49,6 +49,8 @@ void tp_study_tilt_name(char *text, size_t size, const tp_study_view *view, cons
   const tp_study_tilt *own = view->result->tilts;
   if (own->has_tilt) {
     snprintf(text, size, "%s at %.4g°", what, own->tilt_deg);
+  } else if (own->as_it_lies) {
+    snprintf(text, size, "%s as it lies", what);
   } else {
     snprintf(text, size, "%s", otherwise);
   }

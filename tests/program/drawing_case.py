@@ -54,9 +54,15 @@ def section(name, body):
     return group(0, "SECTION") + group(2, name) + body + group(0, "ENDSEC")
 
 
-def dxf(entities, unit=4, version="AC1015", blocks=""):
+def layer(name, colour=7, flags=0):
+    """Of the table of layers: off where its colour is below 0, frozen where 1 is in its flags."""
+    return group(0, "LAYER") + group(2, name) + group(70, flags) + group(62, colour) + group(6, "CONTINUOUS")
+
+
+def dxf(entities, unit=4, version="AC1015", blocks="", layers=""):
     """A whole file; $INSUNITS 4 is mm, None is not said."""
     header = group(9, "$ACADVER") + group(1, version)
     if unit is not None:
         header += group(9, "$INSUNITS") + group(70, unit)
-    return section("HEADER", header) + section("BLOCKS", blocks) + section("ENTITIES", entities) + group(0, "EOF")
+    tables = section("TABLES", group(0, "TABLE") + group(2, "LAYER") + layers + group(0, "ENDTAB")) if layers else ""
+    return section("HEADER", header) + tables + section("BLOCKS", blocks) + section("ENTITIES", entities) + group(0, "EOF")

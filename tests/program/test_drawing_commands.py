@@ -99,7 +99,7 @@ class InPlaceOfAScene(unittest.TestCase):
         points, faces = box((0, 0, 0), (2, 3, 1))
         (self.folder / "rock.obj").write_text(obj(points, faces, "rock1"))
         (self.folder / "mesh.yaml").write_text("topple: 1\nlength_unit: ft\nsection: {at: [0, 1], azimuth_deg: 90}\nblock: {outline: "
-                                               "{mesh: rock.obj, object: rock1}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n")
+                                               "{mesh: rock.obj, object: rock1, unit: ft}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n")
         own = ("section.at.1=0", "section.at.2=1", "section.azimuth_deg=90", "block.outline.object=rock1",
                "block.unit_weight_kn_m3=26", "friction_angle_deg=30")
         settings = [word for text in own for word in ("--set", text)]

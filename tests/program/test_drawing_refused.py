@@ -7,11 +7,12 @@ so that the block was another than the one on the screen; shapes that nobody see
 coordinates of 0; millimetres were metres, because --unit said so."""
 
 import json
+import math
 import pathlib
 import tempfile
 import unittest
 
-from drawing_case import dxf, light_polyline
+from drawing_case import block, circle, dxf, insert, layer, light_polyline, line, polyline
 from harness import is_readable, main, run
 
 SQUARE = '<rect id="BLOCK" width="1" height="2"/>'
@@ -45,6 +46,52 @@ class Read(unittest.TestCase):
         self.assertEqual((status, out), (3, ""), f"{text}: {err}")
         self.assertIn(f"{name}{place}:", err)
         self.assertIn(words, err, text)
+
+
+class Dxf(Read):
+    OUTLINE = light_polyline("BLOCK", RING)
+
+    def notes_of(self, text, area=2, within=1e-12):
+        found, notes = self.taken(text, "d.dxf", "--unit", "m")
+        self.assertAlmostEqual(found, area, delta=within)
+        return [(kind, told) for kind, _, told in notes]
+
+    def test_layers(self):
+        """What is on a layer that is off or frozen is not shown, and not taken: a base, a second block, a hole; a note names them."""
+        layers = layer("BLOCK") + layer("BASE", colour=-3) + layer("Hole", flags=1) + layer("OLD", flags=5)
+        hidden = line("BASE", -1, 0.5, 3, 0.5) + circle("HOLE", 0.5, 1, 0.2) + polyline("OLD", [(5, 0), (6, 0), (6, 1)])
+        notes = self.notes_of(dxf(self.OUTLINE + hidden, unit=6, layers=layers))
+        self.assertEqual([kind for kind, _ in notes], ["note"])
+        self.assertIn("3 of the drawing's objects are not shown and left out: 1 on layer 'BASE', which is off, 1 on layer 'Hole', which is "
+                      "frozen, 1 on layer 'OLD', which is frozen; show what is meant", notes[0][1])
+        self.notes_of(dxf(self.OUTLINE + circle("HOLE", 0.5, 1, 0.2), unit=6, layers=layers.replace(" 70\n1\n", " 70\n0\n")),
+                      2 - math.pi * 0.04, 1e-4)  # of chords
+        self.refused(dxf(light_polyline("BLOCK", RING) + line("BASE", 0, 0, 1, 0), unit=6, layers=layer("BLOCK", flags=1)), "d.dxf", "",
+                     "what is not shown is left out (1 of its objects)", "--unit", "m")
+
+    def test_invisible_objects(self):
+        """Group 60 of an object, of a polyline with its vertices, of an insert with all of its block."""
+        for ghost in (light_polyline("BLOCK", [(5, 0), (6, 0), (6, 1)], more=((60, 1),)),
+                      polyline("BLOCK", [(5, 0), (6, 0), (6, 1)]).replace(" 66\n1\n", " 66\n1\n 60\n1\n", 1),
+                      insert("BLOCK", "STONE", 5, 0, (60, 1))):
+            notes = self.notes_of(dxf(self.OUTLINE + ghost, unit=6, blocks=block("STONE", light_polyline("0", RING))))
+            self.assertEqual([told for _, told in notes], ["1 of the drawing's objects is not shown and left out: 1 invisible by its own; show what "
+                                                           "is meant"])
+        self.assertEqual(self.notes_of(dxf(light_polyline("BLOCK", RING, more=((60, 0),)), unit=6)), [])
+
+    def test_inserted_blocks(self):
+        """An insert on a frozen layer hides all of its block, one on a layer that is off what is on layer 0 there; what is on layer 0
+        of a block is on the layer of the insert, whatever layer 0 is."""
+        stone = block("STONE", light_polyline("0", RING))
+        own = block("STONE", light_polyline("BLOCK", RING))
+        for blocks, layers, on, taken in ((stone, layer("BLOCK") + layer("0", flags=1), "BLOCK", True), (stone, layer("BLOCK", colour=-7), "BLOCK", False),
+                                          (stone, layer("BLOCK", flags=1), "BLOCK", False), (own, layer("X", colour=-7), "X", True),
+                                          (own, layer("X", flags=1), "X", False), (own, layer("X") + layer("BLOCK", colour=-1), "X", False),
+                                          (stone + block("PILE", insert("0", "STONE", 0, 0)), layer("BLOCK", colour=-1), "BLOCK", False)):
+            what = "PILE" if "PILE" in blocks else "STONE"
+            text = dxf(insert(on, what, 0, 0) + light_polyline("OTHER", [(5, 0), (6, 0), (6, 1), (5, 1)]), unit=6, blocks=blocks, layers=layers)
+            notes = self.notes_of(text, 2 if taken else 1)  # without one the other closed outline is taken, with a note
+            self.assertEqual(any("not shown and left out" in told for _, told in notes), not taken, (layers, notes))
 
 
 class Svg(Read):
@@ -108,6 +155,24 @@ class Svg(Read):
 
     def test_all_hidden(self):
         self.refused(self.svg(SQUARE.replace("/>", ' display="none"/>')), "d.svg", "", "not shown is left out (1 of its objects)")
+
+    def test_page(self):
+        """The page says how long a unit is on it: 'unit' that says otherwise is a caution, but for a drawing to a scale of 1, 10, 100."""
+        for page, unit, cautions in ((' width="210mm" viewBox="0 0 210 297"', "mm", False), (' width="210mm" viewBox="0 0 210 297"', "m", False),
+                                     (' width="793.7" height="1122.5"', "mm", True), (' width="210mm" viewBox="0 0 793.7 1122.5"', "mm", True),
+                                     (' width="210mm" viewBox="0,0,21,29.7"', "cm", False), (' width="8.5in" viewBox="0 0 612 792"', "in", True),
+                                     (' width="8.5in" viewBox="0 0 8.5 11"', "in", False), (' width="595pt" viewBox="0 0 595 842"', "mm", True),
+                                     (' width="100%" viewBox="0 0 5 5"', "m", False), (' viewBox="0 0 5 5"', "m", False), ("", "mm", False),
+                                     (' width="25.4mm" viewBox="0 0 1 1"', "in", False), (' width="10em"', "mm", False)):
+            area, notes = self.taken(self.svg(SQUARE, attributes=page), "d.svg", "--unit", unit)
+            told = [text for kind, _, text in notes if kind == "caution" and " on its page " in text]
+            self.assertEqual(len(told), cautions, (page, unit, notes))
+        self.assertIn("one unit of this drawing is 0.2646 mm on its page", self.taken(
+            self.svg(SQUARE, attributes=' width="793.7"'), "d.svg", "--unit", "mm")[1][0][2])
+        (self.folder / "scene.yaml").write_text("topple: 1\nlength_unit: m\ndrawing: {file: d.svg, reference: {id: bar, length: 2}}\n")
+        self.solve(self.svg(SQUARE + '<path id="bar" d="M 0 9 h 1"/>', attributes=' width="793.7"'), "d.svg")
+        status, out, _ = run("solve", "--json", "scene.yaml", folder=self.folder)
+        self.assertEqual((status, json.loads(out)["notes"]), (0, []))
 
     def test_style_sheets_that_are_not_read(self):
         """What hides by a selector that is not told, by a condition or from another file is refused; what bears on no outline

@@ -144,11 +144,123 @@ class Earthquake(unittest.TestCase):
         factors = [point["cases"][0]["fos"]["value"] for point in json.loads(out)["points"]]
         for k, fos in zip((1, 2, 3), factors, strict=True):
             self.assertAlmostEqual(fos, factor(JOINT[1], "right", F(k, 10)), delta=1e-9)
-        water = self.write("horizontal: 0.2", more="").read_text().replace("loads: {", "loads: {water: {height: 0.5}, ")
-        self.path.write_text(water)
-        status, out, _ = run("solve", self.path)
-        self.assertEqual(status, 0)
-        self.assertIn("it shakes up-dip too", " ".join(out.split()))
+
+    def wet(self, water, *arguments):
+        text = self.write(*arguments).read_text(encoding="utf-8")
+        self.path.write_text(text.replace("loads: {", f"loads: {{water: {{{water}}}, ", 1), encoding="utf-8")
+        return solve(self.path)
+
+    def test_water_by_hand(self):
+        """Up-dip with water: the push, which holds the block back, is left out, and its uplift drives, a third of the joint
+        from the upper end; without uplift it is as if dry. Down-dip both act. The note says so, whichever governs."""
+        x, y = centroid(OUTLINE)
+        area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(OUTLINE, OUTLINE[1:] + OUTLINE[:1])) / 2
+        weight, (x1, y1) = 26 * float(area), map(float, JOINT[1])
+        drives, holds = 0.2 * weight * (float(y) - y1), weight * (x1 - float(x))
+        for water, moment in (("height: 1, uplift: true", 9.81 * math.hypot(x1, y1) / 3), ("height: 1", 0),
+                              ("height: 1, uplift: true, stays_level: true", 9.81 * math.hypot(x1, y1) ** 2 / 6)):
+            own = self.wet(water, "horizontal: 0.2")
+            self.assertEqual([q["direction"] for q in own["earthquakes"]], ["up_dip", "down_dip"])
+            self.assertAlmostEqual(own["earthquakes"][0]["fos"]["value"], holds / (drives + moment), delta=1e-9)
+            self.assertIn("under the earthquake up-dip the push of the water", " ".join(q["text"] for q in own["notes"]))
+            dry = self.found("horizontal: 0.2")["earthquakes"][1]["fos"]["value"]
+            self.assertLess(own["earthquakes"][1]["fos"]["value"], dry)
+        c, s = math.cos(math.radians(20)), math.sin(math.radians(20))
+        ring = [(0, 0), (2 * c, 2 * s), (2 * (c - s), 2 * (s + c)), (-2 * s, 2 * c)]
+        own = self.wet("height: 1, uplift: true", "horizontal: 0.1", ring, ring[:2])
+        self.assertEqual(own["earthquakes"][0]["direction"], "down_dip")
+        self.assertIn("under the earthquake up-dip the push of the water", " ".join(q["text"] for q in own["notes"]))
+        self.wet("height: 1, uplift: true", "horizontal: 0.2, direction: up_dip")
+        for height, status in ((3.99, 0), (4.01, 3)):
+            self.path.write_text(self.path.read_text(encoding="utf-8").replace("height: 1,", f"height: {height},"), encoding="utf-8")
+            self.assertEqual(run("solve", self.path)[0], status)
+            self.path.write_text(self.path.read_text(encoding="utf-8").replace(f"height: {height},", "height: 1,"), encoding="utf-8")
+
+    def test_water_on_slopes(self):
+        """A square of sides 1 that slides or topples up-dip: weight, earthquake and uplift along and normal to the slope; the angle by which
+        it would have to be turned until it slides by bisection, as uplift goes with the cosine of the dip there is then. On a
+        mated base and on a profile, at dips on both sides of 45°, mirrored too."""
+        k, tan, weight = 2.5, math.tan(math.radians(40)), 26
+        for dip, level in ((20, False), (20, True), (50, False)):
+            a = math.radians(dip)
+            c, s = math.cos(a), math.sin(a)
+            ring = [(0, 0), (c, s), (c - s, s + c), (-s, c)]
+            ring = [(round(x, 12), round(y, 12)) for x, y in ring]
+
+            def excess(turn):
+                there = a - turn
+                uplift = 9.81 * 0.5 / 2 * (1 if level else math.cos(there))
+                along = weight * (k * math.cos(there) - math.sin(there))
+                return along, (weight * (math.cos(there) + k * math.sin(there)) - uplift) * tan
+
+            def turning(turn):
+                there = a - turn
+                uplift = 9.81 * 0.5 / 2 * (1 if level else math.cos(there))
+                normal = weight * (math.cos(there) + k * math.sin(there))
+                return weight * (k * math.cos(there) - math.sin(there)) / 2 + uplift / 3, normal / 2
+
+            def passes(balance):
+                low, high = -math.pi / 2, math.pi / 2
+                while high - low > 1e-13:
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if balance(middle)[0] < balance(middle)[1] else (low, middle)
+                return math.degrees(high)
+
+            along, resists = excess(0)
+            water = f"height: 0.5, uplift: true, stays_level: {str(level).lower()}"
+            for turned in (list, mirrored):
+                own = self.wet(water, f"horizontal: {k}, direction: up_dip", turned(ring), sorted(turned(ring[:2])))
+                bare = self.path.read_text(encoding="utf-8")
+                ends = sorted(turned([(-3 * c, -3 * s), (4 * c, 4 * s)]))
+                joint = text(sorted(turned(ring[:2])))
+                plane = f"frame: {{mean_plane: {joint}}}"
+                profile = [ends[0], *sorted(turned(ring[:2])), ends[1]]
+                self.path.write_text(bare.replace("frame: world", plane)
+                                     .replace(f"mated: true, between: {joint}, beyond: {{left: 3, right: 3}}", f"profile: {text(profile)}"),
+                                     encoding="utf-8")
+                for case in (own["cases"][0], solve(self.path)["cases"][0]):
+                    self.assertAlmostEqual(case["sliding"]["fos"]["value"], resists / along, delta=1e-6)
+                    self.assertAlmostEqual(case["sliding"]["critical_angle_deg"]["value"], passes(excess), delta=1e-6)
+                    self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"], passes(turning), delta=1e-6)
+                    least = min(passes(excess), passes(turning))  # one facet: the two have nothing to do with each other
+                    self.assertAlmostEqual(case["limit"]["critical_angle_deg"]["value"], least, delta=1e-6)
+
+    def test_shifted_joint(self):
+        """A block shifted along its teeth by half a flank lies half a tooth higher: shaken both ways there it is as the block
+        that is given so on the same profile, dry and with water."""
+        c, s = F(12, 13), F(5, 13)
+        under = [(F(0), F(0)), (F(1), F(1, 2)), (F(2), F(0)), (F(3), F(1, 2)), (F(4), F(0))]
+        body = under + [(F(4), F(3)), (F(0), F(3))]
+
+        def page(points, mirror):
+            put = [(c * x - s * y, s * x + c * y) for x, y in points]
+            return mirrored(put) if mirror else put
+
+        for mirror in (False, True):
+            for way in ("both", "up_dip"):
+                for water in ("", "water: {height: 1, uplift: true}, "):
+                    told = []
+                    shifted = [(x + F(1, 2), y + F(1, 4)) for x, y in body]
+                    ends = text(page([under[0], under[4]], mirror))
+                    for outline, base in ((body, f"base: {{between: {ends}, beyond: {{left: 0, right: 0}}}}\njoint: {{shift: {'-' * mirror}0.5}}"),
+                                          (shifted, f"base: {{profile: {text(page(under, mirror))}}}")):
+                        self.path.write_text(HEAD + f"frame: {{mean_plane: {ends}}}\nblock: {{outline: {text(page(outline, mirror))}, "
+                                             f"unit_weight_kn_m3: 26}}\n{base}\nfriction_angle_deg: 40\n"
+                                             f"loads: {{{water}seismic: {{horizontal: 0.45, direction: {way}}}}}\n", encoding="utf-8")
+                        told.append(solve(self.path))
+                    one, other = told
+                    if way == "both":
+                        self.assertEqual({q["direction"] for q in one["earthquakes"]}, {"up_dip", "down_dip"})
+                    cases = [(own["cases"][0], [q["fos"]["value"] for q in own.get("earthquakes", [])]) for own in told]
+                    self.assertEqual(cases[0][0]["mechanism"], cases[1][0]["mechanism"])
+                    self.assertEqual(cases[0][0]["towards"], cases[1][0]["towards"])
+                    for pair in zip(cases[0][1], cases[1][1], strict=True):
+                        self.assertAlmostEqual(*pair, delta=1e-9)
+                    for key in ("governing_fos", "sliding", "onset"):
+                        values = [case[key]["fos"] and case[key]["fos"]["value"] for case, _ in cases]
+                        self.assertAlmostEqual(*values, delta=1e-9)
+                    self.assertAlmostEqual(one["cases"][0]["joint"]["shift_m"]["value"], (1 - 2 * mirror) * 0.5, delta=1e-12)
+                    self.assertAlmostEqual(one["cases"][0]["joint"]["largest_gap_m"]["value"], 0.5, delta=1e-12)
 
     def test_table(self):
         """Tilted one way on a table, one side alone is looked at: a caution, unless that is said to be meant."""

@@ -38,6 +38,25 @@ class Mesh(MeshCase):
         for other in told[1:]:
             self.assertEqual(other, told[0])
 
+    def test_a_unit_that_is_not_said(self):
+        """No such file says its unit: taken for the scene's, which is a caution, unless the scene says it; a mesh in place of a scene
+        has it from --unit."""
+        solid = box((0, 0, 0), (2, 3, 1))
+        solid = (solid[0], triangles(solid[1]))
+        for name, content in (("a.stl", stl(*solid)), ("b.stl", binary_stl(*solid)), ("c.obj", obj(*solid)), ("d.ply", ply(*solid))):
+            self.write(name, content)
+            for more, area, cautions in (("", 2, 1), (", unit: m", 2, 0), (", unit: mm", Fraction(2, 10**6), 0)):
+                scale = 1000 if "mm" in more else 1
+                plane = f"{{from: [0, {Fraction(1, scale)}], to: [1, {Fraction(1, scale)}]}}"
+                solution = self.solve(self.scene(name, plane, more))
+                self.near(solution["cases"][0]["block"]["area_m2"], Fraction(area), 0)
+                told = [note["text"] for note in solution["notes"] if note["kind"] == "caution" and "unit of its lengths" in note["text"]]
+                self.assertEqual(len(told), cautions, (name, more))
+            status, out, err = run("solve", "--json", self.folder / name, "--unit", "m", "--set", "section.at.1=0", "--set", "section.at.2=1",
+                                   "--set", "section.azimuth_deg=90")
+            self.assertEqual((status, err), (0, ""))
+            self.assertNotIn("unit of its lengths", out)
+
     def test_lines_of_windows_names_with_blanks_and_long_numbers(self):
         points, faces = box((0, 0, 0), (2, 3, 1))
         self.write("a.obj", obj(points, faces, "the block").replace("\n", "\r\n").replace("2.0", "2.000000000000000000"))

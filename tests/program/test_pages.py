@@ -77,7 +77,7 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless((BUILD / "libtopple-trace.so").exists(), "topple trace was not built")
     def test_tutorial_from_a_photograph(self):
-        """Its words beside the commands, too: 0.89 g, and of the ranks that of the earthquake is the largest, that of the
+        """Its words beside the commands, too: 0.77 g, and of the ranks that of the earthquake is the largest, that of the
         outline the least."""
         with tempfile.TemporaryDirectory() as name:
             folder, text = pathlib.Path(name), self.parts_of_tutorial()[0]
@@ -91,7 +91,7 @@ class Pages(unittest.TestCase):
             limit = {row.split()[0]: abs(float(row.split()[3])) for row in table[1:4]}
             self.assertEqual(sorted(limit, key=limit.get),
                              ["outline_offset", "friction_angle_deg", "loads.seismic.horizontal"])
-            self.assertIn("From 0.89 g on", text)
+            self.assertIn("from 0.77 g on", text)
         self.assertGreaterEqual(commands, 8)
         self.assertGreater(lines, 9)
 

@@ -3,10 +3,12 @@
 """The library as Python has it: numbers go in exactly, of every kind and every layout of array; what is wrong raises the
 exception of its status; threads, memory, figures."""
 
+import errno
 import gc
 import math
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -17,7 +19,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from harness import ROOT, main, run
-from python_case import BLOCK, BUILD, SQUARE, lib, numpy, said, topple
+from python_case import BLOCK, BUILD, SQUARE, ffi, lib, numpy, said, topple
 
 
 class Numbers(unittest.TestCase):
@@ -76,6 +78,39 @@ class Errors(unittest.TestCase):
             self.assertTrue(issubclass(kind, topple.ToppleError))
         self.assertTrue(issubclass(topple.BadInput, ValueError))
         self.assertTrue(issubclass(topple.SystemFailed, OSError))
+
+    def test_files(self):
+        """A file that is not there, or may not be read or written, is what Python calls so, whichever call names it and
+        whichever file names it in turn; the message stays."""
+        with tempfile.TemporaryDirectory() as folder:
+            missing = pathlib.Path(folder) / "no: thing.yaml"
+            scene = pathlib.Path(folder) / "scene.yaml"
+            outline = pathlib.Path(folder) / "outline.csv"
+            scene.write_text("topple: 1\nlength_unit: m\nblock: {outline: outline.csv}\n", encoding="utf-8")
+            drawing = topple.Scene("mm", outline=SQUARE, friction_angle_deg=30).solve().write_figure
+            for call, name in ((lambda: topple.Scene.read(missing), missing), (lambda: topple.Scene.read(scene), outline),
+                               (lambda: topple.study(missing), missing), (lambda: topple.verify(missing), missing),
+                               (lambda: topple.profile_of_file(missing, "m"), missing),
+                               (lambda: topple.Scene.read_with(missing.with_suffix(".dxf"), unit="m"), missing.with_suffix(".dxf")),
+                               (lambda: topple.Scene.read_with(missing.with_suffix(".stl"), "section.at.1=0", "section.at.2=0", "section.azimuth_deg=0",
+                                                               unit="m"), missing.with_suffix(".stl")),
+                               (lambda: drawing(missing / "figure.svg"), missing / "figure.svg")):
+                with self.subTest(name=name), self.assertRaises(FileNotFoundError) as caught:
+                    call()
+                error = pickle.loads(pickle.dumps(caught.exception))
+                self.assertIsInstance(error, topple.SystemFailed)
+                self.assertEqual((error.errno, error.filename, error.strerror), (errno.ENOENT, str(name), os.strerror(errno.ENOENT)))
+                self.assertIn(": cannot be ", str(error))
+            outline.write_text("0,0\n1,0\n1,2\n", encoding="utf-8")
+            outline.chmod(0)
+            if not os.access(outline, os.R_OK):  # who may do all may read it
+                with self.assertRaises(PermissionError) as caught:
+                    topple.Scene.read(scene)
+                self.assertEqual((caught.exception.errno, caught.exception.filename), (errno.EACCES, str(outline)))
+        refused = topple.errors.failure(lib.TP_SYSTEM_FAILED, ffi.new("tp_message *", {"text": b"a.csv: cannot be read: Permission denied"}))
+        self.assertIsInstance(refused, topple.PermissionDenied)
+        self.assertIsInstance(refused, PermissionError)
+        self.assertIsNone(topple.SystemFailed("gnuplot, which draws charts, is not installed").errno)
 
     def test_messages(self):
         """What, where and what to do; the scene stays as it was."""

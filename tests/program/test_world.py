@@ -221,24 +221,68 @@ class World(unittest.TestCase):
                 self.write(f"outline: {text(outline)}", frame=frame)
                 self.assertNotIn("say 'frame: world'", run("solve", self.path)[1])
 
-    def test_no_table(self):
-        """A block in its place: no report, sheet, figure or study of it speaks of a table, or of a tilt that it had not."""
-        self.write("outline: [[0, 0], [2, 0.8], [1.2, 4], [-0.8, 3.2]], unit_weight_kn_m3: 26",
-                   "between: [[0, 0], [2, 0.8]], beyond: {left: 3, right: 3}", "world")
+    #: Blocks in their place, each of which has another part of the reports written.
+    IN_PLACE = {
+        "stands": ("outline: [[0, 0], [2, 0.8], [1.2, 4], [-0.8, 3.2]]", "between: [[0, 0], [2, 0.8]], beyond: {left: 3, right: 3}",
+                   "tilt: {angle_deg: 2}"),
+        "topples": ("outline: [[0, 0], [1, 0.7], [-2.5, 5.7], [-3.5, 5]]", "between: [[0, 0], [1, 0.7]]", ""),
+        "slides": ("outline: [[0, 0], [2, 1.6], [1.2, 2.6], [-0.8, 1]]", "between: [[0, 0], [2, 1.6]]", ""),
+        "locked": ("outline: [[0, 0], [1, -0.9], [2, 1.7], [3, 0.9], [3, 9], [-1, 9]]", "between: [[0, 0], [3, 0.9]]", ""),
+        "wet": ("outline: [[0, 0], [2, 0.8], [1.4, 4], [-0.8, 3.2]]", "between: [[0, 0], [2, 0.8]]",
+                "loads: {water: {height: 1, uplift: true, stays_level: true}, seismic: {horizontal: 0.1, vertical: 0.05}, "
+                "anchors: [{at: [1, 2], direction_deg: 80, force_kn: 3}], cohesion_kpa: 4}"),
+        "moments": ("outline: [[0, 0], [2, 0.8], [1.2, 4], [-0.8, 3.2]]", "between: [[0, 0], [2, 0.8]]", "# no friction: moments alone"),
+        "crushed": ("outline: [[0, 0], [2, 0.8], [1.2, 4], [-0.8, 3.2]]", "between: [[0, 0], [2, 0.8]]",
+                    "friction: {law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: 0.01}"),
+        "shifted": ("outline: [[0, 0], [0.9, 0.7], [1.8, 0.7], [2.7, 1.4], [1.2, 4], [-0.8, 3.2]]", "between: [[0, 0], [2.7, 1.4]], beyond: {left: 1, right: 1}",
+                    "joint: {shift: 0.1}\nloads: {seismic: {horizontal: 0.1}}"),
+        "poses": ("outline: [[0, 0.2], [1.5, 0.2], [1.5, 3], [0, 3]]", "profile: [[-6, -2.1], [-2, 0.1], [-1, 0], [0, 0.2], [1, 0], [3, 0.6], [7, 3]], place: all", ""),
+    }
+    #: Of a block on a table, or of one whose scene says how it is tilted.
+    OF_TABLE = r"[Tt]ilted|[Tt]he table(?! of)\b|tilting table|[Ll]evel ground|scene's tilt|scene tilts|tilt test|no tilt;|[Tt]ilt angle|Tilt \(°\)|at a tilt of"
+
+    def told_of(self, name):
+        """All that is said of a scene, by the command that says it."""
+        block, base, more = self.IN_PLACE[name]
+        friction = "" if "friction:" in more else "friction_angle_deg: 32\n"
+        self.path.write_text(f"topple: 1\nlength_unit: m\nframe: world\nblock: {{{block}, unit_weight_kn_m3: 26}}\nbase: {{{base}}}\n"
+                             f"{friction}{more}\n", encoding="utf-8")
         study = self.path.with_name("study.yaml")
+        varied = "block.unit_weight_kn_m3" if "friction:" in more else "friction_angle_deg"
+        mean = 26 if "friction:" in more else 32
         study.write_text(f"topple_study: 1\nscene: {self.path.name}\nsamples: 20\nsampling: {{seed: 1}}\n"
-                         "vary: {friction_angle_deg: {normal: {mean: 32, deviation: 2}}}\n")
+                         f"vary: {{{varied}: {{normal: {{mean: {mean}, deviation: 2}}}}}}\ntilts: {{from: 10, to: 40, step: 10}}\n")
+        elements = () if more[:4] not in ("", "tilt") or "place: all" in base else ("--elements",)
         told = {}
-        for command in (("solve", self.path), ("study", study), ("solve", "--figure", self.path.with_suffix(".svg"), self.path),
-                        ("solve", "--report", self.path.with_suffix(".md"), self.path),
-                        ("study", "--report", study.with_suffix(".md"), study)):
+        for command in (("solve", *elements, "--fail-below", "90", self.path), ("solve", "--table", self.path), ("solve", "--csv", self.path),
+                        ("solve", "--figure", self.path.with_suffix(".svg"), self.path), ("accuracy", self.path),
+                        ("solve", "--report", self.path.with_suffix(".md"), self.path), ("study", study),
+                        ("study", "--report", study.with_suffix(".md"), *(("--figure", study.with_suffix(".svg")) if name == "stands" else ()), study)):
             status, out, err = run(*command)
-            self.assertEqual((status, err), (0, ""), command)
-            told |= {command[0]: out} if len(command) == 2 else {}
-        told |= {path.name: path.read_text(encoding="utf-8") for path in self.path.parent.iterdir() if path.suffix == ".md"}
-        self.assertEqual(sum("s it lies" in text for text in told.values()), len(told), told.keys())
-        for name, text in told.items():
-            self.assertNotRegex(" ".join(text.split()), "the table is tilted|tilted towards|Tilted|has no tilt", name)
+            told[" ".join(map(str, command))] = (status, out + err)
+        for axes in ((f"--x={varied}=20:40",), (f"--x={varied}=20:40", "--y=tilt.angle_deg=0:20")):
+            if name == "stands":
+                picture = self.path.with_name(f"map_{len(axes)}.svg")
+                told[f"chart map {len(axes)}"] = run("chart", "map", self.path, *axes, "-o", picture)[::2]
+        told |= {path.name: (0, path.read_text(encoding="utf-8")) for path in self.path.parent.iterdir() if path.suffix in (".md", ".svg")}
+        return told
+
+    def test_no_table(self):
+        """A block in its place: no report, page, sheet, study, map or complaint of it speaks of a table, or of a tilt that its
+        scene had not; it tells the block as it lies, and by how much it may steepen."""
+        said = ""
+        for name in self.IN_PLACE:
+            with self.subTest(name):
+                told = self.told_of(name)
+                self.assertIn("s it lies", told[f"solve --table {self.path}"][1] + told[f"scene.md"][1])
+                for where, (status, text) in told.items():
+                    self.assertNotRegex(" ".join(text.split()), self.OF_TABLE, where)
+                    self.assertNotIn(status, (2, 5), where + text)
+                    self.assertTrue(status == 0 or "map" not in where, text)
+                said += " ".join(" ".join(text.split()) for _, text in told.values())
+        for words in ("it may steepen by", "steepened by", "Dip that it is steepened to (°)", "Steepened by (°)",
+                      "as it lies, towards the left, the water", "where its mean plane is level"):
+            self.assertIn(words, said)
 
     def test_figure(self):
         """A scene as it lies can be drawn, charted and searched as any other."""

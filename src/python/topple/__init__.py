@@ -27,8 +27,8 @@ from .converge import (Convergence, ConvergenceCase, ConvergeFinding, ConvergeLe
 from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot,
                          DerivedReaction, DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family
-from .errors import (BadInput, Caution, DependencyFailed, NoAnswer, OutOfMemory, SystemFailed,
-                     ToppleError, Undecided)
+from .errors import (BadInput, Caution, DependencyFailed, FileNotFound, NoAnswer, OutOfMemory,
+                     PermissionDenied, SystemFailed, ToppleError, Undecided)
 from .explain import explain, terms
 from .find import Found, FoundInterval, find
 from .formula import Fraction

@@ -5,6 +5,9 @@ status."""
 
 from __future__ import annotations
 
+import errno
+import os
+
 from ._library import ffi, lib
 
 
@@ -29,7 +32,28 @@ class OutOfMemory(ToppleError, MemoryError):
 
 
 class SystemFailed(ToppleError, OSError):
-    """A file cannot be read or written."""
+    """A file cannot be read or written. `errno`, `strerror` and `filename` are what the system said, where it
+    was the system that refused, else None."""
+
+    def __init__(self, text: str = ""):
+        super().__init__(text)
+        self.text = text
+        filename, refused, rest = text.partition(": cannot be ")
+        reason = rest.partition(": ")[2].partition(";")[0]
+        code = REASONS.get(reason)
+        if refused and code is not None:
+            self.errno, self.strerror, self.filename = code, reason, filename
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class FileNotFound(SystemFailed, FileNotFoundError):
+    """A file that is named is not there."""
+
+
+class PermissionDenied(SystemFailed, PermissionError):
+    """The system does not let a file be read or written."""
 
 
 class DependencyFailed(ToppleError, RuntimeError):
@@ -48,14 +72,20 @@ ERRORS = {
     lib.TP_SYSTEM_FAILED: SystemFailed,
     lib.TP_DEPENDENCY_FAILED: DependencyFailed,
 }
+#: By what the system says of it, which messages end in.
+REASONS = {os.strerror(code): code for code in sorted(errno.errorcode, reverse=True)}
+REFUSALS = {errno.ENOENT: FileNotFound, errno.EACCES: PermissionDenied, errno.EPERM: PermissionDenied}
 MESSAGE = ffi.typeof("tp_message *")
 
 
 def failure(status: int, message=None) -> ToppleError:
     """The exception that a status other than TP_OK is, with the message of the call or the meaning
     of the status."""
-    text = ffi.string(message.text if message else lib.tp_status_meaning(status))
-    return ERRORS[status](text.decode("utf-8", "replace"))
+    text = ffi.string(message.text if message else lib.tp_status_meaning(status)).decode("utf-8", "replace")
+    kind = ERRORS[status]
+    if kind is SystemFailed:
+        kind = REFUSALS.get(SystemFailed(text).errno, kind)
+    return kind(text)
 
 
 def checked(call, *arguments) -> None:

@@ -61,6 +61,8 @@ class Window(Record):
     from_deg: Bounded | None = field(when=lambda c: not c.from_below)
     to_deg: Bounded | None = field(when=lambda c: not c.to_above)
     begins: Mechanism  #: at its lower end, or, without one, at its upper end
+    from_by_strength: bool  #: a little more or less of all strength moves that end; told of the
+    to_by_strength: bool  #: ends next to the scene's tilt
 
 
 def _motions(c, owner) -> tuple[Mechanism, ...]:
