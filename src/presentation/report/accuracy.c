@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Table of methods and prices with time, bound and true error, as text and as JSON; errors below
- * the range of doubles are printed from their logarithms. */
+/* Table of methods and precisions with time, bound and true error, as text and as JSON; errors
+ * below the range of doubles are printed from their logarithms. */
 
 #include "common/host.h"
 #include "output/encode.h"
