@@ -13,16 +13,19 @@
 extern "C" {
 #endif
 
-/* The version of these headers: its parts, one number to compare by (10000 major + 100 minor +
- * patch), and the text. What may change between versions is in docs/library.md, "Versions". */
-#define TP_VERSION_MAJOR 0
-#define TP_VERSION_MINOR 1
-#define TP_VERSION_PATCH 0
+/* The version of these headers. What may change between versions is in docs/library.md, "Versions".
+ */
+#define TP_VERSION_MAJOR 0 /* rises when a program has to be changed or compiled anew */
+#define TP_VERSION_MINOR 1 /* rises when calls, fields or words are added */
+#define TP_VERSION_PATCH 0 /* rises when something is mended */
+/* One number to compare by. */
 #define TP_VERSION_NUMBER (10000 * TP_VERSION_MAJOR + 100 * TP_VERSION_MINOR + TP_VERSION_PATCH)
+/* The same as text. */
 #define TP_VERSION "0.1.0"
 
-/* The version of the library that the program has loaded: its text, and the number as above. */
+/* The version of the library that the program has loaded, as TP_VERSION. */
 const char *tp_version(void);
+/* The same as TP_VERSION_NUMBER. */
 int tp_version_number(void);
 
 /* Of a call whose status must be looked at. */
