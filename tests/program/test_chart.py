@@ -9,7 +9,9 @@ from fractions import Fraction
 
 import exact
 from chart_case import Chart, DEGREE, chart, lean, select, toe_of
-from harness import main
+from harness import ROOT, main
+
+PAGE = " ".join((ROOT / "docs/chart.md").read_text(encoding="utf-8").replace("**", "").split())
 
 TABLE_6 = [("0.5", "0.1", 20, "1.37", "1.53", "1.25"), ("0.75", "0.1", 25, "1.61", "1.78", "1.46"),
            ("1", "0.1", 30, "1.73", "1.92", "1.57"), ("0.5", "0.05", 20, "1.37", "1.44", "1.30"),
@@ -89,7 +91,9 @@ class Ranges(Chart):
             self.assertLess(abs(Decimal(row["angle_deg"]) - angle), Decimal("1e-13"), row)
 
     def test_odd_less_even(self):
-        """What an odd N adds: + about a peak, - about a valley, 0.05 degrees at most."""
+        """What an odd N adds: + about a peak, - about a valley, 0.051 degrees at most, as docs/chart.md has it."""
+        every = [abs(float(row["angle_deg"])) for row in select(chart("ranges"), series="odd less even")]
+        self.assertIn(f"{max(every):.3f}° at most", PAGE)
         rows = select(chart("ranges"), series="odd less even", mark="Fig. 14")
         self.assertEqual(len(rows), 4 * 2 * 2 * 4)
         for row in rows:
@@ -119,6 +123,11 @@ class Mechanisms(Chart):
                          ["stable", "stable", "topples, stable if peak", "stable, topples if valley"])
         self.assertEqual([r["from_rest"] for r in rows[:4]], ["slides"] * 4)
         self.assertEqual(judged["planar", "3"], "slides and topples")
+        for row in rows:
+            cells = " | ".join(row[key] for key in ("block", "base", "program", "from_rest", "paper"))
+            self.assertIn(f"| {cells} |".replace("  ", " "), PAGE)
+        beside = [f"{float(r['tilt_deg']):.2f}°" for r in select(chart("mechanisms"), series="certain to stand, valley")][6:8]
+        self.assertIn(" and ".join(beside) + ", slipping and turning at once", PAGE)
 
     def test_block_2_topples_on_a_rougher_base(self):
         """Its verdict needs A/y of tan(40) / tan(39) - 1 = 3.6 % at least."""

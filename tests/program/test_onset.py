@@ -2,12 +2,15 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The onset of motion: the values of docs/mechanics.md section 6a, and closed forms."""
 
+import json
+import math
 import random
+import re
 import unittest
 from fractions import Fraction
 
 import exact
-from harness import main
+from harness import ROOT, main, run
 from onset_case import degrees_of
 from test_limit import Scene, mated_polygon, mated_teeth
 
@@ -38,6 +41,21 @@ class Known(unittest.TestCase):
             self.assertEqual(case["onset"]["mechanism"], "topples")
             self.assertEqual(case["mechanism"], verdict)
             self.assertEqual(case["limit"]["mechanism"], "slides and topples")
+
+    def test_table_of_the_page(self):
+        """docs/onset.md: both angles of the paper's blocks at 30 and 60 degrees of friction; they differ above 90 less 2 i."""
+        rows = re.findall(r"^\| ([a-g] .*) \|$", (ROOT / "docs/onset.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual(len(rows), 10)
+        for row in (row.split(" | ") for row in rows):
+            path = f"examples/block_{row[0].replace(' towards its ', '_')}.yaml"
+            a, c = map(float, re.search(r"\{a: (\S+), b: \S+, c: (\S+)\}", (ROOT / path).read_text(encoding="utf-8")).groups())
+            self.assertEqual(row[3], f"{90 - 2 * math.degrees(math.atan(c / a)):.1f}°")
+            said = []
+            for friction in (30, 60):
+                case = json.loads(run("solve", "--json", "--set", f"friction_angle_deg={friction}", path)[1])["cases"][0]
+                said += [f"{one['critical_angle_deg']['value']:.3f}°" + (f" {one['mechanism']}" if friction == 60 else "")
+                         for one in (case["onset"], case["limit"])]
+            self.assertEqual(row[1:3] + row[4:], said, path)
 
     def test_an_irregular_block(self):
         outline = ("outline: [[0, 1.123], [0.588, 0.901], [1.536, -0.465], [0.967, 4.599], "

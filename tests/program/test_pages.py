@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The tutorial and the questions: every file that they show is written, every command run, and what they say that the
 program prints it does print, line by line in that order; what begins at a photograph within 2 % of its numbers, as the
-arithmetic of OpenCV depends on the machine."""
+arithmetic of OpenCV depends on the machine. On the other pages: the output below a scene is that of `topple solve`, the
+output below a command its own, and every command over a file of examples/ still runs."""
 
 import os
 import pathlib
@@ -12,10 +13,14 @@ import shutil
 import tempfile
 import unittest
 
-from harness import PROGRAM, ROOT, main, run
+from harness import PROGRAM, ROOT, main, reads, run
 
 BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", pathlib.Path(PROGRAM).parent))
 BLOCK = re.compile(r"(?:(Add to )?`([\w.]+)`:\n\n)?```(\w+)\n(.*?)```\n", re.DOTALL)
+SCENE = re.compile(r"```yaml\n(topple: 1\n.*?)```\n\n((?:    [^\n]*\n|\n)+)", re.DOTALL)
+SHOWN = re.compile(r"^    \$ topple (.*)\n((?:    .*\n)+)", re.MULTILINE)
+COMMAND = re.compile(r"^ {4}(?:\./run|topple) ((?!tilt .*--overturning|chart map .*--y|trace).*?)(?: {3,}.*)?$", re.MULTILINE)
+WRITES = re.compile(r" --(output|figure|scatter|rows|report|animation|reactions|phase)[ =]\S+")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 
 
@@ -118,6 +123,48 @@ class Pages(unittest.TestCase):
                 self.assertTrue(lines > 0 or "```" not in section)
                 said += lines
         self.assertGreater(said, 18)
+
+    def in_order(self, shown, printed, what):
+        """Each line shown is printed, in that order, but for an ellipsis."""
+        at = 0
+        for line in filter(str.strip, shown.splitlines()):
+            if line.strip() != "…":
+                self.assertIn(line[4:], printed[at:], what)
+                at = printed.index(line[4:], at) + 1
+
+    def test_output_below_scenes_and_commands(self):
+        count = 0
+        for page in sorted((ROOT / "docs").glob("*.md")):
+            text = page.read_text(encoding="utf-8")
+            with tempfile.TemporaryDirectory() as name:
+                scene = pathlib.Path(name) / "scene.yaml"
+                for match in SCENE.finditer(text) if page.stem != "faq" else ():
+                    scene.write_text(match.group(1), encoding="utf-8")
+                    self.in_order(match.group(2), run("solve", scene)[1].splitlines(), page.name)
+                    count += 1
+                scene.unlink(missing_ok=True)
+                for match in SHOWN.finditer(text):
+                    words = shlex.split(match.group(1))
+                    for word in filter(lambda word: (ROOT / "examples" / word).is_file(), words):
+                        shutil.copy(ROOT / "examples" / word, name)
+                    if ".dxf" not in match.group(1) or reads("dxf"):
+                        _, out, err = run(*words, folder=name)
+                        self.in_order(match.group(2), (out + err).splitlines(), page.name)
+                    count += 1
+        self.assertGreaterEqual(count, 6)
+
+    def test_commands_over_examples(self):
+        """Without the files that they would write; maps over two numbers, which take seconds, are in test_map.py."""
+        commands = {WRITES.sub("", command).split("|")[0] for page in (ROOT / "docs").glob("*.md")
+                    for command in COMMAND.findall(page.read_text(encoding="utf-8")) if "examples/" in command}
+        self.assertGreater(len(commands), 30)
+        for command in sorted(commands):
+            words = [path for word in shlex.split(command)
+                     for path in (sorted(ROOT.glob(word)) if "*" in word and "=" not in word else [word])]
+            if "…" not in words:
+                with self.subTest(command):
+                    status, _, err = run(*words)
+                    self.assertIn(status, (0, 1) if words[0] == "verify" else (0,), err)
 
     def test_a_page_that_is_wrong_fails(self):
         with tempfile.TemporaryDirectory() as name:

@@ -57,6 +57,7 @@ class RoughSole(unittest.TestCase):
             self.assertEqual((side, length, float(level)), ("left", "2", round(flat, 3)))
             self.assertEqual(int(facets), round(4 / step))
             self.assertAlmostEqual(float(drawn), governs["value"], delta=6e-4)
+            self.assertTrue(1.1 < governs["value"] < 1.5)  # docs/limit.md
         self.assertGreater(told, 8)
 
     def test_under_loads(self):
