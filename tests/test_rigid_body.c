@@ -378,7 +378,7 @@ START_TEST(what_is_not_simulated_is_refused_in_its_place) {
        "depends on the normal stress"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(body_stage_refused(cases[k][0], &message), TP_BAD_INPUT);
     ck_assert_msg(strstr(message.text, cases[k][1]) != NULL, "%s", message.text);
   }

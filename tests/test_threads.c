@@ -96,7 +96,7 @@ static const tp_scene *shared_scene;
 static const tp_solution *shared_solution;
 
 static void say_shared(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_derivation *derivation = NULL;
   tp_derive_options options = tp_derive_options_default();
   options.elements = options.limit = true;
@@ -128,7 +128,7 @@ static void share(crowd *among, int number) {
 
 START_TEST(one_scene) {
   const char *path = shared_scenes[_i];
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   char own[FOLDER];
   if (path == NULL) scene = build_square(33.3);
