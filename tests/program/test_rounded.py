@@ -9,7 +9,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, run, solve, table
+from harness import main, rounds, run, solve, table
 from rounded_case import RoundedCase
 
 BLOCKS = {"A": (3, 15, 94, 5), "B": (3, 14, 135, 5), "C": (4, 20, 158, 7), "D": (4, 20, 242, 7),
@@ -59,7 +59,7 @@ class Rounded(RoundedCase):
     def test_axis(self):
         """Model paper: the critical angle about the moved axis, by exact moments at 60 digits."""
         random.seed(51)
-        for _ in range(60):
+        for _ in range(rounds(20, 60)):
             n, end = random.randint(1, 5), random.choice(["valley", "peak"])
             a, b, c, r = (random.randint(10, 30), random.randint(80, 200), random.randint(1, 9),
                           Fraction(random.randint(1, 400), 100))
@@ -128,10 +128,10 @@ class Rounded(RoundedCase):
         self.assertLess(product["error"], 1e-9 * block["second_moment_xx_m4"]["value"])
 
     def test_recovered(self):
-        """1000 random blocks: the radius that gives the critical angle of a known radius is that one,
+        """Random blocks: the radius that gives the critical angle of a known radius is that one,
         to 1e-10 of it."""
         random.seed(52)
-        for k in range(1000):
+        for k in range(rounds(120, 1000)):
             n, end = random.randint(1, 5), random.choice(["valley", "peak"])
             a, b, c = random.randint(15, 30), random.randint(60, 200), random.randint(1, 9)
             r = random.randint(10, 300) / 100

@@ -17,7 +17,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import ROUNDS, main, run
+from harness import ROUNDS, main, rounds, run
 
 GAMMA, WATER = Decimal(26), Decimal("9.81")
 
@@ -132,7 +132,8 @@ class Water(unittest.TestCase):
         stand."""
         random.seed(71)
         beyond = 0
-        for _ in range(100 * ROUNDS):
+        count = rounds(34, 100) * ROUNDS
+        for _ in range(count):
             b, h = Fraction(random.randint(10, 90), 10), Fraction(random.randint(20, 80), 10)
             height = h * random.choice([1, Fraction(1, 2), Fraction(random.randint(1, 999), 1000)])
             friction, tilt = random.randint(20, 85), random.randint(1, 89)
@@ -168,13 +169,13 @@ class Water(unittest.TestCase):
                 if over:
                     report = run("solve", self.scene)[1]
                     self.assertIn("the water is above the top of its face", report)
-        self.assertGreater(beyond, 15 * ROUNDS)
+        self.assertGreater(beyond, 15 * count // 100)
 
     def test_steps(self):
         """Blocks on a step, up or down: toe and heel at different heights, in both directions at once, which
         must say what each says alone."""
         random.seed(72)
-        for _ in range(25 * ROUNDS):
+        for _ in range(rounds(9, 25) * ROUNDS):
             b = [Fraction(random.randint(5, 30), 10) for _ in range(2)]
             step = Fraction(random.choice([-15, -7, 3, 8, 20]), 10)
             top = max(step, 0) + Fraction(random.randint(5, 40), 10)

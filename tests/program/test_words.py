@@ -14,7 +14,7 @@ import re
 import tempfile
 import unittest
 
-from harness import ROUNDS, main, run
+from harness import ROUNDS, main, rounds, run
 
 # null where the scene does not ask for it, or where another key of the same object says what is the case
 SAID_ELSEWHERE = {"tied_with", "centre_x_m", "centre_y_m", "margin_deg", "fos_elements", "fos_strength", "toppling",
@@ -66,7 +66,7 @@ class Words(unittest.TestCase):
         random.seed(57)
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "scene.yaml"
-            for _ in range(250 * ROUNDS):
+            for _ in range(rounds(80, 250) * ROUNDS):
                 text = scene()
                 path.write_text(text)
                 with self.subTest(scene=text):

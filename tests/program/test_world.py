@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from fractions import Fraction
 
-from harness import main, run, solve
+from harness import main, rounds, run, solve
 
 SEED = 11
 TURNS = [(Fraction(4, 5), Fraction(3, 5)), (Fraction(12, 13), Fraction(5, 13)), (Fraction(15, 17), Fraction(-8, 17)),
@@ -79,7 +79,7 @@ class World(unittest.TestCase):
         """A scene along its mean plane at a tilt, and the same one turned by that tilt, exactly, as it then lies:
         one report. With holes, parts, rounded corners, arcs, profiles, and every load that has a direction."""
         r = random.Random(SEED)
-        for number in range(40):
+        for number in range(rounds(14, 40)):
             c, s = r.choice(TURNS)
             x0, y0 = Fraction(r.randint(-9, 9)), Fraction(r.randint(-9, 9))
             place = lambda p: (x0 + c * p[0] - s * p[1], y0 + s * p[0] + c * p[1])
@@ -166,7 +166,7 @@ class World(unittest.TestCase):
         critical angle less the dip is the angle by which the page has to be turned until the centroid stands over
         the toe; the factor of safety is the ratio of the tangents. In mirror images too."""
         r = random.Random(SEED + 1)
-        for number in range(40):
+        for number in range(rounds(14, 40)):
             dip = math.radians(r.uniform(-35, 35))
             count = r.randint(2, 8)
             rough = [(2.0 * k, r.uniform(-0.2, 0.2)) for k in range(count + 1)]
