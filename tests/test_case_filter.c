@@ -8,7 +8,7 @@
 #include "runner.h"
 
 #include "case_filter/case_filter.h"
-#include "stability/case_numbers.h"
+#include "evaluation/case_numbers.h"
 
 #include <math.h>
 #include <stdio.h>

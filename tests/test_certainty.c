@@ -4,8 +4,8 @@
 /* What a stage of a solve says of its own results: open where a higher rung may tell, undecided on
  * the last, taken for zero where so many bits do not tell from it; and the order of two angles. */
 
+#include "evaluation/stages.h"
 #include "runner.h"
-#include "stability/stages.h"
 
 /* A square of side 2, and the same with an arc, whose sums no rung has exactly. */
 static const char *const square =

@@ -11,10 +11,10 @@
 #include "block/corners.h"
 #include "block/ellipse.h"
 #include "common/clock.h"
+#include "evaluation/stages.h"
 #include "load/loads.h"
+#include "problem/facet_friction.h"
 #include "shaking/shaking.h"
-#include "stability/facet_friction.h"
-#include "stability/stages.h"
 
 #include <stdio.h>
 #include <stdlib.h>

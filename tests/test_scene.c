@@ -5,9 +5,9 @@
  * refused is tested from outside, by tests/bad; here stands what must be understood, and how. */
 
 #include "runner.h"
-#include "scene/csv.h"
 #include "scene/expression.h"
 #include "scene/node.h"
+#include "scene_reading/csv.h"
 
 #include <stdio.h>
 #include <stdlib.h>

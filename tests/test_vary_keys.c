@@ -7,8 +7,8 @@
 
 #include "keyed_scenes.h"
 
-#include "scene/slot_table.h"
-#include "scene/slots.h"
+#include "scene_varying/slot_table.h"
+#include "scene_varying/slots.h"
 
 #include <stdlib.h>
 #include <string.h>

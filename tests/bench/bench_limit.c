@@ -21,8 +21,8 @@
 #include "linear_program/basis.h"
 #include "motion/windows.h"
 #include "number/ball.h"
-#include "stability/limit_cones.h"
-#include "stability/onset_question.h"
+#include "onset/onset_question.h"
+#include "static_limit/limit_cones.h"
 
 #include <string.h>
 #include <unistd.h>

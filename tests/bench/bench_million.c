@@ -20,7 +20,7 @@
 #include "base/contact.h"
 #include "block/check.h"
 #include "block/moments.h"
-#include "scene/csv.h"
+#include "scene_reading/csv.h"
 
 #include <string.h>
 #include <sys/resource.h>

@@ -7,8 +7,8 @@
 
 #include "bench.h"
 
+#include "problem/problem.h"
 #include "quasi_static/path.h"
-#include "stability/problem.h"
 
 #include <gsl/gsl_sort.h>
 #include <math.h>

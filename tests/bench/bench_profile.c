@@ -14,7 +14,7 @@
 #include "bench.h"
 
 #include "roughness/profile.h"
-#include "scene/csv.h"
+#include "scene_reading/csv.h"
 
 #include <string.h>
 

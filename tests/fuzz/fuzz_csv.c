@@ -4,7 +4,7 @@
 /* CSV files of points; the first byte says whether they close. */
 
 #include "fuzz.h"
-#include "scene/csv.h"
+#include "scene_reading/csv.h"
 
 #include <stdlib.h>
 

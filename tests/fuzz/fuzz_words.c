@@ -6,7 +6,7 @@
 
 #include "cli/chart_options.h"
 #include "fuzz.h"
-#include "scene/key.h"
+#include "scene_reading/key.h"
 
 #include <stdlib.h>
 #include <string.h>

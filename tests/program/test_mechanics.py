@@ -272,11 +272,11 @@ class Capacities(Page):
                   "{TP_LEVEL_EXACT, 320}", "{TP_LEVEL_EXACT, TP_SETTLING_BITS}", "{TP_LEVEL_EXACT, 5120}")),
                 ("160; exact sums and 320, 1280, 5120 bits", "src/core/number/ladder.h",
                  ("TP_BALL_BITS = 160, TP_SETTLING_BITS = 1280",)),
-                ("numbers that 1280 bits do not separate (160 for the limit", "src/statics/stability/limit_asked.c",
+                ("numbers that 1280 bits do not separate (160 for the limit", "src/statics/static_limit/limit_asked.c",
                  ("enclosed ? TP_BALL_BITS : TP_SETTLING_BITS",)),
                 ("halved; 256 are tried, at most", "src/statics/certificate/interval.c", ("MOST_SAMPLES = 256",)),
                 ("factors from 10⁻⁶ to 10⁶", "src/statics/strength_reduction/reduction.c", ("least_factor = 1e-6, most_factor = 1e6",)),
-                ("no more than 70°", "src/statics/stability/friction.c", ("MOST_DEGREES = 70",)),
+                ("no more than 70°", "src/statics/evaluation/friction.c", ("MOST_DEGREES = 70",)),
                 ("between 2^(−b/2) and 2^(−b/4) degrees", "src/statics/certificate/bracket.c",
                  ("exponent = -bits / 2; exponent <= -bits / 4",))):
             self.assertIn(says, PAGE)

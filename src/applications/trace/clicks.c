@@ -6,7 +6,7 @@
 #include "trace/trace.h"
 
 #include "common/notes.h"
-#include "scene/csv.h"
+#include "scene_reading/csv.h"
 
 #include <math.h>
 #include <string.h>

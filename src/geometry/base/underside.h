@@ -11,8 +11,8 @@
  *   smallest x + y (of several the outermost): from there on the underside rises to each of its
  *   points by more than it runs, that is at more than 45 degrees from the mean plane. What is
  * nearer upright than level is a wall of the block and no part of its sole
- * (stability/limit_beyond.c draws the same line), and the comparison is exact, whatever the scale,
- * and in a mirror image. Steps and steep flanks on the way stay: the support of a line at 45
+ * (static_limit/limit_beyond.c draws the same line), and the comparison is exact, whatever the
+ * scale, and in a mirror image. Steps and steep flanks on the way stay: the support of a line at 45
  * degrees passes over them.
  * - between the lowest vertex and that end it ends before the first edge that runs back: beyond it
  *   the block overhangs its own support. Where the block reaches in below, it ends in the last

@@ -15,9 +15,9 @@
 #include "roughness/sampling.h"
 #include "roughness/slopes.h"
 #include "roughness/turn.h"
-#include "scene/csv.h"
 #include "scene/exact.h"
 #include "scene/scene.h"
+#include "scene_reading/csv.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -136,9 +136,8 @@ typedef struct tp_water_description {
   tp_quantity unit_weight_kn_m3; /* 9.81 where not given */
   bool stays_level;              /* the height is vertical, whatever the tilt */
   bool uplift;                   /* along the base, falling to nothing at the toe */
-  bool
-      lifts_alone; /* what it pushes down-dip is left out: the block goes up-dip (stability/world.h)
-                    */
+  bool lifts_alone; /* what it pushes down-dip is left out: the block goes up-dip (problem/world.h)
+                     */
 } tp_water_description;
 
 typedef struct tp_loads_description {
@@ -205,7 +204,7 @@ typedef struct tp_unit {
 } tp_unit;
 
 /* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
- * scene in memory can be given in scene/slot_table.c. */
+ * scene in memory can be given in scene_varying/slot_table.c. */
 struct tp_scene {
   const char *path; /* of its file, or what it is called; outlives it */
   char *title;

@@ -73,7 +73,7 @@ static void own_line(void *copy, size_t offset) {
   *line = tp_polyline_share(line);
 }
 
-/* Room for a power of two, as the calls that add to a list keep it (scene/build.c). */
+/* Room for a power of two, as the calls that add to a list keep it (scene_building/build.c). */
 static bool own_list(tp_scene *copy, tp_list_kind kind, const tp_scene *scene) {
   const tp_list *list = tp_scene_lists + kind;
   const long count = tp_member_count(scene, kind);

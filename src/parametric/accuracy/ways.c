@@ -8,10 +8,10 @@
 
 #include "block/check.h"
 #include "block/triangle_sums.h"
-#include "stability/limit_price.h"
-#include "stability/loaded.h"
-#include "stability/onset_price.h"
-#include "stability/stages.h"
+#include "evaluation/loaded.h"
+#include "evaluation/stages.h"
+#include "onset/onset_price.h"
+#include "static_limit/limit_price.h"
 
 /* What a way computes with: moments of its own, and the loads where the scene calls for some. */
 typedef struct way {

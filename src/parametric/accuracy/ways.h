@@ -7,7 +7,7 @@
 #define TP_ACCURACY_WAYS_H
 
 #include "accuracy/accuracy.h"
-#include "stability/evaluation.h"
+#include "evaluation/evaluation.h"
 
 /* One question: a scene made ready, and the pivot that governs in it. */
 typedef struct tp_accuracy_subject {

@@ -6,7 +6,7 @@
 
 #include "chart/map.h"
 #include "chart/mechanism_style.h"
-#include "stability/case_numbers.h"
+#include "evaluation/case_numbers.h"
 
 #include <stdio.h>
 

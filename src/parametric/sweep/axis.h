@@ -6,7 +6,7 @@
 #ifndef TP_SWEEP_AXIS_H
 #define TP_SWEEP_AXIS_H
 
-#include "scene/vary.h"
+#include "scene_varying/vary.h"
 
 typedef struct tp_axis {
   char *name; /* the key */

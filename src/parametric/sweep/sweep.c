@@ -7,7 +7,7 @@
 #include "batch/share.h"
 #include "common/host.h"
 #include "common/options.h"
-#include "scene/settings.h"
+#include "scene_varying/settings.h"
 #include "sweep/axis.h"
 
 #include <stdlib.h>

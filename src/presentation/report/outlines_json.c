@@ -7,9 +7,9 @@
 
 #include "common/host.h"
 #include "common/message.h"
+#include "problem/problem.h"
 #include "report/solution_json.h"
 #include "shape/shape.h"
-#include "stability/problem.h"
 
 #include <math.h>
 

@@ -7,10 +7,10 @@
 
 #include "report/pivots.h"
 
+#include "problem/bearing.h"
 #include "report/loads.h"
 #include "report/parts_json.h"
 #include "report/words.h"
-#include "stability/bearing.h"
 
 #include <stdio.h>
 

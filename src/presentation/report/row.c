@@ -6,11 +6,11 @@
 
 #include "report/row.h"
 
+#include "evaluation/case_numbers.h"
 #include "output/encode.h"
 #include "report/onset.h"
 #include "report/parts_json.h"
 #include "report/words.h"
-#include "stability/case_numbers.h"
 
 #include <stdio.h>
 

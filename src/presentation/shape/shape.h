@@ -10,7 +10,7 @@
 #ifndef TP_SHAPE_SHAPE_H
 #define TP_SHAPE_SHAPE_H
 
-#include "stability/problem.h"
+#include "problem/problem.h"
 
 typedef struct tp_spot {
   double x, y;

@@ -7,7 +7,7 @@
 #ifndef TP_CASE_FILTER_AFFINE_H
 #define TP_CASE_FILTER_AFFINE_H
 
-#include "scene/vary.h"
+#include "scene_varying/vary.h"
 
 enum { TP_AFFINE_VARIABLES = 8 };
 

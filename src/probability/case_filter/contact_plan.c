@@ -7,7 +7,7 @@
 #include "case_filter/contact_plan.h"
 
 #include "motion/closed.h"
-#include "stability/onset_question.h"
+#include "onset/onset_question.h"
 
 /* What is planned, and from what. */
 typedef struct planning {

@@ -10,7 +10,7 @@
 #ifndef TP_CASE_FILTER_CONTACT_PLAN_H
 #define TP_CASE_FILTER_CONTACT_PLAN_H
 
-#include "stability/evaluation.h"
+#include "evaluation/evaluation.h"
 
 /* Beyond these a case is left to the ladder. */
 enum {

@@ -5,7 +5,7 @@
  * base: the contact of each in doubles with bounds.
  *
  * Whether the vertices make a block, which of them touch the base and where: all of that the
- * preparation of a scene (stability/problem.c) tells by signs: of x_i - x_j, y_i - y_j and of the
+ * preparation of a scene (problem/problem.c) tells by signs: of x_i - x_j, y_i - y_j and of the
  * sum and the difference of these, and of the turns of three points, the ends of the base among
  * them. Where each has the sign that it has in the scene at hand, the contact is the same one. */
 

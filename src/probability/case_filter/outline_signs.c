@@ -93,7 +93,7 @@ static void add_turns(tp_outline_mapping *m, int i, int j) {
   }
 }
 
-/* Which pivots are admissible (stability/admissible.c): of each contact point against each facet.
+/* Which pivots are admissible (problem/admissible.c): of each contact point against each facet.
  */
 static void add_admissible(tp_outline_mapping *m, tp_direction towards) {
   for (int k = 0; k < m->plan->point_count; k++) {

@@ -7,9 +7,9 @@
 
 #include "case_filter/case_filter.h"
 
+#include "evaluation/friction.h"
 #include "number/ball.h"
-#include "stability/friction.h"
-#include "stability/onset_question.h"
+#include "onset/onset_question.h"
 #include "stability/solution.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The facet that governs sliding by angles (stability/sliding_facet.h), and its two factors, in
+/* The facet that governs sliding by angles (evaluation/sliding_facet.h), and its two factors, in
  * doubles with bounds. */
 
 #ifndef TP_CASE_FILTER_SLIDING_FILTER_H

@@ -6,8 +6,8 @@
 
 #include "study/sample.h"
 
+#include "evaluation/case_numbers.h"
 #include "number/ratio.h"
-#include "stability/case_numbers.h"
 #include "stability/tilts.h"
 #include "study/sample_filter.h"
 

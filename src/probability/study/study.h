@@ -13,7 +13,7 @@
 
 #include "sampling/distribution.h"
 #include "sampling/draws.h"
-#include "scene/vary.h"
+#include "scene_varying/vary.h"
 #include "topple_study.h"
 
 /* Most that a study may have: what it holds in memory for each is bounded by these. */

@@ -6,9 +6,9 @@
 
 #include "rigid_body/body.h"
 
+#include "evaluation/friction.h"
+#include "evaluation/loaded.h"
 #include "number/ball.h"
-#include "stability/friction.h"
-#include "stability/loaded.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #ifndef TP_RIGID_BODY_LOCAL_H
 #define TP_RIGID_BODY_LOCAL_H
 
-#include "stability/evaluation.h"
+#include "evaluation/evaluation.h"
 
 typedef struct tp_xy {
   double x, y;

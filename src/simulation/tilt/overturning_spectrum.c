@@ -7,7 +7,7 @@
 #include "tilt/overturning_spectrum.h"
 
 #include "common/message.h"
-#include "stability/problem.h"
+#include "problem/problem.h"
 #include "stability/solve.h"
 #include "tilt/cost.h"
 #include "tilt/engines.h"

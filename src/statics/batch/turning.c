@@ -5,7 +5,7 @@
  *
  * Underside: from the vertex with the least x + y to the one with the largest x - y, as
  * base/underside.c has it where no edge between the two runs back. Pivot: each vertex of it but one
- * end presses a facet down, so that end is the pivot, or none is (stability/admissible.c).
+ * end presses a facet down, so that end is the pivot, or none is (problem/admissible.c).
  * Angle (Eq. 2): with the pivot as origin the arms of the weight are X6 and Y6 over 3 A2
  * (block/ring_sums.h), so that the angle is the direction of (X6, Y6), and A2 gives their sign.
  *

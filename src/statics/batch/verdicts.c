@@ -7,7 +7,7 @@
 #include "batch/block_scene.h"
 #include "batch/blocks.h"
 #include "batch/share.h"
-#include "stability/case_numbers.h"
+#include "evaluation/case_numbers.h"
 
 #include <math.h>
 

@@ -10,7 +10,7 @@
  * h / (3 cos a) over the heel. Uplift falls linearly from the head at the heel to nothing at the
  * toe, normal to the mean plane: g h L d / 2 (times cos a, or not), L / 3 from the heel.
  *
- * Of a block that goes up-dip the uplift acts alone (stability/world.h), in a frame that is level
+ * Of a block that goes up-dip the uplift acts alone (problem/world.h), in a frame that is level
  * as the block lies on a dip d: heel and toe have changed places, the mean plane rises towards -x
  * in the direction (-cos d, sin d), its normal is (sin d, cos d), and cos a is cos (d - a). */
 

@@ -8,8 +8,8 @@
 
 #include "base/closeness.h"
 #include "common/notes.h"
+#include "evaluation/normal_stress.h"
 #include "stability/earthquakes.h"
-#include "stability/normal_stress.h"
 
 #include <stdio.h>
 

@@ -6,7 +6,7 @@
 #ifndef TP_STABILITY_CAUTIONS_H
 #define TP_STABILITY_CAUTIONS_H
 
-#include "stability/problem.h"
+#include "problem/problem.h"
 
 TP_MUST_USE tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem,
                                           tp_message *message);

@@ -7,11 +7,11 @@
 
 #include "stability/climb.h"
 
+#include "evaluation/friction.h"
+#include "evaluation/loaded.h"
+#include "evaluation/stages.h"
+#include "problem/effects.h"
 #include "stability/climbing.h"
-#include "stability/effects.h"
-#include "stability/friction.h"
-#include "stability/loaded.h"
-#include "stability/stages.h"
 
 #include <string.h>
 

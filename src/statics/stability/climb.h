@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The ladder climbed for a problem: at every rung the stages of a solve (stability/stages.h), as
+/* The ladder climbed for a problem: at every rung the stages of a solve (evaluation/stages.h), as
  * far as a lower one has not settled them. */
 
 #ifndef TP_STABILITY_CLIMB_H
 #define TP_STABILITY_CLIMB_H
 
-#include "stability/problem.h"
+#include "problem/problem.h"
 #include "stability/tilts.h"
 
 /* Fills in a solution whose cases are described, and those of the tilts, or NULL, that its first

@@ -2,13 +2,13 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* What a climb of the ladder keeps from one rung to the next, and the same for the further tilts
- * that its first rung serves (stability/further.h). */
+ * that its first rung serves (evaluation/further.h). */
 
 #ifndef TP_STABILITY_CLIMBING_H
 #define TP_STABILITY_CLIMBING_H
 
-#include "stability/further.h"
-#include "stability/onset.h"
+#include "evaluation/further.h"
+#include "onset/onset.h"
 #include "stability/tilts.h"
 
 /* What lower rungs have settled of one direction. */

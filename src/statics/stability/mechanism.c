@@ -5,10 +5,10 @@
  * the mechanism at the scene's tilt, motion up-dip, and the margin (docs/mechanics.md sections 3
  * and 6a). */
 
-#include "stability/loaded.h"
-#include "stability/onset.h"
-#include "stability/onset_question.h"
-#include "stability/stages.h"
+#include "evaluation/loaded.h"
+#include "evaluation/stages.h"
+#include "onset/onset.h"
+#include "onset/onset_question.h"
 
 #include "number/ball.h"
 

@@ -8,11 +8,11 @@
 
 #include "common/host.h"
 #include "common/message.h"
+#include "evaluation/certainty.h"
+#include "evaluation/rest_result.h"
+#include "problem/effects.h"
 #include "rest/basins.h"
-#include "stability/certainty.h"
-#include "stability/effects.h"
 #include "stability/pose_verdict.h"
-#include "stability/rest_result.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,12 +7,12 @@
 #include "stability/solution.h"
 
 #include "common/notes.h"
-#include "scene/result_unit.h"
-#include "scene/settings.h"
-#include "stability/effects.h"
-#include "stability/loaded.h"
-#include "stability/onset.h"
-#include "stability/stages.h"
+#include "evaluation/loaded.h"
+#include "evaluation/stages.h"
+#include "onset/onset.h"
+#include "problem/effects.h"
+#include "scene_reading/result_unit.h"
+#include "scene_varying/settings.h"
 
 #include <stdlib.h>
 #include <string.h>

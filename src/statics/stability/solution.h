@@ -6,7 +6,7 @@
 #ifndef TP_STABILITY_SOLUTION_H
 #define TP_STABILITY_SOLUTION_H
 
-#include "stability/problem.h"
+#include "problem/problem.h"
 
 /* What is exact, once for all rungs, and the cases with their arrays. A solution that fails half
  * way is still to be freed. */

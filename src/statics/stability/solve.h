@@ -6,7 +6,7 @@
 #ifndef TP_STABILITY_SOLVE_H
 #define TP_STABILITY_SOLVE_H
 
-#include "stability/problem.h"
+#include "problem/problem.h"
 #include "stability/tilts.h"
 
 /* Fill a solution, zero but for its effects, in which the preparation was noted. What it holds on

@@ -8,12 +8,12 @@
 #include "common/host.h"
 #include "common/notes.h"
 #include "common/options.h"
+#include "evaluation/rough_sole.h"
 #include "scene/check_tilt_test.h"
-#include "scene/settings.h"
+#include "scene_varying/settings.h"
 #include "stability/cautions.h"
 #include "stability/earthquakes.h"
 #include "stability/poses.h"
-#include "stability/rough_sole.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A scene solved at its own tilt, and what that tells of it at further ones
- * (stability/further.h). */
+ * (evaluation/further.h). */
 
 #ifndef TP_STABILITY_TILTS_H
 #define TP_STABILITY_TILTS_H

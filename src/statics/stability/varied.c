@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads doubles as the exact decimals of 17 digits, varies the scene by its keys (scene/vary.h) and
- * solves it. */
+/* Reads doubles as the exact decimals of 17 digits, varies the scene by its keys
+ * (scene_varying/vary.h) and solves it. */
 
 #include "stability/varied.h"
 

@@ -6,7 +6,7 @@
 #ifndef TP_STABILITY_VARIED_H
 #define TP_STABILITY_VARIED_H
 
-#include "scene/vary.h"
+#include "scene_varying/vary.h"
 
 enum { TP_VARIED_MAX = 2 };
 

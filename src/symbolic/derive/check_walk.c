@@ -6,10 +6,10 @@
 
 #include "derive/check_walk.h"
 
+#include "evaluation/friction.h"
 #include "number/ball.h"
 #include "number/ladder.h"
-#include "scene/vary.h"
-#include "stability/friction.h"
+#include "scene_varying/vary.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,8 +10,8 @@
 #include "derive/contact_conditions.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
+#include "evaluation/friction.h"
 #include "number/ball.h"
-#include "stability/friction.h"
 
 #include <stdlib.h>
 #include <string.h>

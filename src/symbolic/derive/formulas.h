@@ -7,7 +7,7 @@
 #define TP_DERIVE_FORMULAS_H
 
 #include "derive/symbols.h"
-#include "stability/problem.h"
+#include "problem/problem.h"
 
 /* Twice the area, six times the first moments about the scene's origin, weighted by relative
  * density; `area2` without weights, holes taken off. */

@@ -10,7 +10,7 @@
 #include "derive/field_work.h"
 #include "number/ball.h"
 #include "number/ladder.h"
-#include "stability/limit_cones.h"
+#include "static_limit/limit_cones.h"
 
 #include <stdlib.h>
 #include <string.h>

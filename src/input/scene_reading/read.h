@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reading values of a scene out of its nodes. Shared by the readers of its sections. */
+
+#ifndef TP_SCENE_READING_READ_H
+#define TP_SCENE_READING_READ_H
+
+#include "scene/check.h"
+#include "scene/node.h"
+#include "scene/scene.h"
+
+/* How far the reading of a file is. */
+typedef struct tp_reading {
+  bool again;  /* the file was read before: its chains are known */
+  bool varies; /* the last numbers depend on a parameter, or are not those of the file */
+  long next_chain;
+  bool cut; /* a mesh was cut by the plane that the scene gives */
+} tp_reading;
+
+typedef struct tp_reader {
+  tp_scene *scene;
+  tp_message *message;
+  tp_reading *reading;
+} tp_reader;
+
+/* An expression; `name` is the key or the role of the value in messages. */
+TP_MUST_USE tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
+                                     const char *name);
+
+/* The same by a rule. */
+TP_MUST_USE tp_status tp_read_by_rule(const tp_reader *reader, fmpq_t value, const tp_node *node,
+                                      const char *name, tp_rule rule);
+
+/* A quantity that may be missing (`node` NULL: not given). */
+TP_MUST_USE tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *quantity,
+                                       const tp_node *node, const char *name, tp_rule rule);
+TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
+                                   const char *name);
+
+/* A point, [x, y]. */
+TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
+                                    const tp_node *node, const char *name);
+
+/* The number of a facet of the base. */
+TP_MUST_USE tp_status tp_read_facet_number(const tp_reader *reader, long *number,
+                                           const tp_node *node);
+
+/* A list of [x, y], the name of a CSV file beside the scene, or a mesh. */
+TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
+                                     const tp_node *node, bool closed, const char *name);
+
+/* The same of the outline of the block, whose holes are those that a mesh has there. */
+TP_MUST_USE tp_status tp_read_outline(const tp_reader *reader, const tp_node *node);
+
+/* The same of a map that names a mesh, which is cut by the plane of the key section of the scene.
+ * `holes` NULL: of what may have none. */
+TP_MUST_USE tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines *holes,
+                                   const tp_node *node, bool closed, tp_notes *notes);
+/* The key section: has it a mesh to cut? After all chains. */
+TP_MUST_USE tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node);
+
+/* A chain that is made of numbers under a node, all read since `varies` was last set to false: what
+ * the same numbers made before, or NULL; and keep what they made now, ready to be shared, for when
+ * the file is read again. False when memory is exhausted. */
+const tp_polyline *tp_read_kept(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE bool tp_read_keep(const tp_reader *reader, const tp_polyline *line,
+                              const tp_node *node);
+
+/* The child that a mapping must have. */
+TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **child,
+                                       const tp_node *mapping, const char *key,
+                                       const char *example);
+
+/* The key drawing, before the sections that it gives something to. */
+TP_MUST_USE tp_status tp_read_drawing(const tp_reader *reader, const tp_node *node);
+/* The unit weights of the parts that a drawing gives, behind the block's own parts. */
+TP_MUST_USE tp_status tp_read_drawn_parts(const tp_reader *reader, const tp_node *drawing);
+/* Holes and arcs that it gives, behind the block's own. */
+TP_MUST_USE tp_status tp_read_drawn_holes(const tp_reader *reader);
+TP_MUST_USE tp_status tp_read_drawn_arcs(const tp_reader *reader);
+
+TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
+/* The keys friction_angle_deg and friction of the scene. */
+TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
+TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
+/* A profile that is made by rule. */
+TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, const tp_node *node);
+
+/* The key contact of the scene. */
+TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *node);
+/* The key joint, after base and contact. */
+TP_MUST_USE tp_status tp_read_joint(const tp_reader *reader, const tp_node *node);
+
+/* The key result_units. */
+TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node);
+
+/* The keys tilt_test and shaking. */
+TP_MUST_USE tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node);
+
+/* Where a node stands. */
+tp_place tp_read_place(const tp_reader *reader, const tp_node *node);
+
+/* Fail at a node. */
+tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reads the key frame of a scene: coordinates along the base or of the world, and a mean plane by
+ * two points. */
+
+#include "scene_reading/read.h"
+
+#include <string.h>
+
+static tp_status read_mean_plane(const tp_reader *reader, const tp_node *node) {
+  tp_polyline *plane = &reader->scene->mean_plane;
+  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
+    return tp_read_fail(reader, node,
+                        "the mean plane is named by two points on it, the left one first: "
+                        "'mean_plane: [[x, y], [x, y]]'");
+  }
+  const tp_status status = tp_read_points(reader, plane, node, false, "the mean plane");
+  return status == TP_OK ? tp_check_mean_plane(plane, tp_read_place(reader, node), reader->message)
+                         : status;
+}
+
+tp_status tp_read_frame(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"mean_plane", NULL};
+  tp_scene *scene = reader->scene;
+  if (node == NULL) return TP_OK;
+  scene->frame_place = tp_node_place(node, scene->path);
+  if (node->kind == TP_NODE_MAPPING) {
+    const tp_node *plane = NULL;
+    tp_status status = tp_node_expect_keys(node, keys, "frame", scene->path, reader->message);
+    if (status == TP_OK) {
+      status = tp_read_required(reader, &plane, node, "mean_plane",
+                                "frame: {mean_plane: [[0, 0], [2, 1]]}");
+    }
+    scene->frame = TP_FRAME_WORLD;
+    return status == TP_OK ? read_mean_plane(reader, plane) : status;
+  }
+  const bool scalar = node->kind == TP_NODE_SCALAR;
+  if (scalar && strcmp(node->text, "base") == 0) {
+    scene->frame = TP_FRAME_BASE;
+  } else if (scalar && strcmp(node->text, "world") == 0) {
+    scene->frame = TP_FRAME_WORLD;
+  } else {
+    return tp_read_fail(reader, node,
+                        "frame must be 'base' (x runs along the mean plane of the base), 'world' "
+                        "(y runs up, the block lies as it lies) or {mean_plane: [[x, y], [x, y]]} "
+                        "(as world, with two points on the mean plane)");
+  }
+  return TP_OK;
+}

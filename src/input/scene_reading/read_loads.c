@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reads the key loads of a scene: earthquake, water, pressures, surcharges, anchors, bond and
+ * cohesion. */
+
+#include "scene_reading/read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Which way it shakes a block that lies on a slope. */
+static tp_status read_direction(const tp_reader *reader, const tp_node *node) {
+  static const char *const words[] = {"both", "down_dip", "up_dip"};
+  tp_loads_description *loads = &reader->scene->loads;
+  if (node == NULL) return TP_OK;
+  for (int k = 0; k < 3 && !loads->direction_given; k++) {
+    loads->direction_given = node->kind == TP_NODE_SCALAR && strcmp(node->text, words[k]) == 0;
+    loads->direction = (tp_seismic_direction)k;
+  }
+  return loads->direction_given
+             ? TP_OK
+             : tp_read_fail(reader, node, "direction must be both, down_dip or up_dip");
+}
+
+static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"horizontal", "vertical", "direction", NULL};
+  tp_loads_description *loads = &reader->scene->loads;
+  if (node == NULL) return TP_OK;
+  loads->seismic_place = tp_node_place(node, reader->scene->path);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "seismic", reader->scene->path, reader->message);
+  if (status == TP_OK) {
+    status = tp_read_quantity(reader, &loads->horizontal, tp_node_get(node, "horizontal"),
+                              "horizontal", TP_RULE_ANY);
+  }
+  if (status == TP_OK) {
+    status = tp_read_quantity(reader, &loads->vertical, tp_node_get(node, "vertical"), "vertical",
+                              TP_RULE_ANY);
+  }
+  if (status == TP_OK) status = read_direction(reader, tp_node_get(node, "direction"));
+  if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
+    status = tp_read_fail(reader, node, "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)");
+  }
+  return status;
+}
+
+static tp_status read_truth(const tp_reader *reader, bool *value, const tp_node *node,
+                            const char *name) {
+  return node == NULL ? TP_OK : tp_read_bool(reader, value, node, name);
+}
+
+static tp_status read_water(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"height", "unit_weight_kn_m3", "stays_level", "uplift", NULL};
+  tp_water_description *water = &reader->scene->loads.water;
+  const tp_node *height = NULL;
+  if (node == NULL) return TP_OK;
+  water->given = true;
+  water->place = tp_node_place(node, reader->scene->path);
+  fmpq_set_si(water->unit_weight_kn_m3.value, 981, 100);
+  tp_status status = tp_node_expect_keys(node, keys, "water", reader->scene->path, reader->message);
+  if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 50");
+  if (status == TP_OK)
+    status = tp_read_quantity(reader, &water->height, height, "the height of water",
+                              TP_RULE_NOT_NEGATIVE);
+  if (status == TP_OK) {
+    status =
+        tp_read_quantity(reader, &water->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"),
+                         "the unit weight of water", TP_RULE_NOT_NEGATIVE);
+  }
+  if (status == TP_OK) {
+    status =
+        read_truth(reader, &water->stays_level, tp_node_get(node, "stays_level"), "stays_level");
+  }
+  if (status == TP_OK) {
+    status = read_truth(reader, &water->uplift, tp_node_get(node, "uplift"), "uplift");
+  }
+  return status;
+}
+
+static tp_status read_required_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
+                                     const tp_node *parent, const char *key) {
+  const tp_node *node = NULL;
+  const tp_status status = tp_read_required(reader, &node, parent, key, "[0, 10]");
+  return status == TP_OK ? tp_read_point(reader, x, y, node, key) : status;
+}
+
+/* `kpa` as one number, or as two at the ends where `two` allows it. */
+static tp_status read_kpa(const tp_reader *reader, tp_line_load *load, const tp_node *parent,
+                          bool two) {
+  const tp_node *node = NULL;
+  const tp_status status = tp_read_required(reader, &node, parent, "kpa", "kpa: 10");
+  if (status != TP_OK) return status;
+  if (node->kind == TP_NODE_SEQUENCE && node->count == 2 && two) {
+    const tp_status first =
+        tp_read_quantity(reader, &load->first_kpa, node->first, "a pressure", TP_RULE_NOT_NEGATIVE);
+    return first == TP_OK ? tp_read_quantity(reader, &load->last_kpa, node->last, "a pressure",
+                                             TP_RULE_NOT_NEGATIVE)
+                          : first;
+  }
+  const tp_status first =
+      tp_read_quantity(reader, &load->first_kpa, node, "a pressure", TP_RULE_NOT_NEGATIVE);
+  return first == TP_OK
+             ? tp_read_quantity(reader, &load->last_kpa, node, "a pressure", TP_RULE_NOT_NEGATIVE)
+             : first;
+}
+
+static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long *count,
+                            const tp_node *node, const char *what, bool two) {
+  static const char *const keys[] = {"from", "to", "kpa", NULL};
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE) {
+    return tp_read_fail(reader, node, "%s are a list of {from: [x, y], to: [x, y], kpa: 10}", what);
+  }
+  *loads = calloc((size_t)node->count + 1, sizeof **loads);
+  if (*loads == NULL) return tp_fail_memory(reader->message, "the loads");
+  tp_status status = TP_OK;
+  for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
+    tp_line_load *load = *loads + (*count)++;
+    tp_line_load_init(load);
+    load->place = tp_node_place(n, reader->scene->path);
+    status = tp_node_expect_keys(n, keys, what, reader->scene->path, reader->message);
+    if (status == TP_OK) status = read_required_point(reader, &load->x0, &load->y0, n, "from");
+    if (status == TP_OK) status = read_required_point(reader, &load->x1, &load->y1, n, "to");
+    if (status == TP_OK) status = read_kpa(reader, load, n, two);
+  }
+  return status;
+}
+
+static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anchor,
+                             const tp_node *node) {
+  static const char *const keys[] = {"at", "direction_deg", "force_kn", "passive", NULL};
+  const tp_node *direction = NULL, *force = NULL;
+  anchor->place = tp_node_place(node, reader->scene->path);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "an anchor", reader->scene->path, reader->message);
+  if (status == TP_OK) status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
+  if (status == TP_OK) {
+    status = tp_read_required(reader, &direction, node, "direction_deg", "direction_deg: -30");
+  }
+  if (status == TP_OK) {
+    status =
+        tp_read_quantity(reader, &anchor->direction_deg, direction, "direction_deg", TP_RULE_ANY);
+  }
+  if (status == TP_OK) status = tp_read_required(reader, &force, node, "force_kn", "force_kn: 50");
+  if (status == TP_OK)
+    status = tp_read_quantity(reader, &anchor->force_kn, force, "the force of an anchor",
+                              TP_RULE_NOT_NEGATIVE);
+  if (status == TP_OK) {
+    status = read_truth(reader, &anchor->passive, tp_node_get(node, "passive"), "passive");
+  }
+  return status;
+}
+
+static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
+  tp_loads_description *loads = &reader->scene->loads;
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE) {
+    return tp_read_fail(reader, node,
+                        "anchors are a list of {at: [x, y], direction_deg: -30, force_kn: 50}");
+  }
+  loads->anchors = calloc((size_t)node->count + 1, sizeof *loads->anchors);
+  if (loads->anchors == NULL) return tp_fail_memory(reader->message, "the loads");
+  tp_status status = TP_OK;
+  for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
+    tp_anchor_description *anchor = loads->anchors + loads->anchor_count++;
+    tp_anchor_init(anchor);
+    status = read_anchor(reader, anchor, n);
+  }
+  return status;
+}
+
+tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"seismic", "water",    "pressures",    "surcharges",
+                                     "anchors", "bond_kpa", "cohesion_kpa", NULL};
+  tp_scene *scene = reader->scene;
+  tp_loads_description *loads = &scene->loads;
+  if (node == NULL) return TP_OK;
+  loads->place = tp_node_place(node, scene->path);
+  tp_status status = tp_node_expect_keys(node, keys, "loads", scene->path, reader->message);
+  if (status == TP_OK) status = tp_check_loads_weighed(scene, loads->place, reader->message);
+  if (status == TP_OK) status = read_seismic(reader, tp_node_get(node, "seismic"));
+  if (status == TP_OK) status = read_water(reader, tp_node_get(node, "water"));
+  if (status == TP_OK) {
+    status = read_lines(reader, &loads->pressures, &loads->pressure_count,
+                        tp_node_get(node, "pressures"), "pressures", true);
+  }
+  if (status == TP_OK) {
+    status = read_lines(reader, &loads->surcharges, &loads->surcharge_count,
+                        tp_node_get(node, "surcharges"), "surcharges", false);
+  }
+  if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
+  if (status == TP_OK) {
+    status = tp_read_quantity(reader, &loads->bond_kpa, tp_node_get(node, "bond_kpa"), "bond_kpa",
+                              TP_RULE_NOT_NEGATIVE);
+  }
+  if (status == TP_OK) {
+    status = tp_read_quantity(reader, &loads->cohesion_kpa, tp_node_get(node, "cohesion_kpa"),
+                              "cohesion_kpa", TP_RULE_NOT_NEGATIVE);
+  }
+  return status;
+}

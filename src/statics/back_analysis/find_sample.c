@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Names and values of the results that back-analysis can ask for, and the sample at one number: the
+ * scene solved with it, and the gap to the wanted value with its sign where certain. */
+
+#include "back_analysis/find_sample.h"
+
+#include "evaluation/case_numbers.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const targets[] = {"critical_angle", "fos",          "sliding_angle",
+                                      "sliding_fos",    "limit_angle",  "limit_fos",
+                                      "onset_angle",    "governing_fos"};
+enum { TARGETS = sizeof targets / sizeof targets[0] };
+
+bool tp_find_target_read(tp_find_target *target, const char *name) {
+  if (target == NULL || name == NULL) return false;
+  for (int k = 0; k < TARGETS; k++) {
+    if (strcmp(name, targets[k]) != 0) continue;
+    *target = (tp_find_target)k;
+    return true;
+  }
+  return false;
+}
+
+const char *tp_find_target_name(tp_find_target target) {
+  return (int)target >= 0 && (int)target < TARGETS ? targets[target] : "unknown";
+}
+
+static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
+  const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
+  const bool slides = own->sliding.known && !own->sliding.never;
+  const bool has_angle = slides && !own->sliding.always;
+  switch (target) {
+  case TP_FIND_CRITICAL_ANGLE:
+    return tp_case_moments_deg(value, own) == TP_CASE_NUMBER;
+  case TP_FIND_FOS:
+    if (pivot != NULL) *value = pivot->fos_resultant.value;
+    return pivot != NULL && pivot->fos_resultant.state == TP_FOS_NUMBER;
+  case TP_FIND_SLIDING_ANGLE:
+    if (has_angle) *value = own->sliding.critical_angle_deg;
+    return has_angle;
+  case TP_FIND_SLIDING_FOS:
+    if (slides) *value = own->sliding.fos.value;
+    return slides && own->sliding.fos.state == TP_FOS_NUMBER;
+  case TP_FIND_LIMIT_ANGLE:
+    return tp_case_limit_deg(value, own) == TP_CASE_NUMBER;
+  case TP_FIND_ONSET_ANGLE:
+    return tp_case_onset_deg(value, own) == TP_CASE_NUMBER;
+  case TP_FIND_GOVERNING_FOS:
+    return tp_case_fos(value, own) == TP_CASE_NUMBER;
+  case TP_FIND_LIMIT_FOS:
+    *value = own->limit.fos.value;
+    return own->limit.fos.state == TP_FOS_NUMBER;
+  }
+  return false;
+}
+
+/* A number of digits as they are printed, or nothing. */
+static void take_digits(char out[TP_SAMPLE_DIGITS], tp_bounded value) {
+  out[0] = '\0';
+  if (value.digits != NULL && strlen(value.digits) < TP_SAMPLE_DIGITS) strcpy(out, value.digits);
+}
+
+static void note_result(tp_found *found, tp_bounded value) {
+  const bool first = found->least.value > found->greatest.value;
+  if (first || value.value < found->least.value) found->least = value;
+  if (first || value.value > found->greatest.value) found->greatest = value;
+}
+
+/* Solve the scene with the number replaced. */
+tp_sample tp_search_sample(tp_search *s, double x) {
+  tp_sample at = {.x = x};
+  tp_solution *solution = NULL;
+  const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
+  if (status == TP_OK && solution->case_count > 0) {
+    at.known = target_value(&at.gap, solution->cases, s->options->target);
+    take_digits(at.digits, at.gap);
+    at.gap.digits = NULL;
+    if (at.known) note_result(s->found, at.gap);
+    at.gap.value -= s->options->value;
+    /* the difference is rounded once */
+    at.gap.error += fabs(at.gap.value) * 0x1p-52;
+  }
+  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+    s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
+  }
+  tp_solution_free(solution);
+  return at;
+}
+
+int tp_search_side(const tp_sample *at) {
+  if (at->gap.value > at->gap.error) return 1;
+  return at->gap.value < -at->gap.error ? -1 : 0;
+}
+
+static tp_bounded between(double low, double high) {
+  const double middle = low + (high - low) / 2;
+  const double error = (high - low) / 2 + fabs(middle) * 0x1p-51; /* decimal text, and rounding */
+  return (tp_bounded){.value = middle, .error = error};
+}
+
+/* A number between two to one of the lists of what is found. */
+static void add_number(tp_search *s, tp_bounded **list, size_t *count, double low, double high) {
+  tp_bounded *all = realloc(*list, (*count + 1) * sizeof *all);
+  if (all == NULL) {
+    s->status = tp_fail_memory(s->message, "the solutions");
+    return;
+  }
+  *list = all;
+  all[(*count)++] = between(low, high);
+}
+
+void tp_search_add_solution(tp_search *s, double low, double high) {
+  add_number(s, &s->found->solutions, &s->found->count, low, high);
+}
+
+void tp_search_add_touching(tp_search *s, double low, double high) {
+  add_number(s, &s->found->touching, &s->found->touching_count, low, high);
+}
+
+void tp_search_add_interval(tp_search *s, const double from[2], const double to[2]) {
+  tp_found *f = s->found;
+  tp_found_interval *all = realloc(f->intervals, (f->interval_count + 1) * sizeof *all);
+  if (all == NULL) {
+    s->status = tp_fail_memory(s->message, "the solutions");
+    return;
+  }
+  f->intervals = all;
+  all[f->interval_count++] =
+      (tp_found_interval){.low = between(from[0], from[1]), .high = between(to[0], to[1])};
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Contact cones, centroid, radius of gyration and loads of a case in the lengths of a question of
+ * motion/question.h: whole numbers of the lattice for the weight alone. */
+
+#include "onset/onset_question.h"
+
+#include "evaluation/loaded.h"
+#include "static_limit/limit_asked.h"
+#include "static_limit/limit_cones.h"
+
+#include <string.h>
+
+/* Of the weight: lengths times 3 A2 make the centroid (X6, Y6) and the square of the radius of
+ * gyration 3/2 A2 (XX12 + YY12) - X6^2 - Y6^2. */
+static void set_inertia(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+  const arb_struct *sums = e->moments.weighted;
+  const long bits = tp_evaluation_bits(e);
+  arb_mul_ui(q->scale, sums + TP_A2, 3, bits);
+  arb_set(q->x, sums + TP_X6);
+  arb_set(q->y, sums + TP_Y6);
+  if (mirrored) arb_neg(q->x, q->x);
+  arb_add(q->gyration, sums + TP_XX12, sums + TP_YY12, bits);
+  arb_mul(q->gyration, q->gyration, q->scale, bits);
+  arb_mul_2exp_si(q->gyration, q->gyration, -1);
+  arb_submul(q->gyration, q->x, q->x, bits);
+  arb_submul(q->gyration, q->y, q->y, bits);
+}
+
+/* The moment of all loads about the centroid, N m, in the question's lengths. */
+static void set_moment(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+  const long bits = e->rung.bits;
+  const tp_wrench *sum = &e->loaded->sum;
+  arb_t x, y, factor;
+  arb_init(x);
+  arb_init(y);
+  arb_init(factor);
+  arb_div(x, q->x, q->scale, bits);
+  arb_div(y, q->y, q->scale, bits);
+  if (mirrored) arb_neg(x, x);
+  tp_loaded_metres(x, y, e);
+  if (mirrored) arb_neg(x, x);
+  tp_wrench_moment(&q->load.moment, sum, x, y, bits);
+  arb_set_fmpq(factor, e->problem->lattice.step_m, bits);
+  arb_div(factor, q->scale, factor, bits);
+  for (int basis = 0; basis < TP_BASIS; basis++) {
+    arb_mul(q->load.moment.of + basis, q->load.moment.of + basis, factor, bits);
+  }
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(factor);
+}
+
+/* Weight and inertia act at the centroid. */
+static bool acts_at_centroid(const tp_loaded *loaded) {
+  for (long k = 0; k < loaded->count; k++) {
+    const tp_load_kind kind = loaded->items[k].kind;
+    if (kind != TP_LOAD_WEIGHT && kind != TP_LOAD_SEISMIC) return false;
+  }
+  return true;
+}
+
+static void set_load(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+  q->through_centroid = e->loaded == NULL || acts_at_centroid(e->loaded);
+  if (e->loaded == NULL) {
+    arb_set_si(q->load.x.of + TP_SIN, -1);
+    arb_set_si(q->load.y.of + TP_COS, -1);
+    return;
+  }
+  tp_trig_add(&q->load.x, &e->loaded->sum.x, e->rung.bits);
+  tp_trig_add(&q->load.y, &e->loaded->sum.y, e->rung.bits);
+  if (!q->through_centroid) set_moment(q, e, mirrored);
+}
+
+bool tp_onset_has_strength(const tp_evaluation *e) {
+  const tp_loads_description *loads = &e->problem->scene->loads;
+  return e->loaded != NULL &&
+         !(fmpq_is_zero(loads->cohesion_kpa.value) && fmpq_is_zero(loads->bond_kpa.value));
+}
+
+bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direction towards) {
+  memset(asked, 0, sizeof *asked);
+  tp_motion_question *q = &asked->question;
+  tp_evaluation bare = *e; /* whole numbers, and friction alone */
+  bare.loaded = NULL;
+  if (!tp_limit_cones_init(&asked->cones, &bare, towards, false)) return false;
+  const bool strong = tp_onset_has_strength(e);
+  if (strong && !tp_limit_cones_init(&asked->strong, e, towards, false)) {
+    tp_cones_clear(&asked->cones);
+    return false;
+  }
+  tp_motion_question_init(q, &asked->cones);
+  if (strong) q->strong = &asked->strong;
+  set_inertia(q, e, towards == TP_TOWARDS_RIGHT);
+  set_load(q, e, towards == TP_TOWARDS_RIGHT);
+  q->judge = tp_limit_asked_judge(e);
+  q->judge.took_zero = &asked->took_zero;
+  q->work = e->work;
+  return true;
+}
+
+void tp_onset_asked_clear(tp_onset_asked *asked) {
+  tp_motion_question_clear(&asked->question);
+  tp_cones_clear(&asked->cones);
+  tp_cones_clear(&asked->strong);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The contact, the block's inertia and its loads put as a question to motion/. */
+
+#ifndef TP_ONSET_ONSET_QUESTION_H
+#define TP_ONSET_ONSET_QUESTION_H
+
+#include "evaluation/evaluation.h"
+#include "motion/motion.h"
+
+/* A question and what it points to; its own friction is that of its cones, zero to begin with. */
+typedef struct tp_onset_asked {
+  tp_motion_question question;
+  tp_cones cones;  /* in lattice units */
+  tp_cones strong; /* in metres, with cohesion and bonds, where there are any */
+  bool took_zero;  /* by its judge */
+} tp_onset_asked;
+
+/* False when memory is exhausted. */
+TP_MUST_USE bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *evaluation,
+                                     tp_direction towards);
+void tp_onset_asked_clear(tp_onset_asked *asked);
+
+/* Does cohesion or a bond act? */
+bool tp_onset_has_strength(const tp_evaluation *evaluation);
+
+#endif

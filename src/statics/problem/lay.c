@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Calls shift, world frame, rest and snapping in the order that the scene asks for, refuses more
+ * digits than their poses carry, and notes the time of each. */
+
+#include "problem/lay.h"
+
+#include "problem/effects.h"
+
+static tp_status set_down(tp_rested **rested, const tp_scene *scene,
+                          const tp_solve_options *options, tp_solution *solution,
+                          tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  if (options->digits > TP_RESTED_DIGITS) {
+    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
+                   "of a block that comes to rest numbers are certain to %d digits at most; give "
+                   "it where it rests, 'place: as_given', for more",
+                   TP_RESTED_DIGITS);
+  }
+  const tp_status status = tp_rested_init(rested, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(status, message,
+                            tp_effects_note(solution, "rest", scene->base.rests_place, "", began));
+}
+
+static tp_status snap(tp_snapped **snapped, const tp_scene *scene, tp_solution *solution,
+                      tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  const tp_status status = tp_snapped_init(snapped, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(
+      status, message, tp_effects_note(solution, "within", scene->base.within.place, "", began));
+}
+
+static tp_status turn(tp_world **world, const tp_scene *scene, const tp_solve_options *options,
+                      tp_solution *solution, tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  if (options->digits > TP_WORLD_DIGITS) {
+    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                   "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
+                   "coordinates along the mean plane for more",
+                   TP_WORLD_DIGITS);
+  }
+  const tp_status status = tp_world_init(world, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(status, message,
+                            tp_effects_note(solution, "frame", scene->frame_place, "", began));
+}
+
+static tp_status shift(tp_jointed **jointed, const tp_scene *scene, tp_solution *solution,
+                       tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  const tp_status status = tp_jointed_ask(jointed, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(
+      status, message, tp_effects_note(solution, "joint", tp_scene_shift_place(scene), "", began));
+}
+
+tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **rested,
+                 tp_snapped **snapped, tp_world **world, const tp_solve_options *options,
+                 tp_solution *solution, tp_message *message) {
+  const bool shifts = tp_scene_is_shifted(*scene), turns = (*scene)->frame == TP_FRAME_WORLD;
+  if (turns && shifts) {
+    const tp_status status = turn(world, *scene, options, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*world)->scene;
+  }
+  if (shifts) {
+    const tp_status status = shift(jointed, *scene, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*jointed)->scene;
+  }
+  if ((*scene)->base.rests) {
+    const tp_status status = set_down(rested, *scene, options, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*rested)->scene;
+  }
+  if ((*scene)->base.within.given) {
+    const tp_status status = snap(snapped, *scene, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*snapped)->scene;
+  }
+  if (turns && !shifts) {
+    const tp_status status = turn(world, *scene, options, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*world)->scene;
+  }
+  if (turns && shifts && (*world)->goes_up_dip) return tp_world_level(*world, scene, message);
+  return TP_OK;
+}

@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Contact facets and points of a problem as points of friction cones, without those that only an
+ * edge of the base past the toe gives or with those that a longer base would add; frictions,
+ * cohesion and bonds of each (docs/mechanics.md section 6). */
+
+#include "static_limit/limit_cones.h"
+
+#include "evaluation/friction.h"
+#include "evaluation/loaded.h"
+#include "load/setting.h"
+#include "static_limit/limit_lines.h"
+
+#include <stdlib.h>
+
+/* The corner of the base, or where the base is straight there the next one towards `step`. */
+static long past_straight(const tp_problem *problem, long corner, long step) {
+  const tp_lattice *l = &problem->lattice;
+  const long ring = l->start[problem->section.ring_count];
+  const bool inner = corner > ring && corner < ring + problem->base.edge_count;
+  const bool straight = inner && tp_lattice_cross(l, corner - 1, corner, corner, corner + 1) == 0;
+  return straight ? corner + step : corner;
+}
+
+/* Does the facet restrain the toe alone, by an edge of the base that lies wholly past it? An edge
+ * that goes on straight below the block does not, nor does an edge of the block itself. */
+static bool lies_beyond(const tp_problem *problem, const tp_facet *f, tp_direction towards) {
+  const tp_lattice *l = &problem->lattice;
+  const tp_outline_point toe = tp_contact_on_outline(tp_limit_toe(problem, towards));
+  if (f->q0 != f->q1 || !tp_outline_point_is_same(l, tp_facet_begin(f), toe)) return false;
+  if (f->t0 < l->start[problem->section.ring_count]) return false;
+  return towards == TP_TOWARDS_LEFT
+             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + toe.point) <= 0
+             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + toe.point) >= 0;
+}
+
+static bool restrains(const tp_facet *f) {
+  return f->t0 != f->t1;
+}
+
+bool tp_limit_base_matters(bool *matters, const tp_problem *problem, tp_direction towards) {
+  const tp_contact *contact = &problem->contact;
+  *matters = false;
+  if (tp_limit_base_beyond_toe(problem, towards)) {
+    for (long k = 0; k < contact->facet_count && !*matters; k++) {
+      const tp_facet *f = contact->facets + k;
+      *matters = restrains(f) && lies_beyond(problem, f, towards);
+    }
+    return true;
+  }
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, problem, towards)) return false;
+  *matters = beyond.rises || beyond.sole.count > 0;
+  tp_limit_beyond_clear(&beyond);
+  return true;
+}
+
+/* What is filled in, point after point. */
+typedef struct filling {
+  tp_cones *cones;
+  const tp_evaluation *e;
+  tp_direction towards;
+  long next, cursor; /* of the cones' points, of the contact's points */
+} filling;
+
+/* Contact points come in the order of the facets' ends. */
+static long contact_point_of(filling *f, tp_outline_point at) {
+  const tp_contact *contact = &f->e->problem->contact;
+  const tp_lattice *l = &f->e->problem->lattice;
+  long k = f->cursor > 2 ? f->cursor - 2 : 0;
+  while (k < contact->point_count - 1 &&
+         !tp_outline_point_is_same(l, tp_contact_on_outline(contact->points + k), at)) {
+    k++;
+  }
+  f->cursor = k;
+  return k;
+}
+
+/* A point of the cones; the direction is left to the caller. */
+static long add_point(filling *f, tp_outline_point at, long site, long facet) {
+  const long own = f->next++;
+  arb_ptr x = f->cones->x + own, y = f->cones->y + own;
+  tp_evaluation_point(x, y, f->e, at);
+  if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
+  if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
+  const long *frictions = f->e->problem->friction.of_facet;
+  f->cones->points[own] =
+      (tp_cone_point){site, facet, facet, frictions != NULL && facet >= 0 ? frictions[facet] : 0};
+  return own;
+}
+
+static void set_direction(filling *f, long own, const tp_facet *facet) {
+  tp_limit_direction(f->cones->tx + own, f->cones->ty + own, &f->e->problem->lattice, facet,
+                     f->towards);
+}
+
+static void add_facet(filling *f, long k) {
+  const tp_facet *facet = f->e->problem->contact.facets + k;
+  const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
+  for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+    set_direction(f, add_point(f, ends[end], contact_point_of(f, ends[end]), k), facet);
+  }
+}
+
+/* The site of a point past the toe: the toe's, that of a point before it there, or a new one. */
+static long site_beyond(filling *f, tp_outline_point at, const tp_limit_beyond *beyond, long ends) {
+  const tp_problem *problem = f->e->problem;
+  const tp_contact_point *toe = tp_limit_toe(problem, f->towards);
+  const tp_lattice *l = &problem->lattice;
+  if (tp_outline_point_is_same(l, at, tp_contact_on_outline(toe)))
+    return toe - problem->contact.points;
+  for (long k = 0; k < ends; k++) {
+    const tp_facet *facet = beyond->sole.items + k / 2;
+    const tp_outline_point other = k % 2 == 0 ? tp_facet_begin(facet) : tp_facet_end(facet);
+    if (tp_outline_point_is_same(l, at, other)) return problem->contact.point_count + k;
+  }
+  return problem->contact.point_count + ends;
+}
+
+static void add_beyond(filling *f, const tp_limit_beyond *beyond) {
+  for (long k = 0; k < beyond->sole.count; k++) {
+    const tp_facet *facet = beyond->sole.items + k;
+    const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
+    for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+      const long site = site_beyond(f, ends[end], beyond, 2 * k + end);
+      set_direction(f, add_point(f, ends[end], site, -1), facet);
+    }
+  }
+  if (!beyond->rises) return;
+  const long site = site_beyond(f, beyond->at, beyond, 2 * beyond->sole.count);
+  const long own = add_point(f, beyond->at, site, -1);
+  fmpz_set(f->cones->tx + own, beyond->tx);
+  fmpz_set(f->cones->ty + own, beyond->ty);
+}
+
+static long count_beyond(const tp_limit_beyond *beyond) {
+  long count = beyond->rises ? 1 : 0;
+  for (long k = 0; k < beyond->sole.count; k++) {
+    count += beyond->sole.items[k].q0 == beyond->sole.items[k].q1 ? 1 : 2;
+  }
+  return count;
+}
+
+static void add_length(arb_t length, const tp_cones *cones, long point, long bits) {
+  arb_t dx, dy;
+  arb_init(dx);
+  arb_init(dy);
+  arb_sub(dx, cones->x + point + 1, cones->x + point, bits);
+  arb_sub(dy, cones->y + point + 1, cones->y + point, bits);
+  arb_hypot(dx, dx, dy, bits);
+  arb_add(length, length, dx, bits);
+  arb_clear(dx);
+  arb_clear(dy);
+}
+
+/* kPa on a length and the thickness, over the length of t. */
+static void set_strength(arb_t bound, const arb_t length, const tp_quantity *kpa,
+                         const tp_evaluation *e, const tp_cones *cones, long point) {
+  const long bits = e->rung.bits;
+  fmpq_t factor;
+  arb_t x, y;
+  fmpq_init(factor);
+  arb_init(x);
+  arb_init(y);
+  tp_problem_thickness(factor, e->problem);
+  fmpq_mul(factor, factor, kpa->value);
+  fmpq_mul_ui(factor, factor, TP_KILO);
+  arb_mul_fmpz(bound, length, fmpq_numref(factor), bits);
+  arb_div_fmpz(bound, bound, fmpq_denref(factor), bits);
+  arb_set_fmpz(x, cones->tx + point);
+  arb_set_fmpz(y, cones->ty + point);
+  arb_hypot(x, x, y, bits);
+  arb_div(bound, bound, x, bits);
+  fmpq_clear(factor);
+  arb_clear(x);
+  arb_clear(y);
+}
+
+static bool begins_facet(const tp_cones *cones, long point) {
+  const tp_cone_point *own = cones->points + point;
+  return own->facet >= 0 && point + 1 < cones->count && own[1].facet == own->facet;
+}
+
+/* Where there is no bond, an capacity for each line alone. */
+static bool has_capacity(const tp_cones *cones, long point, bool bonded) {
+  const tp_cone_point *own = cones->points + point;
+  return begins_facet(cones, point) && (bonded || own->line == own->facet);
+}
+
+static long count_capacities(const tp_cones *cones, bool bonded) {
+  long count = 0;
+  for (long k = 0; k < cones->count; k++) count += has_capacity(cones, k, bonded);
+  return count;
+}
+
+/* `lengths`, one for each facet of the contact, are zeros: those of lines are summed there. */
+static void fill_capacities(tp_cones *cones, const tp_evaluation *e, arb_ptr lengths) {
+  const tp_loads_description *loads = &e->problem->scene->loads;
+  const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
+  const long bits = e->rung.bits;
+  for (long k = 0; k < cones->count; k++) {
+    if (begins_facet(cones, k)) add_length(lengths + cones->points[k].line, cones, k, bits);
+  }
+  arb_t length;
+  arb_init(length);
+  long own = 0;
+  for (long k = 0; k < cones->count; k++) {
+    if (!has_capacity(cones, k, bonded)) continue;
+    tp_capacity *a = cones->capacities + own++;
+    const tp_cone_point *point = cones->points + k;
+    a->point = k;
+    if (point->line == point->facet) {
+      set_strength(a->shear, lengths + point->line, &loads->cohesion_kpa, e, cones, k);
+    }
+    if (!bonded) continue;
+    arb_zero(length);
+    add_length(length, cones, k, bits);
+    set_strength(a->pull, length, &loads->bond_kpa, e, cones, k);
+  }
+  arb_clear(length);
+}
+
+/* Cohesion and bonds of the contact that the scene has. */
+static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
+  const tp_loads_description *loads = &e->problem->scene->loads;
+  const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
+  /* strength of nothing adds no forces, and no ties of mechanisms that hold them */
+  if (e->loaded == NULL || !(bonded || !fmpq_is_zero(loads->cohesion_kpa.value))) return true;
+  const long facets = e->problem->contact.facet_count;
+  long *lines = calloc((size_t)facets + 1, sizeof *lines);
+  if (lines == NULL) return false;
+  bool done = tp_limit_lines_find(lines, e->problem);
+  for (long k = 0; k < cones->count && done; k++) {
+    tp_cone_point *own = cones->points + k;
+    if (own->facet >= 0) own->line = lines[own->facet];
+  }
+  free(lines);
+  done = done && tp_cones_allow(cones, count_capacities(cones, bonded));
+  if (!done) return false;
+  arb_ptr lengths = _arb_vec_init(facets);
+  fill_capacities(cones, e, lengths);
+  _arb_vec_clear(lengths, facets);
+  return true;
+}
+
+/* The facets of the contact, less those that a base that ends at the toe has not, and what one that
+ * goes on adds. */
+static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, bool ends,
+                 const tp_limit_beyond *beyond) {
+  const tp_problem *problem = e->problem;
+  const tp_contact *contact = &problem->contact;
+  long count = beyond != NULL ? count_beyond(beyond) : 0;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (!restrains(f) || (ends && lies_beyond(problem, f, towards))) continue;
+    count += f->q0 == f->q1 ? 1 : 2;
+  }
+  if (!tp_cones_init(cones, count)) return false;
+  tp_friction_take_own(cones, e);
+  filling f = {.cones = cones, .e = e, .towards = towards};
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *facet = contact->facets + k;
+    if (restrains(facet) && !(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
+  }
+  if (beyond != NULL) add_beyond(&f, beyond);
+  const bool done = add_strength(cones, e);
+  if (!done) tp_cones_clear(cones);
+  return done;
+}
+
+bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
+                         bool otherwise) {
+  const bool goes_on = tp_limit_base_beyond_toe(e->problem, towards);
+  if (!otherwise || goes_on) return fill(cones, e, towards, otherwise, NULL);
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
+  const bool done = fill(cones, e, towards, false, &beyond);
+  tp_limit_beyond_clear(&beyond);
+  return done;
+}
+
+static void copy_point(tp_cones *cones, long to, const tp_cones *from, long point) {
+  cones->points[to] = from->points[point];
+  arb_set(cones->x + to, from->x + point);
+  arb_set(cones->y + to, from->y + point);
+  fmpz_set(cones->tx + to, from->tx + point);
+  fmpz_set(cones->ty + to, from->ty + point);
+}
+
+bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
+                          const tp_cones *own, const long points[2]) {
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
+  const bool done = tp_cones_init(cones, 2 + count_beyond(&beyond));
+  if (done) {
+    for (int k = 0; k < 2; k++) copy_point(cones, k, own, points[k]);
+    arb_set(cones->friction, own->friction);
+    tp_cones_take_own(cones, own->own_count);
+    _arb_vec_set(cones->own_friction, own->own_friction, own->own_count);
+    filling f = {.cones = cones, .e = e, .towards = towards, .next = 2};
+    add_beyond(&f, &beyond);
+  }
+  tp_limit_beyond_clear(&beyond);
+  return done;
+}
+
+bool tp_limit_keeps_facet(const tp_problem *problem, tp_direction towards, long facet) {
+  return !lies_beyond(problem, problem->contact.facets + facet, towards);
+}
