@@ -35,9 +35,8 @@ def declarations(header, compiler):
 def main(output, module, header, *compiler):
     text = declarations(header, compiler)
     library = cffi.FFI()
-    library.cdef(DRAWS.sub("", text) + "void free(void *);\nstatic const char *const TP_VERSION;\n"
-                 'extern "Python" bool take_text(void *, const char *);')
-    library.set_source("topple._library", "#include <stdlib.h>\n#include <topple.h>")
+    library.cdef(DRAWS.sub("", text) + 'extern "Python" bool take_text(void *, const char *);')
+    library.set_source("topple._library", "#include <topple.h>")
     if module == "topple._library":
         library.emit_c_code(output)
         return

@@ -13,6 +13,11 @@ static void note_text(sayings *s, const char *text) {
   *next_saying(s) = strdup(text);
 }
 
+static void say_version(sayings *s) {
+  note_text(s, tp_version());
+  note_number(s, tp_version_number());
+}
+
 static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_DEPENDENCY_FAILED + 1; k++) {
     note_text(s, tp_status_meaning((tp_status)k));
@@ -97,6 +102,7 @@ void say_names(sayings *s) {
   static const char *const words[] = {"ball",      "EXACT", "limit_fos", "Limit_Fos",
                                       "chart.SVG", "x.pdf", "a.b/c",     ""};
   char plain[40];
+  say_version(s);
   say_enumerations(s);
   say_words(s);
   say_tilt_names(s);

@@ -7,11 +7,13 @@
 #include "runner.h"
 #include "topple.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 /* As many as the list has. */
 enum {
-#define COUNTED(name, exit_status, meaning) COUNTED_##name,
+#define COUNTED(name, number, exit_status, meaning) COUNTED_##name,
   TP_STATUS_LIST(COUNTED)
 #undef COUNTED
       STATUSES
@@ -49,11 +51,44 @@ START_TEST(what_is_no_status) {
 }
 END_TEST
 
+/* Text, number and parts are one version. */
+START_TEST(the_version) {
+  char text[32];
+  snprintf(text, sizeof text, "%d.%d.%d", TP_VERSION_MAJOR, TP_VERSION_MINOR, TP_VERSION_PATCH);
+  ck_assert_str_eq(TP_VERSION, text);
+  ck_assert_str_eq(tp_version(), TP_VERSION);
+  ck_assert_int_eq(tp_version_number(), TP_VERSION_NUMBER);
+}
+END_TEST
+
+/* A program need not take a message apart to find the place. */
+START_TEST(the_place_of_a_complaint) {
+  tp_scene *scene = NULL;
+  tp_message message;
+  const char *text = "topple: 1\nlength_unit: furlong\n";
+  ck_assert_int_eq(tp_scene_read_text(&scene, text, "block.yaml", &message), TP_BAD_INPUT);
+  ck_assert_str_eq(message.file, "block.yaml");
+  ck_assert_int_eq(message.line, 2);
+  ck_assert_int_eq(message.column, 14);
+  ck_assert_int_eq(message.system_error, 0);
+  ck_assert_int_eq(tp_scene_read(&scene, "/no/such/scene.yaml", &message), TP_SYSTEM_FAILED);
+  ck_assert_str_eq(message.file, "/no/such/scene.yaml");
+  ck_assert_int_eq(message.line, 0);
+  ck_assert_int_eq(message.system_error, ENOENT);
+  char *report = NULL;
+  ck_assert_int_eq(tp_report_terms(&report), TP_OK);
+  tp_text_free(report);
+  tp_text_free(NULL);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("status");
   TCase *statuses = tcase_create("status");
   tcase_add_test(statuses, every_status_is_told);
   tcase_add_test(statuses, what_is_no_status);
+  tcase_add_test(statuses, the_version);
+  tcase_add_test(statuses, the_place_of_a_complaint);
   suite_add_tcase(suite, statuses);
   return run_suite(suite);
 }

@@ -13,8 +13,20 @@
 extern "C" {
 #endif
 
-/* The version of the library, as its package has it. */
+/* The version of these headers. What may change between versions is in docs/library.md, "Versions".
+ */
+#define TP_VERSION_MAJOR 0 /* rises when a program has to be changed or compiled anew */
+#define TP_VERSION_MINOR 1 /* rises when calls, fields or words are added */
+#define TP_VERSION_PATCH 0 /* rises when something is mended */
+/* One number to compare by. */
+#define TP_VERSION_NUMBER (10000 * TP_VERSION_MAJOR + 100 * TP_VERSION_MINOR + TP_VERSION_PATCH)
+/* The same as text. */
 #define TP_VERSION "0.1.0"
+
+/* The version of the library that the program has loaded, as TP_VERSION. */
+const char *tp_version(void);
+/* The same as TP_VERSION_NUMBER. */
+int tp_version_number(void);
 
 /* Of a call whose status must be looked at. */
 #if defined(__GNUC__)
@@ -23,15 +35,15 @@ extern "C" {
 #define TP_MUST_USE
 #endif
 
-/* The statuses: name, exit status of the program, meaning. */
+/* The statuses: name, number, exit status of the program, meaning. */
 #define TP_STATUS_LIST(X)                                                                          \
-  X(TP_OK, 0, "done")                                                                              \
-  X(TP_BAD_INPUT, 3, "the input is wrong")                                                         \
-  X(TP_NO_ANSWER, 3, "no answer exists")                                                           \
-  X(TP_UNDECIDED, 4, "undecided at the precision allowed")                                         \
-  X(TP_OUT_OF_MEMORY, 5, "out of memory")                                                          \
-  X(TP_SYSTEM_FAILED, 5, "the system failed")                                                      \
-  X(TP_DEPENDENCY_FAILED, 5, "a library that Topple builds on failed")
+  X(TP_OK, 0, 0, "done")                                                                           \
+  X(TP_BAD_INPUT, 1, 3, "the input is wrong")                                                      \
+  X(TP_NO_ANSWER, 2, 3, "no answer exists")                                                        \
+  X(TP_UNDECIDED, 3, 4, "undecided at the precision allowed")                                      \
+  X(TP_OUT_OF_MEMORY, 4, 5, "out of memory")                                                       \
+  X(TP_SYSTEM_FAILED, 5, 5, "the system failed")                                                   \
+  X(TP_DEPENDENCY_FAILED, 6, 5, "a library that Topple builds on failed")
 
 /* Status of a call. Outputs stay untouched unless it is TP_OK. Every call that returns one can
  * return TP_BAD_INPUT: the input is wrong, an argument out of its range, a pointer NULL; and
@@ -41,7 +53,7 @@ extern "C" {
  * TP_DEPENDENCY_FAILED, a library that Topple builds on did. */
 typedef enum tp_status {
 /* An item of the list. */
-#define TP_STATUS_ENUM(name, exit_status, meaning) name,
+#define TP_STATUS_ENUM(name, number, exit_status, meaning) name = number,
   TP_STATUS_LIST(TP_STATUS_ENUM)
 #undef TP_STATUS_ENUM
 } tp_status;
@@ -57,8 +69,14 @@ typedef struct tp_chart tp_chart;
 /* What went wrong, where (file:line:column) and what to do; always terminated. The caller's, and as
  * long: what does not fit ends in …. */
 typedef struct tp_message {
-  char text[1024]; /* plain, of one line, without a line end */
+  char text[1024];  /* plain, of one line, without a line end */
+  char file[512];   /* where, plain; of a longer path its end; empty where it is of no file */
+  int line, column; /* in the file, counted from 1; 0: not known */
+  int system_error; /* errno, where the system refused a file, else 0 */
 } tp_message;
+
+/* Frees a text that a call of the library made (a report, an explanation); NULL is allowed. */
+void tp_text_free(char *text);
 
 /* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
  * truth is outside the range of a double. `digits`, where more digits were asked for than a double

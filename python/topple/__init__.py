@@ -58,4 +58,4 @@ from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Conv
                     StudyQuantity, TiltEnd, TiltEngine, TiltEventKind, TiltPlace, TiltProtocol,
                     Verdict)
 
-__version__ = _ffi.string(_lib.TP_VERSION).decode()
+__version__ = _ffi.string(_lib.tp_version()).decode()

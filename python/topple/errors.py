@@ -12,7 +12,18 @@ from ._library import ffi, lib
 
 
 class ToppleError(Exception):
-    """The library did not do what was asked. `str()` says what, where and what to do."""
+    """The library did not do what was asked. `str()` says what, where and what to do; `file`, `line` and `column`
+    (counted from 1) say where, None where it is not known."""
+
+    def __init__(self, text: str = "", file: str | None = None, line: int | None = None, column: int | None = None):
+        super().__init__(text)
+        self.text, self.file, self.line, self.column = text, file, line, column
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __reduce__(self):
+        return type(self), (self.text, self.file, self.line, self.column)
 
 
 class BadInput(ToppleError, ValueError):
@@ -35,17 +46,13 @@ class SystemFailed(ToppleError, OSError):
     """A file cannot be read or written. `errno`, `strerror` and `filename` are what the system said, where it
     was the system that refused, else None."""
 
-    def __init__(self, text: str = ""):
-        super().__init__(text)
-        self.text = text
-        filename, refused, rest = text.partition(": cannot be ")
-        reason = rest.partition(": ")[2].partition(";")[0]
-        code = REASONS.get(reason)
-        if refused and code is not None:
-            self.errno, self.strerror, self.filename = code, reason, filename
+    def __init__(self, text="", file=None, line=None, column=None, system_error: int | None = None):
+        super().__init__(text, file, line, column)
+        if system_error is not None:
+            self.errno, self.strerror, self.filename = system_error, os.strerror(system_error), file
 
-    def __str__(self) -> str:
-        return self.text
+    def __reduce__(self):
+        return type(self), (self.text, self.file, self.line, self.column, self.errno)
 
 
 class FileNotFound(SystemFailed, FileNotFoundError):
@@ -72,8 +79,6 @@ ERRORS = {
     lib.TP_SYSTEM_FAILED: SystemFailed,
     lib.TP_DEPENDENCY_FAILED: DependencyFailed,
 }
-#: By what the system says of it, which messages end in.
-REASONS = {os.strerror(code): code for code in sorted(errno.errorcode, reverse=True)}
 REFUSALS = {errno.ENOENT: FileNotFound, errno.EACCES: PermissionDenied, errno.EPERM: PermissionDenied}
 MESSAGE = ffi.typeof("tp_message *")
 
@@ -81,11 +86,17 @@ MESSAGE = ffi.typeof("tp_message *")
 def failure(status: int, message=None) -> ToppleError:
     """The exception that a status other than TP_OK is, with the message of the call or the meaning
     of the status."""
-    text = ffi.string(message.text if message else lib.tp_status_meaning(status)).decode("utf-8", "replace")
     kind = ERRORS[status]
-    if kind is SystemFailed:
-        kind = REFUSALS.get(SystemFailed(text).errno, kind)
-    return kind(text)
+    if not message:
+        return kind(_text(lib.tp_status_meaning(status)))
+    place = [_text(message.file) or None, message.line or None, message.column or None]
+    if kind is SystemFailed and message.system_error:
+        return REFUSALS.get(message.system_error, kind)(_text(message.text), *place, message.system_error)
+    return kind(_text(message.text), *place)
+
+
+def _text(of) -> str:
+    return ffi.string(of).decode("utf-8", "replace")
 
 
 def checked(call, *arguments) -> None:

@@ -28,7 +28,7 @@ def taken(text) -> str:
     try:
         return ffi.string(text).decode("utf-8", "surrogateescape")
     finally:
-        lib.free(text)
+        lib.tp_text_free(text)
 
 
 def drawn(write: Callable[[pathlib.Path], None]) -> str:

@@ -107,7 +107,8 @@ class Errors(unittest.TestCase):
                 with self.assertRaises(PermissionError) as caught:
                     topple.Scene.read(scene)
                 self.assertEqual((caught.exception.errno, caught.exception.filename), (errno.EACCES, str(outline)))
-        refused = topple.errors.failure(lib.TP_SYSTEM_FAILED, ffi.new("tp_message *", {"text": b"a.csv: cannot be read: Permission denied"}))
+        refused = topple.errors.failure(lib.TP_SYSTEM_FAILED, ffi.new("tp_message *", {"text": b"a.csv: cannot be read: Permission denied", "file": b"a.csv",
+                                                                                    "system_error": errno.EACCES}))
         self.assertIsInstance(refused, topple.PermissionDenied)
         self.assertIsInstance(refused, PermissionError)
         self.assertIsNone(topple.SystemFailed("gnuplot, which draws charts, is not installed").errno)

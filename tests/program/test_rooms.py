@@ -22,6 +22,8 @@ EXCEPTIONS = {(row["from"], row["to"]) for row in table("rooms_exceptions.csv") 
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 PUBLIC = re.compile(r"topple\w*\.h")
 STANDARD = {"math.h", "float.h"}  # headers of C that a comment may name
+HEAD = re.compile(r"/\* SPDX-License-Identifier: [^\n]+ \*/\n/\* SPDX-FileCopyrightText: [^\n]+ \*/\n\n"
+                  r"/\*(?! ?----)(.*?)\*/", re.DOTALL)
 NEVER_CALLED = {"printf", "puts", "putchar", "vprintf", "perror", "stdout", "stderr", "exit", "_exit", "quick_exit",
                 "abort", "raise", "__assert_fail", "setlocale", "__printf_chk"}
 
@@ -222,6 +224,22 @@ class Includes(unittest.TestCase):
                 for name in re.findall(r"^typedef (?:struct|enum|union) (tp_\w+) \{", text, re.MULTILINE):
                     self.assertEqual(where.setdefault(name, path), path, name)
         self.assertGreater(len(where), 300)
+
+    def test_every_file_has_a_head(self):
+        """After the licence, before all code, a comment says what problem the file solves and how: at least 20
+        characters; so a reader of a folder need not read its files to find the one that he wants."""
+        for path, text in sources():
+            head = HEAD.match(text)
+            self.assertIsNotNone(head, f"{path}: no comment after the licence that says what the file is for")
+            words = re.sub(r"\s*\n \*\s*", " ", head.group(1)).strip()
+            self.assertGreaterEqual(len(words), 20, f"{path}: '{words}' says too little of the file")
+
+    def test_a_file_without_a_head_is_seen(self):
+        """The check itself: a file whose first comment belongs to its code, one that says nothing, and one that does."""
+        licence = "/* SPDX-License-Identifier: X */\n/* SPDX-FileCopyrightText: Y */\n\n"
+        self.assertIsNone(HEAD.match(licence + '#include "a.h"\n\n/* The sum of two numbers. */\nint a;\n'))
+        self.assertLess(len(HEAD.match(licence + "/* Numbers. */\n\nint a;\n").group(1).strip()), 20)
+        self.assertTrue(HEAD.match(licence + "/* Sums of numbers,\n * pairwise. */\n\nint a;\n"))
 
     def test_files_that_comments_name_are_there(self):
         """A comment sends the reader to a file by its path from src/, or by its name where that says which."""

@@ -29,12 +29,12 @@ class Memory(StudyCase):
         return 1024 * usage.ru_maxrss
 
     def test_flat(self):
-        """1000 samples; as many as are kept; twice as many, whose numbers alone would be 15 MB more."""
+        """1000 samples; as many as are kept; twice as many, whose numbers alone would be 19 MB more."""
         little = self.peak(1000, "--rows", "rows.csv")
         much = self.peak(KEPT, "--rows", "rows.csv")
         more = self.peak(2 * KEPT, "--rows", "rows.csv")
         self.assertLess(much - little, 3 * 8 * COLUMNS * KEPT)  # the columns, and what sorts and ranks one by one
-        self.assertLess(abs(more - much), 4 << 20)  # as the allocator happens to part it
+        self.assertLess(abs(more - much), 6 << 20)  # as the allocator happens to part it
 
     def test_flat_in_hdf5(self):
         """Twice and ten times a block of rows, which would be 20 MB more."""

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple accuracy SCENE, or --sweep */
+/* topple accuracy SCENE, or --sweep: options, the measurement, its report and its chart
+ * (docs/accuracy.md). */
 
 #include "cli/settings.h"
 

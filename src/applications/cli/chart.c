@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple chart KIND */
+/* topple chart KIND: computes the chart asked for, then prints or writes it (docs/chart.md). */
 
 #include "cli/chart_options.h"
 #include "cli/cli.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of argp options of topple chart, readers of numbers, lists, ranges and axes, and the checks
+ * of what goes together. */
+
 #include "cli/chart_options.h"
 
 #include "cli/words.h"

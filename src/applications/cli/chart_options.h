@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The options of topple chart. */
+/* The options of topple chart, as one struct for all kinds. */
 
 #ifndef TP_CLI_CHART_OPTIONS_H
 #define TP_CLI_CHART_OPTIONS_H

@@ -24,7 +24,7 @@ int tp_cli_print(const char *text) {
 
 tp_status tp_cli_print_report(tp_status status, char *report, int *ended) {
   if (status == TP_OK && *ended == 0) *ended = tp_cli_print(report);
-  free(report);
+  tp_text_free(report);
   return status;
 }
 

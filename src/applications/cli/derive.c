@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple derive SCENE */
+/* topple derive SCENE: options, the derivation or a family over the number of teeth, and its report
+ * (docs/derive.md). */
 
 #include "cli/settings.h"
 

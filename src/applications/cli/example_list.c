@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Scans a folder of examples for YAML files: command by the first key, title, first sentence of the
+ * leading comment, and the files that each names. */
+
 #define _GNU_SOURCE
 #include "cli/example_list.h"
 

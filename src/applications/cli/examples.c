@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple examples [NAME] */
+/* topple examples [NAME]: lists the example scenes, or writes one with the files that it names, all
+ * or none. */
 
 #include "cli/cli.h"
 #include "cli/example_list.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple explain [WORD…] */
+/* topple explain [WORD...]: terms, keys and results that a word names (docs/explain.md). */
 
 #include "cli/cli.h"
 

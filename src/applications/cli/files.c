@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Finds the folder of examples beside the program or as installed, reads files of at most 64 MiB,
+ * and creates files without replacing others. */
+
 #define _GNU_SOURCE
 #include "cli/files.h"
 

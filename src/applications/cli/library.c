@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Path of the running program by /proc/self/exe, a check of the library's owner and mode, and
+ * dlopen. */
+
 #include "cli/library.h"
 
 #include <dlfcn.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple COMMAND …: the table of commands. */
+/* topple COMMAND ...: the table of commands, standard streams, help and version. */
 
 #define _GNU_SOURCE
 #include "cli/cli.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* State of --quiet and --color, and the rule for colours: option, NO_COLOR, TERM, terminal. */
+
 #include "cli/manner.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple new [FILE] */
+/* topple new [FILE]: options, questions on a terminal for what they leave unanswered, and the scene
+ * written (docs/new.md). */
 
 #include "cli/cli.h"
 #include "cli/files.h"

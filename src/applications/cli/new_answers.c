@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Syntax checks of answers (units, sizes, numbers, directions) and a writer of quoted YAML
+ * strings. */
+
 #include "cli/new_answers.h"
 
 #include <string.h>

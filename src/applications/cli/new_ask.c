@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Asks one question after another on the terminal until each answer passes its check. */
+
 #include "cli/new_ask.h"
 
 #include "cli/words.h"

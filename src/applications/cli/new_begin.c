@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names the files as seen from the scene's folder, writes the scene's text, solves it as a trial,
+ * and writes it to a new file only where that succeeds. */
+
 #define _GNU_SOURCE /* asprintf */
 #include "cli/new_begin.h"
 

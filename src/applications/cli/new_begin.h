@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene that is begun, tried and written. */
+/* Beginning of a scene by topple new: its text is made, solved as a trial and written. */
 
 #ifndef TP_CLI_NEW_BEGIN_H
 #define TP_CLI_NEW_BEGIN_H

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Recognises drawings by their ending or by the columns of a CSV file, and writes the key drawing
+ * from layers, parts, holes and reference. */
+
 #define _GNU_SOURCE
 #include "cli/new_drawing.h"
 

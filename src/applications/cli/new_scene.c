@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Prints the scene key by key into a memory stream, each with a comment, those without an answer
+ * commented out. */
+
 #define _GNU_SOURCE
 #include "cli/new_scene.h"
 

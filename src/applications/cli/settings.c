@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The argp child parser of --set and --unit, and the call that reads a scene with them. */
+
 #include "cli/settings.h"
 
 #include <string.h>

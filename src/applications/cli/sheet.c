@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Date of a sheet from SOURCE_DATE_EPOCH or the clock, and the solve with all pivots and elements
+ * that a sheet needs. */
+
 #include "cli/sheet.h"
 
 #include <errno.h>

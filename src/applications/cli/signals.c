@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Handlers of SIGINT, SIGTERM and SIGHUP that note the signal once; the process ends by the same
+ * signal after its output. */
+
 #include "cli/signals.h"
 
 #include <signal.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple solve SCENE */
+/* topple solve SCENE...: solves scenes, prints report, table or JSON, draws, searches with --find,
+ * and sets the exit status (docs/solve.md). */
 
 #include "cli/sheet.h"
 #include "cli/signals.h"

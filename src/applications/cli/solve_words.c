@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of argp options of topple solve, their readers, and the checks of what goes together. */
+
 #include "cli/solve_words.h"
 
 #include "cli/sheet.h"

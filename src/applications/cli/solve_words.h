@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The words of `topple solve`. */
+/* The options of topple solve, as one struct. */
 
 #ifndef TP_CLI_SOLVE_WORDS_H
 #define TP_CLI_SOLVE_WORDS_H

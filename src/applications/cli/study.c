@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple study STUDY */
+/* topple study STUDY: options, the run in one process, by shards or by ranks, its summary, charts
+ * and sheet (docs/study.md). */
 
 #include "cli/cli.h"
 #include "cli/sheet.h"

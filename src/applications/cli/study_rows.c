@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Derives the CSV beside an HDF5 file, and calls libtopple-hdf5 by dlsym to check and to write
+ * it. */
+
 #define _GNU_SOURCE /* asprintf */
 #include "cli/study_rows.h"
 

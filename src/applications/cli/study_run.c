@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A study by one process, and how far it is. */
+/* Runs a study in one process and prints its progress twice a second. */
 
 #include "cli/study_run.h"
 

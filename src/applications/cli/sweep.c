@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple sweep SCENE */
+/* topple sweep SCENE: options, the sweep over one number or two, and its table written as points
+ * are solved (docs/sweep.md). */
 
 #include "cli/settings.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple tilt SCENE */
+/* topple tilt SCENE: options, the simulated test, its report, drawings, charts and sheet
+ * (docs/tilt.md). */
 
 #include "cli/settings.h"
 #include "cli/sheet.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads ranges of frequencies and factors, and writes the charts of reactions, phase and
+ * overturning spectrum of a tilt test. */
+
 #include "cli/tilt_charts.h"
 
 #include "cli/signals.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Runs the convergence test of a scene's settings, reports it, and draws its chart
+ * (docs/tilt_converge.md). */
+
 #include "cli/tilt_converge.h"
 
 static tp_status draw(const tp_cli_converge *asked, const tp_tilt_convergence *convergence,

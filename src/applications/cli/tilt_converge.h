@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple tilt SCENE --converge */
+/* topple tilt SCENE --converge: what is asked, and its run. */
 
 #ifndef TP_CLI_TILT_CONVERGE_H
 #define TP_CLI_TILT_CONVERGE_H

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Colours of verdicts and cautions in a report on the terminal. */
+
 #ifndef TP_CLI_VERDICT_COLOURS_H
 #define TP_CLI_VERDICT_COLOURS_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple verify CLAIMS */
+/* topple verify CLAIMS: options, the verification and its report (docs/verify.md). */
 
 #include "cli/cli.h"
 

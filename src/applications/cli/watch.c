@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A hash of the states of all files named (FNV-1a of sizes and times), compared after events of
+ * inotify and once a second. */
+
 #include "cli/watch.h"
 
 #include "cli/example_list.h"

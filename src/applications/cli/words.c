@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Formats complaints as plain text on the standard error, and progress on one line that is
+ * overwritten; progress is suppressed by --quiet. */
+
 #define TP_WORDS_OWN
 #define _GNU_SOURCE
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Types and data sets of one column with chunks of 8192 rows, deflated; a block is filled row by
+ * row and written as one hyperslab. */
+
 #include "hdf5/column.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Creates the file under a temporary name with reproducible properties, collects HDF5's error stack
+ * as one reason, and renames the file when it is complete. */
+
 #include "hdf5/file.h"
 
 #include "output/file.h"

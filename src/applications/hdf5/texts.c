@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads each source file again, checks that its hash is that of the study, and stores path and text
+ * as attributes. */
+
 #include "hdf5/texts.h"
 
 #include "output/text.h"

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rows of a complete study copied from CSV into HDF5: checks before the run, columns, rows in
+ * blocks, attributes, and an end without a file where it is interrupted (docs/study.md). */
+
+#include "common/host.h"
 #include "hdf5/column.h"
 #include "hdf5/hdf5.h"
 #include "hdf5/texts.h"
-#include "common/host.h"
 #include "study/rows.h"
 #include "study/sources.h"
 

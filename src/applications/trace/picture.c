@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Decodes PNG by libpng's simplified interface and JPEG by libjpeg, and turns the pixels by the
+ * EXIF orientation. */
+
 #include "trace/picture.h"
 
 #include <errno.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bounds of a picture's width, height and pixels, shared by the readers of PNG and JPEG. */
+
 #include "trace/picture.h"
 
 tp_status tp_picture_check_size(unsigned long width, unsigned long height, const char *name,

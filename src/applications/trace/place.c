@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* From pixels to the coordinates of a scene. */
+/* Similarity from pixels to scene lengths by a scale of known length, level by a plumb line, and
+ * the vertices of the outline nearest to the clicked ends of the contact. */
 
 #include "trace/trace.h"
 

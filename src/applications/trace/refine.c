@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Colour profiles normal to the contour, projected on the axis from inside to outside; the half-way
+ * crossing is the edge, the width of the change its uncertainty (docs/trace.md). */
+
 #include "trace/refine.h"
 
 #include <math.h>

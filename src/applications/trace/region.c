@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A cut-out reduced to at most half a million pixels, GrabCut from the rough polygon
+ * (geom/segment.h), flood fill of the largest connected part, and its contour followed along pixel
+ * edges. */
+
 #include "trace/region.h"
 
 #include "common/grow.h"

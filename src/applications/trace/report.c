@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What was traced, as a scene and as a report. */
+/* The traced outline as a scene whose points move with one number along their normals, with the
+ * origin in a comment, and as a report in text and JSON (docs/trace.md). */
 
 #include "trace/trace.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Simplification of a traced outline by the Douglas-Peucker algorithm, and the unit moves of its
+ * vertices when the outline is shifted outwards. */
+
 #include "trace/refine.h"
 
 #include <math.h>

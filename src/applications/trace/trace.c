@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Checks of the request, traces from rough polygons of three sizes, the standard deviation as a
+ * root of squares, and the scene written with outline, offset and deviation (docs/trace.md). */
+
 #include "trace/trace.h"
 
 #include "common/host.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Monotonic clock of POSIX, in seconds. */
+
 #define _POSIX_C_SOURCE 200809L
 #include "common/clock.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Doubles the room of an array by realloc when it is full. */
+
 #include "common/grow.h"
 
 #include <stdlib.h>

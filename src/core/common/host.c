@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Saves and resets locale, floating-point environment and exponent range of MPFR, and restores
+ * them. */
+
 #include "common/host.h"
 
 #include <mpfr.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Formats a message as place, then text, cut to the size of the struct and made plain as one piece
+ * (common/outside.h). */
+
 #include "common/message.h"
 
 #include "common/outside.h"
@@ -38,9 +41,19 @@ char *tp_place_new(tp_place place) {
   return text;
 }
 
+static void set_place(tp_message *message, tp_place place) {
+  char file[sizeof message->file];
+  tp_place_text(file, sizeof file, (tp_place){place.file, 0, 0});
+  tp_plain_text(message->file, sizeof message->file, file);
+  message->line = place.file != NULL ? place.line : 0;
+  message->column = message->line > 0 ? place.column : 0;
+  message->system_error = 0;
+}
+
 /* The whole message is made plain, so that nothing of what it quotes acts on a terminal. */
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {
   if (message == NULL) return status;
+  set_place(message, place);
   char text[2 * sizeof message->text];
   tp_place_text(text, sizeof message->text / 2, place);
   size_t head = strlen(text);
@@ -56,9 +69,16 @@ tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const c
   return status;
 }
 
+tp_status tp_fail_because(tp_message *message, tp_status status, int why) {
+  if (message != NULL) message->system_error = why;
+  return status;
+}
+
 tp_status tp_fail_file(tp_message *message, const char *path, const char *what, int why) {
-  return tp_fail(message, why == ENOMEM ? TP_OUT_OF_MEMORY : TP_SYSTEM_FAILED,
-                 (tp_place){path, 0, 0}, "cannot be %s: %s", what, strerror(why));
+  const tp_status status = why == ENOMEM ? TP_OUT_OF_MEMORY : TP_SYSTEM_FAILED;
+  const tp_place place = {path, 0, 0};
+  return tp_fail_because(
+      message, tp_fail(message, status, place, "cannot be %s: %s", what, strerror(why)), why);
 }
 
 tp_status tp_fail_memory(tp_message *message, const char *what) {

@@ -27,6 +27,9 @@ tp_status tp_fail_memory(tp_message *message, const char *what);
  * TP_OUT_OF_MEMORY. */
 tp_status tp_fail_file(tp_message *message, const char *path, const char *what, int why);
 
+/* Notes in the message which errno the system gave; returns the status. */
+tp_status tp_fail_because(tp_message *message, tp_status status, int why);
+
 /* "file:line:column" into `text` of at least 64 bytes, shorter where parts are not known. Of a long
  * path the end is kept, and the position always. */
 void tp_place_text(char *text, size_t size, tp_place place);

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Edit distance of Levenshtein with one row of the table, and the distance within which a word is
+ * suggested. */
+
 #include "common/nearest.h"
 
 #include <string.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing list of notes and cautions; each owns its place and its text, which is made plain. */
+
 #include "common/notes.h"
 
 #include "common/outside.h"

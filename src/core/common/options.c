@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Copies as many bytes of an options struct as both sides know, by the size at its beginning; sizes
+ * that this library can not know are refused. */
+
 #include "common/options.h"
 
 #include <string.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Decoder of UTF-8 (Unicode, table 3-7) and the table of code points without visible form, which
+ * are spelt as escapes. */
+
 #include "common/outside.h"
 
 #include <stdio.h>

@@ -1,13 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Meaning and exit status of every status, from the one list in topple.h. */
+/* The meaning and the exit status of every status, from the one list in topple_basics.h; the
+ * version of the library; texts freed. */
 
 #include "topple.h"
 
+#include <stdlib.h>
+
+const char *tp_version(void) {
+  return TP_VERSION;
+}
+
+int tp_version_number(void) {
+  return TP_VERSION_NUMBER;
+}
+
+void tp_text_free(char *text) {
+  free(text);
+}
+
 const char *tp_status_meaning(tp_status status) {
   switch (status) {
-#define TP_STATUS_MEANING(name, exit_status, meaning)                                              \
+#define TP_STATUS_MEANING(name, number, exit_status, meaning)                                      \
   case name:                                                                                       \
     return meaning;
     TP_STATUS_LIST(TP_STATUS_MEANING)
@@ -18,7 +33,7 @@ const char *tp_status_meaning(tp_status status) {
 
 int tp_status_exit(tp_status status) {
   switch (status) {
-#define TP_STATUS_EXIT(name, exit_status, meaning)                                                 \
+#define TP_STATUS_EXIT(name, number, exit_status, meaning)                                         \
   case name:                                                                                       \
     return exit_status;
     TP_STATUS_LIST(TP_STATUS_EXIT)

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing list of passages and table cells with their texts; a failed allocation is remembered and
+ * ends the document as a whole. */
+
 #include "document/document.h"
 
 #include "output/encode.h"

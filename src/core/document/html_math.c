@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Presentation MathML for HTML, and LaTeX for Markdown, by recursive descent over the signs of
+ * document/math.h. */
+
 #include "document/html_math.h"
 
 #include "document/math.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The style sheet as one string, without fonts or files from elsewhere. */
+
 #include "document/html_style.h"
 
 const char tp_html_style[] =

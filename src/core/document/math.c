@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reader of one sign at a time: letters, numbers, operators, names, groups in braces, indices and
+ * exponents. */
+
 #include "document/math.h"
 
 #include <string.h>

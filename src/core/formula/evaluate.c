@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One pass over the nodes in order, with values in one array on the stack or the heap; the algebra
+ * supplies the operations. */
+
 #include "formula/evaluate.h"
 
 #include <stdalign.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Operations of the algebra over FLINT's rationals, with the size of each result bounded before it
+ * is formed. */
+
 #include "formula/rational.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Names, and the Greek letters in them. */
+/* Length of a name in a text, and its spelling in ASCII with Greek letters by their names, from a
+ * table of UTF-8. */
 
 #include "formula/spelling.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Adapter of dxflib's reader: groups that were read already are handed to it, and complete entities
+ * are reported to a visitor; counts that a file states are replaced by the counts found. */
+
 #include "geom/dxf_groups.h"
 
 #include "geom/guard.hpp"

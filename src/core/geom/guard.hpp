@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The guard that no exception passes. */
+/* Calls a function and turns every C++ exception into a status, so that none passes the C
+ * interface. */
 
 #ifndef TP_GEOM_GUARD_HPP
 #define TP_GEOM_GUARD_HPP

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Adapter of RapidJSON's iterative reader with numbers kept as texts; an allocator that throws
+ * bad_alloc replaces the default one. */
+
 #include "geom/json_events.h"
 
 #include "geom/guard.hpp"

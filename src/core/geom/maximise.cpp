@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The exact linear program, by CGAL's simplex over rationals. */
+/* The exact linear program of three rows by CGAL's simplex solver over rationals, with the ray that
+ * proves an unbounded one. */
 
 #include "geom/geom.h"
 #include "geom/guard.hpp"

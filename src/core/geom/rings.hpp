@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points of the C face as points of a CGAL kernel. */
+/* Points of the C interface as points of a CGAL kernel: small integers as doubles, larger ones as
+ * exact numbers. */
 
 #ifndef TP_GEOM_RINGS_HPP
 #define TP_GEOM_RINGS_HPP

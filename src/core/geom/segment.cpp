@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* GrabCut segmentation of OpenCV from a mask of probable foreground, with a fixed random seed
+ * (Rother, Kolmogorov and Blake, SIGGRAPH 2004). */
+
 #include "geom/segment.h"
 
 #include <new>

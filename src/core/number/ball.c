@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conversions between balls and doubles with proven bounds, by the words of the midpoint where
+ * possible; sines, cosines and arctangents in degrees, exact at multiples of 45 (docs/mechanics.md
+ * section 10). */
+
 #include "number/ball.h"
 
 #include "number/binary.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Both ends of a ball printed by MPFR, and the longest text on which they agree; all texts belong
+ * to one list. */
+
 #include "number/decimals.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sign of a ball, or zero where it is narrower than half the bits relative to the size of its
+ * terms. */
+
 #include "number/judge.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of precisions (arithmetic of the sums and bits of what follows) and the loop over them from
+ * the cheapest on, limited by the level and the digits asked for (docs/mechanics.md section 10). */
+
 #include "number/ladder.h"
 
 #include "number/ball.h"

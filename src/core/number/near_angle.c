@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Taylor series by Horner's rule in doubles with bounds; the arctangent with the bound of its
+ * derivative. */
+
 #include "number/near_angle.h"
 
 #include "number/arctangent.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reader of decimals, fractions and doubles into FLINT rationals with bounded digits and exponents,
+ * and writer of exact decimals or fractions. */
+
 #include "number/ratio.h"
 
 #include "number/shortest.h"

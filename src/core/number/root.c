@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* This file and number/series.c call the GNU Scientific Library. Where that meets what it refuses
+/* Brent's method of the GNU Scientific Library, and bisection where that no longer narrows the
+ * bracket.
+ *
+ * This file and number/series.c call the GNU Scientific Library. Where that meets what it refuses
  * it calls a handler of the process, which ends it unless the program has set another: the handler
  * is none of ours to change, and is never called. For what is refused is kept from it: ends out of
  * order, signs that do not differ and values that are no numbers (a search that comes upon one ends

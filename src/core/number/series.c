@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* GSL's handler of errors is never called (number/root.c tells why): what these functions refuse, a
+/* Power spectrum, least-squares line and standard deviation of a series by the GNU Scientific
+ * Library; the transform runs over columns and rows of a table, so that each fits into a cache
+ * (Bailey, J. Supercomputing 4 (1990) 23-35).
+ *
+ * GSL's handler of errors is never called (number/root.c tells why): what these functions refuse, a
  * count that is no power of two, is kept from them. */
 
 #include "number/series.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Prints 15, 16, then 17 significant digits until the text reads back as the same double. */
+
 #include "number/shortest.h"
 
 #include <stdio.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Formula of the work of a step, and its bound for one question and for all. */
+
 #include "number/work.h"
 
 #include <math.h>

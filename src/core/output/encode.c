@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Escapes for JSON, comments of C and LaTeX, Markdown, HTML, CSV and gnuplot, character by
+ * character over plain text; base64 of bytes. */
+
 #include "output/encode.h"
 
 #include "common/outside.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes a temporary file in the same folder, copies owner and mode, and renames it, in a thread
+ * with signals blocked; links, pipes, devices and files of several names are written in place. */
+
 #define _GNU_SOURCE
 #include "output/file.h"
 #include "common/message.h"
@@ -22,12 +25,13 @@ typedef struct output {
   tp_message *message;
 } output;
 
-static tp_status fail(const output *o, const char *why) {
-  return tp_fail(
-      o->message, TP_SYSTEM_FAILED, (tp_place){o->path, 0, 0},
-      "cannot be written: %s; name a file in a folder that exists, can be written to and has "
-      "room",
-      why);
+static tp_status fail(const output *o, int why) {
+  const tp_status status =
+      tp_fail(o->message, TP_SYSTEM_FAILED, (tp_place){o->path, 0, 0},
+              "cannot be written: %s; name a file in a folder that exists, can be written to and "
+              "has room",
+              strerror(why));
+  return tp_fail_because(o->message, status, why);
 }
 
 /* All is ready. */
@@ -98,7 +102,7 @@ static tp_status write_all(int descriptor, const output *o) {
   while (left > 0) {
     const ssize_t written = write(descriptor, from, left);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return fail(o, strerror(errno));
+    if (written < 0) return fail(o, errno);
     from += written;
     left -= (size_t)written;
   }
@@ -115,12 +119,12 @@ static tp_status write_in_place(int descriptor, const struct stat *state, const 
   const held signals = hold(&set);
   if (regular && o->length > 0 && fallocate(descriptor, 0, 0, (off_t)o->length) != 0 &&
       errno != EOPNOTSUPP && errno != ENOSYS) {
-    status = fail(o, strerror(errno));
+    status = fail(o, errno);
   }
   if (status == TP_OK && regular && !is_standard(state)) status = ask(o);
   if (status == TP_OK) status = write_all(descriptor, o);
   if (status == TP_OK && regular && ftruncate(descriptor, (off_t)o->length) != 0) {
-    status = fail(o, strerror(errno));
+    status = fail(o, errno);
   }
   release(&signals);
   return status;
@@ -168,16 +172,16 @@ static bool replace(tp_status *status, const char *path, const struct stat *befo
     return false;
   }
   if (descriptor < 0) {
-    *status = fail(o, strerror(why));
+    *status = fail(o, why);
     return true;
   }
   const bool kept = before == NULL || keep_owner(descriptor, before);
   *status = kept ? write_all(descriptor, o) : TP_OK;
   /* some file systems tell of a full disk only now */
   const bool closed = close(descriptor) == 0;
-  if (kept && *status == TP_OK && !closed) *status = fail(o, strerror(errno));
+  if (kept && *status == TP_OK && !closed) *status = fail(o, errno);
   if (kept && *status == TP_OK) *status = ask(o);
-  if (kept && *status == TP_OK && rename(name, path) != 0) *status = fail(o, strerror(errno));
+  if (kept && *status == TP_OK && rename(name, path) != 0) *status = fail(o, errno);
   if (!kept || *status != TP_OK) unlink(name);
   free(name);
   return kept;
@@ -212,12 +216,12 @@ static tp_status check_sources(const output *o, tp_file_sources sources) {
 
 static tp_status write_over(int descriptor, const output *o) {
   struct stat before;
-  if (fstat(descriptor, &before) != 0) return fail(o, strerror(errno));
+  if (fstat(descriptor, &before) != 0) return fail(o, errno);
   if (!S_ISREG(before.st_mode) || before.st_nlink > 1 || is_standard(&before)) {
     return write_in_place(descriptor, &before, o);
   }
   char *real = realpath(o->path, NULL);
-  if (real == NULL) return fail(o, strerror(errno));
+  if (real == NULL) return fail(o, errno);
   tp_status status = TP_OK;
   if (!replace_at_once(&status, real, &before, o)) {
     status = write_in_place(descriptor, &before, o);

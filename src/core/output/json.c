@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Stack of brackets with the layout of each; separators and line ends are written before every
+ * value, and misuse is recorded. */
+
 #include "output/json.h"
 
 #include "output/encode.h"

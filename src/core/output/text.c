@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing buffer, and printing of bounded numbers with as many digits as their error leaves
+ * certain. */
+
 #include "output/text.h"
 
 #include <float.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Direction reduced to coprime integers; integer square root of p^2 + q^2, exact or cut off at
+ * TP_DIRECTION_BITS. */
+
 #include "plane/direction.h"
 
 void tp_direction_unit(fmpq_t cosine, fmpq_t sine, const fmpq_t u, const fmpq_t v) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Common denominator of all coordinates, exact subtraction of a local origin, rounding to doubles
+ * with a sticky bit, and exact signs of cross and dot products of integers. */
+
 #include "plane/lattice.h"
 
 #include "number/word.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Arrays of rationals with their places in a file; chains shared between scenes by an atomic count
+ * of users. */
+
 #include "plane/polyline.h"
 
 #include <stdlib.h>

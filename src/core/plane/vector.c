@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cross and dot products of triples of balls, and the sign of a product. */
+
 #include "plane/vector.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Comparison of words without case, blanks and hyphens, and the nearest words by Levenshtein's edit
+ * distance. */
+
 #include "terms/words.h"
 
 #include "common/nearest.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Gap along y between underside and profile over every common piece of x, linear in x: its exact
+ * largest value, and the length, area and matched share of the joint in balls. */
+
 #include "base/aperture.h"
 
 void tp_aperture_init(tp_aperture *a) {

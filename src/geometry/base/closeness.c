@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Pairs of vertices and edges within a distance, found by binary search along the profile in
+ * doubles with a bound, and the exact foot of a vertex on an edge with the square of its
+ * distance. */
+
 #include "base/closeness.h"
 
 #include <arb.h>

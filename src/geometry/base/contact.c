@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact points from the facets in their order along x; each gets its kind (valley, peak, flat
+ * end, flank; Fig. 8 and docs/mechanics.md section 3) from the exact heights of its neighbours. */
+
 #include "base/contact.h"
 
 #include "base/closeness.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing list of facets, the common point of two edges that touch, and the side of a point along a
+ * facet's direction by the sign of a dot product. */
+
 #include "base/facets.h"
 
 #include "common/grow.h"

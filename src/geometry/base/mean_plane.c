@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sums of the least-squares line over the facets, in rationals, with whole numbers treated without
+ * common denominators, and the direction that they give. */
+
 #include "base/mean_plane.h"
 
 void tp_mean_plane_init(tp_mean_plane *p) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Angular sectors of the interiors around each point of contact, compared by signs of cross
+ * products; ray crossing where two rings do not touch. */
+
 #include "base/overlap.h"
 
 /* From one point of the lattice to another. */

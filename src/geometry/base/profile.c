@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Base of a scene: the profile as given, or the underside of the mated part, continued past the
+ * contact along the teeth or level as far as the scene says, and closed below as a ring. */
+
 #include "base/profile.h"
 
 #include "base/underside.h"

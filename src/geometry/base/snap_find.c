@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* All of the block that lies near its profile moved onto it. */
+/* Moves all of the block that lies near its profile onto it (base/snap.h): near vertices, corners
+ * that fit each other, moved vertices, points of the profile taken in, and the extent, in that
+ * order. */
 
 #include "base/snap_search.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points of the profile that are taken into edges of the block. */
+/* Points of the profile that become vertices of the block's edges: each is assigned to the edge
+ * within whose moved ends it lies, by exact signs, and sorted along the profile. */
 
 #include "base/snap_search.h"
 

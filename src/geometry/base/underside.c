@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ends of the mated contact on the outline by exact comparisons: supporting lines at 45 degrees,
+ * corners below an overhang, or the two points that a scene names. */
+
 #include "base/underside.h"
 
 /* The rightmost vertex, the lowest of them. */

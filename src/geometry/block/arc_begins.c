@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sorted array of an outline's arcs by starting point, and binary search for that of an edge. */
+
 #include "block/arc_begins.h"
 
 #include <stdlib.h>

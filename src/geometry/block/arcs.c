@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Each arc is cut at rational points of its circle, some 40 degrees apart or finer, into tangents
+ * or chords for the ring; the area between them and the arc is recorded as a tip. */
+
 #include "block/arcs.h"
 
 #include "block/arc_begins.h"

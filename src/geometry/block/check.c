@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Meetings of edges of different rings that are not allowed, then the rings that each triangle of
+ * the constrained Delaunay triangulation belongs to; triangles in holes are dropped. */
+
 #include "block/check.h"
 
 #include "block/check_ring.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Centre of the circle through three points, points of it by the rational parametrisation, and
+ * intersections of tangents, in exact rationals; the arc's angle in doubles for the choice of
+ * points alone. */
+
 #include "block/circle.h"
 
 #include <math.h>

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tangent points and centre of a rounded corner in balls from the tangent of half the interior
+ * angle, and the tip taken off all moments or, in model paper, not (docs/mechanics.md section 4;
+ * Appendix B). */
+
 #include "block/corners.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Finding the corners that a scene rounds, and whether their radii fit. */
+/* Finds the vertices that a scene rounds, by coordinates or as ends of the underside, and checks in
+ * balls that tangent lengths fit the edges and that no point of the section lies in a tip. */
 
 #include "block/corners.h"
 

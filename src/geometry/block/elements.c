@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Weight and first moments of each slab, triangle or piece as integers, sorted by x and by y with
+ * cumulative sums for the elements form (docs/mechanics.md section 3; (A1.3), (A1.15)). */
+
 #include "block/elements.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Polygon around the cut ellipse, its tangents at rational points, and the closed moments scaled by
+ * the half-axes and moved from the centre (docs/mechanics.md section 4). */
+
 #include "block/ellipse.h"
 
 #include "block/region.h"

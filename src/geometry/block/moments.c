@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ring sums by doubles, pairs of doubles, balls or integers according to the precision asked for,
+ * scaled by powers of two and summed with the weights of the rings (docs/mechanics.md section
+ * 2). */
+
 #include "block/moments.h"
 
 #include "block/ellipse.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Vertices of a toothed block and the corners of its slabs and triangles (Fig. 5, Appendix A) from
+ * N, a, b and c, in rationals. */
+
 #include "block/outline.h"
 
 void tp_outline_joint_height(fmpq_t y, const tp_teeth *teeth, long joint) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Area, first and second moments of triangles and of circular sectors added in balls; a sector's
+ * moments by sines of its half angle, turned and moved to its centre. */
+
 #include "block/region.h"
 
 enum { A, X, Y, XX, YY, XY };

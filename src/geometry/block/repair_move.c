@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Chooses the vertex to move among the four ends of two crossing edges, and a point on a decimal
+ * grid just past the other edge, in rationals. */
+
 #include "block/repair_move.h"
 
 #include <math.h>

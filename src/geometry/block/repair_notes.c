@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a repair moved, and what one would move, in words. */
+/* Notes on vertices that a repair moved, with the largest distance, and advice that names the
+ * setting under which a repair would succeed. */
 
 #include "block/repair.h"
 #include "number/ratio.h"

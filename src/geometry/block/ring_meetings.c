@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* View of lattice rings for the predicates of geom/geom.h, the first meeting in the order of edges,
+ * and texts that name edges by the user's coordinates. */
+
 #include "block/ring_meetings.h"
 
 #include "number/ratio.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rings, densities and weights of a section from the block's description: outline by vertices,
+ * teeth or ellipse, holes, parts and arcs, each turned counter-clockwise. */
+
 #include "block/section.h"
 
 #include "block/ellipse.h"

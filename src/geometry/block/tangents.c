@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Comparisons of tangent points of rounded corners along a direction, each the sign of a sum of
+ * square roots of integers (number/surd.h). */
+
 #include "block/tangents.h"
 
 #include "number/surd.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Settles the block at evenly spaced shifts, and narrows each border between different endings by
+ * bisection and by events (rest/events.h), within a budget of work. */
+
 #include "rest/basins.h"
 
 #include "common/budget.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rings of block and base with exact and rounded coordinates; the posed coordinates of the block
+ * are rounded together and made exact vertex by vertex when asked for. */
+
 #include "rest/bodies.h"
 
 #include "common/message.h"

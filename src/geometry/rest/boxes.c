@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Heap-numbered binary tree of bounding boxes over runs of eight edges of the profile. */
+
 #include "rest/boxes.h"
 
 #include "number/binary.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* List of pairs with an interval for the time of their contact; pairs that begin after the earliest
+ * certain contact are dropped, and a budget bounds their number. */
+
 #include "rest/candidates.h"
 
 #include "common/budget.h"

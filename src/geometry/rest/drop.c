@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Heights of vertices over edges in doubles with a bound, then the exact least of the remaining
+ * pairs, and the pairs that touch after the fall. */
+
 #include "rest/drop.h"
 
 #include "common/message.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Endings compared by how they end and by their sorted lists of touches. */
+
 #include "rest/endings.h"
 
 #include "common/grow.h"

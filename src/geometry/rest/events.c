@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The event nearest to the middle of an interval of shifts, by binary search of the profile for
+ * every vertex of the block and for the centroid. */
+
 #include "rest/events.h"
 
 /* The point of the profile, which runs from right to left, that is the last at or right of x; -1

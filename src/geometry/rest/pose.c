@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rational poses: applied, inverted, pinned to a point, turned along a direction or by tan(t / 2),
+ * and put over a common denominator so that points are turned in whole numbers. */
+
 #include "rest/pose.h"
 
 #include "plane/direction.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The drop, then one turn after another about the contact with the longest arm that no other
+ * contact stops, until none is left or the block leaves its base (docs/rest.md). */
+
 #include "rest/settle.h"
 
 #include "common/budget.h"

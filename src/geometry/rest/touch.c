@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Set of touches in a hash table, and the exact signs of first and second derivatives that decide
+ * whether a touch stops a turn. */
+
 #include "rest/touch.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Angle of the first new contact: of the pairs that doubles leave, the exact roots (top + sqrt(D))
+ * / bottom are compared by signs of surds (number/surd.h), and the least is kept. */
+
 #include "rest/turning.h"
 
 #include "common/message.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The coefficients A, B and d of one pair in the equation of a turn (rest/turning.h), exact. */
+
 #include "rest/turning.h"
 
 void tp_turning_numbers_init(tp_turning_numbers *n) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bands with ten to a factor of ten in frequency: means of the spectrum's ordinates at the
+ * geometric mean of the end frequencies. */
+
 #include "roughness/bands.h"
 
 #include <math.h>

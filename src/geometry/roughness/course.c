@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conversion of an exact chain to doubles relative to its first point, with one rounding bound for
+ * each axis; checks of order, spacing and range. */
+
 #include "roughness/course.h"
 
 #include "number/binary.h"

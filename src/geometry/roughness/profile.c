@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Measures of a profile in their order (docs/profile.md): scaling, turning and sampling, then
+ * slopes, series of heights, lags, spectrum, Hurst exponent and JRC, with notes on what limits
+ * them. */
+
 #include "roughness/profile.h"
 
 #include "common/host.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Composition and application of affine maps in rationals; a similarity is recognised exactly, its
+ * scale and the size of its numbers bounded. */
+
 #include "format/affine.h"
 
 #include <arf.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Chords in place of Bezier curves. */
+/* Chords of a Bezier curve: de Casteljau's halving in rationals until all control points lie within
+ * the tolerance of the chord. */
 
 #include "format/curve.h"
 

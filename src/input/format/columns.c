@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Header fields reduced to words in lower case with a unit, looked up in the tables of
+ * format/column_words_table.h; two columns are chosen by their kinds, plans of two map coordinates
+ * are refused. */
+
 #include "format/columns.h"
 
 #include "format/column_words_table.h"

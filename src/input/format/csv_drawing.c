@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads header, units and rows; consecutive rows of one layer and name make one object. */
+
 #include "format/csv_drawing.h"
 
 #include "format/columns.h"

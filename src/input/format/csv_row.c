@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Determines the separator of a line, then splits it into fields; recognises numbers with decimal
+ * commas. */
+
 #include "format/csv_row.h"
 
 #include <ctype.h>

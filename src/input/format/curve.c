@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Circles and arcs by their angles as edges with a bulge (tangent of a quarter of the angle), the
+ * tolerance of a drawing, and rounding of computed points, with their uncertainty. */
+
 #include "format/curve.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing lists of objects, points and bulges of a drawing. */
+
 #include "format/drawing.h"
 
 #include "common/budget.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Counters of points made and of bits of nested transforms, each refused beyond its budget. */
+
 #include "format/drawing_work.h"
 
 #include "common/budget.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Lines, polylines, circles, arcs and ellipses of a DXF file. */
+/* Lines, polylines with bulges, circles, arcs and ellipses of a DXF file from their groups,
+ * mirrored where the extrusion is; heights that differ are refused. */
 
 #include "format/affine.h"
 #include "format/dxf_reader.h"

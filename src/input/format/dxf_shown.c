@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of the layers that are off or frozen, the test of an entity's layer, visibility and insert
+ * against it, and the note on what was left out. */
+
 #include "format/dxf_shown.h"
 
 #include "common/grow.h"

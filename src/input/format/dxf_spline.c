@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Splines of a DXF file. */
+/* Splines of a DXF file: knots, control points and weights are read from their groups, checked, and
+ * handed to format/spline.h. */
 
 #include "format/dxf_reader.h"
 #include "format/spline.h"

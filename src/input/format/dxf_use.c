@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One pass over the definitions of blocks collects, with memoised recursion, which roles their
+ * objects take and how many objects an insert makes. */
+
 #include "format/dxf_use.h"
 
 #include "format/roles.h"

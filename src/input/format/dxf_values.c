@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Values of the groups of an entity, exactly as the file writes them. */
+/* Values of the groups of an entity as exact numbers, whole numbers or texts, by group code; a
+ * decimal comma is read as a point and noted once. */
 
 #include "format/drawing_work.h"
 #include "format/dxf_reader.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Chords in place of arcs, and pieces of arcs. */
+/* Arcs as chords within a tolerance by r (A / n)^2 / 8, with points that are rational in bulge and
+ * ends, and arcs cut into pieces. */
 
 #include "format/curve.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Finds libtopple-gis beside the running code or in its installed folder, checks its owner and
+ * mode, and loads it by dlopen; GDAL is needed by that library alone. */
+
 #define _GNU_SOURCE /* dladdr */
 #include "format/gis_library.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Loading of the optional library libtopple-gis, which reads Shapefiles and GeoPackages through
+ * GDAL (gis/gis.h). */
+
 #ifndef TP_FORMAT_GIS_LIBRARY_H
 #define TP_FORMAT_GIS_LIBRARY_H
 

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ends sorted by x and compared within reach; each end may meet one other, and chains are followed
+ * from end to end. */
+
 #include "format/join.h"
 
-#include "format/twins.h"
 #include "common/outside.h"
+#include "format/twins.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Vertices made unique by a hash table with linear probing over exact coordinates; faces, objects
+ * and counts with their bounds. */
+
 #include "format/mesh.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Crossing points of edges in a hash table, so that neighbouring faces share them; the crossings of
+ * a face that is cut several times are sorted along the plane and paired. */
+
 #include "format/mesh_crossings.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Pieces joined at shared crossings into chains, which begin at their leftmost point and lose
+ * points that lie on a straight line between their neighbours. */
+
 #include "format/mesh_cut.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Header of a PLY file (Turk, Stanford polygon format): format, elements and properties with their
+ * types, and the check that it has vertices with x, y, z before faces with corners. */
+
 #include "format/mesh_ply.h"
 
 #include <string.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads a mesh file of at most 1 GiB into memory and calls the reader of its format: STL, PLY or
+ * OBJ. */
+
 #include "format/mesh_source.h"
 
 #include <errno.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cursor over the bytes of a file with line and column; words, lines, decimals as exact rationals,
+ * and binary integers and floats of either byte order. */
+
 #include "format/mesh_source.h"
 
 #include "number/ratio.h"

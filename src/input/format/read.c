@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which reader a file has, by the ending of its name. */
+/* Chooses the reader of a drawing by the ending of its file name. */
 
 #include "format/read.h"
 

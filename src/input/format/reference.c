@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Finds the reference object by name or layer, measures it in rationals, and scales all objects by
+ * an affine map (format/affine.h). */
+
 #include "format/reference.h"
 
+#include "common/outside.h"
 #include "format/affine.h"
 #include "format/curve.h"
-#include "common/outside.h"
 
 #include <strings.h>
 

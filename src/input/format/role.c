@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Checks of a chain for its role, with the width of a gap and its places in the message;
+ * orientation and closing of the chain that is taken. */
+
 #include "format/role.h"
 
 #include "format/join.h"

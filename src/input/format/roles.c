@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Roles by layer or name, or by closure where no name says so; pieces of one role are joined and
+ * checked, and what is ambiguous is refused with a list of the layers. */
+
 #include "format/roles.h"
 
-#include "format/join.h"
 #include "common/outside.h"
+#include "format/join.h"
 
 #include <stdio.h>
 #include <stdlib.h>

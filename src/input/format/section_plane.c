@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Unit direction of the plane in rationals, from two points or from the tangent of half the
+ * azimuth; signed distances of vertices by doubles with a bound, then exactly. */
+
 #include "format/section_plane.h"
 
 #include <arb.h>

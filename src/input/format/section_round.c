@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rounding of a section's coordinates: short decimals and binary fractions stay exact, other
+ * quotients go to a multiple of the largest power of ten below 1e-9 of the section's size; repeated
+ * points are dropped. */
+
 #include "format/section_take.h"
 
 #include "number/ratio.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Chooses the chain by its exact area or length, collects the chains nested in it as holes, and
+ * takes the upper side of closed ground as a profile. */
+
 #include "format/section_take.h"
 
 #include "number/ratio.h"

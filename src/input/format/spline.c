@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* De Boor's algorithm in rationals on a grid of powers of two gives the Bezier points of each span
+ * (polar form); format/curve.h turns these into chords. */
+
 #include "format/spline.h"
 
 /* point = ((high - at) point + (at - low) next) / (high - low), in all three coordinates. */

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The elements of an SVG file, and the groups that they are in. */
+/* Elements of an SVG file read by expat with a stack of open groups: transforms, layers, visibility
+ * and style are inherited, and shapes that are not shown are noted. */
 
 #include "format/svg.h"
 
+#include "common/grow.h"
+#include "common/outside.h"
 #include "format/svg_collect.h"
 #include "format/svg_page.h"
 #include "format/svg_seen.h"
 #include "format/svg_shape.h"
-#include "common/grow.h"
-#include "common/outside.h"
 
 #include <expat.h>
 #include <stdlib.h>

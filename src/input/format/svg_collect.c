@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* First pass over the file with expat: the text of every style element is parsed as a sheet; sheets
+ * outside the file and entities are refused. */
+
 #include "format/svg_collect.h"
 
 #include "format/svg_shape.h"

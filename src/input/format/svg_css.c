@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Scanner of CSS declarations with quotes, brackets and !important; names of the properties that
+ * matter and tests of their values. */
+
 #include "format/svg_css.h"
 
 #include "format/svg_shape.h"

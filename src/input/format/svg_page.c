@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Width of the page in metres by the unit of its width (96 px, 72 pt, 6 pc to the inch) over the
+ * width of the viewBox. */
+
 #include "format/svg_page.h"
 
 #include "format/svg_shape.h"

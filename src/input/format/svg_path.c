@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The data of an SVG path, command by command. */
+/* Path data of SVG, command by command: lines, Bezier curves, reflected control points and arcs,
+ * absolute and relative, in exact numbers. */
 
 #include "format/svg_path.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Inherited state of display, visibility, opacity, fill and stroke, updated from element to
+ * element. */
+
 #include "format/svg_seen.h"
 
 #include <string.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Attributes as exact lengths; line, polyline, polygon, rect with rounded corners, circle, ellipse
+ * and path become points and arcs. */
+
 #include "format/svg_shape.h"
 
 #include <string.h>

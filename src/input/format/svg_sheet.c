@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Style sheets of an SVG file: selectors, and rules out of a text. */
+/* Parser of CSS style sheets: selectors of elements, classes and ids with their specificity, and
+ * rules that bear on an outline; other at-rules are refused. */
 
 #include "format/svg_sheet.h"
 

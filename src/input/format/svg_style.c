@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cascade of one element: each declaration gets a weight from its origin, specificity and
+ * !important, and the greatest weight wins. */
+
 #include "format/svg_style.h"
 
 #include "format/svg_shape.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Numbers and transforms of SVG. */
+/* Reader of numbers and of transform lists (translate, scale, rotate, skew, matrix) as exact affine
+ * maps. */
 
 #include "format/drawing_work.h"
 #include "format/svg_path.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads a file into a growing buffer, skips a byte-order mark of UTF-8, and converts UTF-16 of
+ * either byte order. */
+
 #include "format/text_file.h"
 
 #include <errno.h>

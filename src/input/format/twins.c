@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sorts pieces by points and bulges, each from its lesser end on, and drops equal neighbours. */
+
 #include "format/twins.h"
 
 #include <stdlib.h>

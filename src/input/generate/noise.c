@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Noise on the heights of a profile: sums of twelve uniform numbers, which are nearly Gaussian with
+ * unit standard deviation, times the deviation, rounded to ticks (docs/generate.md). */
+
 #include "generate/generate.h"
 #include "generate/random.h"
 #include "generate/ticks.h"

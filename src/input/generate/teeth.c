@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Toothed profiles from wavelength, amplitude and skew, each with a uniform scatter per tooth from
+ * a counter-based random stream; coordinates are exact, or rounded to ticks where they are
+ * scattered (docs/generate.md; docs/mechanics.md section 8). */
+
 #include "generate/generate.h"
 #include "generate/random.h"
 #include "generate/ticks.h"

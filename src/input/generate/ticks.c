@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Coordinates by arithmetic in words of 60 bits, with common factors 2 and 5 removed first, or by
+ * rationals beyond that. */
+
 #include "generate/ticks.h"
 
 #include "number/word.h"

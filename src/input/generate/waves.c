@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Stockham transform of radix 4 with a last step of radix 2; a real series is transformed as half
+ * as many complex numbers. Rotations come from half-angle square roots. */
+
 #include "generate/waves.h"
 
 #include <math.h>

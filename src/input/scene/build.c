@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads and checks all numbers of a call first, then puts them into the scene, so that a call that
+ * fails leaves the scene as it was. */
+
 #include "scene/build.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: its base. */
+/* Calls that set the base of a scene in memory: mated, profile, rest, joint, continuation past the
+ * block, and the ends of the contact. */
 
 #include "common/host.h"
 #include "scene/build.h"

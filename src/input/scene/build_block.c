@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: the outline of its block, and what lies in it. */
+/* Calls that set the block of a scene in memory: outline, slab, teeth (Fig. 5; section 5.1 of the
+ * paper) or ellipse, holes, parts, thickness and unit weight. */
 
 #include "common/host.h"
 #include "scene/build.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: edges that are arcs, corners that are rounded. */
+/* Calls that make edges of the outline arcs, by a point or a bulge, and round its corners. */
 
 #include "common/host.h"
 #include "scene/build.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: its loads. */
+/* Calls that add loads to a scene in memory: earthquake, water, pressures, surcharges, anchors,
+ * bond and cohesion. */
 
 #include "common/host.h"
 #include "scene/build.h"

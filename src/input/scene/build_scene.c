@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: the scene itself, its tilt and its frame. */
+/* Calls that make a scene in memory and set its title, tilt, frame and mean plane. */
 
 #include "common/host.h"
 #include "scene/build.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: the shaking of its base. */
+/* Calls that shake the base of a scene in memory by a pulse or by an accelerogram from a file. */
 
 #include "common/host.h"
 #include "scene/build.h"

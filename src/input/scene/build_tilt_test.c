@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: its simulated tilt test. */
+/* Calls that set the engine, protocol and numbers of a simulated tilt test in a scene in memory. */
 
 #include "common/host.h"
 #include "scene/build.h"

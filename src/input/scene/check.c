@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One function a rule: ranges, angles, counts, Patton's sum below 90 degrees, Barton's parameters
+ * (Eqs. (8) to (10)), combinations of base, joint, friction and loads. */
+
 #include "scene/check.h"
 
 #include "scene/check_tilt_test.h"
 
 #include "common/budget.h"
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 
 tp_status tp_check_range(const fmpq_t value, const char *name, tp_place place,
                          tp_message *message) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Defaults of engine, protocol and start, and the settings that each engine and protocol admits
+ * (docs/tilt.md). */
+
 #include "scene/check_tilt_test.h"
 
 bool tp_scene_is_shaken(const tp_scene *scene) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Line reader with a fixed buffer: header and units by format/columns.h, then two numbers a line;
+ * repeated points are dropped, decimal commas and other slips are refused with a hint. */
+
 #include "scene/csv.h"
 
 #include "format/columns.h"

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Builds the tree of nodes that a scene naming the drawing or mesh would have, and adds the nodes
+ * of all settings. */
+
 #include "scene/drawing_scene.h"
 
+#include "common/outside.h"
 #include "format/mesh.h"
 #include "format/read.h"
-#include "common/outside.h"
 #include "scene/setting.h"
 
 #include <stdio.h>

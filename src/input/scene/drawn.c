@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Chains of the drawing put into the frame and the unit of the scene by an affine map; arcs kept on
+ * the outline, made chords elsewhere, with a note on their deviation. */
+
 #include "scene/drawn.h"
 
 #include "format/affine.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Holes, parts and arcs of the block that a drawing gives. */
+/* Holes, parts with their unit weights and arcs of a drawing added to the block of the scene. */
 
 #include "scene/members.h"
 #include "scene/read.h"

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A double as mantissa times a power of two in lowest terms, a text by number/ratio.h; arrays of
+ * points with a bound on their number. */
+
 #include "scene/exact.h"
 
+#include "common/outside.h"
 #include "number/ratio.h"
 #include "number/word.h"
-#include "common/outside.h"
 #include "scene/check.h"
 
 #include <math.h>

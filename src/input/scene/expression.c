@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Plain numbers are read without a tree; other texts by the reader of formula/read.h and the
+ * algebra of rationals. */
+
 #include "scene/expression.h"
 
 #include "formula/rational.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Walk from the root along the words of a key, the parameters first for a single word; the reach of
+ * a key is found from the group that it stands in. */
+
 #include "scene/key.h"
 
 #include "common/outside.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tables of offsets of all numbers, chains and lists in a scene and in the items of its lists;
+ * whatever is done to all members walks these. */
+
 #include "scene/members.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Copies of outline, holes, parts, arcs, profile and points of loads with a map applied to each
+ * point, directions of anchors turned by an angle. */
+
 #include "scene/moved.h"
 
 #include <stdlib.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Events of libyaml built into a tree, with bounds on bytes, depth and keys of a mapping. */
+
 #include "scene/node.h"
 
 #include "common/outside.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Lists of numbers that a scene has instead of others. */
+/* Lists of numbers that replace those of a scene's nodes or keys, with the setting that each came
+ * from. */
 
 #include "scene/setting.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names of the keys of a rule, and its reset to no rule. */
+
 #include "scene/profile_rule.h"
 
 const char *const tp_roughness_keys[] = {"rms_height", "z2", "jrc", NULL};

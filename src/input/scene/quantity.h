@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A number of a scene as an exact rational with the place that gave it. */
+
 #ifndef TP_SCENE_QUANTITY_H
 #define TP_SCENE_QUANTITY_H
 

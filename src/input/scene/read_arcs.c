@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Edges of an outline that are arcs. */
+/* Reads the key arcs of an outline: each arc by its first point and either a point on it or a
+ * bulge. */
 
 #include "scene/read.h"
 

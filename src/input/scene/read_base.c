@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The sections `base`, `contact` and `joint` of a scene. */
+/* Reads the sections base, contact and joint of a scene: mated or profile, its placing, ends of the
+ * contact, continuation, shift or matching. */
 
 #include "scene/read.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The section `block` of a scene. */
+/* Reads the section block of a scene: outline, slab, teeth in either description (Fig. 5; section
+ * 5.1 of the paper), ellipse, holes, parts and unit weight. */
 
 #include "scene/members.h"
 #include "scene/read.h"

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The key drawing of a scene: what a drawing gives it. */
+/* Reads the key drawing of a scene: layers and words of the roles, unit or reference length,
+ * tolerance and gap; then the drawing itself, shared by all scenes of the file. */
 
+#include "common/outside.h"
 #include "format/read.h"
 #include "format/reference.h"
-#include "common/outside.h"
 #include "scene/drawn.h"
 #include "scene/read.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The public calls that read a scene. */
+/* Public calls that read a scene from a file or a text, or make one of a drawing or a mesh, with
+ * settings. */
 
 #include "common/host.h"
 #include "scene/drawing_scene.h"

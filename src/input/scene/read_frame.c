@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The key `frame` of a scene: what its coordinates lie along. */
+/* Reads the key frame of a scene: coordinates along the base or of the world, and a mean plane by
+ * two points. */
 
 #include "scene/read.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The loads that a scene calls for. */
+/* Reads the key loads of a scene: earthquake, water, pressures, surcharges, anchors, bond and
+ * cohesion. */
 
 #include "scene/read.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Rounded corners of a block. */
+/* Reads the rounded corners of a block, by vertex or by end of the underside, with radius and
+ * model. */
 
 #include "scene/read.h"
 

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene file as a whole: units, parameters, tilt and friction. */
+/* Reads a scene file as a whole: version, units, parameters, then section by section in fixed
+ * order, and checks that every override was used. */
 
 #include "scene/check_tilt_test.h"
 #include "scene/read.h"
 
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 
 #include <stdlib.h>
 #include <string.h>

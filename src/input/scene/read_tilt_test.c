@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The key tilt_test of a scene: how its test is simulated. */
+/* Reads the key tilt_test of a scene: engine, protocol, numbers of the test and locked-in
+ * tractions. */
 
 #include "scene/check_tilt_test.h"
 #include "scene/read.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads an accelerogram by the ending of its file, shifts its time to zero, and checks that its
+ * samples are evenly spaced. */
+
 #include "scene/record.h"
 
 #include "scene/record_at2.h"

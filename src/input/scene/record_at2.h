@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reader of accelerograms in the PEER format .at2. */
+
 #ifndef TP_SCENE_RECORD_AT2_H
 #define TP_SCENE_RECORD_AT2_H
 

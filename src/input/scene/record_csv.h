@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reader of accelerograms as CSV with units in the header. */
+
 #ifndef TP_SCENE_RECORD_CSV_H
 #define TP_SCENE_RECORD_CSV_H
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Next line, a number at a place of it, and a sample appended, each with the message that names
+ * line and column. */
+
 #include "scene/record_source.h"
 
 #include "number/ratio.h"

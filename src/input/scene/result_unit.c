@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Look-up of units by kind and name in units_table.h, the key result_units, and the call that sets
+ * one. */
+
 #include "scene/result_unit.h"
 
 #include "common/host.h"

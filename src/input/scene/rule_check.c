@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bounds, seeds and measures of roughness of a profile rule, compared as rationals; JRC is
+ * converted by scene/rule_jrc.h. */
+
 #include "scene/rule_check.h"
 
 #include "number/ratio.h"

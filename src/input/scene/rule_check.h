@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What must hold of the numbers of a rule. */
+/* Checks of the numbers of a profile rule: bounds, seeds and measures of roughness. */
 
 #ifndef TP_SCENE_RULE_CHECK_H
 #define TP_SCENE_RULE_CHECK_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A self-affine base. */
+/* Checks the rule of a self-affine base (steps, band of wavelengths, Hurst exponent) and makes its
+ * profile by generate/generate.h. */
 
 #include "generate/generate.h"
 #include "number/ratio.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A base of teeth. */
+/* Checks the rule of a toothed base (skew, scatter, seed) and makes its profile by
+ * generate/generate.h. */
 
 #include "generate/generate.h"
 #include "scene/check.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Length units as fractions of a metre, conversions of a tooth description (section 5.1 of the
+ * paper), and initial values of the items of lists. */
+
 #include "scene/scene.h"
 
 #include <stdlib.h>

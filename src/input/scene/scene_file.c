@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Nodes, file names, meshes and chains of a scene file with an atomic count of users; names are
+ * taken relative to the folder of the scene. */
+
 #include "scene/scene_file.h"
 
 #include "common/grow.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Splits a setting at its equals sign and evaluates its formula with the scene's parameters. */
+
 #include "scene/setting.h"
 
 #include <string.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Copies key, formula and value of each setting, the value looked up in the scene at its key. */
+
 #include "scene/settings.h"
 
 #include "number/ball.h"

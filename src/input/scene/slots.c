@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Matches a key word by word against the rows of scene/slot_table.h, with indices of items, points
+ * and axes, and reads or writes the number found. */
+
 #include "scene/slots.h"
 
 #include "common/outside.h"

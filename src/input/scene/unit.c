@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Unit by the ending of a key's last word, by tables of keys without dimension and of groups that
+ * hold lengths; a parameter is traced to the keys where it stands alone. */
+
 #include "scene/unit.h"
 
 #include <stdio.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cautions on numbers that were likely given in another unit than that of their key. */
+
 #ifndef TP_SCENE_UNIT_CAUTIONS_H
 #define TP_SCENE_UNIT_CAUTIONS_H
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Varies a file's nodes by a list of overrides that the reader applies, or copies a scene in memory
+ * and puts the numbers into its slots (scene/slots.h). */
+
 #include "scene/vary.h"
 
 #include "scene/setting.h"

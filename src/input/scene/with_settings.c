@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The public call that makes a scene by settings. */
+/* Public call that makes a scene from another by settings KEY=FORMULA. */
 
 #include "common/host.h"
 #include "common/outside.h"

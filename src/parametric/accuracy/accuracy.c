@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of precisions for each method, the time of one evaluation as the median of seven samples,
+ * and the true error against an exact value of 6144 bits (docs/accuracy.md). */
+
 #include "accuracy/accuracy.h"
 
 #include "common/clock.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Outline with a random underside by integers of a linear congruential generator (Knuth), closed by
+ * a flat top. */
+
 #include "accuracy/rough_outline.h"
 
 #include <stdint.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Evaluations of one angle at a given precision: about the governing pivot by boundary sums,
+ * triangles or either model of rounding, the static limit, and the onset. */
+
 #include "accuracy/ways.h"
 
 #include "block/check.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of keys with name, symbol and unit; a parameter takes the label of the one quantity that it
+ * stands for alone, or of a length. */
+
 #include "chart/axis_label.h"
 
 #include "common/outside.h"

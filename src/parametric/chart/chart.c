@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Growing lists of panels, series, points, labels and legend entries with their texts; a failed
+ * allocation is remembered. */
+
 #include "chart/chart.h"
 #include "common/message.h"
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A chart as data: panels, series of points in them, labels and a legend. How it is drawn is the
- * business of report/; a style here is a number that tells series apart. */
+/* A chart as data: panels, series of points in them, labels and a legend. It is drawn by
+ * chart/script.h and tabulated by chart/table.c; a style here is a number that tells series
+ * apart. */
 
 #ifndef TP_CHART_CHART_H
 #define TP_CHART_CHART_H

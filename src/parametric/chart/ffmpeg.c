@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Arguments of ffmpeg for WebM (VP9) and GIF, with options that make the same bytes each time, run
+ * by chart/program.h. */
+
 #include "chart/ffmpeg.h"
 
 #include "chart/program.h"

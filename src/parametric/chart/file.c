@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A chart as a file. */
+/* Writes a chart as SVG, PDF or PNG by gnuplot, or as CSV; dates that a PDF carries are blanked, so
+ * that the same chart gives the same bytes. */
 
 #define _GNU_SOURCE
 #include "output/file.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Arguments of gnuplot without the user's settings, run by chart/program.h with the script as its
+ * input. */
+
 #include "chart/gnuplot.h"
 
 #include "chart/program.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Room for labels beside their points. */
+/* Counts the curves and points that a label's box would strike on either side of its point, and
+ * returns the freer side. */
 
 #include "chart/labels.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Where a label strikes the fewest curves. */
+/* The side of a point on which its label strikes the fewest curves. */
 
 #ifndef TP_CHART_LABELS_H
 #define TP_CHART_LABELS_H

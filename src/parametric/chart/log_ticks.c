@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Labels at 1, 2, 5 or at seven places of each decade within the range, as a gnuplot list of
+ * tics. */
+
 #include "chart/log_ticks.h"
 
 #include <math.h>

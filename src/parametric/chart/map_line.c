@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sample positions, stretches of like samples, borders as bounded roots, and points with scalar and
+ * tilt on their axes. */
+
 #include "chart/map_line.h"
 
 #include <math.h>

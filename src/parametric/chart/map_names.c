@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Searches heights along a region for the place where the region's name keeps farthest from all
+ * curves, and adds the name there. */
+
 #include "chart/map_names.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of the mechanisms that can begin, their names joined, and the style of a region of one
+ * mechanism or of several. */
+
 #include "chart/motion_names.h"
 #include "chart/mechanism_style.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Child process by posix_spawn with a clean environment and default signals; its three streams are
+ * served by poll within bounds of time and bytes. */
+
 #define _GNU_SOURCE
 #include "chart/program.h"
 #include "common/clock.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Layout of panels and legend in millimetres, then gnuplot commands for terminal, styles, axes,
+ * labels and inline data. */
+
 #include "chart/script.h"
 
 #include "chart/log_ticks.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A chart's numbers: as CSV, a row for every point, and as JSON. */
+/* A chart's numbers as CSV, one row a point with the shortest decimals, and as JSON. */
 
 #include "chart/chart.h"
 #include "common/host.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ranges of axes with a margin, names of directions, and level lines of the charts of a tilt
+ * test. */
+
 #include "chart/tilt_curves.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sorted list of facets with their largest reaction, colours for those that bear most, and forces
+ * by moment up to the end of the bracket. */
+
 #include "chart/tilt_forces.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cells of a grid with crossings on their edges: two crossings make a piece of a curve, more are
+ * resolved by quartering the cell; pieces with common ends are joined to curves. */
+
 #include "chart/trace.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Onset and motions of slabs and toothed blocks (docs/mechanics.md sections 6a and 7) sampled over
+ * the inverse slenderness, with changes of motion bisected to neighbouring doubles. */
+
 #include "paper/mechanisms_rest.h"
 
 #include "chart/mechanism_style.h"

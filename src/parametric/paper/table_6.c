@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table 6 as printed: inverse slenderness, amplitude, tilt and the three factors of safety of each
+ * block. */
+
 #include "paper/table_6.h"
 
 const tp_table_6_example tp_table_6[TP_TABLE_6_EXAMPLES] = {

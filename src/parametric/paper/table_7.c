@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Positions of the four blocks by the rules of the header, verdicts by sliding at phi + i and
+ * toppling about valley, planar and peak toes, and the motions that begin from rest. */
+
 #include "paper/table_7.h"
 #include "paper/teeth.h"
 

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Scenes of toothed blocks in memory, solved for their angles and motions, and tan(alpha_crit) of
+ * an even number of teeth in doubles with bounds (Eq. (15), and Eq. (16) with 12 for its 4;
+ * docs/mechanics.md section 8). */
+
 #include "paper/teeth.h"
 
 #include <float.h>

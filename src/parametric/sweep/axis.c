@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads KEY=FIRST:LAST:STEP or a list as exact expressions, counts the values, and writes each as a
+ * setting. */
+
 #include "sweep/axis.h"
 
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 #include "scene/setting.h"
 
 #include <stdio.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The block, the rock below it, and where they touch. */
+/* Draws the rock below the shown piece of the profile, the block with its parts and holes, and the
+ * contact facets. */
 
 #include "figure/drawn_names.h"
 #include "figure/figure.h"

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Layer and name of each role's objects, the first few and each once, cut to whole characters;
+ * parts share a tint by layer. */
+
 #include "figure/drawn_names.h"
 
-#include "output/encode.h"
 #include "common/outside.h"
+#include "output/encode.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Kind of a figure by the ending of its file name, case ignored: SVG, PDF or PNG. */
+
 #include "figure/name.h"
 
 #include <string.h>

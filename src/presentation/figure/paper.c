@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Page ends with number and foot, page breaks, and lines broken at blanks by the measured width of
+ * the font. */
+
 #include "figure/paper.h"
 
 #include <math.h>

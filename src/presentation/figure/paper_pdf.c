@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* All of a document, page by page. */
+/* Draws the passages of a document on A4 pages: paragraphs, headings kept with what follows,
+ * tables, equations and figures scaled to the page. */
 
 #include "figure/paper.h"
 
-#include "figure/sink.h"
 #include "common/message.h"
+#include "figure/sink.h"
 
 #include <cairo-pdf.h>
 #include <math.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The numbers of the pivots, and the angle of the tilt. */
+/* Draws pivots with their numbers, the governing one first, where there is room, and the angle of
+ * the tilt as a wedge. */
 
 #include "figure/figure.h"
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Calculation sheets of solutions as files. */
+/* Calculation sheet of a solution written to a file, with its drawing. */
 
-#include "figure/figure.h"
-#include "figure/sheet_file.h"
 #include "common/host.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "figure/figure.h"
+#include "figure/sheet_file.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Checks the file name of a sheet, gathers the files that it must not overwrite, and writes the
+ * document as HTML, Markdown or PDF, with its chart as SVG or PNG. */
+
 #include "figure/sheet_file.h"
 
 #include "chart/chart.h"

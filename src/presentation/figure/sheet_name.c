@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Kind of a sheet by the ending of its file name, case ignored: HTML, PDF or Markdown. */
+
 #include "figure/sheet_name.h"
 
 #include <string.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Calculation sheets of studies and of tilt tests as files. */
+/* Calculation sheets of studies and of tilt tests written to files, with their charts. */
 
-#include "figure/sheet_file.h"
-#include "figure/tilt_frames.h"
 #include "common/host.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "figure/sheet_file.h"
+#include "figure/tilt_frames.h"
 #include "study/sources.h"
 
 #include <stdlib.h>

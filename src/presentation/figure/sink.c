@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Write callback for Cairo that appends to a growing buffer and remembers a failure. */
+
 #include "figure/sink.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The state that a panel shows: its tilt, and the forces at the limit. */
+/* State of a panel: the tilt that it shows, reactions at the limit and their resultant, whose line
+ * passes through the point where theirs meet. */
 
 #include "figure/figure.h"
 

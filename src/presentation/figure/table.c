@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The pivots below a panel. */
+/* Table of pivots below a panel, with columns as wide as their widest cell and smaller letters
+ * where space is short. */
 
 #include "figure/figure.h"
 #include "report/pivots.h"

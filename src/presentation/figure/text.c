@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Words on the page. */
+/* Font, width, alignment, shortening and wrapped paragraphs of text drawn by Cairo. */
 
 #include "figure/figure.h"
 

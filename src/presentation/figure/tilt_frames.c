@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rows of chosen moments of a tilt test drawn by Cairo at half the size of the view, table turned
+ * by its tilt, with words above and below. */
+
 #include "figure/tilt_frames.h"
 
 #include "report/tilt_svg.h"

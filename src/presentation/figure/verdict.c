@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a panel says in words, above and below its drawing. */
+/* Words above and below a panel: tilt, limit, moments, onset, reactions and loads in one sentence
+ * each. */
 
 #include "figure/figure.h"
 #include "report/governing.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names and factors of force and moment in the account: the units that the scene asks for, newtons
+ * and scene lengths, or multiples of the weight W. */
+
 #include "report/account_units.h"
 #include "report/words.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Argument list of a C function with one double for each symbol of a derivation. */
+
 #include "report/c_arguments.h"
 
 #include "output/encode.h"

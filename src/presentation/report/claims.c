@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A verification as text. */
+/* A verification as text: a tally, then each claim with its verdict, values and mend. */
 
 #include "report/claims.h"
 #include "common/host.h"

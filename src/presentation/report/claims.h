@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the reports of a verification share. */
+/* Tallies, outcomes and numbers of claims that all reports of a verification use. */
 
 #ifndef TP_REPORT_CLAIMS_H
 #define TP_REPORT_CLAIMS_H

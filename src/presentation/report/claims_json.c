@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A verification as JSON. */
+/* A verification as JSON: verdict, values and remark of each claim. */
 
 #include "common/host.h"
 #include "output/json.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conditions of a derived formula as inequalities in text, LaTeX, C and JSON, with the scenes
+ * solved on both sides of each. */
+
 #include "report/conditions.h"
 
 #include "report/c_arguments.h"

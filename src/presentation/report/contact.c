@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Frame, base, contact ends, rest and snapping of a solution in words and numbers, followed by the
+ * cautions on them; the same as JSON. */
+
 #include "report/contact.h"
 
 #include "report/earthquakes.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A derivation as a page of text, as LaTeX, or as C. */
+/* A derivation as a page of text, as LaTeX, or as C functions, pivot by pivot with the elements
+ * form, limit, onset and rounding (docs/derive.md). */
 
 #include "common/host.h"
 #include "output/encode.h"

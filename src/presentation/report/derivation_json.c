@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A derivation as JSON. */
+/* A derivation as JSON: fractions of each pivot, elements form, limit, onset and rounding. */
 
 #include "common/host.h"
 #include "output/json.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The limit's formula, reactions and conditions for each direction in text, LaTeX, C and JSON
+ * (docs/mechanics.md section 9). */
+
 #include "report/derived_limit.h"
 
 #include "report/conditions.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which object of a drawing became what. */
+/* Table of a drawing's objects with layer, name, kind and role. */
 
 #include "common/host.h"
 #include "output/encode.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One line, or one JSON object, for each combination of direction and vertical part, with its
+ * mechanism and factor of safety. */
+
 #include "report/earthquakes.h"
 
 #include "report/parts_json.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mechanism and centre at the limit, or those of sliding and of the governing pivot where the limit
+ * is unknown or later. */
+
 #include "report/first.h"
 
 void tp_page_add_limit_motion(tp_page *p, const tp_case *c, const tp_limit *l) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What back-analysis found. */
+/* Results of a back-analysis as text and as JSON: numbers found, intervals, the range searched, and
+ * what the result was otherwise. */
 
 #include "common/host.h"
 #include "common/options.h"

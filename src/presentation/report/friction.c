@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Facets with a friction angle that differs from the scene's, the first ten in text and all in
+ * JSON. */
+
 #include "report/friction.h"
 
 #include "report/parts_json.h"

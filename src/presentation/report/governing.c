@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The governing factor with its mechanism and definition, then the table of all factors with the
+ * reason why one does not count; the same as JSON. */
+
 #include "report/governing.h"
 
 #include "report/parts_json.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Shift, gaps and matching of a shifted block in words and as JSON (docs/rest.md). */
+
 #include "report/joint.h"
 
 /* "5 mm to the left". */

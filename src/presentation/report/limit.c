@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Outcome of the static limit, toe friction, comparison with moments, and the limit on the other
+ * kind of base with a caution where that is less safe (docs/mechanics.md section 6). */
+
 #include "report/limit.h"
 
 #include "report/first.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tilts of balance, overtopping water and the moments of each load about the governing pivot
+ * (docs/mechanics.md section 5), in text and JSON. */
+
 #include "report/loads.h"
 
 const char *tp_text_load_side(tp_load_side side) {

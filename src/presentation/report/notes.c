@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Notes, cautions and settings wrapped at 80 columns with a hanging indent, counted in characters
+ * of UTF-8; the same as JSON. */
+
 #include "report/notes.h"
 
 #include "common/host.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sentences on the tilts of certain standing and certain motion, windows of motion, and the motions
+ * at the scene's tilt with contact states and forces (docs/mechanics.md section 6a). */
+
 #include "report/onset.h"
 
 #include "report/first.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Lengths, forces, stresses, coordinates and angles with certain digits in the units asked for, and
+ * sentences on ties and centres. */
+
 #include "report/page.h"
 #include "report/words.h"
 

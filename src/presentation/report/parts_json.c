@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* JSON members shared by several reports: factors of safety with words, ties, fractions, points,
+ * critical angles. */
+
 #include "report/parts_json.h"
 
 #include "report/words.h"

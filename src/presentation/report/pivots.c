@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of pivots with kind, coordinates, critical angle, factors and admissibility
+ * (docs/mechanics.md section 3): the admissible ones and, of the others, as many as fit, nearest to
+ * the toe; the same as JSON. */
+
 #include "report/pivots.h"
 
 #include "report/loads.h"

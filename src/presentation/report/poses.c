@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of resting poses with share of the shifts, turn, height of the centroid, range of shifts
+ * and critical angle in each direction, the least stable pose, and what happens at all other shifts
+ * (docs/rest.md); the same as JSON. */
+
 #include "report/poses.h"
 
 #include "report/contact.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The roughness of a profile as a page, and its facets as a table. */
+/* Roughness of a profile as text, measure by measure with JRC and Hurst exponent (docs/profile.md),
+ * and its facets as CSV. */
 
 #include "common/host.h"
 #include "output/encode.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Words for the origin of a profile and for the state of its series of heights. */
+
 #include "report/profile_words.h"
 
 const char *tp_text_profile_origin(tp_profile_origin origin) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of columns, each a function of solution and case that gives a number or words; CSV and JSON
+ * walk the same table. */
+
 #include "report/row.h"
 
 #include "output/encode.h"

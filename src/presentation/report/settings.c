@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A setting as key, formula, value and unit in text, CSV and JSON; a plain decimal is not repeated
+ * as its value. */
+
 #include "report/settings.h"
 
 #include "output/encode.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Order of a calculation sheet: input, verdict and factors, account and formulas of each case,
+ * effects, proof; the parts come from the sheet_*.c files beside this one. */
+
 #include "report/sheet.h"
 
 #include "common/options.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A solution as JSON: the contract of the program with other programs. */
+/* A solution as JSON, key by key as docs/schema describes it for other programs. */
 
 #include "report/solution_json.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names of a study's quantities and ends, and lines wrapped at 76 bytes. */
+
 #include "report/study_words.h"
 
 #include <string.h>

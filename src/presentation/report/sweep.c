@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A sweep as CSV or JSON, written as its points come. */
+/* A sweep as CSV or JSON, each point written as it is solved. */
 
 #include "common/host.h"
 #include "output/encode.h"

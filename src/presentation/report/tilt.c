@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The parts of a tilt test's report as text (report/tilt_page.c puts them together): settings, the
+ * angle with as many decimals as its bracket allows, events and ending (docs/tilt.md). */
+
 #include "report/tilt_text.h"
 
 #include "output/encode.h"

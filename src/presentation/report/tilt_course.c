@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Interval of time or tilt that an animation shows, with long rests cut, and its duration. */
+
 #include "report/tilt_course.h"
 
 #include <math.h>

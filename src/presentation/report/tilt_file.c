@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes the drawing of a tilt test by the ending of its file name: frames or animation as SVG,
+ * video as WebM or GIF. */
+
 #include "common/host.h"
 #include "output/file.h"
 #include "report/tilt_video.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A simulated tilt test as a page of 80 columns. */
+/* A simulated tilt test as a page of 80 columns, put together from the parts of
+ * report/tilt_text.h. */
 
 #include "common/host.h"
 #include "output/encode.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* View of a test: scale, bounding box over all moments within four extents of the start, and
+ * outlines as SVG paths in that view. */
+
 #include "report/tilt_svg.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The verdict as a sentence: up-dip motion, motion at level, the first mechanism, and what the
+ * onset leaves possible at the tilt (docs/mechanics.md section 6a). */
+
 #include "report/verdict.h"
 
 #include "report/first.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tables of words for mechanisms, pivots, contact states, directions and positions. */
+
 #include "report/words.h"
 
 const char *tp_text_fos(tp_fos fos) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rounds the exact points of a problem to doubles in units of the block's size; arcs and rounded
+ * corners become curved steps of the chains, elements are limited to 400. */
+
 #include "shape/shape.h"
 
 #include "common/message.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Affine functions with rational coefficients as an algebra of formula/evaluate.h: sums, and
+ * products and quotients with a constant. */
+
 #include "case_filter/affine.h"
 
 #include "scene/expression.h"

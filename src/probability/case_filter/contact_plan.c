@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Points, edges, rays and modes of one exactly solved case written as a plan: each ray by the
+ * points or lines that define it, with its signs at every contact point. */
+
 #include "case_filter/contact_plan.h"
 
 #include "motion/closed.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Governing factor in doubles with bounds: moments about each admissible pivot (docs/mechanics.md
+ * section 3), sliding and strength, the least of those that count; any undecided comparison leaves
+ * the sample to the full solve. */
+
 #include "case_filter/factor_filter.h"
 
 #include "case_filter/sliding_filter.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Vertices read as affine functions from the scene's nodes, and the list of signs (differences,
+ * turns, projections) that keep block, base and contact as they are in the scene at hand. */
+
 #include "case_filter/outline_map.h"
 
 #include "case_filter/outline_signs.h"

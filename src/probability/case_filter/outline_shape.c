@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One sample of an outline map in doubles with bounds: vertices from their affine functions, the
+ * signs that keep the contact, and area, centroid and radius of gyration (docs/mechanics.md section
+ * 2). */
+
 #include "case_filter/outline_map.h"
 
 #include "block/ring_sums.h"

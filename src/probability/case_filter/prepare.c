@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Preparation of a case filter from a scene: tests whether the scene is of the simple kind that
+ * filters take (weight alone, one friction angle), solves its contact exactly, and rounds shape,
+ * pivots and facets to doubles with bounds. */
+
 #include "case_filter/case_filter.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Follows the intervals of tan(tilt) of the modes from the sample's tilt to a factor's critical
+ * angle, and looks just beside that angle for a motion that can begin. */
+
 #include "case_filter/standing_filter.h"
 
 /* Can motions begin just beside a tilt at which none need to at the block's own? */

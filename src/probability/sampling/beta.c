@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tails by GSL's incomplete beta function, density by logarithms, quantile by Newton's method on
+ * logarithms within a bisection bracket. */
+
 #include "sampling/beta.h"
 
 #include <gsl/gsl_cdf.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Checks of a correlation matrix, its Cholesky factor row by row, and the conversion between rank
+ * and score correlation. */
+
 #include "sampling/copula.h"
 
 #include "common/outside.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Distributions as they are given, and what can be wrong with them. */
+/* Makes distributions from their parameters (lognormal by mean and deviation) and checks ends,
+ * spread, shape and the mass that truncation leaves. */
 
 #include "common/outside.h"
 #include "sampling/beta.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* State of a walk through the samples: per variable a random stream, a permutation of strata or
+ * Sobol' directions with a digital shift; scores by the normal quantile and the copula. */
+
 #include "sampling/draws.h"
 
 #include "generate/random.h"

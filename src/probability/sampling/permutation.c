@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Eight double rounds of a Feistel network with cycle walking. */
+
 #include "sampling/permutation.h"
 
 #include "generate/random.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of primitive polynomials and first direction numbers (Algorithm 659), the recurrence for
+ * the others, and points by Gray's code. */
+
 #include "sampling/sobol_points.h"
 
 /* x^degree + ... + 1, its inner coefficients as bits from the highest power on, and the odd numbers

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Welford's recurrence for mean and squares, and an estimate kept whenever the number of samples
+ * doubles. */
+
 #include "statistics/convergence.h"
 
 #include "statistics/proportion.h"

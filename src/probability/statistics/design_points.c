@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Repeated searches by the first-order method with bulges on known design points, from the axes and
+ * from random directions; points nearer than a tenth of their distance are one. */
+
 #include "statistics/design_points.h"
 
 #include "generate/random.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Brent's method on ln(p / wanted) for the estimate and for both ends of its interval. */
+
 #include "statistics/design_value.h"
 
 #include "number/root.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rackwitz-Fiessler steps with central differences and a line search on |z|^2 / 2 + c |g|. */
+
 #include "statistics/form.h"
 
 #include "statistics/standard_space.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Shares by distance of the centres, draws from a chosen part, and the weight of a sample as a
+ * ratio of densities. */
+
 #include "statistics/mixture.h"
 
 #include "generate/random.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Wilson's interval, its simultaneous form for several categories, Student's interval for means of
+ * replicates, and the samples needed for a half width. */
+
 #include "statistics/proportion.h"
 
 #include "statistics/score.h"

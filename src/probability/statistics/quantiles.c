@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Binomial tails summed from their largest term give the ranks of the interval's ends; the quantile
+ * is interpolated between order statistics. */
+
 #include "statistics/quantiles.h"
 
 #include <gsl/gsl_cdf.h>

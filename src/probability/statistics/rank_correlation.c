@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ranks by sorting with shared means for ties, Pearson's correlation of the ranks, and Fisher's
+ * transformation for the interval. */
+
 #include "statistics/rank_correlation.h"
 
 #include "statistics/score.h"

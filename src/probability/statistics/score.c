@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Quantiles of the normal distribution by GSL, and of Student's by the beta distribution. */
+
 #include "statistics/score.h"
 
 #include "sampling/beta.h"

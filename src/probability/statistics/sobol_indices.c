@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Design points A, B and AB_i, sums of the two estimators about the mean, and percentile intervals
+ * from bootstrap resamples. */
+
 #include "statistics/sobol_indices.h"
 
 #include "generate/random.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Transformation of independent scores by the copula and the marginal distributions, and the call
+ * of the limit-state function at many points. */
+
 #include "statistics/standard_space.h"
 
 #include "sampling/copula.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Levels of Markov chains, each threshold the lowest tenth of g; the variance is estimated over
+ * families of samples with a common ancestor. */
+
 #include "statistics/subset_simulation.h"
 
 #include "generate/random.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads the keys sensitivity and reliability of a study file, with its methods for rare events, and
+ * checks that all variables have distributions; design_values is read by study/design_read.c. */
+
 #include "study/analyses.h"
 
 #include "common/outside.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The charts of a study. */
+/* Public calls that draw the summary and the scatter chart of a study from the panels of
+ * study/chart_panels.h. */
 
 #include "common/host.h"
 #include "study/chart_panels.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Data that the charts of a study share: the column of critical angles, its range, labels with the
+ * tilt, and colours and symbols of the outcomes. */
+
 #include "study/chart_panels.h"
 
 #include <math.h>

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads a column of a CSV file line by line as exact numbers rounded to doubles, with a hash of the
+ * file. */
+
 #define _GNU_SOURCE /* getline */
 #include "study/column.h"
 
-#include "format/csv_row.h"
 #include "common/grow.h"
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "format/csv_row.h"
+#include "number/ratio.h"
 #include "study/hash.h"
 
 #include <errno.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Table of fields with name, unit and kind, among them two for each tilt and one for each measure
+ * of the base; values are taken from a row by the same index. */
+
 #include "study/field.h"
 
 #include "number/shortest.h"

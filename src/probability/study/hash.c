@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* FNV-1a over the bytes of a file and its length. */
+
 #include "study/hash.h"
 
 #include <errno.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Distribution of a variable as words, with its truncation. */
+
 #include "study/law.h"
 
 #include "output/text.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The words of a study. */
+/* Names of outcomes and quantities of a study in files and reports. */
 
 #include "topple_study.h"
 

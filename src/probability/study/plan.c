@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads method, seed, chunk, samples and correlations, and checks the plan as a whole. */
+
 #include "study/plan.h"
 
 #include "common/outside.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solves the scene at each point by the pool of batch/share.h, one point a chunk, until it is
+ * stopped. */
+
 #include "study/points.h"
 
 #include "batch/share.h"

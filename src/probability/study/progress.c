@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads and writes the progress file as YAML: fingerprints, shard, chunks, bytes and SHA-256 of the
+ * rows, with messages that name which input changed. */
+
 #define _GNU_SOURCE /* asprintf */
 #include "study/progress.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* For each quantity, the ranks of the samples that have it, and Spearman's correlation with every
+ * input column (statistics/rank_correlation.h). */
+
 #include "study/ranks.h"
 
 #include "statistics/rank_correlation.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Assembles the result: description, sources, shares and statistics of the tally, then sensitivity,
+ * reliability and design values of a complete study. */
+
 #include "study/result.h"
 
 #include "study/analyses.h"

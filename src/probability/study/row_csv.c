@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Walks the fields of study/field.h, writing whole numbers, shortest decimals or quoted words. */
+
 #include "study/row_csv.h"
 
 #include "number/shortest.h"

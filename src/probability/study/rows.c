@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Opens or continues the file of rows under a lock, checks by its header and its progress that it
+ * is of this study, reads back what is there and appends chunk by chunk. */
+
 #include "study/rows.h"
 
 #include "output/file.h"
@@ -17,10 +20,13 @@
 #include <unistd.h>
 
 static tp_status fail_writing(const tp_rows *rows, tp_message *message) {
-  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){rows->path, 0, 0},
-                 "cannot be written: %s; what is there stays, and the study goes on from it once "
-                 "there is room",
-                 strerror(errno));
+  const int why = errno;
+  const tp_status status =
+      tp_fail(message, TP_SYSTEM_FAILED, (tp_place){rows->path, 0, 0},
+              "cannot be written: %s; what is there stays, and the study goes on from it once "
+              "there is room",
+              strerror(why));
+  return tp_fail_because(message, status, why);
 }
 
 static tp_status write_all(const tp_rows *rows, const char *bytes, size_t left,

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solves one sample with its further tilts (stability/tilts.h), or takes the row from
+ * study/sample_filter.h where that is certain; invalid samples keep the reason. */
+
 #include "study/sample.h"
 
 #include "number/ratio.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tells which variables are friction, tilt or unit weight, converts a sample's numbers to doubles
+ * with bounds, and fills the row from a case filter. */
+
 #include "study/sample_filter.h"
 
 #include "number/near_angle.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reading of the scene that a study varies. */
+
 #ifndef TP_STUDY_SCENE_H
 #define TP_STUDY_SCENE_H
 

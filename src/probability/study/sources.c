@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Access to the list of source files by number, and the comparison of a file with all of them by
+ * device and inode. */
+
 #include "study/sources.h"
 
 size_t tp_study_source_count(const tp_study *study) {

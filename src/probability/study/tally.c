@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Counters of outcomes by tilt, columns of the first samples, bad samples and shares at powers of
+ * two, with the test for a certain enough result. */
+
 #include "study/tally.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Numbers of a study file as exact expressions, rounded to nearest where a double is wanted, whole
+ * numbers within bounds, and paths beside the study file. */
+
 #define _GNU_SOURCE /* asprintf */
 #include "study/values.h"
 

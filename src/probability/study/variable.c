@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads one variable: parameters of a distribution by a table of laws, lists, grids and columns,
+ * then its truncation. */
+
 #include "study/variable.h"
 
 #include "common/outside.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bounding boxes sorted by their left side and swept; pairs whose normals can not face each other
+ * before the next search are left out. */
+
 #include "contact_springs/candidates.h"
 
 #include "common/grow.h"

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One step of all contacts: geometry of each candidate pair, springs carried over between features
+ * of one contact, normal force, shear force with Coulomb's limit, and the energies held and lost
+ * (docs/tilt_springs.md). */
+
 #include "contact_springs/contacts.h"
 
+#include "common/grow.h"
 #include "contact_springs/crossing.h"
 #include "contact_springs/tributary.h"
-#include "common/grow.h"
 
 #include <math.h>
 #include <stdlib.h>

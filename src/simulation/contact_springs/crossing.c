@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Corrections of the normal force in the step of a contact's closing or opening, as derived in the
+ * header, and the energy of a released shear spring. */
+
 #include "contact_springs/crossing.h"
 
 /* The displacement of the block along a direction at a contact, in a step. */

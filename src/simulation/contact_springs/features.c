@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Edges and arcs of a boundary turned into straight pieces, discs at convex corners and hollows,
+ * with the tangent points and slacks at their ends. */
+
 #include "contact_springs/features.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Gap, normal and contact point of a feature of the block and one of the base, for disc, straight
+ * piece and hollow. */
+
 #include "contact_springs/meeting.h"
 
 #include <math.h>

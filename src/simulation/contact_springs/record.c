@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Compares the contacts observed with those known before and writes events, moments and reactions
+ * into a history. */
+
 #include "contact_springs/record.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Loads grow by a smooth cubic in time under strong damping until the watch reports rest; a block
+ * that moves too far or gains kinetic energy is released as it is. */
+
 #include "contact_springs/settlement.h"
 
 #include "contact_springs/watch.h"

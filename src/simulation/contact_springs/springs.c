@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A run from its settings: checks, stable step, settlement, steps with observations at fixed
+ * intervals, and the end by rest, collapse, overturning or loss of the base
+ * (docs/tilt_springs.md). */
+
 #include "contact_springs/springs.h"
 
 #include "contact_springs/record.h"

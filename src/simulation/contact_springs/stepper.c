@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Leapfrog integration with local damping, and the accounts of kinetic, spring, friction, damping
+ * and driving energy. */
+
 #include "contact_springs/stepper.h"
 
 #include <math.h>

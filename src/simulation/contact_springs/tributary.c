@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Half of the common length of the two straight pieces that are most nearly antiparallel at a
+ * contact, or the least length. */
+
 #include "contact_springs/tributary.h"
 
 #include <math.h>

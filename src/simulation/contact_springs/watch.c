@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Means of force, energy and displacement over windows, and the counters of growing, drifting and
+ * quiet windows that decide. */
+
 #include "contact_springs/watch.h"
 
 #include <math.h>

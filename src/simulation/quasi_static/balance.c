@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Residual and Jacobian of the three equations of equilibrium from the integrals of each facet,
+ * with stick, slip and a bound of the rounding (docs/tilt_path.md); quasi_static/solve.c finds the
+ * zero. */
+
 #include "quasi_static/balance.h"
 
 #include "quasi_static/facet_stress.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Implicit Euler steps of the damped motion with growing step length, until it is at rest or
+ * steady; a steady motion is handed to motion_of.c. */
+
 #include "quasi_static/drift.h"
 
 #include <math.h>

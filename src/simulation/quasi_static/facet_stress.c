@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Forces at the ends of a facet and their derivatives in closed form, closed along all or part of
+ * its length. */
+
 #include "quasi_static/facet_stress.h"
 
 /* Closed all along. */

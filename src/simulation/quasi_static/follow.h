@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The path from its first tilt to its end, followed step by step with halving at events. */
+
 #ifndef TP_QUASI_STATIC_FOLLOW_H
 #define TP_QUASI_STATIC_FOLLOW_H
 

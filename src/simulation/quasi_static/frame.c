@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conversion of directions and displacements between frames of two points with normals. */
+
 #include "quasi_static/frame.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Facets, tractions and loads of a body divided by extent, weight and unit closure, and the checks
+ * of stiffness and tolerance. */
+
 #include "quasi_static/model.h"
 
 #include "common/message.h"

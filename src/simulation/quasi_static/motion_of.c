@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mechanism of a steady drift: its velocity is compared with the contacts that are closed or slip,
+ * and the block slides, turns about a contact that rests, or does both. */
+
 #include "quasi_static/drift.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Differences of two neighbouring states as events of contact ends and facets, and a state as a
+ * moment with reactions. */
+
 #include "quasi_static/record.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A quasi-static path of a body: the model, the path followed to its end, and the same path with
+ * the weight fixed or moving, the difference of which is the softening (docs/tilt_path.md). */
+
 #include "quasi_static/path.h"
 
 #include "common/message.h"

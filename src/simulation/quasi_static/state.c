@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Memory and copies of states, the choice of the frame from the facets that bear most and are
+ * closed least, rates with the tilt, and the test for a jump to another equilibrium. */
+
 #include "quasi_static/state.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mass, radius of gyration, friction, closed contacts and loads of a problem evaluated in balls
+ * relative to the centroid and rounded once to doubles. */
+
 #include "rigid_body/body.h"
 
 #include "number/ball.h"

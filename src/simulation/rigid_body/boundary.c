@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Edges of outline and base in order, arcs and rounded corners with centre and radius, pieces of
+ * one arc joined up to half a circle. */
+
 #include "rigid_body/boundary.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tilt at a time, the force of gravity, shaking and loads in the frame of the base, and the next
+ * time at which one of these has a kink. */
+
 #include "rigid_body/drive.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Three growing arrays of events, moments and reactions. */
+
 #include "rigid_body/history.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Centroid in balls with enough bits for exact cancellation, and points relative to it rounded to
+ * doubles. */
+
 #include "rigid_body/local.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rigid-body kinematics: position and velocity of a point of the block in a state, and kinetic
+ * energy. */
+
 #include "rigid_body/body.h"
 
 #include <math.h>

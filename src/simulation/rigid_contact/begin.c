@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Time at which a block at rest begins to move: next tilt from closed-form windows, looks at fixed
+ * steps otherwise, and bisection of the interval found. */
+
 #include "rigid_contact/begin.h"
 
 #include "rigid_contact/rest.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Modified midpoint rule with Gragg's smoothing and the extrapolation table in h^2. */
+
 #include "rigid_contact/extrapolation.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Gap, normal, rows and their rates for every combination of corner, straight face, arc and
+ * hollow. */
+
 #include "rigid_contact/gap.h"
 
 #include <math.h>

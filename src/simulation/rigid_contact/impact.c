@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Search over all solutions of the impact law for one that does not add energy; restitution is
+ * reduced by bisection where none does. */
+
 #include "rigid_contact/impact.h"
 
 #include <math.h>

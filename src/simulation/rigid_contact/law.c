@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solution of the contact equations of one choice of edges by Gaussian elimination with pivots, and
+ * enumeration of all choices with the checks of forces, gaps and slips. */
+
 #include "rigid_contact/law.h"
 
 #include <math.h>

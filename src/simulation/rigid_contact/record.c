@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes a run of rigid contacts into its history: phases of contacts compared with those before as
+ * events, moments, and reactions by facet, in the units of the scene. */
+
 #include "rigid_contact/dynamics.h"
 
 #include "common/grow.h"

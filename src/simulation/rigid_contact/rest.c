@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contacts that can stay closed by cutting sectors of motions, enumeration of the feasible modes,
+ * the next tilt at which one becomes feasible from inequalities a + b tan(alpha) >= 0, and contact
+ * forces that hold the block by non-negative least squares. */
+
 #include "rigid_contact/rest.h"
 
 #include <math.h>

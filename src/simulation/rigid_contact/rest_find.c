@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The motions that can begin from rest at the start of a run, each once and in SI units, and
+ * whether contact forces can hold the block there (docs/mechanics.md section 6a). */
+
 #include "rigid_contact/rest.h"
 #include "rigid_contact/rigid_contact.h"
 #include "rigid_contact/touching.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Event-driven run of a rigid block on rigid contacts: smooth steps up to the next event, impacts,
+ * choice of the next mode, rest, and the end by time, overturning, loss of the base or budget
+ * (docs/rigid_contact.md). */
+
 #include "common/budget.h"
 #include "rigid_contact/begin.h"
 #include "rigid_contact/watch.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Corners and faces from the edges of a boundary, with the range of normals of each corner, divided
+ * by the extent of the block. */
+
 #include "rigid_contact/shape.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact forces of the pressing contacts at a moment, the rates of the motion, and the least
+ * projection of place and speed back onto closed gaps. */
+
 #include "rigid_contact/smooth.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Dimensionless body and drive, and the list of pairs within reach of each other, renewed when the
+ * block has moved by half of it. */
+
 #include "rigid_contact/system.h"
 
 #include "common/budget.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Collects pairs without a gap, merges those seen from both sides, and sets up the laws of
+ * acceleration and impact for them. */
+
 #include "rigid_contact/touching.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Watched numbers evaluated along the quintic Hermite polynomial of a step, and the first sign
+ * change refined by root finding (number/root.h) with steps from the same beginning. */
+
 #include "rigid_contact/watch.h"
 
 #include "number/root.h"

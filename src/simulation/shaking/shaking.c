@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Acceleration, next kink, and peak acceleration, velocity and displacement of pulses in closed
+ * form and of records by exact integration of straight pieces. */
+
 #include "shaking/shaking.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bisection between a tilt at which a run stands and one at which it moves, begun at the tilts that
+ * statics expects. */
+
 #include "tilt/bracket.h"
 
 #include <math.h>

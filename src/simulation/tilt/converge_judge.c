@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Convergence of a tilt test in its settings: the levels of one setting are compared, and their
+ * spread against the width asked for decides between holds, refined, not converged and undecided
+ * (docs/tilt_converge.md). */
+
 #include "tilt/converge.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Levels of each numerical setting of a tilt test (factors on stiffness, time step, damping,
+ * rounding, tolerances) and the run that each level stands for (docs/tilt_converge.md). */
+
 #include "contact_springs/springs.h"
 #include "rigid_contact/rigid_contact.h"
 #include "tilt/converge.h"

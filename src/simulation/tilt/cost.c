@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Estimate of the steps of a run from its duration and step length, its comparison with the budget,
+ * and the refusal that names the number at fault. */
+
 #include "tilt/cost.h"
 
 #include "common/budget.h"
-#include "contact_springs/springs.h"
 #include "common/message.h"
+#include "contact_springs/springs.h"
 #include "tilt/settings.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Calls of the spring and the rigid-contact engine with settings from the test, and notes on what
+ * the latter met (paradox, windows). */
+
 #include "tilt/engines.h"
 
 #include "common/notes.h"

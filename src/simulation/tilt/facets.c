@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Marks the facets that contacts, events and reactions name, and lists each with its ends and its
+ * number among the contact facets. */
+
 #include "tilt/facets.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mechanism from the velocity of the block as it begins to move, and the run of dynamics after
+ * that, appended to the history of the ramp with shifted times. */
+
 #include "tilt/follow.h"
 
 #include "tilt/settings.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One run at a factor on the shaking, and bisection between two factors with different outcomes. */
+
 #include "tilt/overturning.h"
 
 #include "tilt/settings.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Factors on the scene's shaking that overturn the block: runs on a grid from 1/16 to 16, a finer
+ * one below the least that overturns, bisection of each change, and the ranges found. */
+
 #include "common/grow.h"
 #include "common/message.h"
 #include "tilt/cost.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* For each frequency, PGA raised by eighths of an octave to the first overturning and two octaves
+ * beyond, with changes bisected; frequencies are spaced geometrically. */
+
 #include "tilt/overturning_spectrum.h"
 
 #include "common/message.h"

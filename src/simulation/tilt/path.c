@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ramp and steps of the quasi-static engine, each a call of quasi_static/path.h, with the results
+ * converted to degrees and scene coordinates. */
+
 #include "tilt/path.h"
 
 #include "common/clock.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Moves the history into the result, sums up energies and times, and draws outline and base with
+ * chords for arcs. */
+
 #include "tilt/result.h"
 
 #include <math.h>

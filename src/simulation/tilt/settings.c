@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Settings in SI units from the scene, with the defaults of engine, protocol, stiffness, damping
+ * and duration. */
+
 #include "tilt/settings.h"
 
 #include "common/message.h"

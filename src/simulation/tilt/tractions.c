@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Locked-in stresses of the scene given to all contacts on the facet that each names. */
+
 #include "tilt/tractions.h"
 
 #include "common/message.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* One run of dynamics with its budget and stop, and its end as stands, moves, undecided or
+ * stopped. */
+
 #include "tilt/trial.h"
 
 #include "common/clock.h"

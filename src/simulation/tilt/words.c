@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names of ends, engines, protocols and events, and notes on stiffness and on the baseline of a
+ * record. */
+
 #include "tilt/words.h"
 
 #include "common/notes.h"

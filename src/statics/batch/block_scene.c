@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Builds the scene of one block of a batch: outline in metres, mean plane level, tilted towards one
+ * side, by the public calls that a user would make (docs/blocks.md). */
+
 #include "batch/block_scene.h"
 
 tp_status tp_block_scene_new(tp_scene **scene, tp_vertices vertices, tp_direction towards,

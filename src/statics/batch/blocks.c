@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Defaults and checks of the options that all calls on many blocks share (docs/blocks.md). */
+
 #include "batch/blocks.h"
 
 TP_OPTIONS_END(tp_blocks_options, towards);

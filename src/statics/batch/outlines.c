@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Access to the k-th outline of an array, of a fixed number of vertices or of offsets, and the
+ * checks of the array. A last vertex that repeats the first is dropped. */
+
 #include "batch/outlines.h"
 
 #include <stdint.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A pool of POSIX threads over many blocks: workers take chunks of blocks from an atomic counter,
+ * each with a separate workspace; counts and the first complaint are added up at the end. */
+
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "batch/share.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Memory of the balls of a limit's answer. */
+
 #include "certificate/answer.h"
 
 #include <string.h>

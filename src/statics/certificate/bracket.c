@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Limit enclosed between two tilts at 2^-e degrees to either side of the number found: equilibrium
+ * proven below, an admissible twist above; e is lowered until both proofs succeed
+ * (docs/mechanics.md section 6, step 1). */
+
 #include "certificate/bracket.h"
 
 #include "certificate/infeasible.h"

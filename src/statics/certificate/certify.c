@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Proofs that complete a limit found in doubles: held from level up to it, or never held, over
+ * intervals of tilts (docs/mechanics.md section 6, steps 2 and 3). No value near zero is taken for
+ * zero here. */
+
 #include "certificate/certify.h"
 
 #include "certificate/infeasible.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Proof of equilibrium: the simplex method proposes three columns, Cramer's rule in balls gives
+ * their forces, and each must lie within its bounds (docs/mechanics.md section 6). Wrenches on the
+ * border of what the base bears are approached by a small push into its interior. */
+
 #include "certificate/equilibrium.h"
 
 #include "linear_program/precise.h"

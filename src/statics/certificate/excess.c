@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The function v . F(alpha) - K of a mechanism in the five functions of the tilt (docs/mechanics.md
+ * section 5), and its zero: an arctangent, or the rising zero nearest to a tilt found in
+ * doubles. */
+
 #include "certificate/excess.h"
 
 #include "load/zeros.h"

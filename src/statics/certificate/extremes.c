@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The two cases without a limit, interlocked and held nowhere (docs/mechanics.md section 6): an
+ * equilibrium of the upright load, or a twist in the plane v . F_s = 0, found as the middle of a
+ * span of directions and proven in balls. */
+
 #include "certificate/extremes.h"
 
 #include "certificate/equilibrium.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Twist as the cross product of two columns, and its admissibility v . e_k >= 0 column by column:
+ * by doubles with bounds first, by balls where these do not decide (docs/mechanics.md section
+ * 6). */
+
 #include "certificate/face.h"
 
 #include "certificate/filter.h"

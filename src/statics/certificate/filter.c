@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A twist in the scaled units of the linear program, in doubles, and the error bound of its powers
+ * stated in the header. */
+
 #include "certificate/filter.h"
 
 #include "number/ball.h"

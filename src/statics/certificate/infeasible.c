@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Proof that no forces hold the block: the dual of the linear program proposes two columns, their
+ * twist is proven admissible, and the zeros of its excess v . F - K end the stretch of tilts that
+ * it rules out (docs/mechanics.md section 6, step 3). */
+
 #include "certificate/infeasible.h"
 
 #include "certificate/excess.h"

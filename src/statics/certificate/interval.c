@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Equilibrium over an interval of tilts from three wrenches: its two ends and the apex of its
+ * tangents, with 1 / cos and 1 / cos^2 enclosed by chords; an interval that fails is halved
+ * (docs/mechanics.md section 6, step 2). */
+
 #include "certificate/interval.h"
 
 #include "number/ball.h"

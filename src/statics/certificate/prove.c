@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Duality in balls: the twist of two columns is admissible, and both forces at the zero of its
+ * excess are not negative (docs/mechanics.md section 6). Where one force is zero the neighbouring
+ * face ties with the first, and the hull of both tilts is the answer. */
+
 #include "certificate/prove.h"
 
 #include "certificate/excess.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Loads of a question as wrenches at a tilt, and the test for loads that turn with the tilt as the
+ * weight does, for which the limit is one linear program. */
+
 #include "certificate/question.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A strictly admissible twist from one that is admissible only up to rounding: a small share of a
+ * twist on which every column does positive work, found by the perceptron rule, is added. */
+
 #include "certificate/relax.h"
 
 #include <math.h>

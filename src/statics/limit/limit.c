@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Order of methods for one limit: simplex in doubles, proof of its basis, repair by exact programs
+ * of the columns that refute it, then an exact program of all columns; proofs of no limit by
+ * extremes.h. */
+
 #include "limit/limit.h"
 
 #include "certificate/extremes.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Each candidate tilt of the search is refined to a fixed point, the zero of its mechanism's
+ * excess, at full precision, and then proven; loads that push the block up-dip are treated with the
+ * sines of the loads reversed (docs/mechanics.md section 6). */
+
 #include "limit/near.h"
 
 #include "certificate/bracket.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Direction and target of the linear program at level or at a tilt, the derivative F' by central
+ * difference, and an estimate of the limit in doubles. */
+
 #include "limit/program.h"
 
 #include "limit/search.h"

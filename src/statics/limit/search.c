@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Tilts are halved, not interpolated between (number/root.h): whether the base holds is a yes or a
+/* Search for the first tilt from level that the base does not hold, by linear programs in doubles
+ * (docs/mechanics.md section 6): the twist of a program that fails rules out a stretch of tilts,
+ * what lies between held and failing tilts is bisected.
+ *
+ * Tilts are halved, not interpolated between (number/root.h): whether the base holds is a yes or a
  * no, and sixty values of a mechanism's excess cost less than one program. */
 
 #include "limit/search.h"

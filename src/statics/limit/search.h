@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* About where nothing holds the block any more, in doubles. */
+/* The tilt at which no forces hold the block any more, searched in doubles: a proposal for
+ * limit/near.h to prove. */
 
 #ifndef TP_LIMIT_SEARCH_H
 #define TP_LIMIT_SEARCH_H

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Basis of the linear program as the simplex method in doubles leaves it, or of the exact program
+ * over rationals (geom/geom.h), set up at the midpoints of the balls. */
+
 #include "linear_program/basis.h"
 
 #include "geom/geom.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Columns of the contact forces: both edges n +- t tan(phi) of the friction cone at each contact
+ * point, and the bounded shears and pulls of cohesion and bonds, each with its moment
+ * (docs/mechanics.md section 6). */
+
 #include "linear_program/cones.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sets up the linear program in floating point of any precision at the midpoints of the data and
+ * runs the steps of precise_step.h; programs of more than half a gigabyte are refused. */
+
 #include "linear_program/precise.h"
 
 #include "linear_program/precise_step.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bounded simplex method with three rows in floating point of any precision: pricing, ratio test
+ * and update of the basis; numbers below 2^-(bits - 24) count as zero. */
+
 #include "linear_program/precise_step.h"
 
 enum {

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cones rounded to doubles with a bound of the rounding: moments about a point of the contact,
+ * lengths in a power of two, each column of size one. Exact coordinates that fit a double are used
+ * without balls. */
+
 #include "linear_program/scaled.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bounded simplex method with three rows and the explicit 3 x 3 inverse of the basis, in two phases
+ * with artificial variables; the column of the most negative reduced cost enters. */
+
 #include "linear_program/simplex.h"
 
 #include "plane/vector.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Geometry of loads in rationals: points in the outline by counting crossings of a ray, pressures
+ * and surcharges on its edges, anchors at points of the block. */
+
 #include "load/check.h"
 
 static bool between(const fmpq *value, const fmpq *a, const fmpq *b) {

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Why not by arb_calc, whose isolation does the like: it settles no box without a zero by its
+/* Zeros by interval bisection (docs/mechanics.md section 5): a box over which the function has no
+ * zero is dropped, one over which its slope has none is narrowed by Newton's steps in intervals or
+ * by bisection, any other is halved.
+ *
+ * Why not by arb_calc, whose isolation does the like: it settles no box without a zero by its
  * slope, and next to two zeros that all but meet the boxes that are left to it double with every
  * bit. Its Newton's method wants a start that is known to some bits of its size, which a zero at
  * level ground never is. */

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* List of the loads that a scene names, with the call that evaluates each as a wrench
+ * (docs/mechanics.md section 5) and the time it takes. */
+
 #include "load/loads.h"
 #include "common/clock.h"
 

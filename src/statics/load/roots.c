@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sorted zeros in degrees, and the critical angle among them: the first above level where level
+ * ground is stable, otherwise the last below (docs/mechanics.md section 5). */
+
 #include "load/roots.h"
 
 void tp_roots_init(tp_roots *roots) {

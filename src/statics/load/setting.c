@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Weight, centroid, heel and toe that the loads act on, as balls, and lengths of the scene in
+ * metres. */
+
 #include "load/setting.h"
 
 void tp_load_setting_init(tp_load_setting *s, const tp_scene *scene, bool mirrored, long bits) {

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Moment of one load about a pivot as an exact sum of rationals times functions of the tilt
+ * (docs/mechanics.md section 5), zero only where these rationals are or where they cancel at a tilt
+ * with rational sine and cosine. */
+
 #include "load/vanish.h"
 
 void tp_exact_setting_init(tp_exact_setting *s, const tp_scene *scene, bool mirrored) {

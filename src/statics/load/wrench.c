@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sums, values and moments of the functions A cos + B sin + C + D / cos + E / cos^2 of the tilt
+ * (docs/mechanics.md section 5). */
+
 #include "load/wrench.h"
 
 #include "number/ball.h"

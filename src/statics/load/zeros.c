@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Zeros of a load function of the tilt in (-90, 90) degrees: psi +- acos(-C / R) in closed form, or
+ * isolation by load/isolate.h (docs/mechanics.md section 5). */
+
 #include "load/zeros.h"
 
 #include "load/isolate.h"

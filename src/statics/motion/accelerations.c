@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solutions of Newton's and Coulomb's laws for one mode under given loads (docs/mechanics.md
+ * section 6a): sums of three generators where there are several (motion/starting.h), closed forms
+ * for free flight and for turning about one point; Painleve's paradox is looked for at each contact
+ * that slips. */
+
 #include "motion/accelerations.h"
 
 #include "motion/closed.h"

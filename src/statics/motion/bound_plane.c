@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Normal h of the plane through two generators as their cross product, or in closed form where the
+ * generators share a direction, an axis or a contact line; and the side on which a third generator
+ * lies. */
+
 #include "motion/bound_plane.h"
 
 #include "motion/newton.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Facets of a cone of wrenches spanned by generators, by trying the plane of every pair; flat
+ * cones, whose generators lie in one plane, are bounded within that plane. */
+
 #include "motion/bounds.h"
 
 #include "common/grow.h"

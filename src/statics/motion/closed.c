@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Friction forces of the contacts that a ray or a sector of twists keeps closed; of parallel
+ * contacts that slip only the two extreme moments are kept. */
+
 #include "motion/closed.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Double description method for a cone of twists in three dimensions; cones that are flat or
+ * contain a line are cut here, solid ones by motion/solid_cone.h. */
+
 #include "motion/double_description.h"
 
 #include "motion/solid_cone.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Generators of one mode in the order rays, edges, pulls, free shears; their balls are evaluated
+ * when first asked for, and the source of each pair identifies planes that coincide. */
+
 #include "motion/generators.h"
 
 #include "motion/newton.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Test for a mode that is a pure slide: one ray, along the axis of a contact line. */
+
 #include "motion/mode.h"
 
 bool tp_mode_slides(const tp_mode *mode, const tp_twists *twists) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Interval of tan(tilt) of a mode in doubles with error bounds, from A + B tan(alpha) >= 0 over the
+ * planes through pairs of its generators (docs/mechanics.md section 6a). */
+
 #include "motion/mode_filter.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Generators and loads of each mode at one tilt as linear functions of the strength share, scaled
+ * by powers of two to size one. */
+
 #include "motion/mode_reading.h"
 
 #include "motion/newton.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Determinants of three generators as cubic polynomials of the strength share; their signs give the
+ * shares at which a mode can begin (docs/mechanics.md section 6, factor of the onset). */
+
 #include "motion/mode_shares.h"
 
 #include "number/ball.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Onset of motion (docs/mechanics.md section 6a): for each mode the tilts that satisfy h . w(alpha)
+ * >= 0 for all planes of its cone are intersected, with a filter in doubles first, and kept as
+ * spans. */
+
 #include "motion/motion.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Inertia M r of a ray, contact forces and contact normals about the centroid, in the lengths of a
+ * question (docs/mechanics.md section 6a). */
+
 #include "motion/newton.h"
 
 /* The centroid moves by (s v_x - theta y, s v_y + theta x). */

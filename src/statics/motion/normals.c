@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rows of normal and slip velocity of the contact points in balls and in doubles, and the signs of
+ * both on a twist, by doubles with a bound first; the points are sorted by normals_init.c. */
+
 #include "motion/normals.h"
 
 #include "number/ball.h"

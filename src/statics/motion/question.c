@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Memory of a question about the onset of motion. */
+
 #include "motion/question.h"
 
 #include <string.h>

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Real zeros of polynomials of degree three at most in doubles (linear, quadratic, cubic by
+ * bisection between its turning points), and the union of the intervals on which the conditions of
+ * a mode hold. */
+
 #include "motion/share_spans.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Incremental intersection of half-spaces with conflict lists (Clarkson and Shor 1989): each plane
+ * replaces the run of rays below it by two new ones. */
+
 #include "motion/solid_cone.h"
 
 #include "common/grow.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Memory of the start of a motion. */
+
 #include "motion/start.h"
 
 #include <string.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Loads as a sum of three generators by Cramer's rule in balls, with every choice of bounds for the
+ * free forces; sums within their bounds are motions of the mode (docs/mechanics.md section 6a). */
+
 #include "motion/starting.h"
 
 /* w = f_0 g_0 + f_1 g_1 + f_2 g_2 by Cramer's rule. TP_NO: they span no space. */

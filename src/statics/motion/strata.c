@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Visits every mode once: rays, sectors of faces between the twists about their contact points, and
+ * the interior of the cone of twists (docs/mechanics.md section 6a). */
+
 #include "motion/strata.h"
 
 #include "motion/closed.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Forces of cohesion and bonds for one mode: fixed where contacts slip or separate, free within
+ * bounds where they stick, pulls where a bonded facet slides (Mohr-Coulomb). */
+
 #include "motion/strength.h"
 
 #include "motion/closed.h"

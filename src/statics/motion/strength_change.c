@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The strength share nearest to 1 at which the onset changes: searched in doubles over the
+ * intervals of all modes, both sides proven in doubles with bounds or by the modes in balls
+ * (docs/mechanics.md section 6, factor of the onset). */
+
 #include "motion/strength_change.h"
 
 #include "motion/mode_reading.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solutions of one inequality in the tilt as spans between zeros (load/zeros.h), and intersections
+ * of spans with ends compared by their source or by disjoint balls. */
+
 #include "motion/tilts.h"
 
 #include "common/grow.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rays and faces of the cone of twists from the double description of its outermost normal lines;
+ * each ray is identified as a turn about a contact point, a slide along an axis, or another
+ * twist. */
+
 #include "motion/twists.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Union of the spans of all modes, sorted by lower end; the mechanisms at both ends of each window
+ * are those of the modes that reach them. Gaps that are not proven are closed, the safe side. */
+
 #include "motion/windows.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Every contact facet is tested against every pivot by the sign of an integer (docs/mechanics.md
+ * section 3); the facet that obstructed last is tried first. */
+
 #include "stability/admissible.h"
 
 static bool opens(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Checks the outline and its parts in the coordinates of the scene's author, on a separate lattice,
+ * so that messages quote those coordinates. */
+
 #include "stability/as_given.h"
 
 #include "block/check.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Ends of the base joint, heel and toe of water: the outermost contacts, or the part of the sole
+ * that has base below it, cut at the ends of the base. */
+
 #include "stability/base_joint.h"
 
 void tp_base_joint_init(tp_base_joint *joint) {

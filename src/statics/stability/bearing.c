@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Matches pivots with the contact points of the limit's reactions, within their error bounds. */
+
 #include "stability/bearing.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which pivots bear the block at its limit. */
+/* Which pivots carry a reaction at the static limit. */
 
 #ifndef TP_STABILITY_BEARING_H
 #define TP_STABILITY_BEARING_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Area, centroid, second moments, weight. */
+/* Area, centroid, second moments about the centroid and weight of the block from the sums of
+ * docs/mechanics.md section 2, each as a number with its bound relative to the size of the
+ * block. */
 
 #include "stability/stages.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Angles and factors of one direction of tilt for columns of tables, each a number, always, never
+ * or unknown. */
+
 #include "stability/case_numbers.h"
 
 tp_case_state tp_case_moments_deg(tp_bounded *value, const tp_case *own) {

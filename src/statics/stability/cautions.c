@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cautions that need the geometry of the problem: water on an inclined face, contact in one point,
+ * vertices that nearly touch the profile, one-sided earthquakes, anchors that pull off the base. */
+
 #include "stability/cautions.h"
 
 #include "base/closeness.h"

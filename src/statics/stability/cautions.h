@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What of a problem is computed otherwise than its author may think. */
+/* Cautions on scenes whose problem is computed otherwise than their author may expect. */
 
 #ifndef TP_STABILITY_CAUTIONS_H
 #define TP_STABILITY_CAUTIONS_H

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conversion of balls into bounded results, with the tests for the digits asked, for a zero known
+ * to half the bits, and for differences of angles (docs/mechanics.md section 10, ties). */
+
 #include "stability/certainty.h"
 
 #include "number/ball.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Order of the stages at each precision, direction by direction and tilt by tilt: loads, formulas
+ * of moments and of sliding, limit, onset, mechanism; results that are certain are kept for the
+ * next precision. */
+
 #include "stability/climb.h"
 
 #include "stability/climbing.h"

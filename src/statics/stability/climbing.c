@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Results kept from one precision to the next, and a copy of the state for each further tilt that
+ * shares the limit and the onset of the first precision. */
+
 #include "stability/climbing.h"
 
 #include "number/ball.h"

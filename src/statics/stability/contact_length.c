@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Length of the contact facets in balls or, for exact coordinates, in doubles with a derived bound;
+ * nominal length along the mean plane, contact ratio, and weight over contact area (the stress of
+ * Table 2). */
+
 #include "stability/contact_length.h"
 
 #include "number/ball.h"

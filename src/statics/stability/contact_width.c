@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Refuses Barton's law (Eq. 8) where all facets are upright or points and no contact width is
+ * given: the mean normal stress has no area then. */
+
 #include "stability/contact_width.h"
 
 tp_status tp_contact_width_check(const tp_contact *contact, const tp_lattice *l,

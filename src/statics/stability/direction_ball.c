@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Order of two critical angles by disjoint balls, or by the sign of the exact cross product of
+ * their directions; what remains unresolved at enough bits is a tie (docs/mechanics.md section
+ * 10). */
+
 #include "stability/direction_ball.h"
 
 void tp_direction_ball_init(tp_direction_ball *angle) {

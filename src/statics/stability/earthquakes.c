@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Combinations of horizontal direction and vertical part as separate scenes, ordered by mechanism
+ * and governing factor of safety; the least safe one is the solution (pseudo-static method,
+ * docs/mechanics.md section 5). */
+
 #include "stability/earthquakes.h"
 
 #include "common/notes.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* List of effects with the input that called for each and the elapsed time, without that of other
+ * effects noted meanwhile. */
+
 #include "stability/effects.h"
 #include "common/clock.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Moments, weight and points of a problem at one precision; integers of moderate size are summed
+ * exactly, which is cheaper than in balls. */
+
 #include "stability/evaluation.h"
 
 #include "number/ball.h"

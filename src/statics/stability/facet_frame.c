@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Components of a wrench along the direction of motion and normal to the facet, and the cohesion
+ * force c times the whole contact area (docs/mechanics.md section 5). */
+
 #include "stability/facet_frame.h"
 
 #include "load/setting.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Assigns each entry of facet frictions to facets of the base by number or by range of x, refuses
+ * overlaps and partly covered facets, and carries the angles over to the contact facets. */
+
 #include "stability/facet_friction.h"
 
 #include "common/notes.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names and values of the results that back-analysis can ask for, and the sample at one number: the
+ * scene solved with it, and the gap to the wanted value with its sign where certain. */
+
 #include "stability/find_sample.h"
 
 #include "stability/case_numbers.h"

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Between points: the domain ends at a yes or a no. The nearest value is looked for by golden
+/* Scan of a range at 512 points, once more over the part with answers where that is narrow: changes
+ * of side between neighbours are handed to find_level.h, ends of the domain are bisected.
+ *
+ * Between points: the domain ends at a yes or a no. The nearest value is looked for by golden
  * section, not by Brent's method with its parabolas: it lies, as a rule, in a kink, where one pivot
  * or mechanism takes over from another, and that method stops 10^-8 of the number before it. */
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Barton's law, Eq. (8), with JRC given or from Eqs. (9) and (10), in balls: stress at a tilt under
+ * the loads, the angle clamped to [phi_r, 70 degrees] (docs/mechanics.md section 8). */
+
 #include "stability/friction.h"
 
 #include "load/setting.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Bound of the work that further tilts may share, so that no tilt gets less than a separate solve
+ * would have. */
+
 #include "stability/further.h"
 
 /* A question may take a quarter of what is allowed (number/work.c): with an eighth for the scene's

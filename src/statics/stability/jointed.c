@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Underside of the block as a separate profile, checked for overhangs, and the block moved by the
+ * shift along x; coming to rest follows in stability/rested.h. */
+
 #include "stability/jointed.h"
 
 #include "base/profile.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Calls shift, world frame, rest and snapping in the order that the scene asks for, refuses more
+ * digits than their poses carry, and notes the time of each. */
+
 #include "stability/lay.h"
 
 #include "stability/effects.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Loads of a case as the wrench of a limit question: the weight in whole numbers of the lattice, or
+ * the sum of all loads in balls, with sines reversed for motion up-dip (docs/mechanics.md section
+ * 6). */
+
 #include "stability/limit_asked.h"
 
 #include "number/ball.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Walks the outline down-dip from the toe along the sole of the block and adds the facets that a
+ * longer base would have, by signs of whole numbers; the next flank or level ground ends the walk
+ * (docs/mechanics.md section 6). */
+
 #include "stability/limit_beyond.h"
 
 #include <stdlib.h>

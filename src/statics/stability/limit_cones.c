@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact facets and points of a problem as points of friction cones, without those that only an
+ * edge of the base past the toe gives or with those that a longer base would add; frictions,
+ * cohesion and bonds of each (docs/mechanics.md section 6). */
+
 #include "stability/limit_cones.h"
 
 #include "load/setting.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Fixed point of the limit and of Barton's friction at the limit's stress (docs/mechanics.md
+ * section 6), and the closed form phi +- i where the block slides under its weight alone. */
+
 #include "stability/limit_friction.h"
 
 #include "limit/program.h"

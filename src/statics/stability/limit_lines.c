@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sorts facets by direction in lowest terms and offset, exactly, and gives each the first facet of
+ * its straight line. */
+
 #include "stability/limit_lines.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Estimate in doubles, or proof at a given precision, of one limit for the comparison of topple
+ * accuracy. */
+
 #include "stability/limit_price.h"
 
 #include "limit/program.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mechanism, centre of rotation, facet of sliding and contact reactions of a proven limit,
+ * converted from the lattice to metres and newtons and mirrored back (docs/mechanics.md section
+ * 6). */
+
 #include "stability/limit_result.h"
 
 #include "number/ball.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A proven limit in the words of the field. */
+/* A proven limit as result fields: mechanism, centre, facet and reactions. */
 
 #ifndef TP_STABILITY_LIMIT_RESULT_H
 #define TP_STABILITY_LIMIT_RESULT_H

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Test that the two forces of a limit remain on the other base and that its twist is admissible to
+ * the contact points added there, in balls without taking any value for zero. */
+
 #include "stability/limit_serves.h"
 
 #include "stability/friction.h"

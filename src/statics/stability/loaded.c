@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sum of the wrenches of all loads, critical angle about a pivot as the first zero of the moment,
+ * range of tilts under level water, and the check for water above the block's top
+ * (docs/mechanics.md section 5). */
+
 #include "stability/loaded.h"
 
 #include "common/clock.h"

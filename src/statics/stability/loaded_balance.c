@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What stabilises and what overturns at the scene's tilt. */
+/* Stabilising and overturning moments of all loads about a pivot at the scene's tilt, their factor
+ * of safety (docs/mechanics.md section 5), and whether the block topples up-dip. */
 
 #include "stability/loaded.h"
 

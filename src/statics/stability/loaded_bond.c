@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sum over facets in a binary tree of bounding boxes: runs of facets that separate wholly, or not
+ * at all, are settled at once, any other facet by the part past the foot of the pivot on its
+ * line. */
+
 #include "stability/loaded_bond.h"
 
 #include <math.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Fills in centroid, heel, toe and pivot as rationals for the exact test of load/vanish.h; without
+ * it where corners are rounded. */
+
 #include "stability/loaded_exact.h"
 
 /* What lattice sums are, where they are whole numbers and no balls: the centroid in metres. */

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What happens first as the table is tilted, and what holds at the scene's tilt. */
+/* The mechanism that is reached first as the table is tilted, by formulas, static limit and onset,
+ * the mechanism at the scene's tilt, motion up-dip, and the margin (docs/mechanics.md sections 3
+ * and 6a). */
 
 #include "stability/loaded.h"
 #include "stability/onset.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Cautions where the mean normal stress exceeds JCS, on level ground or at the tilt, where Barton's
+ * law (Eq. 8) has no data, and where the stated contact width exceeds the width found. */
+
 #include "stability/normal_stress.h"
 
 #include "common/notes.h"

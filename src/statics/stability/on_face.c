@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Nearest point of the outline in rationals for each load point off the face; both ends of a
+ * pressure go to one edge where one is near both. */
+
 #include "stability/on_face.h"
 
 #include "block/section.h"
-#include "load/check.h"
 #include "common/notes.h"
+#include "load/check.h"
 #include "scene/moved.h"
 
 #include <math.h>

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Windows of motion of one case (docs/mechanics.md section 6a) with the friction of the scene, or
+ * in a fixed point with friction by Barton's law at the onset; then motions at the tilt, ranges and
+ * the factor of the onset. */
+
 #include "stability/onset.h"
 
 #include "stability/friction.h"

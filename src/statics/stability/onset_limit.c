@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The onset of motion beside the static limit of the same case. */
+/* The onset compared with the static limit of the same case: under cohesion and bonds the modes may
+ * begin later than the limit, where the onset is then put, as no forces hold the block beyond
+ * it. */
 
 #include "stability/onset.h"
 #include "stability/onset_question.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Every mode possible at the scene's tilt with its accelerations, centre, contact states and
+ * forces, converted to the scene's units (docs/mechanics.md section 6a). */
+
 #include "stability/onset_motions.h"
 
 #include "motion/accelerations.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Lower end of the first window of motion at a given precision, for the comparison of topple
+ * accuracy; without load-dependent friction, cohesion or bonds. */
+
 #include "stability/onset_price.h"
 
 #include "stability/friction.h"

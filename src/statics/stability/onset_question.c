@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact cones, centroid, radius of gyration and loads of a case in the lengths of a question of
+ * motion/question.h: whole numbers of the lattice for the weight alone. */
+
 #include "stability/onset_question.h"
 
 #include "stability/limit_asked.h"

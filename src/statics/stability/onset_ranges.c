@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Windows of each mechanism separately, their ends sorted into classes of equal tilts, and the set
+ * of mechanisms possible between neighbouring classes (docs/mechanics.md section 6a). */
+
 #include "stability/onset_ranges.h"
 
 #include "stability/friction.h"

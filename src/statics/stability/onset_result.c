@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* First window above level and all windows of a case as bounded tilts, with their mechanisms and
+ * centres of rotation. */
+
 #include "stability/onset_result.h"
 
 #include "stability/loaded.h"

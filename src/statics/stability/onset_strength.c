@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Asks motion/strength_change.h at the scene's tilt, and writes the factor of the onset and whether
+ * the ends of the windows beside the tilt move with strength (docs/mechanics.md section 6). */
+
 #include "stability/onset_strength.h"
 
 #include "motion/strength_change.h"

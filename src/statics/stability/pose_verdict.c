@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solves the scene with the block in one resting pose, keeps its verdict, and marks the least safe
+ * verdict of each direction of tilt. */
+
 #include "stability/pose_verdict.h"
 
 #include "common/message.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Basins of initial positions (rest/basins.h) gathered by their final pose, widest first, as widths
+ * and shares with bounds; each pose is solved by stability/pose_verdict.h. */
+
 #include "stability/poses.h"
 
 #include "common/host.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Builds a problem in fixed order: block laid, section, base, lattice, check of the section, arcs,
+ * rounded corners, contact, sole, pivots, loads, facet frictions and, where asked for, elements. */
+
 #include "stability/problem.h"
 
 #include "base/underside.h"

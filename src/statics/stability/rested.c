@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Centroid in rationals, the fall to rest by rest/settle.h, and the scene moved by the pose found;
+ * refuses forms that can not be set down and explains why a block finds no rest. */
+
 #include "stability/rested.h"
 
 #include "base/profile.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Compares sliding on the given sole with sliding on one whose short asperity sides are levelled
+ * into the mean plane, and cautions where roughness raises the factor or the angle by more than 0.5
+ * per cent. */
+
 #include "stability/rough_sole.h"
 
 #include "common/notes.h"

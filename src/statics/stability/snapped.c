@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Moves the outline by base/snap.h, then points of holes, parts and loads that lie on moved edges
+ * at the same share of the edge; exact throughout. */
+
 #include "stability/snapped.h"
 
 #include "number/ratio.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Divides a pressure or surcharge at the new vertices of its edge, with the load interpolated
+ * linearly at their feet on the old line. */
+
 #include "stability/snapped_loads.h"
 
 #include "common/grow.h"

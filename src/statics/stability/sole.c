@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The underside as a run of edges of the outline (base/underside.h), membership of a facet, and its
+ * length along the mean plane in lattice units. */
+
 #include "stability/sole.h"
 
 #include "base/underside.h"

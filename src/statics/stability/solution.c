@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Creation and release of a solution: cases, pivots, descriptions of the scene and of teeth (both
+ * descriptions of section 5.1 of the paper), facet frictions. */
+
 #include "stability/solution.h"
 
 #include "common/notes.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Describes the solution, evaluates it in rising precision (stability/climb.h), and sets the
+ * governing factor of safety for the tilt and all further tilts. */
+
 #include "stability/solve.h"
 
 #include "stability/climb.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Solving a problem that is prepared already. */
+/* Solves a problem that is prepared already, at its tilt and at further ones. */
 
 #ifndef TP_STABILITY_SOLVE_H
 #define TP_STABILITY_SOLVE_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in, the stability of its block out. */
+/* Public calls that solve a scene: problem, cautions and solution in order, once for each
+ * earthquake where there are several, and all resting poses where the scene asks for them. */
 
 #include "block/ring_sums.h"
 #include "common/host.h"

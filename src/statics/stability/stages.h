@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The stages of a solve at one rung, in the order in which stability/solve.c asks for them. Each
- * reads the evaluation, fills in its part of the solution, and hands out the certainty of that:
- * what it is given it adds to. */
+/* The stages of a solve at one precision, in the order in which stability/climb.c calls them. Each
+ * reads the evaluation, fills in its part of the solution, and adds the certainty of that to the
+ * one it is given. */
 
 #ifndef TP_STABILITY_STAGES_H
 #define TP_STABILITY_STAGES_H

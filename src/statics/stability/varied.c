@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Reads doubles as the exact decimals of 17 digits, varies the scene by its keys (scene/vary.h) and
+ * solves it. */
+
 #include "stability/varied.h"
 
 #include "number/ratio.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Mean plane by two points, by the mated underside or by least squares of the contact; ends and
+ * plane are iterated until they no longer change, then all points are turned into its frame. */
+
 #include "stability/world.h"
 
 #include "base/mean_plane.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rotation of a scene's points by an exact direction or by an angle, about one point that stays;
+ * directions of anchors and the ends of the contact turn with it. */
+
 #include "stability/world_turn.h"
 
 #include "block/section.h"

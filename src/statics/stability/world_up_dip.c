@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A block on a slope under an earthquake that acts up-dip: the frame is level as the block lies,
+ * the tilt zero, and the block moves towards its up-dip side (stability/world.h). */
+
 #include "stability/world.h"
 
 /* Under an earthquake up-dip the block turns and slides against the dip: in a frame that is level

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Strength divided by a factor in balls and in the scaled program; margin by the linear program of
+ * a push, sides by equilibrium.h and infeasible.h or by the limit found anew. */
+
 #include "strength_reduction/reduced.h"
 
 #include "certificate/equilibrium.h"

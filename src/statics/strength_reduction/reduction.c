@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Factor at which the margin vanishes by Brent's method in doubles, refined by secants of limit
+ * minus tilt, then enclosed between a factor proven to hold and one proven not to
+ * (docs/mechanics.md section 6, strength reduction). */
+
 #include "strength_reduction/reduction.h"
 
 #include "limit/program.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tables of keywords, macros and functions of C and C++, and the tests of a name against them and
+ * against the names of generated functions. */
+
 #include "derive/c_names.h"
 
 #include <ctype.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Moves the symbols geometrically away from the scene's values, evaluates conditions there in
+ * balls, and solves the scene at the decimals of such a point. */
+
 #include "derive/check_walk.h"
 
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Directions along each symbol and at random, steps that grow by a quarter, bisection of the
+ * crossing, and a certified solve on both sides. */
+
 #include "derive/checks.h"
 
 #include <math.h>

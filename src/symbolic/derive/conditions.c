@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Factors of numerator and denominator by FLINT, each turned to its sign at the scene's values and
+ * kept once; factors that positive parameters settle are left out. */
+
 #include "derive/conditions.h"
 
-#include "derive/field_work.h"
 #include "common/grow.h"
+#include "derive/field_work.h"
 
 #include <flint/fmpz_mpoly_factor.h>
 #include <stdlib.h>

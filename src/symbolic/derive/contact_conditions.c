@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Conditions on the ends of the default contact: sums and differences of symbolic coordinates, as
+ * the supporting lines at 45 degrees of base/underside.h have them. */
+
 #include "derive/contact_conditions.h"
 
 #include "derive/field_work.h"

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a derivation holds, given back. */
+/* Releases the memory of a derivation. */
 
+#include "common/notes.h"
 #include "derive/derive_limit.h"
 #include "derive/derive_onset.h"
 #include "derive/derive_rounding.h"
 #include "derive/notation.h"
-#include "common/notes.h"
 
 #include <stdlib.h>
 

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The closed formulas of a scene. */
+/* Public call that derives the closed formulas of a scene: tan(alpha_crit) of each pivot, the
+ * elements form, rounding, limit and onset, written in the notation asked for (docs/mechanics.md
+ * section 9). */
 
+#include "common/host.h"
+#include "common/notes.h"
+#include "common/options.h"
 #include "derive/c_names.h"
 #include "derive/derive_limit.h"
 #include "derive/derive_onset.h"
 #include "derive/derive_rounding.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
-#include "common/host.h"
-#include "common/notes.h"
 #include "number/ball.h"
-#include "common/options.h"
 
 #include <stdlib.h>
 #include <string.h>

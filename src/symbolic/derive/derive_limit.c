@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes tangent, centre, reactions and conditions of the limit's formula, and has them checked by
+ * derive/checks.h (docs/mechanics.md section 9). */
+
 #include "derive/derive_limit.h"
 
 #include "derive/checks.h"

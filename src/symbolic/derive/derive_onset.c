@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes tangent, rows and conditions of the onset's formula, or the reason why there is none
+ * (docs/mechanics.md section 9). */
+
 #include "derive/derive_onset.h"
 
 #include "derive/checks.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes tan(alpha) about the axis moved by rounding, and the tangent length and radius at which
+ * the block topples at alpha ((A2.4), (A2.10); docs/mechanics.md section 9). */
+
 #include "derive/derive_rounding.h"
 
 #include "derive/field_work.h"

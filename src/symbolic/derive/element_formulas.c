@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The elements form in symbols, as Appendix A derives it. */
+/* Area, centroid and moments of each element in symbols, and the sums of either side of the
+ * elements form (Appendix A; docs/mechanics.md section 3). */
 
 #include "derive/formulas.h"
 

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Algebra of rational functions over FLINT's multivariate polynomials with bounded exponents;
+ * symbols and their names from the parameters of a scene, and its nodes read as elements of the
+ * field. */
+
 #include "derive/field.h"
 
 #include "scene/setting.h"

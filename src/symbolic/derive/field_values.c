@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Values of formulas: exact at the scene's parameters, or in balls. */
+/* Values of rational functions: exact at the scene's parameters within a bound of bits, or in
+ * balls; and the common sign of a polynomial's coefficients. */
 
 #include "derive/field.h"
 #include "number/ball.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Green's sums of docs/mechanics.md section 2 over symbolic vertices, the polar second moment, and
+ * arms about a point. */
+
 #include "derive/formulas.h"
 
 #include "derive/field_work.h"

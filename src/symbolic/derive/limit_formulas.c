@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Edges of the friction cones in symbols, the twist of two columns as their cross product,
+ * tan(alpha) from v . F = 0, and the powers of all other columns (docs/mechanics.md sections 6 and
+ * 9). */
+
 #include "derive/limit_formulas.h"
 
 #include "derive/field_work.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Looks for names of parameters as whole words in the numbers of a profile's rule and refuses those
+ * found. */
+
 #include "derive/made_profile.h"
 
 #include "common/outside.h"

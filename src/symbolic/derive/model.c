@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Solves the scene at its numbers, builds section and sums in symbols, and gives pivots and arms,
+ * mirrored for a tilt towards the right. */
+
 #include "derive/model.h"
 
+#include "common/notes.h"
 #include "derive/field_work.h"
 #include "load/loads.h"
-#include "common/notes.h"
 #include "stability/cautions.h"
 #include "stability/solve.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Writes polynomials term by term into a memory stream, with powers multiplied out and coefficients
+ * scaled to the range of doubles in C. */
+
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "derive/notation.h"
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* For each mode that does not begin at the onset, one plane or two, or the work of the weight, that
+ * keeps it from beginning below; their signs become conditions. */
+
 #include "derive/onset_exclusion.h"
 
 #include "derive/field_work.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Finds the plane of the first motion among those of all modes, its tangent, and the conditions
+ * listed in the header, with reasons where there is no single formula. */
+
 #include "derive/onset_formulas.h"
 
 #include "derive/contact_conditions.h"

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rays and rows of each mode in symbols, oriented as in the numerical solution (motion/strata.h),
+ * and the signs that keep the modes the same. */
+
 #include "derive/onset_modes.h"
 
-#include "derive/field_work.h"
 #include "common/grow.h"
+#include "derive/field_work.h"
 #include "number/ball.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Planes through pairs of rows with all others on one side at the scene's values, ordered by the
+ * length of the formulas that they need. */
+
 #include "derive/onset_planes.h"
 
 #include "common/grow.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact normals, slips, forces, inertia and the work of the weight as rational functions, and the
+ * sign of one at the scene's values. */
+
 #include "derive/onset_terms.h"
 
 #include "derive/derive_limit.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Facet up-dip of the pivot as symbolic sine and cosine, the shift of the axis along it, and the
+ * critical length (Appendix B). */
+
 #include "derive/rounding.h"
 
 #include "derive/field_work.h"

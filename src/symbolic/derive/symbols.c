@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rings read once more from the scene's nodes as rational functions: vertices, teeth, slabs, holes
+ * and parts, in the order that the numerical section has. */
+
 #include "derive/symbols.h"
 
 #include "block/outline.h"

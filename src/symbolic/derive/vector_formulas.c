@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Determinant, cross and dot products of triples of rational functions, and their values in
+ * balls. */
+
 #include "derive/vector_formulas.h"
 
 #include "derive/field_work.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Where angles lie over a domain. */
+/* Ranges of angle formulas over the domain of a claim. */
 
 #ifndef TP_VERIFY_ANGLE_RANGE_H
 #define TP_VERIFY_ANGLE_RANGE_H

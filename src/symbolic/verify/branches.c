@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Stack of chosen signs, one for each irreducible factor whose sign is not known on the domain, and
+ * the step to the next combination. */
+
 #include "verify/branches.h"
 
 #include "derive/field_work.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the readers of a claims file share. */
+/* Messages with a place in the claims file, and texts of its nodes. */
 
 #include "verify/claims.h"
 

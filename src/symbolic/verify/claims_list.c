@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The list of claims: single ones, and tables whose cells are claims. */
+/* Reads the list of claims: single ones, and tables whose cells become claims by row and column,
+ * with unique identifiers. */
 
 #include "verify/claims.h"
 

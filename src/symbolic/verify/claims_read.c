@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A claims file but for its claims. */
+/* Reads a claims file: declared names, geometries with their scenes, and options; the list of
+ * claims by claims_list.c. */
 
 #include "verify/claims.h"
 
-#include "formula/spelling.h"
 #include "common/outside.h"
+#include "formula/spelling.h"
 
 #include <stdlib.h>
 #include <string.h>

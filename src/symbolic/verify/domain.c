@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The domain of a claim. */
+/* Bounds of each symbol and angle of a claim, and the test of a sample against them. */
 
 #include "verify/domain.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points of a domain. */
+/* Pseudorandom rational points of a domain, some near the claim's values, the others anywhere
+ * between the bounds. */
 
 #include "verify/domain.h"
 

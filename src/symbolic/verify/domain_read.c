@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The key `domain` of a claims file: {a: [1, 5], b: [a, inf]}. */
+/* Reads the key domain of a claims file, {a: [1, 5], b: [a, inf]}: two ends for each symbol. */
 
 #include "verify/claims.h"
 #include "verify/evaluate.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas in balls. */
+/* Algebra of balls for formulas: names by the values of a sample, functions of angles in degrees,
+ * powers by products, and an estimate of the work. */
 
 #include "verify/evaluate.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Tangents of formulas that are angles. */
+/* Tangents of formulas that are angles, as rational functions: sums of angles by angles.h,
+ * directions and names by their definitions. */
 
 #include "verify/evaluate.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moments by elements, as Appendix A sums them. */
+/* Stabilising and overturning moments by elements, their areas and their factor in symbols
+ * (Appendix A; docs/mechanics.md section 3). */
 
 #include "verify/quantity_rules.h"
 

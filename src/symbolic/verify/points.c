@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The values given with the claim, points near and far in the domain, and points beside the
+ * isolated zeros of polynomials in one symbol. */
+
 #include "verify/points.h"
 
 #include "derive/field_work.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Values of a sample by the names of the subject, sines and cosines of its angles in balls, and
+ * values of rational functions there. */
+
 #include "verify/sample.h"
 
 #include "common/outside.h"

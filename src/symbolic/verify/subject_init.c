@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Sets up the symbols of a subject (parameters, declared symbols, angles with sine and cosine,
+ * weights), its field and its names, and chooses direction and pivot. */
+
 #include "verify/subject_init.h"
 
-#include "formula/spelling.h"
 #include "common/outside.h"
+#include "formula/spelling.h"
 #include "verify/quantities.h"
 
 #include <stdio.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Verdicts on the claims of a file. */
+/* Public call that judges a claims file: a subject for each geometry, the names and values of each
+ * claim, and its verdict by verify/decide.h (docs/verify.md). */
 
 #include "common/host.h"
 #include "derive/field_work.h"
