@@ -22,7 +22,7 @@ static tp_status init_body(tp_rigid_body *body, const tp_scene *scene, tp_direct
 }
 
 void body_stage_init(body_stage *stage, const char *text, tp_direction towards) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   memset(stage, 0, sizeof *stage);
   const tp_solve_options options = tp_solve_options_default();
   tp_status status = tp_scene_read_text(&stage->scene, text, "scene", &message);

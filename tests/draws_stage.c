@@ -11,7 +11,7 @@ const double correlation[9] = {1, 0.6, -0.3, 0.6, 1, 0.2, -0.3, 0.2, 1};
 
 tp_draws_walk *begun(const tp_draws *draws, uint64_t first) {
   tp_draws_walk *walk = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_draws_begin(&walk, draws, first, NULL, &message);
   ck_assert_msg(status == TP_OK, "%s", message.text);
   return walk;

@@ -68,7 +68,7 @@ void write_out(char *out, const tp_formula *f, long index) {
 
 void reads(const tp_dialect *dialect, const char *text, const char *tree) {
   tp_formula formula;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char out[1000] = "";
   ck_assert_msg(tp_formula_read(&formula, text, (tp_place){"t", 1, 1}, dialect, &vocabulary,
                                 &message) == TP_OK,
@@ -80,7 +80,7 @@ void reads(const tp_dialect *dialect, const char *text, const char *tree) {
 
 void refuses(const tp_dialect *dialect, const char *text, const char *beginning) {
   tp_formula formula;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(tp_formula_read(&formula, text, (tp_place){"t", 7, 3}, dialect, &vocabulary,
                                 &message) == TP_BAD_INPUT,
                 "%s is read", text);

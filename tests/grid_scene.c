@@ -29,7 +29,7 @@ void grid_scene_init(grid_scene *s, random_numbers *state) {
     tp_polyline ring = {0};
     tp_scene scene = {0};
     tp_base base;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     grid_draw_outline(&s->f, state);
     grid_draw_profile(&scene.base.profile, state);
     grid_set_ring(&ring, &s->f);
@@ -57,7 +57,7 @@ static void write_points(FILE *file, const char *key, const grid_point *points, 
 void grid_scene_solve(tp_solution **solution, const grid_scene *s) {
   char path[] = "/tmp/topple-stability-XXXXXX";
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   const int handle = mkstemp(path);
   ck_assert_int_ge(handle, 0);

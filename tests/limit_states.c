@@ -38,7 +38,7 @@ tp_form found(const tp_reliability *problem) {
   const limit_state *own = problem->context;
   const uint64_t before = own->points;
   tp_form form;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(tp_form_find(&form, problem, &options, &message) == TP_OK, "%s", message.text);
   ck_assert_uint_eq(form.calls, own->points - before);
   double square = 0, shares = 0;

@@ -47,7 +47,7 @@ static tp_status build_curves(tp_scene *scene, tp_message *message) {
 void build_scene(void) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
     tp_status status = build(scene, &message);
@@ -64,7 +64,7 @@ void build_scene(void) {
 void solve_outline(void) {
   static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   DONE(tp_solve_outline(&solution, "mm", outline, 6, 30, 20, &message), solution);
   tp_solution_free(solution);
 }
@@ -82,7 +82,7 @@ void solve_blocks(void) {
   const tp_critical_columns angle = {.angle_deg = number};
   const tp_verdict_columns limit = {.limit_angle_deg = number};
   tp_blocks_summary summary;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_status status = tp_outlines_moments(&area, &summary, &outlines, &options, &message);
   if (status == TP_OK) {
     status = tp_blocks_critical_angles(&angle, &summary, &outlines, &options, &message);
@@ -99,7 +99,7 @@ static void set_again(const tp_scene *scene, const char *const keys[2]) {
   tp_scene *set = NULL, *varied = NULL;
   tp_solution *solution = NULL;
   char setting[80], *report = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const char *const settings[] = {setting};
   const tp_solve_options options = tp_solve_options_default();
   snprintf(setting, sizeof setting, "%s=5+1/5", keys[1]);
@@ -123,7 +123,7 @@ static bool take_text(void *context, const char *text) {
 /* Over a point that is wrong, by a thread alone, as a thread that cannot be had is no failure. */
 static void sweep_over(const tp_scene *scene, const char *key) {
   tp_sweep_summary summary = {.count = 0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char axis[80];
   tp_sweep_options options = tp_sweep_options_default();
   snprintf(axis, sizeof axis, "%s=5.2,-1e9", key);
@@ -139,7 +139,7 @@ static void vary_scene(tp_scene *scene, const char *const keys[2], double number
   tp_scene *varied = NULL;
   tp_solution *solution = NULL;
   char *text = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_exact values[2] = {tp_exact_of(number), tp_exact_text("5.1")};
   const tp_solve_options options = tp_solve_options_default();
   if (DONE(tp_scene_with_numbers(&varied, scene, keys, values, 2, &message), varied) &&
@@ -157,7 +157,7 @@ void vary_scenes(void) {
   static const char *const of_file[2] = {"a", "tilt.angle_deg"};
   static const char *const built[2] = {"block.outline.3.2", "loads.anchors.3.force_kn"};
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene)) {
     vary_scene(scene, of_file, 31);
   }

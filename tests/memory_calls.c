@@ -24,7 +24,7 @@ tp_status last_status;
 static void write_sheet(const tp_solution *solution, const char *path) {
   const tp_sheet_options options = tp_sheet_options_default();
   tp_sheet_files files = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (tp_sheet_files_read(&files, &path, 1, &message) != TP_OK) return;
   tp_document document = {0};
   char *html = NULL, *markdown = NULL;
@@ -40,7 +40,7 @@ static void write_sheet(const tp_solution *solution, const char *path) {
 static void solve_scene(const char *path, bool elements) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solve_options options = tp_solve_options_default();
   options.elements = elements;
   if (DONE(tp_scene_read(&scene, path, &message), scene) &&
@@ -111,7 +111,7 @@ static void solve_limit_precisely(void) {
       "tilt: {towards: right}\n";
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solve_options options = tp_solve_options_default();
   options.digits = 30;
   if (DONE(tp_scene_read_text(&scene, text, "scene.yaml", &message), scene) &&
@@ -128,7 +128,7 @@ static void solve_limit_precisely(void) {
 /* A section of a mesh of two objects: block and ground. */
 static void read_mesh(void) {
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   DONE(tp_scene_read(&scene, EXAMPLE("scanned_boulder.yaml"), &message), scene);
   tp_scene_free(scene);
 }
@@ -140,7 +140,7 @@ static void solve_repaired(void) {
       "  outline: [[0, 0], [3.333, 0.777], [3.4, 3], [1.7, 0.396], [1.2, 2], [0, 2.5]]\n";
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   if (DONE(tp_scene_read_text(&scene, text, "scene.yaml", &message), scene) &&
       DONE(tp_solve(&solution, scene, &options, &message), solution)) {
@@ -157,7 +157,7 @@ static void solve_repaired(void) {
 static void measure_accuracy(void) {
   tp_scene *scene = NULL;
   tp_accuracy *accuracy = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (DONE(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), scene) &&
       DONE(tp_accuracy_of_scene(&accuracy, scene, &message), accuracy)) {
     char *text = NULL;
@@ -183,7 +183,7 @@ static void solve_arcs(void) {
 static void find(void) {
   tp_scene *scene = NULL;
   tp_found *found = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_find_options options = {.size = sizeof options,
                                    .key = "block.rounded.corners.1.radius",
                                    .target = TP_FIND_CRITICAL_ANGLE,
@@ -203,7 +203,7 @@ static void find(void) {
 static void derive_scene(const char *path, const tp_derive_options *options) {
   tp_scene *scene = NULL;
   tp_derivation *derivation = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (DONE(tp_scene_read(&scene, path, &message), scene) &&
       DONE(tp_derive(&derivation, scene, options, &message), derivation)) {
     char *text = NULL, *json = NULL;
@@ -230,7 +230,7 @@ static void derive_checked(void) {
 static void derive_family(void) {
   tp_scene *scene = NULL;
   tp_family *family = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene) &&
       DONE(tp_derive_family(&family, scene, TP_NOTATION_LATEX, &message), family)) {
     char *text = NULL;
@@ -251,7 +251,7 @@ static void verify(void) {
       "- {id: b, where: b, geometry: slab, quantity: fos, printed: tan alpha*(dx/y)}\n"
       "- {id: c, where: c, quantity: sin(phi)^2 + cos(phi)^2, printed: '1.0'}\n";
   tp_verification *verification = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (DONE(tp_verify_text(&verification, claims, EXAMPLE("claims.yaml"), &message), verification)) {
     char *text = NULL, *json = NULL, *page = NULL;
     tp_status status = tp_report_verification(&text, verification);
@@ -265,7 +265,7 @@ static void verify(void) {
 }
 
 static void explain(void) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char *text = NULL, *list = NULL;
   if (DONE(tp_report_explained(&text, "FoS", &message), text)) free(text);
   const tp_status status = tp_report_terms(&list);

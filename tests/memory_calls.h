@@ -9,7 +9,7 @@
 typedef struct memory_call {
   const char *name;
   void (*run)(void);
-  long points; /* requests that fail in turn, by default */
+  long points; /* requests that fail in turn under ./check --long */
 } memory_call;
 
 extern const memory_call memory_calls[];

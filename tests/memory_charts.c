@@ -18,7 +18,7 @@ static void report_chart(tp_status status, tp_chart *chart, const tp_message *me
 
 void chart_fos(void) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_chart_fos_options options = tp_chart_fos_options_default();
   const tp_status status = tp_chart_fos(&chart, &options, &message);
   report_chart(status, chart, &message);
@@ -26,7 +26,7 @@ void chart_fos(void) {
 
 void chart_mechanisms(void) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_chart_mechanisms_options options = tp_chart_mechanisms_options_default();
   const tp_status status = tp_chart_mechanisms(&chart, &options, &message);
   report_chart(status, chart, &message);
@@ -34,14 +34,14 @@ void chart_mechanisms(void) {
 
 void chart_ranges(void) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_chart_ranges(&chart, &message);
   report_chart(status, chart, &message);
 }
 
 void chart_profile(const tp_profile *profile) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_chart_profile(&chart, profile, &message);
   report_chart(status, chart, &message);
 }
@@ -59,7 +59,7 @@ static void map_of(tp_scene *scene, tp_status status, tp_message message,
 
 void chart_map(void) {
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message);
   map_of(scene, status, message,
          (tp_chart_map_options){.size = sizeof(tp_chart_map_options),
@@ -73,7 +73,7 @@ void chart_map_contours(void) {
                              "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 20}\n";
   static const double levels[] = {1.5};
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read_text(&scene, slab, "slab", &message);
   map_of(scene, status, message,
          (tp_chart_map_options){.size = sizeof(tp_chart_map_options),

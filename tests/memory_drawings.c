@@ -11,7 +11,7 @@
 static void read_drawing(const char *path, const char *setting) {
   tp_scene *scene = NULL, *varied = NULL;
   char *text = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_status status = tp_scene_read_with(&scene, path, "", &setting, 1, &message);
   /* without dxflib, RapidJSON or expat */
   if (status == TP_BAD_INPUT && strstr(message.text, "was built without") != NULL) return;

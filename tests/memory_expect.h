@@ -38,7 +38,7 @@ extern tp_status last_status;
 
 /* Reports have no message but their status. */
 static inline void expect_report(tp_status status, char *text) {
-  static const tp_message own = {"a report"};
+  static const tp_message own = {.text = "a report"};
   (void)done(status, text, &own);
   free(text);
 }

@@ -8,7 +8,7 @@
 
 void measure_profile(void) {
   tp_profile *profile = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_profile_options options = tp_profile_options_default();
   options.step = 0.7;
   options.resampling = TP_RESAMPLE_SPLINE;
@@ -30,7 +30,7 @@ void measure_profile(void) {
 void measure_base(void) {
   tp_scene *scene = NULL;
   tp_profile *profile = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_profile_options options = tp_profile_options_default();
   options.jcs_mpa = 120;
   tp_status status = tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message);
@@ -55,7 +55,7 @@ void make_profiles(void) {
            "worn: {abraded: 0.2}")};
   for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
     tp_scene *scene = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     char *csv = NULL;
     tp_status status = tp_scene_read_text(&scene, texts[k], "made", &message);
     if (done(status, scene, &message)) {
@@ -73,7 +73,7 @@ void make_profiles(void) {
 void build_profiles(void) {
   static const double points[] = {0, 0, 1, 3, 2, 0, 3, 2};
   tp_scene *scene = NULL, *varied = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_base_teeth_options teeth = tp_base_teeth_options_default();
   teeth.count = 20;
   teeth.wavelength = tp_exact_of(6);

@@ -21,7 +21,7 @@ static bool went(tp_status status, const tp_message *message) {
 void draw_samples(void) {
   static const tp_draw_method methods[] = {TP_DRAW_MONTE_CARLO, TP_DRAW_LATIN_HYPERCUBE,
                                            TP_DRAW_SOBOL};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   for (int k = 0; k < 6; k++) {
     const tp_draws draws = {methods[k / 2], 1, 20, 2, 2, k % 2 == 0 ? NULL : correlation};
     tp_draws_walk *walk = NULL;
@@ -34,7 +34,7 @@ void draw_samples(void) {
 void measure_sensitivity(void) {
   static const double values[] = {1, 2, 3, 2, 4, 3, 5, 1, 2};
   const tp_sobol_results results = {values, 3, 1};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   for (int k = 0; k < 5; k++) {
     tp_sobol_index index;
     double ranks[9];
@@ -55,7 +55,7 @@ void find_reliability(void) {
   const tp_reliability problem = {2, two, correlation, plane, NULL};
   const tp_form_options options = tp_form_options_default();
   static const double centre[] = {1, 1};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_form form;
   tp_importance importance;
   tp_subsets subsets;

@@ -23,7 +23,7 @@ static void forget_rows(void) {
 
 static void draw(const tp_study_result *result) {
   tp_chart *chart = NULL, *scatter = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   (void)DONE(tp_chart_study(&chart, result, &message), chart);
   (void)DONE(tp_chart_study_scatter(&scatter, result, &message), scatter);
   tp_chart_free(chart);
@@ -49,7 +49,7 @@ static bool ran(tp_status status, const tp_study_result *result, const tp_messag
 
 static bool run_into(const tp_study *study, const char *rows, bool restart) {
   tp_study_result *result = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_study_options options = tp_study_options_default();
   options.threads = 1;
   options.rows = rows;
@@ -63,7 +63,7 @@ static bool run_into(const tp_study *study, const char *rows, bool restart) {
 
 static tp_study *read_study(void) {
   tp_study *study = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   (void)DONE(tp_study_read(&study, EXAMPLE("../tests/data/study_four.yaml"), &message), study);
   return study;
 }
@@ -81,7 +81,7 @@ void run_study(void) {
 void merge_study(void) {
   char path[100];
   tp_study_result *result = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_study_options options = tp_study_options_default();
   tp_study *study = read_study();
   options.rows = "/dev/null";

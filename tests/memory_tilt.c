@@ -25,7 +25,7 @@ static void chart(const tp_tilt_test *test) {
   static maker *const makers[] = {tp_chart_tilt_reactions, tp_chart_tilt_phase};
   for (size_t k = 0; k < sizeof makers / sizeof makers[0]; k++) {
     tp_chart *chart = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     if (k == 1 && test->settings.engine == TP_TILT_PATH) continue;
     (void)DONE(makers[k](&chart, test, &message), chart);
     tp_chart_free(chart);
@@ -36,7 +36,7 @@ static void vary(const char *text) {
   tp_scene *scene = NULL;
   tp_tilt_convergence *convergence = NULL;
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_tilt_options options = tp_tilt_options_default();
   if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
       DONE(tp_tilt_converge(&convergence, scene, &options, &message), convergence)) {
@@ -60,7 +60,7 @@ void vary_tilt_test(void) {
 static void simulate(const char *text, bool overturning) {
   tp_scene *scene = NULL;
   tp_tilt_test *test = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_tilt_options options = tp_tilt_options_default();
   options.moments = 10;
   options.overturning = overturning;
@@ -87,7 +87,7 @@ void simulate_tilt_test(void) {
 void chart_overturning(void) {
   tp_scene *scene = NULL;
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_overturning_options options = tp_overturning_options_default();
   options.count = 2;
   options.tolerance = 0.1;

@@ -24,11 +24,14 @@ static inline uint64_t random_seed(void) {
   return number_from_environment("TOPPLE_RANDOM_SEED", UINT64_C(20260101) << 32);
 }
 
-/* Scenes to solve, so many where the environment does not say, and ten times as many under ./check
- * --long; the test of sums draws a thousand polygons for each. */
+/* Scenes to solve, where the environment does not say: so many, and under ./check --long. */
+static inline long random_scenes_of(long brief, long many) {
+  return (long)number_from_environment("TOPPLE_RANDOM_SCENES", (uint64_t)rounds(brief, many));
+}
+
+/* Ten times as many under ./check --long; the test of sums draws a thousand polygons for each. */
 static inline long random_scenes_or(long otherwise) {
-  return (long)number_from_environment("TOPPLE_RANDOM_SCENES",
-                                       (uint64_t)rounds(otherwise, 10 * otherwise));
+  return random_scenes_of(otherwise, 10 * otherwise);
 }
 
 static inline long random_scenes(void) {

@@ -11,7 +11,7 @@
 #define EXAMPLE(name) TP_EXAMPLES "/" name
 
 static void say_example(sayings *s, const char *path, bool elements, int digits, bool figure) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   note_status(s, tp_scene_read(&scene, path, &message), &message);
   if (scene != NULL) say_solved(s, scene, elements, digits, figure);
@@ -21,7 +21,7 @@ static void say_example(sayings *s, const char *path, bool elements, int digits,
 /* An outline whose sums are taken in doubles at once. */
 static void say_large(sayings *s) {
   char *text = malloc(4 << 20);
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   if (text == NULL) return;
   char *at =
@@ -35,7 +35,7 @@ static void say_large(sayings *s) {
 }
 
 static void say_derivation(sayings *s, tp_notation notation) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   tp_derivation *derivation = NULL;
   tp_family *family = NULL;
@@ -67,7 +67,7 @@ static const char claims[] =
                           "printed: atan(0.5)}\n";
 
 static void say_verdicts(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_verification *own = NULL, *paper = NULL;
   note_status(s, tp_verify_text(&own, claims, "claims", &message), &message);
   note_status(s, tp_verify(&paper, EXAMPLE("paper/claims.yaml"), &message), &message);
@@ -84,7 +84,7 @@ static void say_verdicts(sayings *s) {
 }
 
 static void say_found(sayings *s, const char *path, const tp_find_options *options) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
   tp_found *found = NULL;
@@ -112,7 +112,7 @@ static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
   if (tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
   if (tp_report_chart_json(next_saying(s), chart) != TP_OK) s->count--;
   if (draw) {
-    tp_message why = {""};
+    tp_message why = {.text = ""};
     char path[100];
     snprintf(path, sizeof path, "%s/chart.svg", s->folder);
     note_status(s, tp_report_chart_file(chart, path, TP_CHART_SVG, &why), &why);
@@ -122,7 +122,7 @@ static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
 }
 
 static void say_charts(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_chart *chart[5] = {NULL};
   tp_scene *scene = NULL;
   note_status(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
@@ -145,7 +145,7 @@ static void say_charts(sayings *s) {
 }
 
 static void say_accuracy(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   tp_accuracy *of[2] = {NULL, NULL};
   tp_chart *chart[2] = {NULL, NULL};

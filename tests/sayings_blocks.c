@@ -33,7 +33,7 @@ static void say_columns(sayings *s, double columns[COLUMNS][BLOCKS], const tp_bl
 static void say_moments(sayings *s, const tp_outlines *outlines, const tp_blocks_options *options) {
   double c[COLUMNS][BLOCKS] = {0};
   tp_blocks_summary sum = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_area_moments moments;
   const tp_moment_columns columns = {.area = c[0],
                                      .area_error = c[1],
@@ -49,7 +49,7 @@ static void say_moments(sayings *s, const tp_outlines *outlines, const tp_blocks
 static void say_angles(sayings *s, const tp_outlines *outlines, const tp_blocks_options *options) {
   double c[COLUMNS][BLOCKS] = {0};
   tp_blocks_summary sum = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_critical_columns columns = {.angle_deg = c[0], .error_deg = c[1]};
   note_status(s, tp_blocks_critical_angles(&columns, &sum, outlines, options, &message), &message);
   say_columns(s, c, &sum);
@@ -60,7 +60,7 @@ static void say_solutions(sayings *s, const tp_outlines *outlines,
   static const double tilts[BLOCKS] = {10, 20.5, 5, 1, 1};
   double c[COLUMNS][BLOCKS] = {0};
   tp_blocks_summary sum = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_verdict_columns columns = {.first_angle_deg = c[0],
                                       .first_error_deg = c[1],
                                       .limit_angle_deg = c[2],

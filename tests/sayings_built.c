@@ -20,14 +20,14 @@ static const char *const feet[] = {"0", "0",  "1",   "1e-1", "1.5",  "4/5",
                                    "3", ".3", "3.5", "4.35", "0.25", "4.75"};
 
 static tp_scene *begin(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   SAY(tp_scene_new(&scene, "m", &message));
   return scene;
 }
 
 static tp_scene *begin_square(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin(s);
   if (scene == NULL) return NULL;
   SAY(tp_scene_set_outline(scene, tp_coordinates_of(square, 4), &message));
@@ -47,7 +47,7 @@ static void say_scene_built(sayings *s, const tp_scene *scene) {
 void say_built(sayings *s) {
   static const double hole[] = {1, 1, 2, 1, 2, 2, 1, 2};
   static const char *const part[] = {"2.5", "0.5", "7/2", "0.5", "7/2", "5"};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin_square(s);
   if (scene == NULL) return;
   SAY(tp_scene_set_title(scene, "Built, 1,5 by 1.5", &message));
@@ -72,7 +72,7 @@ void say_built(sayings *s) {
 }
 
 static void say_forms(sayings *s, tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   SAY(tp_scene_set_teeth(scene, 3, E(3.1), E(12.25), T("0.51"), TP_LEFT_END_VALLEY, &message));
   SAY(tp_scene_set_base_mated(scene, false, &message));
   SAY(tp_scene_set_base_beyond(scene, E(0), E(10.5), &message));
@@ -93,7 +93,7 @@ static void say_forms(sayings *s, tp_scene *scene) {
 
 static void say_bases(sayings *s, tp_scene *scene) {
   static const double plane[] = {0, 0, 1, 0.125}, profile[] = {-1, 0, 2, 0, 2, -1, 5.5, 0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   SAY(tp_scene_set_outline(scene, tp_coordinates_text(feet, 6), &message));
   SAY(tp_scene_set_frame_world(scene, &message));
   say_scene_built(s, scene);
@@ -135,7 +135,7 @@ static void say_generated(sayings *s) {
       "5}\n"
       "    noise: {deviation: 0.01, seed: 6}\n    worn: {rounded: 0.01}\n  place: rest\n"
       "friction_angle_deg: 31.5\n";
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   char path[100];
   SAY(tp_scene_read_text(&scene, text, "generated", &message));
@@ -150,7 +150,7 @@ static void say_generated(sayings *s) {
 
 /* The same by calls. */
 static void say_made(sayings *s, tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_base_teeth_options teeth = tp_base_teeth_options_default();
   tp_base_self_affine_options rough = tp_base_self_affine_options_default();
   teeth.count = 40;
@@ -184,7 +184,7 @@ static void say_made(sayings *s, tp_scene *scene) {
 
 static void say_outline_solved(sayings *s) {
   static const double outline[] = {0, 0, 4.1, 0, 4.3, 6.7, 0.3, 6.5};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solution *solution = NULL;
   SAY(tp_solve_outline(&solution, "ft", outline, 4, 31.7, 12.3, &message));
   if (solution == NULL) return;
@@ -194,7 +194,7 @@ static void say_outline_solved(sayings *s) {
 }
 
 void say_built_shapes(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin(s);
   if (scene == NULL) return;
   say_outline_solved(s);
@@ -221,7 +221,7 @@ void say_built_shapes(sayings *s) {
 }
 
 void say_built_loads(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin_square(s);
   if (scene == NULL) return;
   SAY(tp_scene_set_seismic_horizontal(scene, T("0.1"), &message));
@@ -244,7 +244,7 @@ void say_built_loads(sayings *s) {
 void say_built_refused(sayings *s) {
   static const double wrong[] = {0, 0, 4, 0, 4, NAN, 0, 6}, tiny[] = {0, 0, 4, 0, 4, 1e-320};
   static const char *const comma[] = {"0", "0", "4", "0", "4,5", "6"};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin_square(s), *none = NULL;
   if (scene == NULL) return;
   SAY(tp_scene_new(&none, "1,5 m", &message));

@@ -89,7 +89,7 @@ static void say_defaults(sayings *s) {
 static void say_words(sayings *s) {
   static const char *const words[] = {"FoS", "α_w", "tilt.angle_deg", "saftey factor", "\xff", ""};
   for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     char **told = next_saying(s);
     const tp_status status = tp_report_explained(told, words[k], &message);
     if (status != TP_OK) s->count--;

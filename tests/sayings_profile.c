@@ -13,7 +13,7 @@ static void say_measured(sayings *s, tp_status status, tp_profile *const *made,
                          const tp_message *message) {
   const tp_profile *profile = *made;
   tp_chart *chart = NULL;
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   note_status(s, status, message);
   if (profile == NULL) return;
   if (tp_report_profile(next_saying(s), profile) != TP_OK) s->count--;
@@ -31,7 +31,7 @@ static void say_option_names(sayings *s) {
     tp_profile_resampling resampling = TP_RESAMPLE_LINEAR;
     tp_profile_detrend detrend = TP_DETREND_NONE;
     tp_profile_window window = TP_WINDOW_HANN;
-    tp_message name = {""};
+    tp_message name = {.text = ""};
     note_number(s, tp_profile_resampling_read(&resampling, words[k]));
     note_number(s, tp_profile_detrend_read(&detrend, words[k]));
     note_number(s, tp_profile_window_read(&window, words[k]));
@@ -48,7 +48,7 @@ static void say_option_names(sayings *s) {
 
 void say_profiles(sayings *s) {
   static const double xy[] = {0, 0.1, 1.5, 1.25, 2.75, 0.3, 4.1, 1, 5, 0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_profile *made[3] = {NULL};
   tp_scene *scene = NULL;
   tp_profile_options options = tp_profile_options_default();

@@ -66,7 +66,7 @@ static bool consent(void *context) {
 }
 
 static void say_figures(sayings *s, const tp_scene *scene, const tp_solution *solution) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char path[100];
   int asked = 0;
   const tp_figure_consent ask = {consent, &asked};
@@ -89,7 +89,7 @@ static void say_figures(sayings *s, const tp_scene *scene, const tp_solution *so
 }
 
 void say_solved(sayings *s, const tp_scene *scene, bool elements, int digits, bool figure) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solution *solution = NULL;
   tp_solve_options options = tp_solve_options_default();
   options.elements = elements;

@@ -11,7 +11,7 @@
 #define SAY(call) note_status(s, call, &message)
 
 static void say_charts(sayings *s, const tp_study_result *result) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_chart *charts[2] = {NULL, NULL};
   SAY(tp_chart_study(charts, result, &message));
   SAY(tp_chart_study_scatter(charts + 1, result, &message));
@@ -36,7 +36,7 @@ static bool stop_at_once(void *context) {
 }
 
 static void say_shards(sayings *s, const tp_study *study) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char paths[3][400];
   const char *const shards[] = {paths[1], paths[0]};
   tp_study_result *result = NULL;
@@ -61,7 +61,7 @@ static void say_shards(sayings *s, const tp_study *study) {
 }
 
 static void say_sheet(sayings *s, const tp_study *study, const tp_study_result *result) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char path[400];
   tp_sheet_options options = tp_sheet_options_default();
   options.times = 0;
@@ -71,7 +71,7 @@ static void say_sheet(sayings *s, const tp_study *study, const tp_study_result *
 }
 
 void say_studies(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_study *study = NULL;
   tp_study_result *result = NULL;
   tp_study_options options = tp_study_options_default();

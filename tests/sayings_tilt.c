@@ -16,7 +16,7 @@ static const double slab[] = {0, 0, 1, 0, 1, 3, 0, 3};
 static const char *const shakes[] = {"0", "0", "0.1", "0.25", "0.2", "-1/5", "0.3", "0"};
 
 static void say_drawn(sayings *s, const tp_tilt_test *test) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char path[400];
   snprintf(path, sizeof path, "%s/tilt.svg", s->folder);
   SAY(tp_report_tilt_file(test, path, true, &message));
@@ -24,7 +24,7 @@ static void say_drawn(sayings *s, const tp_tilt_test *test) {
 }
 
 static void say_sheet(sayings *s, const tp_scene *scene, const tp_tilt_test *test) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char path[400];
   tp_sheet_options options = tp_sheet_options_default();
   options.times = 0;
@@ -34,7 +34,7 @@ static void say_sheet(sayings *s, const tp_scene *scene, const tp_tilt_test *tes
 }
 
 static void say_charts(sayings *s, const tp_tilt_test *test) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_chart *charts[2] = {NULL, NULL};
   SAY(tp_chart_tilt_reactions(charts, test, &message));
   SAY(tp_chart_tilt_phase(charts + 1, test, &message));
@@ -46,7 +46,7 @@ static void say_charts(sayings *s, const tp_tilt_test *test) {
 }
 
 static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_tilt_test *test = NULL;
   tp_tilt_options options = tp_tilt_options_default();
   options.moments = 20;
@@ -67,7 +67,7 @@ static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
 
 /* But for what it takes. */
 static void say_convergence(sayings *s, const tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_tilt_convergence *convergence = NULL;
   tp_chart *chart = NULL;
   const tp_tilt_options options = tp_tilt_options_default();
@@ -86,7 +86,7 @@ static void say_convergence(sayings *s, const tp_scene *scene) {
 }
 
 static void say_tilted(sayings *s, tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
   SAY(tp_scene_set_tilt_test_until_deg(scene, E(60.5), &message));
   SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
@@ -102,7 +102,7 @@ static void say_tilted(sayings *s, tp_scene *scene) {
 
 /* Those of springs, and what does not go together. */
 static void say_springs(sayings *s, tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_RELEASE, true, &message));
   SAY(tp_scene_set_tilt_angle_deg(scene, E(25), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, T("0.01"), &message));
@@ -117,7 +117,7 @@ static void say_springs(sayings *s, tp_scene *scene) {
 }
 
 static tp_scene *begin(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   SAY(tp_scene_new(&scene, "m", &message));
   if (scene == NULL) return NULL;
@@ -129,7 +129,7 @@ static tp_scene *begin(sayings *s) {
 }
 
 static void say_spectrum(sayings *s, const tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_chart *chart = NULL;
   tp_overturning_options options = tp_overturning_options_default();
   options.from = 0.75;
@@ -141,7 +141,7 @@ static void say_spectrum(sayings *s, const tp_scene *scene) {
 }
 
 static void say_shaken(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = begin(s);
   if (scene == NULL) return;
   SAY(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, T("0.5"),

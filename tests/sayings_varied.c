@@ -19,14 +19,14 @@ static const char text[] =
     "friction_angle_deg: 30.5\ntilt: {towards: left, angle_deg: 10.25}\n";
 
 static void say_number(sayings *s, const tp_scene *scene, const char *key) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_bounded number = {0};
   SAY(tp_scene_number(&number, scene, key, &message));
   if (tp_scene_number_text(next_saying(s), scene, key, &message) != TP_OK) s->count--;
 }
 
 static void say_set(sayings *s, const tp_scene *scene, const char *key) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *set = NULL;
   char setting[80];
   const char *const settings[] = {setting, "tilt.angle_deg=7.5+1/3"};
@@ -39,7 +39,7 @@ static void say_set(sayings *s, const tp_scene *scene, const char *key) {
 /* What became of a drawing, of a scene that has none and of one that is a drawing. */
 static void say_drawing(sayings *s, const tp_scene *scene) {
   static const char *const setting = "friction_angle_deg=30+1/3";
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *drawn = NULL;
   if (tp_report_drawing(next_saying(s), scene) != TP_OK) s->count--;
   SAY(tp_scene_read_with(&drawn, TP_EXAMPLES "/section_arcs.dxf", "ft", &setting, 1, &message));
@@ -64,7 +64,7 @@ static bool say_point(void *context, const tp_sweep_point *point) {
 
 /* By as many threads as there are, one of whose points is wrong. */
 static void say_sweep(sayings *s, const tp_scene *scene) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_sweep_summary summary;
   tp_sweep_options options = tp_sweep_options_default();
   options.x = "friction_angle_deg=29.5,30+1/7,99";
@@ -77,7 +77,7 @@ static void say_sweep(sayings *s, const tp_scene *scene) {
 }
 
 static void say_with(sayings *s, const tp_scene *scene, const char *const keys[2]) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *once = NULL, *twice = NULL;
   const tp_exact values[2] = {tp_exact_text("4.7"), tp_exact_of(0.1)};
   say_number(s, scene, keys[0]);
@@ -97,7 +97,7 @@ void say_varied(sayings *s) {
   static const double square[] = {0, 0, 4, 0, 4, 6, 0, 6};
   static const char *const of_file[2] = {"a", "tilt.angle_deg"};
   static const char *const built[2] = {"block.outline.3.1", "tilt.angle_deg"};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   SAY(tp_scene_read_text(&scene, text, "varied", &message));
   if (scene == NULL) return;

@@ -20,7 +20,7 @@ tp_run_end springs_at(const tp_rigid_body *body, double tilt_deg,
   const tp_drive drive = {.angle = radians(tilt_deg)};
   const tp_run run = {.body = body, .drive = &drive, .longest_s = 20, .until_collapse = true};
   tp_body_state last;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   return tp_springs_run(&last, &run, settings, &message);
 }
 
@@ -50,7 +50,7 @@ spring_outcome springs_run(const body_stage *s, const tp_drive *drive, const tp_
                       .longest_s = longest_s,
                       .moments_every_s = longest_s / 100,
                       .history = &o.history};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   o.end = tp_springs_run(&o.last, &run, &springs, &message);
   ck_assert_msg(message.text[0] == '\0', "%s", message.text);
   return o;

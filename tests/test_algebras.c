@@ -33,7 +33,7 @@ static void make_subject(tp_subject *subject) {
     declared[k] = (tp_declared){names[k], values + k, k == FIRST_NAMES - 1};
   }
   const tp_subject_options options = {.declared_count = FIRST_NAMES, .declared = declared};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(tp_subject_init(subject, &options, (tp_place){0}, &message) == TP_OK, "%s",
                 message.text);
   for (int k = 0; k < FIRST_NAMES; k++) fmpq_clear(values + k);
@@ -43,7 +43,7 @@ static void make_subject(tp_subject *subject) {
 static bool evaluate(fmpz_mpoly_q_t value, arb_t ball, const char *text, tp_subject *subject,
                      const tp_claim_sample *sample) {
   tp_formula formula;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   bool rational = false;
   ck_assert_msg(tp_subject_read(&formula, text, (tp_place){0}, subject, &message) == TP_OK,
                 "%s: %s", text, message.text);
@@ -146,7 +146,7 @@ START_TEST(scenes_and_derive_agree_with_rationals) {
     sprintf(text + length, "block: {slab: {width: 1, height: 2}}\nbase: {mated: true}\n");
     tp_scene *scene = NULL;
     tp_field field;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_msg(tp_scene_read_text(&scene, text, "s", &message) == TP_OK, "%s", message.text);
     ck_assert_msg(tp_field_init(&field, scene, NULL, &message) == TP_OK, "%s", message.text);
     fmpq_t truth, own;

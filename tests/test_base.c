@@ -61,7 +61,7 @@ static void check_points(const tp_contact *contact, const grid_restraints *touch
 static tp_status find(tp_contact *contact, tp_lattice *lattice, const tp_section *section,
                       const tp_base *base) {
   fmpq_t metre;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_polyline *const chains[2] = {section->rings, &base->ring};
   fmpq_init(metre);
   fmpq_one(metre);
@@ -84,7 +84,7 @@ START_TEST(contact_is_that_of_all_pairs_of_edges) {
     tp_base base;
     tp_lattice lattice;
     tp_contact contact;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     grid_draw_outline(&f, &state);
     grid_draw_profile(&scene.base.profile, &state);
     grid_set_ring(&ring, &f);
@@ -132,7 +132,7 @@ START_TEST(mated_contact_is_found_by_the_search_too) {
     tp_base base;
     tp_lattice lattice[2];
     tp_contact contact[2];
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     fmpq_init(scene.base.beyond_left.value);
     fmpq_init(scene.base.beyond_right.value);
     fmpq_set_si(scene.base.beyond_left.value, draw_below(&state, 3), 1);
@@ -212,7 +212,7 @@ START_TEST(rock_under_a_profile_is_simple_where_the_sweep_says_so) {
     tp_polyline ring = {0};
     const tp_polyline *const chains[1] = {&ring};
     tp_lattice lattice;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     fmpq_t metre;
     draw_ground(&ring);
     fmpq_init(metre);

@@ -31,7 +31,7 @@ static void expect(tp_status status, const tp_message *message) {
 
 /* `variables`: so many parameters p0, p1, … */
 static void set_stage(stage *s, const char *text, size_t variables) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   *s = (stage){.count = variables};
   expect(tp_scene_read_text(&s->scene, text, "scene.yaml", &message), &message);
   static const char *const names[] = {"parameters.p0", "parameters.p1", "parameters.p2",

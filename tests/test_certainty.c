@@ -22,7 +22,7 @@ typedef struct stage {
 } stage;
 
 static void stage_init(stage *s, const char *text, tp_rung rung) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   *s = (stage){.options = tp_solve_options_default(), .noted = calloc(1, sizeof *s->noted)};
   ck_assert_msg(tp_scene_read_text(&s->scene, text, "s", &message) == TP_OK, "%s", message.text);
   ck_assert_msg(tp_problem_init(&s->problem, s->scene, &s->options, s->noted, &message) == TP_OK,

@@ -125,7 +125,7 @@ START_TEST(block_at_rest_does_not_creep) {
                       .moments_every_s = 0.1,
                       .history = &history};
   tp_body_state last;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_springs_run(&last, &run, &springs, &message), TP_RUN_STANDS);
   ck_assert_uint_gt(history.moment_count, 50);
   const tp_tilt_moment *first = history.moments + 1,
@@ -156,7 +156,7 @@ START_TEST(reactions_bear_the_weight) {
   tp_history history = {0};
   const tp_run run = {.body = &s.body, .drive = &drive, .longest_s = 5, .history = &history};
   tp_body_state last;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_springs_run(&last, &run, &springs, &message), TP_RUN_STANDS);
   const double slope = atan2(5, 30); /* facet 1 rises to the right, facet 2 falls */
   double x = 0, y = 0;
@@ -177,7 +177,7 @@ START_TEST(reactions_bear_the_weight) {
 END_TEST
 
 static void expect_refused(const body_stage *s, tp_spring_settings settings, const char *says) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_place place = {"scene.yaml", 7, 3};
   ck_assert_int_eq(tp_springs_check(&settings, &s->body, place, &message), TP_BAD_INPUT);
   ck_assert_msg(strncmp(message.text, "scene.yaml:7:3: ", 16) == 0, "%s", message.text);
@@ -188,7 +188,7 @@ START_TEST(settings_out_of_range_are_refused) {
   body_stage s;
   body_stage_init(&s, SLAB("30", "1", LEVEL), TP_TOWARDS_LEFT);
   const tp_spring_settings good = paper_springs();
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_springs_check(&good, &s.body, (tp_place){0}, &message), TP_OK);
   static const double stiffness[] = {0, -1, NAN, INFINITY};
   for (int k = 0; k < 4; k++) {

@@ -53,7 +53,7 @@ static side side_init(body_stage *s, tp_direction towards) {
 static double path_softening(const tp_rigid_body *body, const tp_spring_settings *springs) {
   tp_path_settings path = tp_path_settings_default();
   tp_path_result result;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   path.normal_pa_m = springs->normal_pa_m;
   path.shear_pa_m = springs->shear_pa_m;
   path.asks_softening = true;
@@ -68,7 +68,7 @@ static tp_run_end end_at(const tp_rigid_body *body, double tilt_deg,
   const tp_drive drive = {.angle = radians(tilt_deg)};
   const tp_run run = {.body = body, .drive = &drive, .longest_s = 60, .until_collapse = true};
   tp_body_state last;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_run_end end = tp_springs_run(&last, &run, springs, &message);
   *way = hypot(last.moved.x, last.moved.y) + fabs(last.turned) * body->extent_m;
   return end;

@@ -63,7 +63,7 @@ START_TEST(factors) {
         for (size_t j = 0; j < space; j++) sum += rows[k / n][j] * rows[k % n][j];
         r[k] = k / n == k % n ? 1 : fmin(fmax(sum, -1), 1);
       }
-      tp_message message = {""};
+      tp_message message = {.text = ""};
       ck_assert_msg(tp_copula_factor(factor, r, n, NULL, &message) == TP_OK, "%s", message.text);
       for (size_t k = 0; k < n * n; k++) {
         double sum = 0;
@@ -96,7 +96,7 @@ START_TEST(no_correlation) {
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     const tp_draws draws = {TP_DRAW_MONTE_CARLO, 1, 10, 1, 3, cases[k].r};
     tp_draws_walk *walk = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(tp_draws_begin(&walk, &draws, 0, names, &message), TP_BAD_INPUT);
     ck_assert_msg(strstr(message.text, cases[k].said) != NULL, "%s", message.text);
     ck_assert_ptr_null(walk);

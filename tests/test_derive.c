@@ -15,7 +15,7 @@
 
 static tp_scene *read_scene(const char *text) {
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(tp_scene_read_text(&scene, text, "s", &message) == TP_OK, "%s", message.text);
   return scene;
 }
@@ -35,7 +35,7 @@ START_TEST(parameters_become_symbols) {
   tp_scene *scene = with_parameters("a: 30, b: 4*a, c: 1/3, N: a/b - c^2, d: 2*3");
   static const char *const symbols[] = {"a", "c", "d"};
   tp_field field;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char **names = NULL, **parameters = NULL;
   size_t count = 0;
   ck_assert_int_eq(tp_field_init(&field, scene, NULL, &message), TP_OK);
@@ -69,7 +69,7 @@ START_TEST(what_has_no_formula) {
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     tp_scene *scene = with_parameters(cases[k][0]);
     tp_field field;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(tp_field_init(&field, scene, NULL, &message), TP_BAD_INPUT);
     ck_assert_str_eq(message.text, cases[k][1]);
     tp_scene_free(scene);
@@ -83,7 +83,7 @@ START_TEST(work_is_counted) {
   tp_scene *scene = with_parameters("a: 3, b: 4");
   tp_field field;
   fmpz_mpoly_q_t value;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_field_init(&field, scene, NULL, &message), TP_OK);
   fmpz_mpoly_q_init(value, field.ring);
   fmpz_mpoly_q_gen(value, 0, field.ring);
@@ -207,7 +207,7 @@ START_TEST(sums_are_shoelace_sums_at_all_values) {
   random_numbers random = random_numbers_from(9);
   tp_scene *scene = read_scene(quadrilateral);
   tp_model model;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   mpq_t v[SYMBOLS], x[CORNERS], y[CORNERS];
   ck_assert_msg(tp_model_init(&model, scene, false, NULL, &message) == TP_OK, "%s", message.text);
   for (int k = 0; k < SYMBOLS; k++) mpq_init(v[k]);
@@ -239,7 +239,7 @@ START_TEST(formulas_of_a_slab) {
                                "tilt: {towards: left, angle_deg: 20}\n");
   tp_derive_options options = tp_derive_options_default();
   tp_derivation *derivation = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   options.elements = true;
   ck_assert_msg(tp_derive(&derivation, scene, &options, &message) == TP_OK, "%s", message.text);
   ck_assert_str_eq(derivation->area.formula, "w*h");

@@ -73,7 +73,7 @@ static void write_ring(FILE *file, const block *b, long r) {
 
 static void read_scene(tp_scene **scene, const block *b) {
   char path[] = "/tmp/topple-derive-XXXXXX";
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const int handle = mkstemp(path);
   ck_assert_int_ge(handle, 0);
   FILE *file = fdopen(handle, "w");
@@ -210,7 +210,7 @@ static void check_pivot(const tp_model *model, const block *b, size_t k, const f
                         const fmpq *symbols, const fmpq sums[SUMS]) {
   const tp_field *field = &model->symbols.field;
   tp_symbolic_point pivot;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_model_pivot(&pivot, model, k, &message), TP_OK);
   const vertex *v = b->vertices[0] + vertex_of(b, &pivot, own, field);
   fmpz_mpoly_q_t x_arm, y_arm;
@@ -254,7 +254,7 @@ START_TEST(formulas_are_the_sums_over_triangles) {
     block b;
     tp_scene *scene = NULL;
     tp_model model;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     draw_block(&b);
     read_scene(&scene, &b);
     const tp_status status = tp_model_init(&model, scene, false, NULL, &message);

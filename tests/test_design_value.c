@@ -72,7 +72,7 @@ static tp_status by_count(tp_estimate *probability, void *context, double mean,
 
 static tp_estimate design(tp_design_search search) {
   tp_estimate own;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(tp_design_value(&own, &search, &message) == TP_OK, "%s", message.text);
   return own;
 }
@@ -130,7 +130,7 @@ START_TEST(refused) {
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     tp_estimate own;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(tp_design_value(&own, &cases[k].search, &message), cases[k].status);
     ck_assert_msg(strstr(message.text, cases[k].said) != NULL, "%s", message.text);
   }

@@ -265,7 +265,7 @@ START_TEST(none_is_refused) {
       {tp_distribution_truncated(tp_distribution_beta(-1, 3, 0, 1), 0, 1), "a = -1"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(
         tp_distribution_check(&cases[k].d, "phi", (tp_place){"study.yaml", 3, 5}, &message),
         TP_BAD_INPUT);

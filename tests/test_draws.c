@@ -164,7 +164,7 @@ START_TEST(no_plan) {
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     tp_draws_walk *walk = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(tp_draws_begin(&walk, &cases[k].draws, cases[k].first, NULL, &message),
                      TP_BAD_INPUT);
     ck_assert_msg(strstr(message.text, cases[k].said) != NULL, "%s", message.text);

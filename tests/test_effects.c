@@ -100,7 +100,7 @@ static void solve(const char *block, const char *rest) {
   memset(calls, 0, sizeof calls);
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   ck_assert_msg(tp_scene_read(&scene, path, &message) == TP_OK, "%s", message.text);
   ck_assert_msg(tp_solve(&solution, scene, &options, &message) == TP_OK, "%s", message.text);
@@ -162,7 +162,7 @@ START_TEST(simulations) {
     char text[500];
     tp_scene *scene = NULL;
     tp_tilt_test *test = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const tp_tilt_options options = tp_tilt_options_default();
     snprintf(text, sizeof text, "friction_angle_deg: 30\n%s", scenes[k]);
     solve(SLAB, text);
@@ -186,7 +186,7 @@ START_TEST(time_counts_once) {
   char *text = calloc(1, SIZE), *at = text;
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solve_options options = tp_solve_options_default();
   options.digits = 300;
   at = stpcpy(at, "topple: 1\nlength_unit: m\ntilt: {towards: left}\n");

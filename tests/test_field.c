@@ -143,7 +143,7 @@ static long check_values(const valued *f, const tp_field *field, const points *p
 }
 
 static void field_init(tp_field *field) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_symbol_names more = {SYMBOLS, names};
   ck_assert_int_eq(tp_field_init(field, NULL, &more, &message), TP_OK);
 }

@@ -115,7 +115,7 @@ START_TEST(parts_have_places) {
                {TP_FORMULA_POWER, "sin^2 a", "^"},
                {TP_FORMULA_ADD, text, "+"}};
   tp_formula f;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(
       tp_formula_read(&f, text, (tp_place){"t", 1, 5}, &printed, &vocabulary, &message), TP_OK);
   ck_assert_int_eq(f.count, sizeof nodes / sizeof nodes[0]);

@@ -126,7 +126,7 @@ START_TEST(rational_failures) {
   for (int k = 0; k < NAMES; k++) fmpq_init(values + k);
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     tp_formula f;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(
         tp_formula_read(&f, cases[k][0], (tp_place){"t", 1, 1}, &plain, &vocabulary, &message),
         TP_OK);

@@ -225,7 +225,7 @@ START_TEST(anchors_are_in_the_outline) {
     const tp_section section = {.ring_count = 1, .rings = &s.ring};
     for (long x = -7; x <= 7; x++) {
       for (long y = -13; y <= 13; y++) {
-        tp_message message = {""};
+        tp_message message = {.text = ""};
         fmpq_set_si(a.x.value, x, 2);
         fmpq_set_si(a.y.value, y, 2);
         const bool truth = star_holds(&s, x, y);
@@ -266,7 +266,7 @@ START_TEST(lines_are_on_an_edge) {
     if (beside) fmpq_add_si(load->y1.value, load->y1.value, 100);
     tp_scene scene = {.loads = {.pressure_count = pressure, .surcharge_count = !pressure}};
     scene.loads.pressures = scene.loads.surcharges = load;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const bool past = share[0] < 0 || share[1] > 8, backwards = share[0] > share[1];
     const bool fails = past || beside || (pressure && backwards);
     ck_assert_int_eq(tp_loads_check(&scene, &section, &message), fails ? TP_BAD_INPUT : TP_OK);

@@ -6,11 +6,13 @@
  * gives back all that it took. Requests of FLINT and GMP, which know of no failure, do not fail
  * here; test_out_of_memory.py tells what the program does there.
  *
- * By default some hundred n of each call; with TOPPLE_EVERY_REQUEST set, all, or 5000 of those that
- * make more requests. */
+ * By default a quarter of the n that memory_calls.c gives for each call, spread evenly, and all of
+ * those under ./check --long; with TOPPLE_EVERY_REQUEST set every n, or 5000 of the calls that make
+ * more requests. */
 
 #include "failing_memory.h"
 #include "memory_calls.h"
+#include "rounds.h"
 #include "runner.h"
 
 #include <flint/flint.h>
@@ -72,7 +74,9 @@ START_TEST(every_request) {
   long kept = run(own->run, 0, false);
   const long requests = failing_memory_state.requests;
   ck_assert_int_ge(requests, 2);
-  const long points = getenv("TOPPLE_EVERY_REQUEST") != NULL ? MOST_POINTS : own->points;
+  const long points = getenv("TOPPLE_EVERY_REQUEST") != NULL
+                          ? MOST_POINTS
+                          : rounds((own->points + 3) / 4, own->points);
   const long step = 1 + (requests - 1) / points;
   for (long n = 1; n <= requests; n += step) {
     failing_memory_state.was_new = false;

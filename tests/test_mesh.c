@@ -129,7 +129,7 @@ static void sum_chains(fmpq_t sum, const tp_mesh_section *section) {
 static bool cut(tp_mesh_section *section, const tp_mesh *mesh, const long p[3], const long q[3],
                 fmpq_t scale) {
   tp_section_plane plane;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   fmpq x[4];
   const long values[] = {p[0], p[1], q[0], q[1]};
   for (int k = 0; k < 4; k++) {

@@ -123,7 +123,7 @@ START_TEST(cut_off_anywhere) {
   unsigned char *bytes = encode(&length, 6, false);
   for (unsigned long cut = 0; cut + 2 < length; cut++) {
     tp_trace_picture picture;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     unsigned char *own = malloc(cut + 1); /* so that reading on is noticed */
     ck_assert_ptr_nonnull(own);
     memcpy(own, bytes, cut);

@@ -125,7 +125,7 @@ START_TEST(teeth_go_on_past_the_block) {
     tp_scene scene;
     tp_section section;
     tp_base base;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     scene_init(&scene);
     ck_assert_int_eq(tp_section_init(&section, &scene.block, &message), TP_OK);
     ck_assert_int_eq(tp_base_init(&base, &scene, &section, &message), TP_OK);
@@ -170,7 +170,7 @@ START_TEST(profiles_that_are_none_are_refused) {
     tp_scene scene = {0};
     tp_polyline ring = {0};
     tp_base base;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const tp_section section = {.ring_count = 1, .rings = &ring};
     for (int j = 0; j < 3; j++) append(&ring, block[j]);
     for (long j = 0; j < cases[k].count; j++) append(&scene.base.profile, cases[k].points[j]);

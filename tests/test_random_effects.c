@@ -163,7 +163,7 @@ static void claim_property(counts *seen, const random_scene *scene, const result
   if (property > DIRECTIONS_APART) claim_options(seen, scene, one, property, &state);
 }
 
-enum { ALL_PROPERTIES_UP_TO = 10000, ENOUGH = 200 };
+enum { ALL_PROPERTIES_UP_TO = 10000, ENOUGH = 80 };
 
 static void claim_scene(counts *seen, long count) {
   const tp_solve_options options = tp_solve_options_default();
@@ -191,7 +191,7 @@ static void claim_scene(counts *seen, long count) {
 
 START_TEST(test_effects_of_random_scenes) {
   const uint64_t first = random_seed();
-  const long count = random_scenes_or(250);
+  const long count = random_scenes_of(80, 2500);
   counts seen = {0};
   for (long k = 0; k < count; k++) {
     seed = first + (uint64_t)k;

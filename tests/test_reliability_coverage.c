@@ -152,7 +152,7 @@ static coverage cover(limit_case *own, bool importance, int seeds) {
   for (int seed = 1; seed <= seeds; seed++) {
     tp_estimate p = {0};
     tp_status status = TP_OK;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const uint64_t before = own->own.points;
     tp_design_points found;
     ck_assert_int_eq(tp_design_points_find(&found, &problem, (uint64_t)seed, &message), TP_OK);

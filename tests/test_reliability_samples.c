@@ -89,7 +89,7 @@ START_TEST(subsets) {
     const tp_reliability problem = problem_of(cases[k].own, cases[k].variables, NULL);
     enum { SAMPLES = 2000 };
     tp_subsets own, again;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_msg(tp_subset_simulate(&own, &problem, NULL, 0, SAMPLES, 5, 0.95, &message) == TP_OK,
                   "%s", message.text);
     ck_assert_uint_eq(cases[k].own->points, own.calls);
@@ -154,7 +154,7 @@ START_TEST(refused) {
   tp_form form;
   tp_importance importance;
   tp_subsets s;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_form_find(&form, &broken, &options, &message), TP_SYSTEM_FAILED);
   ck_assert_str_eq(message.text, "the disk is gone");
   ck_assert_int_eq(tp_importance_sample(&importance, &broken, centre, 1, 10, 1, 0.95, &message),

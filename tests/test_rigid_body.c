@@ -141,6 +141,41 @@ START_TEST(ellipse_is_arcs_within_a_ten_millionth) {
 }
 END_TEST
 
+/* The arcs of an ellipse of 25000 to 1 once turned back near its tips, with radii below zero and
+ * bulges as wide as the ellipse. They turn as it does and stay in the triangles of its chords and
+ * tangents, which, stretched with it to a circle of 256 pieces, reach from cos(pi / 256) to
+ * 1 / cos(pi / 256) of its radius. */
+START_TEST(slender_ellipses_have_no_bulges) {
+  static const double sizes[][2] = {{40, 1e6}, {1e6, 40}, {3e4, 3}, {1e9, 1}, {1, 1e12}};
+  for (int k = 0; k < 5; k++) {
+    char text[200];
+    snprintf(text, sizeof text,
+             "topple: 1\nlength_unit: mm\nfriction_angle_deg: 30\nblock: {ellipse: {width: %g, "
+             "height: %g, flat: 0.5}}\n",
+             sizes[k][0], sizes[k][1]);
+    body_stage s;
+    body_stage_init(&s, text, TP_TOWARDS_LEFT);
+    const double a = sizes[k][0] / 2000, b = sizes[k][1] / 2000;
+    const double up = s.body.outline.edges[0].from.y;
+    const double centre = up + b * sqrt(1 - 0.00025 * 0.00025 / (a * a));
+    long arcs = 0;
+    for (long i = 1; i < s.body.outline.count; i++) {
+      const tp_edge *e = s.body.outline.edges + i;
+      const tp_xy from = e->from;
+      close_to(hypot(from.x / a, (from.y - centre) / b), 1, 1e-4, "stretched radius");
+      ck_assert(e->arc == (e->radius != 0) && !e->inwards);
+      if (!e->arc) continue;
+      arcs++;
+      const tp_xy p = tp_xy_minus(from, e->centre), q = tp_xy_minus(e->to, e->centre);
+      ck_assert_double_gt(e->radius, 0);
+      ck_assert_double_gt(tp_xy_cross(p, q), 0);
+    }
+    if (k < 3) ck_assert_int_gt(arcs, 500); /* of the others most are straight in doubles */
+    body_stage_clear(&s);
+  }
+}
+END_TEST
+
 /* A thousand kilometres away, the coordinates of the scene keep ten digits of the block; those of
  * the body all of them. */
 START_TEST(block_far_off_is_the_same_block) {
@@ -343,7 +378,7 @@ START_TEST(what_is_not_simulated_is_refused_in_its_place) {
        "depends on the normal stress"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(body_stage_refused(cases[k][0], &message), TP_BAD_INPUT);
     ck_assert_msg(strstr(message.text, cases[k][1]) != NULL, "%s", message.text);
   }
@@ -356,6 +391,7 @@ int main(void) {
   tcase_add_test(tests, slab_is_what_closed_forms_say);
   tcase_add_test(tests, outlines_have_the_area_and_the_moments_of_the_solve);
   tcase_add_test(tests, ellipse_is_arcs_within_a_ten_millionth);
+  tcase_add_test(tests, slender_ellipses_have_no_bulges);
   tcase_add_test(tests, block_far_off_is_the_same_block);
   tcase_add_test(tests, loads_turn_the_block_as_in_the_account);
   tcase_add_test(tests, table_drives_the_block);

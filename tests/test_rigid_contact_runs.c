@@ -76,7 +76,7 @@ START_TEST(half_disc_rocks_on_its_arc) {
   for (int half = 0; half < 2; half++) {
     tp_body_state last;
     tp_rigid_contact_account account;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const tp_run run = {
         .body = &own.body,
         .drive = &drive,
@@ -116,7 +116,7 @@ START_TEST(between_both_limits_history_decides) {
   body_stage_init(&s, WINDOW, TP_TOWARDS_LEFT);
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     tp_rigid_contact_account account;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     tp_rigid_contact_settings settings = tp_rigid_contact_settings_default();
     settings.window = cases[k].rule;
     const tp_drive drive = {.angle = cases[k].angle_deg * pi / 180};
@@ -141,7 +141,7 @@ static void check_undecided(const tp_rigid_contact_settings *settings, bool stop
   made_body own;
   int asked = 0;
   half_disc(&own);
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_drive drive = {0};
   const tp_run run = {.body = &own.body,
                       .drive = &drive,
@@ -219,7 +219,7 @@ START_TEST(blocks_tumble_down_rough_slopes) {
   for (int k = 0; k < BLOCKS; k++) {
     made_body own;
     tp_rigid_contact_account account;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     tp_rigid_contact_settings settings = tp_rigid_contact_settings_default();
     settings.restitution = k % 2 == 0 ? 0 : between(&numbers, 0, 0.8);
     draw_body(&own, &numbers);

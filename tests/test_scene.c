@@ -115,7 +115,7 @@ START_TEST(csv_dialects) {
   for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
     tp_polyline line;
     tp_notes notes = {0};
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_msg(read_csv(&line, texts[k], true, &notes, &message) == TP_OK, "%s", message.text);
     ck_assert_int_eq(line.count, 3);
     ck_assert(fmpq_is_zero(line.x) && fmpq_is_zero(line.y));
@@ -151,7 +151,7 @@ START_TEST(csv_seams) {
     length += (size_t)sprintf(text + length, "%ld,%ld.25\n", k, k * k);
   tp_polyline line;
   tp_notes notes = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_msg(read_csv(&line, text, true, &notes, &message) == TP_OK, "%s", message.text);
   ck_assert_int_eq(line.count, count);
   for (long k = 0; k < count; k++) {
@@ -202,7 +202,7 @@ START_TEST(scenes_from_text) {
   const tp_solve_options options = tp_solve_options_default();
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_scene_read_text(&scene, slab, "name", &message), TP_OK);
   ck_assert_int_eq(tp_solve(&solution, scene, &options, &message), TP_OK);
   ck_assert_double_eq(solution->block.area_m2.value, 2);

@@ -80,7 +80,7 @@ static void check(double (*f)(const double *), void (*truth)(double *, double *)
     double *values = results(k == 0 ? TP_DRAW_MONTE_CARLO : TP_DRAW_SOBOL, dimensions, f);
     const tp_sobol_results own = {values, SAMPLES, dimensions};
     tp_sobol_index indices[MOST], again[MOST];
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_msg(tp_sobol_indices(indices, &own, 400, 1, 0.99, &message) == TP_OK, "%s",
                   message.text);
     ck_assert_int_eq(tp_sobol_indices(again, &own, 400, 1, 0.99, &message), TP_OK);
@@ -149,7 +149,7 @@ START_TEST(refused) {
   static const double equal[] = {2, 2, 2, 2, 2, 2}, missing[] = {1, 2, 3, 1, NAN, 2};
   const tp_sobol_results none = {equal, 2, 1}, gap = {missing, 2, 1}, one = {equal, 1, 1};
   tp_sobol_index index;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   ck_assert_int_eq(tp_sobol_indices(&index, &none, 100, 1, 0.95, &message), TP_NO_ANSWER);
   ck_assert_ptr_nonnull(strstr(message.text, "nothing is sensitive"));
   ck_assert_int_eq(tp_sobol_indices(&index, &gap, 100, 1, 0.95, &message), TP_BAD_INPUT);

@@ -13,6 +13,7 @@
 
 #define _GNU_SOURCE
 #include "crowd.h"
+#include "rounds.h"
 #include "runner.h"
 #include "sayings.h"
 #include "threads_stage.h"
@@ -36,22 +37,27 @@ static const char *make_folder(char own[FOLDER], int number) {
   return own;
 }
 
-/* Different scenes: part k is said by thread k, and by thread k + 1 after its own. */
+/* Different scenes: part k is said by thread k, and under ./check --long by thread k + 1 after its
+ * own. */
 
-enum { ROUNDS = 2, MOST_PARTS = 64 };
-static sayings *said[ROUNDS][MOST_PARTS];
+enum { MOST_TURNS = 2, MOST_PARTS = 64 };
+static sayings *said[MOST_TURNS][MOST_PARTS];
+
+static int turns(void) {
+  return (int)rounds(1, MOST_TURNS);
+}
 
 static void say_parts(crowd *among, int number) {
   char own[FOLDER];
   (void)among;
   make_folder(own, number);
-  for (int round = 0; round < ROUNDS; round++) {
-    for (size_t k = (size_t)(number + round) % THREADS; k < all_sayings_count; k += THREADS) {
+  for (int turn = 0; turn < turns(); turn++) {
+    for (size_t k = (size_t)(number + turn) % THREADS; k < all_sayings_count; k += THREADS) {
       sayings *s = calloc(1, sizeof *s);
       if (s == NULL) return;
       s->folder = own;
       all_sayings[k].say(s);
-      said[round][k] = s;
+      said[turn][k] = s;
     }
   }
 }
@@ -64,11 +70,11 @@ START_TEST(different_scenes) {
   for (size_t k = 0; k < all_sayings_count; k++) {
     sayings alone = {.folder = own};
     all_sayings[k].say(&alone);
-    for (int round = 0; round < ROUNDS; round++) {
-      ck_assert_ptr_nonnull(said[round][k]);
-      expect_same(&alone, said[round][k], all_sayings[k].name);
-      sayings_forget(said[round][k]);
-      free(said[round][k]);
+    for (int turn = 0; turn < turns(); turn++) {
+      ck_assert_ptr_nonnull(said[turn][k]);
+      expect_same(&alone, said[turn][k], all_sayings[k].name);
+      sayings_forget(said[turn][k]);
+      free(said[turn][k]);
     }
     sayings_forget(&alone);
   }
@@ -79,17 +85,18 @@ END_TEST
  * A scene that is varied shares its long chains of points with the others. */
 
 static const char *const shared_scenes[] = {
-    EXAMPLE("block_e_valley.yaml"),    EXAMPLE("block_a_worn.yaml"),
-    EXAMPLE("block_bonded.yaml"),      EXAMPLE("vault.yaml"),
-    EXAMPLE("boulder.yaml"),           EXAMPLE("two_density_block.yaml"),
-    HARD("limit_parallel_cones.yaml"), HARD("far_with_every_load.yaml"),
-    HARD("friction_that_leaps.yaml"),  NULL}; /* built in memory */
+    HARD("far_with_every_load.yaml"), EXAMPLE("block_e_valley.yaml"), NULL, /* built in memory */
+    /* and under ./check --long */
+    EXAMPLE("block_a_worn.yaml"), EXAMPLE("block_bonded.yaml"), EXAMPLE("vault.yaml"),
+    EXAMPLE("boulder.yaml"), EXAMPLE("two_density_block.yaml"), HARD("limit_parallel_cones.yaml"),
+    HARD("friction_that_leaps.yaml")};
+enum { SHARED_SCENES = sizeof shared_scenes / sizeof shared_scenes[0] };
 
 static const tp_scene *shared_scene;
 static const tp_solution *shared_solution;
 
 static void say_shared(sayings *s) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_derivation *derivation = NULL;
   tp_derive_options options = tp_derive_options_default();
   options.elements = options.limit = true;
@@ -121,7 +128,7 @@ static void share(crowd *among, int number) {
 
 START_TEST(one_scene) {
   const char *path = shared_scenes[_i];
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   char own[FOLDER];
   if (path == NULL) scene = build_square(33.3);
@@ -153,7 +160,7 @@ int main(void) {
   TCase *tests = tcase_create("threads");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, different_scenes);
-  tcase_add_loop_test(tests, one_scene, 0, sizeof shared_scenes / sizeof shared_scenes[0]);
+  tcase_add_loop_test(tests, one_scene, 0, (int)rounds(3, SHARED_SCENES));
   suite_add_tcase(suite, tests);
   const int failed = run_suite(suite);
   char command[64];

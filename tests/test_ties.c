@@ -29,7 +29,7 @@ static tp_solution *solve_square(int size) {
            side, side, side, side, side);
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   ck_assert_msg(tp_scene_read_text(&scene, text, "square", &message) == TP_OK, "%s", message.text);
   ck_assert_msg(tp_solve(&solution, scene, &options, &message) == TP_OK, "%s", message.text);

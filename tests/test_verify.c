@@ -70,7 +70,7 @@ START_TEST(names_are_told_apart) {
       {"w", "t:1:1: 'w' is declared already; rename the parameter"}};
   for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
     tp_subject subject;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     ck_assert_int_eq(init_subject(&subject, wrong[k][0], &message), TP_BAD_INPUT);
     ck_assert_msg(strncmp(message.text, wrong[k][1], strlen(wrong[k][1])) == 0, "%s", message.text);
   }

@@ -32,7 +32,7 @@ tp_status init_subject(tp_subject *subject, const char *name, tp_message *messag
 }
 
 void bench_init(bench *b) {
-  b->message = (tp_message){""};
+  b->message = (tp_message){.text = ""};
   ck_assert_msg(init_subject(&b->subject, "m", &b->message) == TP_OK, "%s", b->message.text);
   ck_assert(tp_sample_init(&b->sample, &b->subject));
 }

@@ -84,7 +84,7 @@ static tp_scene *make_scene(const base *b) {
           "friction_angle_deg: 30\ntilt: {towards: left}\n",
           10 * b->facets, top + RISE, top + RISE, first, 10 * b->facets, y, b->loads);
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (tp_scene_read_text(&scene, text, b->name, &message) != TP_OK) fail(message.text);
   free(text);
   return scene;
@@ -101,7 +101,7 @@ static double seconds_of(const tp_solution *solution, const char *effect) {
 static void measure(const base *b) {
   double limit[SAMPLES], onset[SAMPLES], ratio[SAMPLES], whole[SAMPLES];
   const tp_solve_options options = tp_solve_options_default();
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = make_scene(b);
   for (int s = 0; s < SAMPLES; s++) {
     tp_solution *solution = NULL;

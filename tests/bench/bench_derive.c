@@ -34,7 +34,7 @@ static tp_scene *read_teeth(int count) {
           count);
   fclose(file);
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read(&scene, path, &message);
   unlink(path);
   if (status != TP_OK) fail(message.text);
@@ -44,14 +44,14 @@ static tp_scene *read_teeth(int count) {
 static void derive_once(const tp_scene *scene) {
   const tp_derive_options options = tp_derive_options_default();
   tp_derivation *derivation = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (tp_derive(&derivation, scene, &options, &message) != TP_OK) fail(message.text);
   tp_derivation_free(derivation);
 }
 
 static void family_once(const tp_scene *scene) {
   tp_family *family = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (tp_derive_family(&family, scene, TP_NOTATION_TEXT, &message) != TP_OK) fail(message.text);
   tp_family_free(family);
 }

@@ -105,7 +105,7 @@ static void find_onset(work *w) {
 static void solve_whole(work *w) {
   const tp_solve_options options = tp_solve_options_default();
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (tp_solve(&solution, w->scene, &options, &message) != TP_OK) fail(message.text);
   sink = solution->cases[0].limit.critical_angle_deg.value;
   tp_solution_free(solution);
@@ -147,7 +147,7 @@ static void set_friction(work *w) {
 
 static void work_init(work *w, const char *path) {
   const tp_solve_options options = tp_solve_options_default();
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   memset(w, 0, sizeof *w);
   w->noted = calloc(1, sizeof *w->noted);
   if (w->noted == NULL) fail("out of memory");

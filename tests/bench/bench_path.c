@@ -24,7 +24,7 @@ static void fail(const char *what) {
 static void body_init(tp_rigid_body *body, const char *path) {
   tp_scene *scene = NULL;
   tp_problem problem;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   tp_solution *noted = calloc(1, sizeof *noted);
   if (noted == NULL) fail("out of memory");

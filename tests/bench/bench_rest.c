@@ -117,7 +117,7 @@ static double seconds_of(const tp_solution *solution, const char *effect) {
 static tp_scene *make_scene(const bodies *b, bool all) {
   const tp_coordinates outline = tp_coordinates_of(b->block, CORNERS);
   const tp_coordinates profile = tp_coordinates_of(b->profile, (size_t)b->points);
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   if (tp_scene_new(&scene, "m", &message) != TP_OK ||
       tp_scene_set_outline(scene, outline, &message) != TP_OK ||
@@ -132,7 +132,7 @@ static tp_scene *make_scene(const bodies *b, bool all) {
 
 static void time_solve(times *t, const bodies *b) {
   const tp_solve_options options = tp_solve_options_default();
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = make_scene(b, false);
   for (int k = 0; k < ROUNDS; k++) {
     tp_solution *solution = NULL;
@@ -149,7 +149,7 @@ static void time_solve(times *t, const bodies *b) {
 /* All poses in which the block can rest: how many, and from how many starting positions. */
 static void time_poses(double *seconds, size_t *found, size_t *settlings, const bodies *b) {
   const tp_solve_options options = tp_solve_options_default();
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_scene *scene = make_scene(b, true);
   for (int k = 0; k < ROUNDS; k++) {
     tp_solution *solution = NULL;

@@ -36,7 +36,7 @@ static void body_init(tp_rigid_body *body, const block *own) {
   char text[400];
   tp_scene *scene = NULL;
   tp_problem problem;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   tp_solution *noted = calloc(1, sizeof *noted);
   snprintf(text, sizeof text,
@@ -71,7 +71,7 @@ static double run_ramp(const tp_rigid_body *body, bool until_collapse) {
   const tp_drive drive = {.speed = 20 * degree / 60, .final_angle = 80 * degree};
   const tp_rigid_contact_settings settings = tp_rigid_contact_settings_default();
   tp_history history = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_run run = {.body = body,
                       .drive = &drive,
                       .longest_s = 240,

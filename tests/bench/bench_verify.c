@@ -16,7 +16,7 @@ int main(int argc, char **argv) {
   size_t claims = 0;
   for (int k = 0; k < SAMPLES && argc == 2; k++) {
     tp_verification *verification = NULL;
-    tp_message message = {""};
+    tp_message message = {.text = ""};
     const double began = bench_now();
     if (tp_verify(&verification, argv[1], &message) != TP_OK) {
       fprintf(stderr, "bench_verify: %s\n", message.text);

@@ -66,7 +66,7 @@ static void empty_places(outcome *own) {
 
 static void compare_with_file(const char *text, outcome *built, const tp_solve_options *options) {
   tp_scene *read = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read_text(&read, text, "built.yaml", &message);
   fuzz_judge(status, read, &message);
   if (status == TP_OK) {
@@ -83,14 +83,14 @@ static void compare_with_file(const char *text, outcome *built, const tp_solve_o
 
 static tp_scene *new_scene(const char *unit) {
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_new(&scene, unit, &message);
   fuzz_judge(status, scene, &message);
   return scene;
 }
 
 static bool run_call(tp_scene *scene, const build_call *call) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = call->kind->run(scene, call, &message);
   FUZZ_EXPECT(status == TP_OK || status == TP_BAD_INPUT);
   FUZZ_EXPECT(status == TP_OK || strncmp(message.text, "tp_scene_", strlen("tp_scene_")) == 0);

@@ -9,7 +9,7 @@
 
 static void solve(const tp_scene *scene, fuzz_bytes *b) {
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_solve_options options = tp_solve_options_default();
   const unsigned asked = fuzz_pick(b, 8);
   options.elements = (asked & 1) != 0;
@@ -26,7 +26,7 @@ static void solve(const tp_scene *scene, fuzz_bytes *b) {
 
 static void derive(const tp_scene *scene, fuzz_bytes *b) {
   tp_derivation *derivation = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const unsigned asked = fuzz_pick(b, 8);
   const tp_derive_options options = {.size = sizeof options,
                                      .notation = (tp_notation)fuzz_pick(b, 3),
@@ -44,7 +44,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const unsigned call = fuzz_pick(&bytes, 4);
   char *text = fuzz_scene(&bytes);
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read_text(&scene, text, "drawn.yaml", &message);
   fuzz_judge(status, scene, &message);
   if (status == TP_OK && call < 3) solve(scene, &bytes);

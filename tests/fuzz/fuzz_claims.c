@@ -25,7 +25,7 @@ static void report(const tp_verification *verification) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char *text = fuzz_text(data, size);
   tp_verification *verification = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status =
       tp_verify_text(&verification, text, FUZZ_EXAMPLES "/claims.yaml", &message);
   fuzz_judge(status, verification, &message);

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char *text = fuzz_text(data + 1, size - 1);
   tp_polyline line;
   tp_notes notes = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const char *unit = NULL;
   const tp_status status =
       tp_csv_read_text(&line, &unit, text, "text", data[0] % 2 != 0, &notes, &message);

@@ -9,7 +9,7 @@
 
 static void derive(const tp_scene *scene, unsigned asked) {
   tp_derivation *derivation = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_derive_options options = {.size = sizeof options,
                                      .notation = (tp_notation)(asked % 3),
                                      .elements = asked / 3 % 2 != 0,
@@ -23,7 +23,7 @@ static void derive(const tp_scene *scene, unsigned asked) {
 
 static void derive_family(const tp_scene *scene, unsigned asked) {
   tp_family *family = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char *text = NULL;
   const tp_status status = tp_derive_family(&family, scene, (tp_notation)(asked % 3), &message);
   fuzz_judge(status, family, &message);
@@ -40,7 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size == 0) return -1;
   char *text = fuzz_text(data + 1, size - 1);
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status = tp_scene_read_text(&scene, text, FUZZ_EXAMPLES "/scene.yaml", &message);
   fuzz_judge(status, scene, &message);
   if (status == TP_OK && data[0] < 0xe0) derive(scene, data[0]);

@@ -31,7 +31,7 @@ static void expect_object(const tp_drawing_object *object) {
 
 static void choose(const tp_drawing *drawing, const char *word, bool chosen, long gap) {
   tp_drawing_choice choice;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_drawing_words words = {.block = word, .base = "BASE", .hole = "HOLE", .block_chosen = chosen};
   fmpq_init(words.gap);
   fmpq_set_si(words.gap, gap, 10);
@@ -57,7 +57,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const tp_text_file file = {text, size - 1};
   tp_drawing drawing;
   tp_drawing_options options;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_drawing_init(&drawing, "drawing");
   tp_drawing_options_init(&options);
   fmpq_set_si(options.tolerance, 1, 8);

@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const tp_parameters parameters = {3, names, values};
   char *text = fuzz_text(data, size);
   fmpq_t value;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   fmpq_init(value);
   fmpq_set_si(value, 41, 43);
   const tp_status status =

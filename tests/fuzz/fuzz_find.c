@@ -42,7 +42,7 @@ static const char *draw_key(fuzz_bytes *b) {
 static void find(const tp_scene *scene, fuzz_bytes *b) {
   tp_found *found = NULL;
   char *text = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_find_options options = {.size = sizeof options,
                              .key = draw_key(b),
                              .target = (tp_find_target)fuzz_pick(b, TP_FIND_GOVERNING_FOS + 1),
@@ -116,7 +116,7 @@ static void report(const tp_chart *chart) {
 /* The scene with another number has that number, and may be varied, solved, and found in. */
 static void vary(const tp_scene *scene, fuzz_bytes *b) {
   tp_scene *varied = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const char *const keys[2] = {draw_key(b), draw_key(b)};
   const tp_exact values[2] = {tp_exact_of(draw_number(b)), tp_exact_of(draw_number(b))};
   const size_t count = 1 + fuzz_pick(b, 2);
@@ -136,7 +136,7 @@ static void vary(const tp_scene *scene, fuzz_bytes *b) {
 
 static void call(unsigned which, const tp_scene *scene, fuzz_bytes *b) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (which < 3) {
     find(scene, b);
   } else if (which == 3) {
@@ -155,7 +155,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_bytes bytes = {data, data + size};
   const unsigned which = fuzz_pick(&bytes, 8);
   tp_scene *scene = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   char *text = fuzz_scene(&bytes);
   const tp_status status = tp_scene_read_text(&scene, text, "scene", &message);
   fuzz_judge(status, scene, &message);

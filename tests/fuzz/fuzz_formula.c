@@ -39,7 +39,7 @@ static void check_tree(const tp_formula *formula, size_t size) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char *text = fuzz_text(data, size);
   tp_formula formula;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status =
       tp_formula_read(&formula, text, (tp_place){"text", 1, 1}, &dialect, &vocabulary, &message);
   if (status == TP_OK) {

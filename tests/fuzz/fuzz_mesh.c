@@ -30,7 +30,7 @@ static void take(tp_mesh_section *section, bool closed, bool largest) {
   tp_polyline line;
   tp_polylines holes = {.count = 0};
   tp_notes notes = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_section_wish_init(&wish);
   wish.closed = closed;
   wish.largest = largest;
@@ -55,7 +55,7 @@ static void take(tp_mesh_section *section, bool closed, bool largest) {
 static void cut(const tp_mesh *mesh, uint8_t choice) {
   tp_section_plane plane;
   tp_mesh_section section;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   fmpq_t x, azimuth;
   fmpq_init(x);
   fmpq_init(azimuth);
@@ -80,7 +80,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size < 2 || size > 20000) return -1;
   char *bytes = fuzz_text(data + 2, size - 2);
   tp_mesh mesh;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status =
       tp_mesh_read_bytes(&mesh, formats[data[0] % 3], bytes, size - 2, "mesh", &message);
   if (status == TP_OK) {

@@ -10,7 +10,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   tp_trace_picture picture;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   unsigned char *bytes = (unsigned char *)fuzz_text(data, size);
   const tp_status status = tp_picture_read_bytes(&picture, bytes, size, "picture", &message);
   if (status == TP_OK) {

@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char path[200];
   fuzz_study_write(name, (const char *)data + 1, size - 1);
   tp_polyline record;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   const tp_status status =
       tp_record_read(&record, fuzz_study_path(path, name), data[0] / 2 % 4, &message);
   if (status == TP_OK) {

@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   char *text = fuzz_text(data, size);
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_status status = tp_scene_read_text(&scene, text, FUZZ_EXAMPLES "/scene.yaml", &message);
   fuzz_judge(status, scene, &message);
   if (status == TP_OK) {

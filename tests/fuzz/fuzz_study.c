@@ -43,7 +43,7 @@ static void draw(const tp_study *study) {
   const uint64_t last = study->samples > DRAWN ? study->samples - DRAWN : 0;
   const size_t count = study->samples < DRAWN ? (size_t)study->samples : DRAWN;
   double *values = calloc(DRAWN * study->variable_count, sizeof *values);
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   FUZZ_EXPECT(values != NULL);
   for (int part = 0; part <= 2; part++) {
     FUZZ_EXPECT(tp_study_draw(values, study, last / 2 * (uint64_t)part, count, &message) == TP_OK);
@@ -62,7 +62,7 @@ static size_t run(const tp_study *study, bool restart) {
   char path[200];
   int asked = 0;
   tp_study_result *result = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_study_options options = tp_study_options_default();
   options.rows = fuzz_study_path(path, "rows.csv");
   options.restart = restart;
@@ -81,7 +81,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (memchr(data, '/', size) != NULL) return -1;
   char path[200];
   tp_study *study = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   fuzz_study_write("study.yaml", (const char *)data, size);
   const tp_status status = tp_study_read(&study, fuzz_study_path(path, "study.yaml"), &message);
   fuzz_judge(status, study, &message);

@@ -20,7 +20,7 @@ static const char study_text[] = "topple_study: 1\nscene: slab.yaml\nsamples: 10
 static const tp_study *the_study(void) {
   static tp_study *study; /* lives as long as the process */
   char path[200];
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   if (study != NULL) return study;
   fuzz_study_write("study.yaml", study_text, strlen(study_text));
   FUZZ_EXPECT(tp_study_read(&study, fuzz_study_path(path, "study.yaml"), &message) == TP_OK);
@@ -70,7 +70,7 @@ static void read_again(const written *w) {
 static void read_rows(const tp_study *study, const uint8_t *data, size_t size) {
   char path[200];
   tp_text text = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   written w = {.study = study};
   tp_sha256_state hash;
   tp_study_write_header(&text, study);
@@ -91,7 +91,7 @@ static void read_rows(const tp_study *study, const uint8_t *data, size_t size) {
 static void read_progress(const tp_study *study, const uint8_t *data, size_t size) {
   char path[200];
   tp_progress progress = {0};
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   bool there = false;
   fuzz_study_write("rows.csv.progress", (const char *)data, size);
   const tp_status status =

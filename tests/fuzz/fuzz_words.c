@@ -42,7 +42,7 @@ static void read_words(char *text) {
 static void find_key(const char *key) {
   tp_node *root = NULL;
   const tp_node *node = NULL;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   FUZZ_EXPECT(tp_node_read_text(&root, scene, "scene", &message) == TP_OK);
   const tp_status status = tp_key_find(&node, root, key, "scene", &message);
   fuzz_judge(status, node, &message);

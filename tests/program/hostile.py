@@ -19,7 +19,7 @@ import unicodedata
 import unittest
 import xml.etree.ElementTree
 
-from harness import PROGRAM
+from harness import LONG, PROGRAM
 
 TEXTS = [
     'x */ int evil(void){return system("id");} /* ',
@@ -191,6 +191,12 @@ def compile_c(data, case, folder, expected, thorough=True):
     names = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True).stdout
     case.assertEqual({line.split()[2] for line in names.splitlines()}, set(expected))
     return library
+
+
+def share(items, number):
+    """A quarter of the items, for four neighbouring numbers all of them; all for each in the long rounds. So every text
+    meets a quarter of the places, and every place a quarter of the texts."""
+    return items[number % 4::4] if not LONG else items
 
 
 def code_of_c(data, case, folder):

@@ -19,13 +19,13 @@ class Messages(hostile.Case):
         """What is printed, the quantity, names of geometries, symbols and columns: a verdict or a message."""
         (self.path / "slab.yaml").write_text(SLAB)
         base = CLAIMS.format("x", "y", '"26.60"', "z")
-        for text in hostile.TEXTS:
+        for number, text in enumerate(hostile.TEXTS):
             quoted = hostile.yaml(text)
-            for old in ("26.60", "a*b + a"):
-                self.claims_run(base.replace(f'"{old}"', quoted))
-            for old, new in (("quantity: area", f"quantity: {quoted}"), ("geometry: slab, quantity: area", f"geometry: {quoted}, quantity: area"),
-                             ("geometries:", f"symbols: {{{quoted}: 1}}\ngeometries:"), ("scene: slab.yaml", f"scene: {quoted}"),
-                             ("unit: x", f"{quoted}: x"), ("towards: left", f"towards: {quoted}"), ("topple_claims: 1", f"topple_claims: {quoted}")):
+            places = [(f'"{old}"', quoted) for old in ("26.60", "a*b + a")]
+            places += (("quantity: area", f"quantity: {quoted}"), ("geometry: slab, quantity: area", f"geometry: {quoted}, quantity: area"),
+                       ("geometries:", f"symbols: {{{quoted}: 1}}\ngeometries:"), ("scene: slab.yaml", f"scene: {quoted}"),
+                       ("unit: x", f"{quoted}: x"), ("towards: left", f"towards: {quoted}"), ("topple_claims: 1", f"topple_claims: {quoted}"))
+            for old, new in hostile.share(places, number):
                 self.assertIn(old, base)
                 self.claims_run(base.replace(old, new))
 
@@ -39,12 +39,13 @@ class Messages(hostile.Case):
     def test_keys_and_values(self):
         """Hostile keys and values end in one plain line."""
         base = SCENE.format(title="x")
-        for text in hostile.TEXTS:
+        for number, text in enumerate(hostile.TEXTS):
             quoted = hostile.yaml(text)
-            for old, new in (("tilt:", f"{quoted}: 1\ntilt:"), ("{a: 30,", f"{{{quoted}: 30, a: 30,"), ("angle_deg: 20", f"angle_deg: {quoted}"),
-                             ("count: 3", f"count: {quoted}"), ("left_end: valley", f"left_end: {quoted}"), ("towards: left", f"towards: {quoted}"),
-                             ("length_unit: mm", f"length_unit: {quoted}"), ("topple: 1", f"topple: {quoted}"),
-                             ("a: 30", f"{quoted}: 1, {quoted}: 2, a: 30")):
+            places = (("tilt:", f"{quoted}: 1\ntilt:"), ("{a: 30,", f"{{{quoted}: 30, a: 30,"), ("angle_deg: 20", f"angle_deg: {quoted}"),
+                      ("count: 3", f"count: {quoted}"), ("left_end: valley", f"left_end: {quoted}"), ("towards: left", f"towards: {quoted}"),
+                      ("length_unit: mm", f"length_unit: {quoted}"), ("topple: 1", f"topple: {quoted}"),
+                      ("a: 30", f"{quoted}: 1, {quoted}: 2, a: 30"))
+            for old, new in hostile.share(places, number):
                 self.assertIn(old, base)
                 (self.path / "scene.yaml").write_text(base.replace(old, new))
                 with self.subTest(text=text[:60], key=old):
@@ -85,8 +86,9 @@ class Messages(hostile.Case):
                  ["chart", "map", scene, "--x", "a=20:40", "--output", "{}"], ["chart", "fos", "--tilt", "{}"], ["chart", "fos", "--amplitude", "{}"],
                  ["accuracy", "--sweep={}"], ["accuracy", "--output", "{}", scene],
                  ["profile", "{}"], ["profile", "--step", "{}", scene], ["profile", "--unit", "{}", scene], ["verify", "{}"], ["verify", "a", "{}"]]
-        for text in [t.encode() for t in hostile.TEXTS if t] + [b"\xff\xc3", b"\xe2\x80", b"a\xed\xa0\x80"]:
-            for form in forms:
+        texts = [t.encode() for t in hostile.TEXTS if t] + [b"\xff\xc3", b"\xe2\x80", b"a\xed\xa0\x80"]
+        for number, text in enumerate(texts):
+            for form in hostile.share(forms, number):
                 words = [word.encode().replace(b"{}", text) for word in form]
                 with self.subTest(words=[w[:60] for w in words]):
                     out, _ = self.run_bytes(*words, status=(0, 2, 3, 5))

@@ -4,8 +4,8 @@
 FLINT's, Cairo's or the C library's own.
 
 The program then ends with status 5, a message, nothing on stdout and no file; or, where a library made do
-without, as if nothing had happened. By default some n of each command; with TOPPLE_EVERY_REQUEST set, all,
-or 5000 of the commands that make more requests."""
+without, as if nothing had happened. By default a few n of each command, four times as many under
+`./check --long`; with TOPPLE_EVERY_REQUEST set all, or 5000 of the commands that make more requests."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ import subprocess
 import tempfile
 import unittest
 
-from harness import PROGRAM, ROOT, main
+from harness import PROGRAM, ROOT, main, rounds
 
 # The loader takes a blank for the end of a name: a link to the library, in a folder without one.
 LINKS = tempfile.TemporaryDirectory()
@@ -47,7 +47,9 @@ def without_times(text):
 
 class OutOfMemory(unittest.TestCase):
     def every(self, points, *arguments, complete=b""):
-        """Fail `points` of the requests, evenly spread; a file that is left ends in `complete`."""
+        """Fail so many of the requests, evenly spread, a quarter of them (two at the least) but in the long rounds; a
+        file that is left ends in `complete`."""
+        points = MOST or rounds(max(2, points // 4), points)
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             (folder / "claims.yaml").write_text(CLAIMS.format(scene=EXAMPLES / "paper" / "slab.yaml"))
@@ -56,7 +58,7 @@ class OutOfMemory(unittest.TestCase):
             requests = max(map(int, re.findall(r"requests: (\d+)", err)))
             self.assertGreater(requests, 50)
             failed = 0
-            for n in range(1, requests + 1, 1 + (requests - 1) // (MOST or points)):
+            for n in range(1, requests + 1, 1 + (requests - 1) // points):
                 with self.subTest(n=n):
                     own = run(folder, arguments, TOPPLE_FAIL_AT=str(n))
                     if own[0] == status:

@@ -12,11 +12,11 @@ import tempfile
 import unittest
 
 import rest_oracle
-from harness import main, run, solve
+from harness import main, rounds, run, solve
 from rest_case import random_block, random_profile, text
 
 SEED = 16
-SCENES = 160
+SCENES = rounds(48, 160)
 
 
 class Rest(unittest.TestCase):
@@ -71,7 +71,8 @@ class Rest(unittest.TestCase):
         """From a narrow base most blocks fall, to either side."""
         draw = random.Random(SEED + 3)
         left = 0
-        for number in range(20):
+        count = rounds(8, 20)
+        for number in range(count):
             shift = draw.choice([-1.5, 1.5])
             block = [(x + shift, y) for x, y in random_block(draw)]
             profile = [(-1.0, 0.0), (0.0, 0.2), (1.0, 0.0)]
@@ -81,13 +82,13 @@ class Rest(unittest.TestCase):
                     left += 1
                     self.assertIn({"beside": "beside its base", "rolls off": "rolls off its base"}[how],
                                   self.refused(block, profile))
-        self.assertGreater(left, 8)
+        self.assertGreater(left, 2 * count // 5)
 
     def test_mirror_shift_unit(self):
         """A mirrored scene rests mirrored, a shifted one shifted, one in millimetres the same."""
         draw = random.Random(SEED + 1)
         done = 0
-        while done < 25:
+        while done < rounds(6, 25):
             block, profile = random_block(draw), random_profile(draw)
             if rest_oracle.rest(block, profile)[0] != "rests":
                 continue
@@ -107,7 +108,7 @@ class Rest(unittest.TestCase):
     def test_far_scales(self):
         """In lengths whose products no double holds a block rests as in metres; it rolled off its base once."""
         draw = random.Random(SEED + 5)
-        for number in range(8):
+        for number in range(rounds(3, 8)):
             block, profile = random_block(draw), [(-20.0, 0.0)] + random_profile(draw) + [(20.0, 0.0)]
             own = self.rested(block, profile)["rest"]
             for power in ("e150", "e-150", "e290", "e-290"):
@@ -136,7 +137,7 @@ class Rest(unittest.TestCase):
         """At rest no small turn about a point of contact lets the centroid down without an overlap."""
         draw = random.Random(SEED + 2)
         done = 0
-        while done < 20:
+        while done < rounds(5, 20):
             block, profile = random_block(draw), random_profile(draw)
             how, _ = rest_oracle.rest(block, profile)
             if how != "rests":
@@ -164,7 +165,7 @@ class Rest(unittest.TestCase):
         """A block of many vertices on a profile of many points, most of which the search passes over: nothing overlaps
         at rest, and no small turn lets the centroid down."""
         draw = random.Random(SEED + 4)
-        for points in (300, 1000, 1000, 3000):
+        for points in rounds((300, 1000), (300, 1000, 1000, 3000)):
             block = [(round(3 * (1 + 0.1 * draw.random()) * math.cos(2 * math.pi * k / 50), 4),
                       round(5 + 2 * (1 + 0.1 * draw.random()) * math.sin(2 * math.pi * k / 50), 4)) for k in range(50)]
             height, profile = 0.0, []
@@ -188,7 +189,7 @@ class Rest(unittest.TestCase):
         """`shift` says over which part of the profile the block is set down: as its coordinates moved there by hand do."""
         draw = random.Random(SEED + 7)
         done = 0
-        while done < 20:
+        while done < rounds(5, 20):
             block, profile, shift = random_block(draw), random_profile(draw), round(draw.uniform(-3, 3), 3)
             moved = [(round(x + shift, 3), y) for x, y in block]
             if rest_oracle.rest(moved, profile)[0] != "rests":

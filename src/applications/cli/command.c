@@ -92,7 +92,7 @@ int tp_cli_graver(int one, int other) {
 int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int argc, char **argv) {
   const int refused = parse(parser, words, argc, argv);
   if (refused != 0) return refused;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   int ended = 0;
   const tp_status status = work(words, &ended, &message);
   return tp_cli_end(status, &message, ended);

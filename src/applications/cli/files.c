@@ -97,7 +97,7 @@ tp_status tp_cli_read_file(char **text, size_t *length, const char *path, tp_mes
 static bool has_bytes(const char *path, const char *bytes, size_t length) {
   char *text = NULL;
   size_t own = 0;
-  tp_message ignored = {""};
+  tp_message ignored = {.text = ""};
   const bool same = tp_cli_read_file(&text, &own, path, &ignored) == TP_OK && own == length &&
                     memcmp(text, bytes, length) == 0;
   free(text);

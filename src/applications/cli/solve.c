@@ -224,7 +224,7 @@ static bool print_with_figure(void *context) {
 
 static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
                                 const tp_solution *solution, int *ended, tp_message *message) {
-  report own = {scene, solution, a, ended, TP_OK, {""}};
+  report own = {scene, solution, a, ended, TP_OK, {.text = ""}};
   const tp_status drawn = tp_cli_draw(a->figure, scene, solution,
                                       (tp_figure_consent){print_with_figure, &own}, message);
   if (own.status == TP_OK && *ended == 0) return drawn;
@@ -270,7 +270,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
 /* Once, as without --watch; what is wrong with the scene is told, and the watch goes on. */
 static bool print_again(void *context) {
   const tp_solve_words *a = context;
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   int ended = 0;
   const tp_status status = print_one(a, &ended, &message);
   (void)tp_cli_end(status, &message, ended);

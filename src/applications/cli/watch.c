@@ -70,7 +70,7 @@ static void watch_folder(const watched *own, char path[PATH_MAX]) {
 static state look(const watched *own) {
   state now = {.sum = 14695981039346656037ULL, .all_there = true};
   tp_cli_file_group group;
-  tp_message ignored = {""};
+  tp_message ignored = {.text = ""};
   char path[PATH_MAX];
   if (path_of(path, own, own->name)) {
     mix_file(&now, path);

@@ -49,7 +49,7 @@ static tp_status check(const tp_trace_options *options, const tp_trace_picture *
 static tp_status check_rock(const tp_trace_options *options, tp_message *message) {
   char *text = NULL;
   tp_scene *scene = NULL;
-  tp_message own = {""};
+  tp_message own = {.text = ""};
   tp_status status = tp_trace_rock_text(&text, options);
   if (status != TP_OK) return tp_fail_memory(message, "a scene");
   status = tp_scene_read_text(&scene, text, "options", &own);
@@ -178,7 +178,7 @@ static tp_status check_scene(const char *text, const tp_trace_options *options,
                              tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_message own = {""};
+  tp_message own = {.text = ""};
   const tp_solve_options plain = tp_solve_options_default();
   tp_status status = tp_scene_read_text(&scene, text, "the scene", &own);
   if (status == TP_OK) status = tp_solve(&solution, scene, &plain, &own);

@@ -28,9 +28,11 @@ enum {
   /* Work of a block that is set down: pairs that are looked at, of which the exact numbers of a
    * pose make some take long; several times that for all poses (rest/settle.c, basins.c). */
   TP_BUDGET_REST_PAIRS = 30000000,
-  /* Pairs that doubles cannot tell apart, of a block and a profile of sizes that no double holds
-   * together: 56 bytes each (rest/candidates.c). */
+  /* Pairs that doubles cannot tell apart, 56 bytes each; and those of them of which doubles tell
+   * nothing at all, of a block and a profile of sizes that no double holds together: each is looked
+   * at in exact numbers of hundreds of bits, some 4 microseconds (rest/candidates.c). */
   TP_BUDGET_REST_CANDIDATES = 4000000,
+  TP_BUDGET_REST_BLIND = 500000,
   /* Steps of all runs of one direction on contact springs, and on rigid contacts: some 0.1 and 2
    * microseconds for each contact (tilt/cost.c). */
   TP_BUDGET_SPRING_STEPS = 100000000,

@@ -25,13 +25,15 @@ typedef struct output {
   tp_message *message;
 } output;
 
+static tp_status fail_as(const output *o, const char *why) {
+  return tp_fail(
+      o->message, TP_SYSTEM_FAILED, (tp_place){o->path, 0, 0},
+      "cannot be written: %s; name a file in a folder that exists, can be written to and has room",
+      why);
+}
+
 static tp_status fail(const output *o, int why) {
-  const tp_status status =
-      tp_fail(o->message, TP_SYSTEM_FAILED, (tp_place){o->path, 0, 0},
-              "cannot be written: %s; name a file in a folder that exists, can be written to and "
-              "has room",
-              strerror(why));
-  return tp_fail_because(o->message, status, why);
+  return tp_fail_because(o->message, fail_as(o, strerror(why)), why);
 }
 
 /* All is ready. */
@@ -233,7 +235,7 @@ static tp_status write_over(int descriptor, const output *o) {
 /* There is no file; a link may be there. */
 static tp_status check_new(const output *o) {
   struct stat link;
-  return lstat(o->path, &link) == 0 ? fail(o, "it is a link that leads nowhere") : TP_OK;
+  return lstat(o->path, &link) == 0 ? fail_as(o, "it is a link that leads nowhere") : TP_OK;
 }
 
 static tp_status write_new(const output *o) {
@@ -255,9 +257,9 @@ tp_status tp_file_write_if(const char *path, const char *bytes, size_t length,
   tp_status status = check_sources(&o, sources);
   if (status != TP_OK) return status;
   const int descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
-  if (descriptor < 0) return errno == ENOENT ? write_new(&o) : fail(&o, strerror(errno));
+  if (descriptor < 0) return errno == ENOENT ? write_new(&o) : fail(&o, errno);
   status = write_over(descriptor, &o);
-  if (close(descriptor) != 0 && status == TP_OK) status = fail(&o, strerror(errno));
+  if (close(descriptor) != 0 && status == TP_OK) status = fail(&o, errno);
   return status;
 }
 
@@ -270,7 +272,7 @@ tp_status tp_file_open_to_add(int *descriptor, const char *path, tp_message *mes
     if (status != TP_OK) return status;
     own = open(path, HOW | O_CREAT | O_EXCL, 0666);
   }
-  if (own < 0) return fail(&o, strerror(errno));
+  if (own < 0) return fail(&o, errno);
   *descriptor = own;
   return TP_OK;
 }

@@ -232,7 +232,7 @@ static tp_status check_rings(const tp_arc_tips *tips, const tp_polyline *ring,
  * What is refused then is told of the coarsest. */
 static tp_status build_apart(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
                              const tp_block_description *block, tp_message *message) {
-  tp_message unused = {""};
+  tp_message unused = {.text = ""};
   tp_status first = TP_OK;
   for (int fineness = 1; fineness <= FINEST; fineness *= FINER) {
     tp_message *told = fineness == 1 ? message : &unused;

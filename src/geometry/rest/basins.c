@@ -55,6 +55,9 @@ static tp_status settle_at(settled_shift *shift, tracer *t, tp_message *message)
   tp_status status = tp_settle_from(t->settling, shift->x, message);
   t->basins->settlings++;
   if (status != TP_OK) return status;
+  if (t->settling->how == TP_SETTLED_TOO_BLIND) {
+    return tp_settle_fail_blind(t->settling->asked, message);
+  }
   if (t->settling->how == TP_SETTLED_TOO_DEAR) {
     return tp_fail(
         message, TP_BAD_INPUT, t->settling->asked,

@@ -21,8 +21,10 @@ bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate) {
   if (candidate.low > candidates->best) return true;
   if (candidate.certain && candidate.high < candidates->best) candidates->best = candidate.high;
   candidates->looked_at += TP_REST_EXACT_LOOKS; /* most are looked at again, in exact numbers */
+  if (isinf(candidate.high)) candidates->blind++;
   candidates->too_many = candidates->count >= TP_BUDGET_REST_CANDIDATES;
-  if (candidates->too_many) return false;
+  candidates->too_blind = candidates->blind > TP_BUDGET_REST_BLIND;
+  if (candidates->too_many || candidates->too_blind) return false;
   tp_candidate *room =
       tp_grow(candidates->items, candidates->count, &candidates->capacity, sizeof *room);
   if (room == NULL) return false;

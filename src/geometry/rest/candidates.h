@@ -26,7 +26,9 @@ typedef struct tp_candidates {
   tp_candidate *items;
   double best;      /* some pair touches by then for certain */
   double looked_at; /* pairs, and boxes of edges, so far */
-  bool too_many;    /* more were to be noted than are kept (budget.h) */
+  long blind;       /* of which doubles tell no end: `high` is infinite */
+  bool too_many;    /* more were to be noted than are kept (budget.h), */
+  bool too_blind;   /* or are looked at in exact numbers alone */
 } tp_candidates;
 
 void tp_candidates_clear(tp_candidates *candidates);

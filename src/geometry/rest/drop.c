@@ -7,20 +7,19 @@
 #include "rest/drop.h"
 
 #include "common/message.h"
-#include "rest/candidates.h"
 
 #include <math.h>
 
 typedef struct drop {
   const tp_bodies *bodies;
-  tp_candidates candidates;
+  tp_candidates *candidates;
   double error; /* of differences of coordinates */
 } drop;
 
 /* The height between a vertex and an edge above or below it, by doubles: with the slope s of the
  * edge its error is at most (2 + 2 |s|) of a coordinate's, and that of s itself, which the whole of
  * the edge bounds. An edge too short or upright for that is left to the exact stage. */
-static bool note_pair(drop *d, bool of_base, long vertex, long edge) {
+static bool note_pair(const drop *d, bool of_base, long vertex, long edge) {
   const tp_body *one = tp_bodies_ring(d->bodies, of_base);
   const tp_body *other = tp_bodies_ring(d->bodies, !of_base);
   const long next = tp_body_next(other, edge);
@@ -30,7 +29,7 @@ static bool note_pair(drop *d, bool of_base, long vertex, long edge) {
   const double right = fmax(other->u[next], other->u[edge]);
   if (x < left - e || x > right + e) return true;
   tp_candidate candidate = {of_base, vertex, edge, -INFINITY, INFINITY, false};
-  if (!(width > 8 * e)) return tp_candidates_note(&d->candidates, candidate);
+  if (!(width > 8 * e)) return tp_candidates_note(d->candidates, candidate);
   const double rise = other->v[next] - other->v[edge];
   const double share = (x - other->u[edge]) / (other->u[next] - other->u[edge]);
   const double line = other->v[edge] + share * rise;
@@ -39,10 +38,10 @@ static bool note_pair(drop *d, bool of_base, long vertex, long edge) {
   candidate.low = gap - bound;
   candidate.high = gap + bound;
   candidate.certain = x > left + e && x < right - e;
-  return tp_candidates_note(&d->candidates, candidate);
+  return tp_candidates_note(d->candidates, candidate);
 }
 
-static bool note_all(drop *d) {
+static bool note_all(const drop *d) {
   const tp_bodies *b = d->bodies;
   const tp_body *block = &b->posed;
   bool done = true;
@@ -92,8 +91,8 @@ static bool least_height(fmpq_t least, const drop *d) {
   fmpq_t height;
   fmpq_init(height);
   bool over = false;
-  for (long k = 0; k < d->candidates.count; k++) {
-    if (!height_of(height, d->bodies, d->candidates.items + k)) continue;
+  for (long k = 0; k < d->candidates->count; k++) {
+    if (!height_of(height, d->bodies, d->candidates->items + k)) continue;
     if (!over || fmpq_cmp(height, least) < 0) fmpq_set(least, height);
     over = true;
   }
@@ -106,8 +105,8 @@ static tp_status note_touches(tp_touches *touches, const drop *d, tp_message *me
   fmpq_t height;
   fmpq_init(height);
   tp_status status = TP_OK;
-  for (long k = 0; k < d->candidates.count && status == TP_OK; k++) {
-    const tp_candidate *c = d->candidates.items + k;
+  for (long k = 0; k < d->candidates->count && status == TP_OK; k++) {
+    const tp_candidate *c = d->candidates->items + k;
     if (!height_of(height, d->bodies, c) || !fmpq_is_zero(height)) continue;
     status = tp_touches_add(touches, d->bodies, c->of_base, c->vertex, c->edge, message);
   }
@@ -115,21 +114,18 @@ static tp_status note_touches(tp_touches *touches, const drop *d, tp_message *me
   return status;
 }
 
-tp_status tp_drop(fmpq_t height, bool *beside, bool *too_many, tp_bodies *bodies,
+tp_status tp_drop(fmpq_t height, bool *beside, tp_candidates *pairs, tp_bodies *bodies,
                   tp_touches *touches, tp_message *message) {
-  drop d = {.bodies = bodies, .candidates.best = INFINITY, .error = bodies->error};
+  const drop d = {.bodies = bodies, .candidates = pairs, .error = bodies->error};
   tp_status status = TP_OK;
-  if (!note_all(&d)) {
-    *too_many = d.candidates.too_many;
-    status = tp_fail_memory(message, "the points of contact");
-  }
-  tp_candidates_settle(&d.candidates);
+  pairs->best = INFINITY;
+  if (!note_all(&d)) status = tp_fail_memory(message, "the points of contact");
+  tp_candidates_settle(pairs);
   if (status == TP_OK) *beside = !least_height(height, &d);
   if (status == TP_OK && !*beside) {
     fmpq_sub(bodies->pose.shift_y, bodies->pose.shift_y, height);
     tp_bodies_place(bodies);
     status = note_touches(touches, &d, message);
   }
-  tp_candidates_clear(&d.candidates);
   return status;
 }

@@ -10,12 +10,14 @@
 #ifndef TP_REST_DROP_H
 #define TP_REST_DROP_H
 
+#include "rest/candidates.h"
 #include "rest/touch.h"
 
 /* Shift the block in its pose onto the base. `height` is what it fell; below zero it was lifted.
- * `beside`: nothing of it stands over the profile, and nothing was done; `too_many`, with a status
- * that is to be passed over: too many points may touch (rest/candidates.h). */
-TP_MUST_USE tp_status tp_drop(fmpq_t height, bool *beside, bool *too_many, tp_bodies *bodies,
+ * `beside`: nothing of it stands over the profile, and nothing was done. `pairs`: empty, and the
+ * caller's to clear; where they are more than is allowed, which they tell, the status is to be
+ * passed over. */
+TP_MUST_USE tp_status tp_drop(fmpq_t height, bool *beside, tp_candidates *pairs, tp_bodies *bodies,
                               tp_touches *touches, tp_message *message);
 
 #endif

@@ -86,6 +86,13 @@ static bool is_on_profile(const tp_settling *s) {
   return on;
 }
 
+/* Are the pairs that may touch next beyond a budget? */
+static bool is_refused(tp_settling *s, const tp_candidates *pairs) {
+  if (pairs->too_many) s->how = TP_SETTLED_TOO_DEAR;
+  if (pairs->too_blind) s->how = TP_SETTLED_TOO_BLIND;
+  return pairs->too_many || pairs->too_blind;
+}
+
 static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_message *message) {
   tp_turning turning;
   if (!is_on_profile(s)) {
@@ -94,10 +101,8 @@ static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_m
   }
   tp_turning_init(&turning, &s->bodies, about, turn);
   tp_status status = tp_turning_find(&turning, &s->bodies, message);
-  const bool too_many = turning.pairs.too_many;
-  if (too_many) status = TP_OK;
-  if (too_many) {
-    s->how = TP_SETTLED_TOO_DEAR;
+  if (is_refused(s, &turning.pairs)) {
+    status = TP_OK;
   } else if (status == TP_OK && turning.pairs.count == 0) {
     s->how = TP_SETTLED_ROLLS_OFF;
   } else if (status == TP_OK && !tp_turning_do(&turning, &s->bodies)) {
@@ -130,13 +135,13 @@ static tp_status turn_to_rest(tp_settling *s, tp_message *message) {
 }
 
 static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
-  bool beside = false, too_many = false;
+  bool beside = false;
+  tp_candidates pairs = {0};
   s->work += (double)s->bodies.posed.count;
-  tp_status status = tp_drop(s->height, &beside, &too_many, &s->bodies, &s->touches, message);
-  if (too_many) {
-    s->how = TP_SETTLED_TOO_DEAR;
-    return TP_OK;
-  }
+  tp_status status = tp_drop(s->height, &beside, &pairs, &s->bodies, &s->touches, message);
+  const bool refused = is_refused(s, &pairs);
+  tp_candidates_clear(&pairs);
+  if (refused) return TP_OK;
   s->work += TP_REST_EXACT_LOOKS * (double)s->touches.count;
   if (status == TP_OK && beside) s->how = TP_SETTLED_BESIDE;
   if (status == TP_OK) status = turn_to_rest(s, message);
@@ -156,6 +161,15 @@ tp_status tp_settle(tp_settling *settling, const tp_polyline *outline, const tp_
   status = drop_and_turn(settling, message);
   if (status != TP_OK) tp_settling_clear(settling);
   return status;
+}
+
+tp_status tp_settle_fail_blind(tp_place place, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "block and profile have lengths too far apart to set the one down on the other: "
+                 "16 digits do not tell of any of %d pairs of corners and edges when they touch; "
+                 "check the lengths of both, or let the block lie where its coordinates put it, by "
+                 "'place: as_given'",
+                 TP_BUDGET_REST_BLIND);
 }
 
 tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x, tp_message *message) {

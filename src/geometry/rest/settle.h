@@ -23,6 +23,7 @@ typedef enum tp_settled {
   TP_SETTLED_BALANCES,  /* its centroid lies upright over the point that would have to stop it */
   TP_SETTLED_GOES_ON,   /* after tp_settle_most turns */
   TP_SETTLED_TOO_DEAR,  /* with the work allowed (budget.h) all spent */
+  TP_SETTLED_TOO_BLIND, /* of too many pairs only exact numbers would tell which touches first */
   TP_SETTLED_UNDECIDED  /* several corners touch at once, in a pose without rational numbers */
 } tp_settled;
 
@@ -48,6 +49,9 @@ void tp_settling_clear(tp_settling *settling);
  * the caller's to clear. */
 TP_MUST_USE tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x,
                                      tp_message *message);
+
+/* The complaint of TP_SETTLED_TOO_BLIND. */
+TP_MUST_USE tp_status tp_settle_fail_blind(tp_place place, tp_message *message);
 
 /* The most turns, for bodies of so many vertices in all. */
 long tp_settle_most(long vertices);

@@ -263,7 +263,7 @@ bool tp_turning_candidates(tp_turning *turning, const tp_bodies *bodies, double 
   q.u = tp_bodies_round(bodies, &turning->pivot.x, bodies->base.x);
   q.v = tp_bodies_round(bodies, &turning->pivot.y, bodies->base.y);
   tp_candidates *pairs = &turning->pairs;
-  pairs->count = 0;
+  pairs->count = pairs->blind = 0;
   pairs->best = limit;
   turning->is_close = false;
   bool done = true;

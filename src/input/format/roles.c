@@ -143,7 +143,7 @@ static tp_status choose_only(choosing *c) {
   if (items == NULL) return tp_fail_memory(c->message, "a drawing");
   for (long k = 0; k < c->drawing->count; k++) items[k] = k;
   const tp_drawing_pieces pieces = {c->drawing, c->drawing->count, items};
-  tp_message unused = {""};
+  tp_message unused = {.text = ""};
   tp_status status = tp_drawing_join(&all, &pieces, c->words->gap, &unused);
   long closed = 0, open = 0;
   const bool found = status == TP_OK && only(&all, true, &closed) >= 0;

@@ -9,8 +9,8 @@
 #include "chart/mechanism_style.h"
 #include "common/host.h"
 #include "common/options.h"
-#include "output/text.h"
 #include "common/outside.h"
+#include "output/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -244,7 +244,7 @@ tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp
   TP_REFUSE_NULL(message, options->scene);
   TP_REFUSE_NULL(message, options->x.key);
   TP_REFUSE_NULL(message, options->y.key);
-  tp_message own = {""};
+  tp_message own = {.text = ""};
   tp_map map = {.options = options, .varied = {.scene = options->scene}, .message = &own};
   map.varied.options = tp_solve_options_default();
   map.varied.options.digits = 15;

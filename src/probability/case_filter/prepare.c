@@ -134,7 +134,7 @@ static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *sc
   tp_problem problem;
   tp_solution *solution = calloc(1, sizeof *solution);
   if (solution == NULL) return tp_fail_memory(message, "the solution");
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   tp_status status = tp_problem_init(&problem, scene, &options, solution, &why);
   if (status == TP_OK) {
     tp_evaluation e;

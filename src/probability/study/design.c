@@ -104,7 +104,7 @@ static tp_status design_one(tp_study_design *design, search *s, const tp_study_v
   const tp_wanted_design *w = s->wanted;
   const double from = w->ranged ? w->from : variable->least;
   const double to = w->ranged ? w->to : variable->greatest;
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   *design = (tp_study_design){w->variable, w->probability, w->quantity, .scene_value = NAN};
   fmpq_t scene_value;
   fmpq_init(scene_value);

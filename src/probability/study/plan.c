@@ -136,7 +136,7 @@ static tp_status check_draws(const tp_study_reader *reader, const tp_node *root)
   const tp_draws draws = {study->method, study->seed,       study->samples / study->cells, 1,
                           study->drawn,  study->correlation};
   tp_draws_walk *walk = NULL;
-  tp_message inner = {""};
+  tp_message inner = {.text = ""};
   const tp_status status = tp_draws_begin(&walk, &draws, 0, study->drawn_names, &inner);
   tp_draws_end(walk);
   return status == TP_OK ? TP_OK

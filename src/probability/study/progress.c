@@ -104,7 +104,7 @@ static tp_status fail_link(const char *path, tp_message *message) {
 static tp_status check_there(const char *path, tp_message *message) {
   tp_node *root = NULL;
   uint64_t number = 0;
-  tp_message ignored = {""};
+  tp_message ignored = {.text = ""};
   const tp_status status = tp_node_read(&root, path, &ignored);
   const bool known = status == TP_OK && read_count(&number, root, "files", 16) &&
                      read_count(&number, root, "chunks", 10) &&

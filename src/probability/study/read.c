@@ -41,7 +41,7 @@ static tp_status read_version(const tp_study_reader *reader, const tp_node *root
 
 static tp_status find_key(const tp_study_reader *reader, tp_scene_key *key, const tp_node *node,
                           const char *text) {
-  tp_message inner = {""};
+  tp_message inner = {.text = ""};
   const tp_status status = tp_scene_key_find(key, reader->study->scene, text, &inner);
   return status == TP_OK ? TP_OK : tp_study_fail_of(reader, node, status, &inner);
 }
@@ -128,7 +128,7 @@ static tp_status read_vary(const tp_study_reader *reader, const tp_node *root) {
 
 static tp_status find_tilt(const tp_study_reader *reader, const tp_node *node) {
   tp_study *study = reader->study;
-  tp_message inner = {""};
+  tp_message inner = {.text = ""};
   if (tp_scene_key_find(&study->tilt_key, study->scene, "tilt.angle_deg", &inner) != TP_OK) {
     return tp_study_fail(reader, node,
                          "for other tilts the scene needs one of its own, 'tilt: "

@@ -118,7 +118,7 @@ static tp_status sample_importance(tp_study_rare *rare, const tp_reliability *pr
                                    const double *centres, size_t count, const tp_study *study,
                                    tp_message *message) {
   tp_importance own = {.calls = 0};
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   const tp_status status = tp_importance_sample(
       &own, problem, centres, count, study->importance,
       tp_random_bits(tp_random_mix(study->seed), SEED_OF_IMPORTANCE), 0.95, &why);
@@ -129,7 +129,7 @@ static tp_status sample_subset(tp_study_rare *rare, const tp_reliability *proble
                                const double *centres, size_t count, const tp_study *study,
                                tp_message *message) {
   tp_subsets own = {.calls = 0};
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   const tp_status status =
       tp_subset_simulate(&own, problem, centres, count, (size_t)study->subset,
                          tp_random_bits(tp_random_mix(study->seed), SEED_OF_SUBSET), 0.95, &why);

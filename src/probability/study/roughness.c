@@ -10,8 +10,8 @@
 #include "study/roughness.h"
 
 #include "block/section.h"
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 #include "paper/teeth.h"
 #include "topple_profile.h"
 
@@ -242,7 +242,7 @@ tp_status tp_study_measure_roughness(tp_study_row *row, const tp_study *study,
   for (size_t k = 0; k < TP_MEASURES; k++) row->measures[k] = NAN;
   if (study->measure_count == 0 || row->at[0].outcome == TP_STUDY_INVALID) return TP_OK;
   tp_scene *scene = NULL;
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   tp_status status = make_scene(&scene, study, row->values, &why);
   if (status == TP_OK) status = measure(row, study, scene, &why);
   tp_scene_free(scene);

@@ -186,7 +186,7 @@ static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) 
 static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
                            tp_message *message) {
   tp_solution *solution = NULL;
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   tp_tilts tilts = {n->tilts, n->degrees, n->solutions};
   if (n->tilts > 0 && fmpq_cmp_si(n->degrees + n->tilts - 1, 90) == 0) tilts.count--;
   const tp_status status = solve(&solution, &tilts, study, n, n->count - 1, &why);
@@ -200,7 +200,7 @@ static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
 /* At the k-th tilt of the study. */
 static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, size_t k,
                           tp_message *message) {
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   if (n->solutions[k] == NULL) {
     fmpq_set(n->values + n->count - 1, n->degrees + k);
     const tp_status status = solve(n->solutions + k, NULL, study, n, n->count, &why);

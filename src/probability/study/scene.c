@@ -44,7 +44,7 @@ static tp_status read_with_settings(const tp_study_reader *reader, const tp_node
   }
   if (status == TP_OK && set != NULL) status = read_settings(settings, reader, set);
   if (status == TP_OK) {
-    tp_message inner = {""};
+    tp_message inner = {.text = ""};
     status = tp_scene_read_with(&study->scene, study->scene_path, unit != NULL ? unit->text : "",
                                 settings, count, &inner);
     if (status != TP_OK) status = tp_study_fail_of(reader, scene, status, &inner);

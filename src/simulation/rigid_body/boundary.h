@@ -5,7 +5,8 @@
  *
  * Arcs, rounded corners and circles are exact but for the rounding of doubles. An ellipse stands as
  * arcs that meet smoothly (two to each of 64 pieces of a quarter), off by less than 1e-7 of its
- * longer axis where that is at most four times the shorter one. */
+ * longer axis where that is at most four times the shorter one; stretched to a circle, by less than
+ * 1e-4 of its radius however slender it is. */
 
 #ifndef TP_RIGID_BODY_BOUNDARY_H
 #define TP_RIGID_BODY_BOUNDARY_H
@@ -18,7 +19,7 @@ typedef struct tp_edge {
   tp_xy from, to;
   bool arc, inwards; /* inwards: the centre lies outside of the rock */
   tp_xy centre;      /* of an arc */
-  double radius;     /* of an arc, else 0 */
+  double radius;     /* of an arc, above 0 on whichever side its centre lies; else 0 */
   long number; /* of the outline: of the vertex it begins in, from 1; of the base: of its facet
                   of the profile from the left, from 1, 0 for what closes the rock (end faces and
                   below) */

@@ -148,7 +148,7 @@ static double scene_frequency(const tp_base_shaking *shaking) {
 
 /* What takes too long is refused by the frequency, which the caller chose. */
 static tp_status check_cost(tp_tilting *tilting, const stage *g, double frequency) {
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   tilting->message = &why;
   tilting->shaking_s = tp_base_shaking_duration(g->shaking);
   const tp_status status = tp_tilting_check_cost(

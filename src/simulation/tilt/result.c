@@ -46,9 +46,8 @@ void tp_tilt_result_take(tp_tilt_case *own, tp_history *history, const tp_rigid_
 static size_t chord_count(const tp_edge *edge, double longest) {
   if (!edge->arc) return 1;
   const double chord = hypot(edge->to.x - edge->from.x, edge->to.y - edge->from.y);
-  const double radius = fabs(edge->radius);
-  const double angle = 2 * asin(fmin(1, chord / (2 * radius)));
-  return 1 + (size_t)fmin(64, radius * angle / longest + 4 * angle);
+  const double angle = 2 * asin(fmin(1, chord / (2 * edge->radius)));
+  return 1 + (size_t)fmin(64, edge->radius * angle / longest + 4 * angle);
 }
 
 /* The k-th of its points; the last is the first of the next edge. */

@@ -32,7 +32,7 @@ void tp_tilting_tell(const tp_tilting *tilting, double least_deg, double most_de
 
 tp_status tp_tilting_run(tp_run_end *end, tp_body_state *last, tp_tilting *tilting,
                          const tp_run *run) {
-  tp_message message = {""};
+  tp_message message = {.text = ""};
   tp_run own = *run;
   own.body = tilting->body;
   own.stop = tilting->options->stop;

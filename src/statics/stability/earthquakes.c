@@ -167,7 +167,7 @@ static tp_status solve_way(looking *l, const tp_scene *scene, bool up_dip,
  * answer. */
 static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_options *options,
                               tp_earthquake_solve *solve, tp_message *message) {
-  tp_message why = {""};
+  tp_message why = {.text = ""};
   const tp_water_description *water = &scene->loads.water;
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
   const bool wets = water->given && !fmpq_is_zero(water->height.value);

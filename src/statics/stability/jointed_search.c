@@ -62,7 +62,7 @@ static void measure(search *s, const tp_jointed *j, const tp_scene *posed) {
 
 /* Shift the block by so much and set it down; where it does not come to rest nothing is known. */
 static tp_status look(search *s, long units) {
-  tp_message unsaid = {""};
+  tp_message unsaid = {.text = ""};
   tp_jointed *j = NULL;
   tp_rested *r = NULL;
   set_shift(s->shift, s->scene, units);

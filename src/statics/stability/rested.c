@@ -91,6 +91,8 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
         "fewer points, or let the block lie where its coordinates put it, by 'place: "
         "as_given'",
         s->turns, s->bodies.profile_count, s->bodies.own.count);
+  case TP_SETTLED_TOO_BLIND:
+    return tp_settle_fail_blind(place, message);
   case TP_SETTLED_GOES_ON:
     return tp_fail(message, TP_UNDECIDED, place,
                    "the block has not come to rest after %ld turns, near (%.9g, %.9g) %s", s->turns,
