@@ -4,8 +4,8 @@
 #include "stability/on_face.h"
 
 #include "block/section.h"
-#include "load/check.h"
 #include "common/notes.h"
+#include "load/check.h"
 #include "scene/moved.h"
 
 #include <math.h>
@@ -112,7 +112,7 @@ static tp_status note(tp_notes *notes, const tp_scene *scene, tp_place place, co
   *any = true;
   return tp_notes_add(notes, message, TP_NOTE, place,
                       "this %s acts %.2g %s beside the block's face, less than a millionth of the "
-                      "block's size: it is put on it",
+                      "block's size: it is moved onto it",
                       what, sqrt(fmpq_get_d(moved)), scene->length_unit);
 }
 
