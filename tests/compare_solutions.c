@@ -116,9 +116,9 @@ static void need_limits(const comparison *c, const tp_pivot *p, const tp_pivot *
                "a pivot never or always topples");
   compare_need(c, p->rounded == q->rounded, "rounded pivot");
   if (c->r->turned || c->r->uncertain) return;
-  compare_need(c, p->limit_count == q->limit_count, "tilts at which a pivot lets go");
+  compare_need(c, p->limit_count == q->limit_count, "tilts at which a pivot begins to move");
   for (size_t k = 0; k < p->limit_count && c->why[0] == '\0'; k++) {
-    compare_angle(c, p->limits_deg[k], q->limits_deg[k], "a tilt at which a pivot lets go");
+    compare_angle(c, p->limits_deg[k], q->limits_deg[k], "a tilt at which a pivot begins to move");
   }
 }
 

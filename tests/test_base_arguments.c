@@ -183,7 +183,7 @@ START_TEST(changes) {
   REFUSED(SCALED(TP_ROUGHNESS_Z2, E(0)), "z2 must lie between 0.000001 and 1000");
   REFUSED(SCALED(TP_ROUGHNESS_JRC, E(-1)), "jrc must lie between 0 and 20");
   REFUSED(SCALED((tp_roughness_by)-1, E(1)), "'by' must be");
-  REFUSED(WORN(TP_WEAR_CUT, E(1)), "'cut' takes off all of the roughness");
+  REFUSED(WORN(TP_WEAR_CUT, E(1)), "'cut' removes all of the roughness");
   REFUSED(WORN(TP_WEAR_ROUNDED, E(0)), "rounded must be above zero");
   REFUSED(WORN((tp_wear)3, E(1)), "'wear' must be cut, rounded or abraded");
   char *after = csv_of();

@@ -249,7 +249,7 @@ START_TEST(none_is_refused) {
       {tp_distribution_uniform(-1.7e308, 1.7e308), "give two finite numbers"},
       {tp_distribution_triangular(1, 0, 2), "the mode 0 lies below the low end 1"},
       {tp_distribution_triangular(1, 3, 2), "the mode 3 lies above the high end 2"},
-      {tp_distribution_triangular(1, NAN, 2), "the mode nan is no number"},
+      {tp_distribution_triangular(1, NAN, 2), "the mode nan is not a number"},
       {tp_distribution_beta(0, 3, 0, 1), "the parameters a = 0 and b = 3 of beta"},
       {tp_distribution_beta(2, 1e5, 0, 1), "must lie from 0.1 to 10000"},
       {tp_distribution_beta(2, 3, 1, 0), "the low end must be below"},

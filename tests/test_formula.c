@@ -138,16 +138,16 @@ END_TEST
 
 /* A dialect without them has neither letters nor signs of print, products or functions. */
 START_TEST(a_plain_dialect_is_plain) {
-  refuses(&plain, "α", "t:7:3: 'α' is no number");
+  refuses(&plain, "α", "t:7:3: 'α' is not a number");
   refuses(&plain, "a − b", "t:7:5: '− b' does not continue");
   refuses(&plain, "a·b", "t:7:4: '·b' does not continue");
-  refuses(&plain, "{a}", "t:7:3: '{a}' is no number");
+  refuses(&plain, "{a}", "t:7:3: '{a}' is not a number");
   refuses(&plain, "20°", "t:7:5: '°' does not continue");
   refuses(&plain, "2a", "t:7:4: 'a' does not continue");
   refuses(&plain, "2(a)", "t:7:4: '(a)' does not continue");
   refuses(&plain, "ba", "t:7:3: unknown name 'ba'");
   refuses(&plain, "sin", "t:7:3: unknown name 'sin'");
-  refuses(&plain, "2 + sin (a)", "t:7:7: 'sin(…)' is no exact operation");
+  refuses(&plain, "2 + sin (a)", "t:7:7: 'sin(…)' is not an exact operation");
   refuses(&plain, "a\n+ b", "t:7:4: ' + b' does not continue");
 }
 END_TEST

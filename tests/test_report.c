@@ -30,16 +30,18 @@ START_TEST(windows) {
       "slide)\n  and at no other tilt up to 90°.\n",
       "-10");
   s.cases[0].mechanism = TP_MAY_MOVE;
-  says(&s, "May move at 20°, or stand: history decides.\n", "Stands at");
+  says(&s, "May move at 20° or stand: the result depends on loading history.\n", "Stands at");
   o->beginning_count = 2;
   o->beginnings[0] = TP_SLIDES;
   o->beginnings[1] = TP_TOPPLES;
   o->tie = true;
   o->tied_with = TP_LEAVES_BASE;
-  says(&s, "begin to topple,\n  or to leave its base, a tie, exactly.\n", NULL);
+  says(&s, "toppling is possible,\n  or leaving its base, a tie, exactly.\n", NULL);
   o->tie_bits = 640;
-  says(&s, "or to leave its base, a tie,\n  as far as 640 bits tell.\n", "exactly");
-  says(&s, "May move at 20°, or stand: history decides.\n  It can begin to slide, or to topple.\n",
+  says(&s, "or leaving its base, a tie,\n  as far as 640 bits can distinguish.\n", "exactly");
+  says(&s,
+       "May move at 20° or stand: the result depends on loading history.\n  It can begin to slide, "
+       "or to topple.\n",
        "Stands at");
 }
 END_TEST
@@ -50,7 +52,8 @@ START_TEST(onset_that_is_open) {
   *o = (tp_onset){.kind = TP_ONSET_UNDECIDED, .too_dear = true};
   s.cases[0].mechanism = TP_MECHANISM_UNDECIDED;
   says(&s, "Whether it stands at 20° is undecided.", "Stands at");
-  says(&s, "Up to which tilt it is certain to stand is undecided: its proof takes\n  more work",
+  says(&s,
+       "The tilt up to which it is certain to stand is undecided: its proof\n  exceeds the work",
        NULL);
   ck_assert_int_eq(tp_solution_meets(&s, 1), TP_DESIGN_OPEN);
   ck_assert_int_eq(tp_solution_meets(&s, 3), TP_DESIGN_NOT_MET);
@@ -65,11 +68,12 @@ START_TEST(onset_at_the_ends) {
   says(&s, "Certain to stand at every tilt up to 90°: no motion can begin.\n", "history");
   *o = (tp_onset){.kind = TP_ONSET_NOWHERE, .mechanism = TP_SLIDES};
   s.cases[0].mechanism = TP_MAY_MOVE;
-  says(&s, "Not certain to stand at any tilt.\n  From there it can begin to slide.\n", "Stands at");
-  says(&s, "Beyond that history decides", NULL);
+  says(&s, "Not certain to stand at any tilt.\n  From that tilt sliding is possible.\n",
+       "Stands at");
+  says(&s, "Beyond that tilt the result depends on loading history", NULL);
   *o = (tp_onset){.kind = TP_ONSET_AT_ANGLE, .mechanism = TP_SLIDES, .below_limit = true};
   o->critical_angle_deg = number(-3);
-  says(&s, "Not certain to stand even on level ground, but only below -3.000°.\n", "Stands at");
+  says(&s, "Not certain to stand even on level ground, only below -3.000°.\n", "Stands at");
 }
 END_TEST
 

@@ -19,7 +19,7 @@ START_TEST(json_of_what_is_no_number) {
   json_has(&s, "      \"pivots\": [\n      ],\n");
   json_has(&s, "      \"factors\": [],\n");
   c->governing_fos.up_dip = true;
-  json_has(&s, "{\"fos\": null, \"fos_is\": \"none: at this tilt it lets go up-dip\", ");
+  json_has(&s, "{\"fos\": null, \"fos_is\": \"none: at this tilt it fails up-dip\", ");
   c->sliding = (tp_sliding){.known = true, .never = true};
   json_has(&s, "\"critical_angle_is\": \"never\", \"fos\": null, \"fos_is\": \"unbounded: ");
   c->sliding = (tp_sliding){.known = true, .always = true};
@@ -31,7 +31,7 @@ START_TEST(json_of_what_is_no_number) {
   json_has(&s,
            "\"tied_with\": \"topples\", \"tie_is\": \"exact\",\n        \"centre_x_m\": null, ");
   c->limit.tie_bits = 160;
-  json_has(&s, "\"tie_is\": \"not told apart by 160 bits\",\n");
+  json_has(&s, "\"tie_is\": \"not distinguished by 160 bits\",\n");
 }
 END_TEST
 
@@ -49,12 +49,11 @@ START_TEST(json_of_pivots) {
   s.cases[0].pivots = own;
   json_has(&s, "\"pivot_count\": 2, \"pivots_listed\": \"all\",\n      \"pivots\": [\n        {");
   json_has(&s, "{\"index\": 0, \"kind\": \"peak\", ");
-  json_has(&s,
-           "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", \"fos\": null, "
-           "\"fos_is\": \"none: what should hold it drives it\", \"fos_elements\": null, "
-           "\"fos_elements_is\": \"none: no strength would hold it\", \"admissible\": false},\n");
-  json_has(&s, "\"fos\": {\"value\": -2, \"error\": 0}, \"fos_is\": \"none: what should hold it "
-               "drives it\", ");
+  json_has(&s, "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", \"fos\": null, "
+               "\"fos_is\": \"none: resisting action is negative\", \"fos_elements\": null, "
+               "\"fos_elements_is\": \"none: no strength holds it\", \"admissible\": false},\n");
+  json_has(&s, "\"fos\": {\"value\": -2, \"error\": 0}, \"fos_is\": \"none: resisting action is "
+               "negative\", ");
 }
 END_TEST
 

@@ -159,7 +159,7 @@ START_TEST(table_lets_go_at_the_onset_of_the_solve) {
   bool let_go = false;
   for (size_t e = 0; e < h.event_count; e++) {
     if (h.events[e].kind != TP_EVENT_COLLAPSES) continue;
-    ck_assert_msg(fabs(h.events[e].angle_deg - onset) < 1e-8, "lets go at %.12g, not %.12g",
+    ck_assert_msg(fabs(h.events[e].angle_deg - onset) < 1e-8, "begins to move at %.12g, not %.12g",
                   h.events[e].angle_deg, onset);
     let_go = true;
   }

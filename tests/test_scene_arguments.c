@@ -143,7 +143,7 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_title(scene, NULL, &message), "'title' must not be NULL");
   REFUSED(tp_scene_set_result_unit(scene, NULL, &message), "'name' must not be NULL");
   REFUSED(tp_scene_set_result_unit(scene, "stone", &message),
-          "'stone' is no unit that reports print in; known are: mm, cm");
+          "'stone' is not a unit for reports; known are: mm, cm");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);

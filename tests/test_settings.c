@@ -177,7 +177,7 @@ START_TEST(refused) {
       {"a=1e400", "a=1e400: "},
       {"tilt.angle_deg=91", "tilt.angle_deg=91: angle_deg must lie in [0°, 90°]"},
       {"tilt.angle=91", "scene in memory:6:7: there is no 'angle' here; did you mean 'angle_deg'?"},
-      {"tilt.towards=1", "scene in memory:6:17: this is no number of the scene"}};
+      {"tilt.towards=1", "scene in memory:6:17: this is not a number of the scene"}};
   static const char *const twice[] = {"a=1", "parameters.a=2"};
   tp_scene *scene = read_text(HEAD PARAMETERS("3", "6", "1") RING REST), *in_memory = slab(3);
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {

@@ -204,13 +204,13 @@ START_TEST(refused) {
     refuse(scene, "tilt.angle_deg", E(91), "angle_deg must lie in [0°, 90°]");
     refuse(scene, "friction_angle_deg", E(-1), "friction_angle_deg must lie in [0°, 90°)");
     refuse(scene, "tilt.angle_deg", E(0x1p-1030), "tp_scene_with: tilt.angle_deg is outside");
-    refuse(scene, "tilt.angle_deg", T("a"), "tp_scene_with: tilt.angle_deg: 'a' is no number");
+    refuse(scene, "tilt.angle_deg", T("a"), "tp_scene_with: tilt.angle_deg: 'a' is not a number");
     refuse(scene, "tilt.angle_deg", T(NULL), "must be a finite number");
   }
-  refuse(file, "title", E(1), "scene in memory:2:8: this is no number of the scene");
-  refuse(file, "topple", E(1), "scene in memory:1:9: this is no number of the scene");
-  refuse(file, "tilt.towards", E(1), "this is no number of the scene");
-  refuse(file, "length_unit", E(1), "this is no number of the scene");
+  refuse(file, "title", E(1), "scene in memory:2:8: this is not a number of the scene");
+  refuse(file, "topple", E(1), "scene in memory:1:9: this is not a number of the scene");
+  refuse(file, "tilt.towards", E(1), "this is not a number of the scene");
+  refuse(file, "length_unit", E(1), "this is not a number of the scene");
   refuse(file, "c", E(-1), "thickness must be above zero, not -1");
   tp_scene *varied = NULL;
   static const char *const twice[] = {"tilt.angle_deg", "friction_angle_deg", "tilt.angle_deg"};

@@ -69,7 +69,7 @@ int main(void) {
   tp_message message;
   tp_status status = build(&scene, &message);
   bool all = true;
-  puts("seed  turned by   lets go at   first                Z2          wanted      bound");
+  puts("seed  turned by   moves from   first                Z2          wanted      bound");
   for (int seed = 1; seed <= 10 && status == TP_OK; seed++) {
     bool agrees = false;
     status = solve_one(&agrees, scene, seed, &message);

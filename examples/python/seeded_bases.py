@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""How much of the angle at which a block lets go is chance? One block, set down on ten bases that
+"""How much of the angle at which a block begins to move is chance? One block, set down on ten bases that
 are equally rough: self-affine, of the same JRC, each by a seed of its own. JRC is put as the Z2
 that it has by the regression of Tse and Cruden (1979),
 
@@ -20,7 +20,7 @@ scene = topple.Scene("mm", outline=[(35, 20), (65, 20), (65, 60), (35, 60)], fri
                      base_self_affine=(100, "0.5", "0.8", "jrc", JRC, 1), base_rest=True,
                      tilt_towards="left")
 agree, angles = True, []
-print("seed  turned by   lets go at   first                Z2          wanted      bound")
+print("seed  turned by   moves from   first                Z2          wanted      bound")
 for seed in range(1, 11):
     varied = scene.varied({"base.profile.self_affine.seed": seed})
     solution, z2 = varied.solve(), topple.profile_of_scene(varied).z2

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Rocking, seating anew, overturning: what becomes of the shifted blocks of irregular_bases.py
-(docs/irregular_bases.md) on a table that is raised to the left at 20 degrees a minute until they
+(docs/irregular_bases.md) on a table that is raised to the left at 20 degrees per minute until they
 fall, by rigid contacts with impacts (docs/rigid_contact.md), with a friction angle of 35 degrees.
 
     irregular_bases_overturning.py [SEEDS [SHIFT...]]

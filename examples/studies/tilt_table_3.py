@@ -150,7 +150,7 @@ def table(rows, goes_on, cost):
 
 
 def last_slip(case, facet):
-    """The tilt from which a facet slips until the block lets go."""
+    """The tilt from which a facet slips until the block begins to move."""
     tilts = [event.angle_deg for event in case.events
              if event.kind == topple.TiltEventKind.SLIPS and event.facet == facet
              and event.angle_deg < case.least_deg]
@@ -158,8 +158,8 @@ def last_slip(case, facet):
 
 
 def tried():
-    head("tried, on the short base", "E lets go", "E: facet 2 slips", "facet 1 slips",
-         "F lets go", "F: facet 2 slips", "facet 1 slips")
+    head("tried, on the short base", "E moves", "E: facet 2 slips", "facet 1 slips",
+         "F moves", "F: facet 2 slips", "facet 1 slips")
     for name, test in TRIED:
         cells = [name]
         for row in (E, F):

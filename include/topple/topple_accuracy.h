@@ -29,8 +29,8 @@ enum { TP_ACCURACY_METHODS = TP_ACCURACY_ONSET + 1 };
 /* Its name in reports. */
 const char *tp_accuracy_method_name(tp_accuracy_method method);
 
-/* One way at one price. Angles are in degrees; logarithms serve where doubles underflow, and are
- * -INFINITY for 0. */
+/* One method in one arithmetic. Angles are in degrees; logarithms serve where doubles underflow,
+ * and are -INFINITY for 0. */
 typedef struct tp_accuracy_run {
   tp_accuracy_method method; /* the way */
   tp_level level;  /* of the sums; of a limit: double unproven, ball certified, exact program */
@@ -42,7 +42,7 @@ typedef struct tp_accuracy_run {
   double true_error, log10_true_error; /* against the exact value */
 } tp_accuracy_run;
 
-/* What the ways of one method come to, at every price within its bound. */
+/* The result of one method, within the bound of every arithmetic. */
 typedef struct tp_accuracy_value {
   tp_accuracy_method method; /* the way */
   size_t vertices;           /* of the block */

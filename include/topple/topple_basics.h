@@ -119,7 +119,7 @@ typedef struct tp_notes {
 /* "note" or "caution". */
 const char *tp_note_kind_name(tp_note_kind kind);
 
-/* The arithmetic of the moment sums, by rising price: double with a proven bound, compensated
+/* The arithmetic of the moment sums, by rising cost: double with a proven bound, compensated
  * double, balls, exact integers. */
 typedef enum tp_level {
   TP_LEVEL_DOUBLE,
@@ -144,7 +144,7 @@ typedef enum tp_mechanism {
   TP_TOPPLES, /* turns about a point of its contact */
   TP_SLIDES_AND_TOPPLES,
   TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
-  TP_MAY_MOVE,    /* some forces would hold it, but a motion can begin: history decides */
+  TP_MAY_MOVE, /* some forces would hold it, but a motion can begin: depends on loading history */
   TP_LEAVES_BASE, /* every contact opens */
   TP_MECHANISM_UNDECIDED
 } tp_mechanism;

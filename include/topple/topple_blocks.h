@@ -69,7 +69,7 @@ static inline tp_blocks_options tp_blocks_options_default(void) {
   return options;
 }
 
-/* What became of the blocks: the first four counts add up to all of them. */
+/* Summary of the blocks: the first four counts add up to all of them. */
 typedef struct tp_blocks_summary {
   size_t done;          /* TP_OK */
   size_t without;       /* TP_NO_ANSWER: no pivot is admissible */
@@ -119,10 +119,10 @@ typedef struct tp_critical_columns {
   tp_status *status; /* TP_NO_ANSWER where no pivot is admissible */
 } tp_critical_columns;
 
-/* The tilt at which moments of the weight let each block turn about the admissible pivot that lets
- * go first (Eq. 2 of Alejano et al.): atan2(x arm, y arm) of the centroid about it, as tp_solve has
- * it. A filter in doubles with a proven bound decides nearly all; the others climb by exact
- * arithmetic, and are counted. */
+/* The tilt at which moments of the weight let each block turn about the admissible pivot that
+ * begins to move first (Eq. 2 of Alejano et al.): atan2(x arm, y arm) of the centroid about it, as
+ * tp_solve has it. A filter in doubles with a proven bound decides nearly all; the others climb by
+ * exact arithmetic, and are counted. */
 TP_MUST_USE tp_status tp_blocks_critical_angles(const tp_critical_columns *columns,
                                                 tp_blocks_summary *summary,
                                                 const tp_outlines *outlines,
@@ -154,7 +154,7 @@ typedef struct tp_verdict_columns {
   double *fos, *fos_error; /* the governing factor of safety, where there is a tilt and a number */
   tp_status *status;       /* TP_UNDECIDED: of it some is, and the rest holds */
   tp_mechanism *fos_mechanism; /* against which that factor is; undecided where there is none */
-  tp_fos_definition *fos_definition; /* by which it is reckoned; by moments where there is none */
+  tp_fos_definition *fos_definition; /* by which it is defined; by moments where there is none */
   double *fos_moments, *fos_moments_error; /* of moments, about the pivot that is the least safe */
   double *fos_sliding, *fos_sliding_error; /* of shear strength */
 } tp_verdict_columns;

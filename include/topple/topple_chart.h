@@ -88,7 +88,7 @@ typedef struct tp_chart_axis {
 } tp_chart_axis;
 
 /* The mechanism map of a scene that tilts in one direction and has a friction angle. At most one
- * axis is the tilt. Over two other numbers it says what lets go first; where the scene has a tilt
+ * axis is the tilt. Over two other numbers it shows the first motion; where the scene has a tilt
  * angle (or lies as it does in the world), what the block does at that tilt, which the title says.
  * Every border is a root: on its two sides, as close as doubles lie, the
  * certified mechanism differs. A change and its reversal between two of the points that are looked
@@ -98,7 +98,7 @@ typedef struct tp_chart_map_options {
   size_t size;           /* of this struct, as `…_default()` has it */
   const tp_scene *scene; /* not changed */
   tp_chart_axis x, y;    /* to the right, and upwards */
-  bool any_tilt;         /* what lets go first, whatever the scene's tilt */
+  bool any_tilt;         /* the first motion, whatever the scene's tilt */
   bool governing_fos;    /* contours of the factor of safety that governs at the scene's tilt, which
                             a map over two numbers but the tilt can have; else of angles */
   tp_chart_list levels;  /* of the contours; none: 1, 1.1, 1.3, 1.5, 2; of angles round numbers */
@@ -119,7 +119,7 @@ TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options 
                                    tp_message *message);
 
 /* What a study came to: the probability against tilt with its band, the distribution of the angle
- * at which samples let go by what becomes of them, rank correlations of that angle with what
+ * at which samples begin to move by what becomes of them, rank correlations of that angle with what
  * varies, and how the estimate settled. And that angle against each number that varies, of the
  * first
  * 8. To be freed by tp_chart_free. TP_NO_ANSWER where no sample has such an angle. */

@@ -18,11 +18,11 @@ typedef enum tp_contact_end {
   TP_END_STATED,   /* the scene's 'between' */
   TP_END_STEEP,    /* the default: from there on it rises by more than it runs (over 45 degrees) */
   TP_END_OVERHANG, /* the default: beyond it the underside turns back over its support */
-  TP_END_PROFILE   /* a profile of its own: where the block touches it first, or last */
+  TP_END_PROFILE   /* a separate profile: where the block touches it first, or last */
 } tp_contact_end;
 
 /* What the coordinates of the scene lie along. In the world's frame all results are along the mean
- * plane and normal to it: turned about one point, which keeps its coordinates; of an earthquake
+ * plane and normal to it: turned about one point, whose coordinates do not change; of an earthquake
  * up-dip they are along the horizontal and the vertical, as the block lies. */
 typedef struct tp_frame_result {
   bool stated;                     /* the scene says what they lie along */
@@ -39,7 +39,7 @@ typedef struct tp_frame_result {
 
 /* The contact as a whole. */
 typedef struct tp_contact_result {
-  bool mated;         /* the base is the counterpart of the underside; else a profile of its own, */
+  bool mated;         /* the base is the counterpart of the underside; else a separate profile, */
   bool shifted;       /* or it was, before the block was shifted along it ('joint') */
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
   tp_bounded beyond_left_m, beyond_right_m;            /* how far the base goes on past the block */
@@ -50,7 +50,7 @@ typedef struct tp_contact_result {
   tp_bounded reach;        /* the highest contact over the lowest, a share of the block's height */
   bool reaches_far;        /* above a half */
   size_t facets, points;   /* facets of positive length; contacts in a single point */
-  size_t corner_points;    /* of the points: a corner on a corner, which restrains nothing */
+  size_t corner_points;    /* of the points: a corner on a corner, which gives no restraint */
   tp_bounded length_m;     /* along the facets */
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   bool has_contact_ratio;      /* on a profile, if the block has an underside there: */
@@ -96,8 +96,8 @@ typedef struct tp_joint_result {
   tp_bounded matching_before; /* it is still this, above what is sought */
 } tp_joint_result;
 
-/* What lay near its contact and was moved there ('contact: {within: ...}'). All of a solution is of
- * the block so moved. */
+/* The parts near its contact that were moved there ('contact: {within: ...}'). All of a solution is
+ * of the block so moved. */
 typedef struct tp_within_result {
   bool known;                   /* the scene asks for it */
   size_t moved;                 /* vertices of the block, onto its base */

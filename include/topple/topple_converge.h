@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the settings of a simulated tilt test take from its answer, and what each costs: the
+/* The influence of the settings of a simulated tilt test on its answer, and the cost of each: the
  * critical angle, or the least shaking that overturns, over stiffness, time step, damping and
  * tolerance (docs/tilt_converge.md). Included by topple.h. */
 
@@ -30,13 +30,13 @@ typedef enum tp_converge_setting {
 /* How many there are. */
 enum { TP_CONVERGE_SETTINGS = TP_CONVERGE_LEAST_BOUNCE + 1 };
 
-/* What is asked to converge. */
+/* The quantity that is to converge. */
 typedef enum tp_converge_quantity {
   TP_CONVERGE_ANGLE,      /* critical, in degrees */
   TP_CONVERGE_OVERTURNING /* the least shaking that overturns, as a factor on the scene's */
 } tp_converge_quantity;
 
-/* What comes out for one setting. */
+/* The outcome for one setting. */
 typedef enum tp_converge_verdict {
   TP_CONVERGE_HOLDS,   /* as it is set: finer ones change the answer by less than was asked */
   TP_CONVERGE_REFINED, /* not as it is set, but finer ones agree: the cheapest of them is taken for
@@ -61,7 +61,7 @@ typedef struct tp_converge_level {
   double seconds;              /* that they took: of what is short the least of several */
 } tp_converge_level;
 
-/* What a setting comes to. Its levels follow each other from coarse to fine; of a ratio of
+/* The result for one setting. Its levels follow each other from coarse to fine; of a ratio of
  * stiffnesses none is finer, and all of them must agree. */
 typedef struct tp_converge_finding {
   tp_converge_setting setting; /* which */

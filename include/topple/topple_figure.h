@@ -33,8 +33,8 @@ typedef struct tp_figure_consent {
 } tp_figure_consent;
 
 /* The same, but asked for consent once the figure is drawn and the file can take it; where that is
- * refused (false), no file is made or changed, and the status is TP_SYSTEM_FAILED. Of what is no
- * regular file, or is the standard output, nothing could be taken back: it is not asked for. */
+ * refused (false), no file is made or changed, and the status is TP_SYSTEM_FAILED. Of what is not
+ * a regular file, or is the standard output, nothing could be taken back: it is not asked for. */
 TP_MUST_USE tp_status tp_report_figure_if(const char *path, const tp_scene *scene,
                                           const tp_solution *solution, tp_figure_consent consent,
                                           tp_message *message);

@@ -22,7 +22,7 @@ typedef enum tp_find_target {
   TP_FIND_LIMIT_ANGLE,  /* the static limit, degrees */
   TP_FIND_LIMIT_FOS,    /* by strength reduction */
   TP_FIND_ONSET_ANGLE,  /* the onset of motion, degrees */
-  TP_FIND_GOVERNING_FOS /* the factor that governs at the scene's tilt */
+  TP_FIND_GOVERNING_FOS /* the governing factor at the scene's tilt */
 } tp_find_target;
 
 /* `key` is that of a number in the scene, as tp_scene_with takes it. */

@@ -41,7 +41,7 @@ const char *tp_fos_definition_name(tp_fos_definition definition);
 /* Does the factor of a way count? */
 typedef enum tp_factor_standing {
   TP_FACTOR_COUNTS,
-  TP_FACTOR_BLOCKED,   /* no: a facet stands in the way of this motion */
+  TP_FACTOR_BLOCKED,   /* no: this motion is blocked by a facet */
   TP_FACTOR_PREVENTED, /* no: contact forces prevent this motion where the factor is 1, or below */
   TP_FACTOR_UNEVEN,    /* no: facets along which it would slide differ in friction, and how they
                           share the load is not given; by strength they count as they are */
@@ -53,7 +53,7 @@ const char *tp_factor_standing_name(tp_factor_standing standing);
 
 /* The factor against one way to move. */
 typedef struct tp_factor {
-  tp_fos_definition definition; /* by which it is reckoned */
+  tp_fos_definition definition; /* by which it is defined */
   tp_mechanism mechanism; /* against which; by reduction, what happens at the strength reduced */
   size_t pivot;           /* by moments: of the case's */
   bool toe;               /* it is the end of the contact down-dip */
@@ -68,12 +68,12 @@ enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
 
 /* The factor that governs, and those that it is the least of. */
 typedef struct tp_governing_fos {
-  tp_fos fos;      /* TP_FOS_UNDEFINED: it does not stand at all */
-  bool has_factor; /* it is that of ... */
-  size_t factor;   /* ... this one of the factors */
-  bool tie;        /* one against another mechanism is the same, as far as their bounds tell */
-  bool up_dip;     /* none: at this tilt it lets go up-dip */
-  bool beyond;     /* none: it lets go at a lesser tilt, though forces would hold it at this one */
+  tp_fos fos;          /* TP_FOS_UNDEFINED: it does not stand at all */
+  bool has_factor;     /* it is that of ... */
+  size_t factor;       /* ... this one of the factors */
+  bool tie;            /* one against another mechanism is the same, as far as their bounds tell */
+  bool up_dip;         /* none: at this tilt it fails up-dip */
+  bool beyond;         /* none: it fails at a lower tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */

@@ -77,7 +77,7 @@ typedef struct tp_motion_resistance {
   tp_bounded moment_m;         /* about the centroid */
 } tp_motion_resistance;
 
-/* A way in which the block can begin to move at the scene's tilt. */
+/* A mode in which the block can begin to move at the scene's tilt. */
 typedef struct tp_motion {
   tp_mechanism mechanism; /* slides, topples, slides and topples, or leaves its base */
   tp_bounded acceleration_x_g, acceleration_y_g; /* of the centroid, in units of gravity, along x
@@ -112,15 +112,15 @@ typedef struct tp_onset {
   long tie_bits;                 /* 0: exactly; else so many bits do not tell the two apart */
   bool has_centre;               /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m; /* where it is */
-  bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them history
-                          decides */
+  bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them the
+                          result depends on loading history */
   size_t window_count; /* all of them, from below; owned by the case */
   tp_window *windows;  /* in which a motion can begin */
   bool has_ranges; /* where the options ask for them; not under cohesion or bonds, not with friction
                       that depends on the stress, and not where they stay open */
   size_t range_count;      /* from below; where two meet, one motion takes over from another */
   tp_motion_range *ranges; /* owned by the case */
-  bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
+  bool paradox; /* in some mode at the scene's tilt friction would press the slipping contact harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
   bool has_motions; /* at the scene's tilt, where there is one, and where they do not stay open */
   size_t motion_count;    /* 0: none can begin */

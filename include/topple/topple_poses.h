@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* What becomes of a block that is set down. */
+/* Outcome for a block that is set down. */
 typedef enum tp_settling_end {
   TP_COMES_TO_REST,     /* in some pose */
   TP_ROLLS_OFF_LEFT,    /* over the left end of what it touches of its profile */
@@ -45,7 +45,7 @@ typedef struct tp_pose_verdict {
   bool has_first_angle;       /* ... */
   tp_bounded first_angle_deg; /* ... */
   tp_fos fos;                 /* the governing one, at the scene's tilt */
-  bool least;                 /* of all poses this one lets go first as the table is tilted */
+  bool least; /* of all poses this one begins to move first as the table is tilted */
 } tp_pose_verdict;
 
 /* A resting pose: what touches, vertices and edges. Over a basin the pose shifts and turns with the

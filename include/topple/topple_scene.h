@@ -192,7 +192,7 @@ TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact with
                                                   tp_message *message);
 
 /* The contact is so wide along the mean plane, above 0, where the law barton takes the mean normal
- * stress; unless set as wide as it touches, and a block that touches in points alone is refused. */
+ * stress; unless set the width in contact, and a block that touches only in points is refused. */
 TP_MUST_USE tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width,
                                                  tp_message *message);
 

@@ -39,11 +39,11 @@ typedef struct tp_pivot {
   tp_bounded x_m, y_m; /* the point, or the axis */
   tp_bounded
       critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
-  size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
+  size_t limit_count; /* with loads: every tilt in (0, 90) at which it fails, or is held again */
   tp_bounded *limits_deg; /* owned by the case */
-  tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over
-                           what overturns */
-  tp_fos fos_elements;  /* (A1.3): each element's components by their own sign */
+  tp_fos fos_resultant;   /* Eq. (2): tan(critical angle) / tan(tilt); with loads stabilising over
+                             overturning moment */
+  tp_fos fos_elements;    /* (A1.3): each element's components by their own sign */
 } tp_pivot;
 
 /* What a section is cut into (section 5.1 of the paper): triangles, of a toothed block slabs too.
@@ -71,7 +71,7 @@ typedef struct tp_account {
   tp_bounded stabilising, overturning; /* the sums */
 } tp_account;
 
-/* Patton's sliding angle phi_b + i (Eq. 6) on the facet that governs. No statics of contact forces
+/* Patton's sliding angle phi_b + i (Eq. 6) on the governing facet. No statics of contact forces
  * stands behind it: a facet wholly up-dip of the centroid sheds its load as the table tilts, and of
  * the others the one that rises most steeply down-dip governs. Where that would slide on level
  * ground, the block wedges itself between its facets, and all of them count. */
@@ -79,7 +79,7 @@ typedef struct tp_sliding {
   bool known;  /* the scene gives a friction angle */
   bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
   bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
-  bool opens;  /* no other facet stands in the way of sliding along this one */
+  bool opens;  /* sliding along this facet is not blocked by another one */
   bool uneven; /* facets parallel to this one have more friction: it slides along all of them */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides; of facets with
                                     frictions of their own the least along which it slides */
@@ -102,7 +102,7 @@ typedef struct tp_toe {
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
 
-/* Where a load counts in the factor of safety: what stabilises over what overturns. */
+/* Where a load counts in the factor of safety: stabilising over overturning moment. */
 typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
 
 /* One load of that account. */
@@ -136,7 +136,7 @@ typedef struct tp_case {
   bool base_matters;   /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
   tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
   tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
-                          loads: at tilts below minus its angle the block lets go up-dip */
+                          loads: at tilts below minus its angle the block begins to move up-dip */
   tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
                                  Where it moves, what can begin there: of several motions that
                                  of the limit if it is among them, else the first of the onset's
@@ -157,7 +157,8 @@ typedef struct tp_case {
   tp_load_result *loads; /* about the governing pivot */
   bool
       water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
-  tp_bounded water_overtops_deg; /* its face, whose pressure is reckoned as if the face went on */
+  tp_bounded water_overtops_deg; /* its face, whose pressure is computed as if the face continued
+                                    upwards */
 } tp_case;
 
 /* The block as a body. */
@@ -263,7 +264,7 @@ typedef struct tp_solution {
   tp_level level;                                /* the arithmetic that certified the numbers */
   long bits;                                     /* working precision of the last evaluation */
   int digits;                                    /* asked of every number */
-  bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
+  bool open_number; /* one is not certain to them, and is given with its actual bound: 0, as a
                        rule */
   long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do
                      not tell from zero, besides the ties that say so themselves */

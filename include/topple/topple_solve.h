@@ -26,10 +26,10 @@ typedef enum tp_pivots_listed {
   TP_PIVOTS_GOVERNING
 } tp_pivots_listed;
 
-/* So many are nearest to the toe, and so many are many. */
+/* Pivots listed near the toe, and the count above which fewer are listed. */
 enum { TP_PIVOTS_NEAR_TOE = 16, TP_PIVOTS_MANY = 300 };
 
-/* What is asked of a solve. */
+/* The options of a solve. */
 typedef struct tp_solve_options {
   size_t size;             /* of this struct, as `…_default()` has it */
   bool elements;           /* draw up the account of moments by elements */
@@ -37,7 +37,7 @@ typedef struct tp_solve_options {
   bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
   bool motion_ranges;      /* find which motions can begin at every tilt (tp_onset.ranges) */
   int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
-  tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
+  tp_level level; /* the costliest arithmetic allowed; TP_UNDECIDED where it is not enough */
   tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
   size_t threads; /* that sum the moments of a ring, at most 16, the same bits by any number: 0: one
                      up to 800 000 edges, then as many as there are cores; 1: none is started */
@@ -56,7 +56,7 @@ static inline tp_solve_options tp_solve_options_default(void) {
  * every pivot (Eq. 2), sliding (Eq. 6), the static limit and the onset of motion, and which of them
  * comes first (mechanics.md). `*solution` is the caller's, to be freed by tp_solution_free; it does
  * not need the scene any more. The same scene gives the same numbers each time. TP_UNDECIDED where
- * the dearest arithmetic that is allowed leaves a number open; TP_DEPENDENCY_FAILED. What no
+ * the costliest arithmetic allowed leaves a number open; TP_DEPENDENCY_FAILED. What no
  * arithmetic decides is undecided in the solution (tp_solution_is_undecided), with TP_OK. */
 TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
@@ -75,8 +75,8 @@ TP_MUST_USE tp_status tp_solve_outline(tp_solution **solution, const char *lengt
 /* Free it with all that it points to; NULL is allowed. */
 void tp_solution_free(tp_solution *solution);
 
-/* Did the precision allowed leave a mechanism open, or a number less certain than was asked? Every
- * other number is certain all the same, and each has its proven bound. */
+/* Did the precision allowed leave a mechanism undecided, or a number less certain than requested?
+ * Every other number is certain all the same, and each has its proven bound. */
 bool tp_solution_is_undecided(const tp_solution *solution);
 
 /* Does every case meet the factor of safety `design_fos`: is its governing one certainly as much,

@@ -28,7 +28,7 @@ TP_MUST_USE tp_status tp_study_read(tp_study **study, const char *path, tp_messa
 /* Free it with all that it holds; NULL is allowed. */
 void tp_study_free(tp_study *study);
 
-/* What becomes of a sample. */
+/* Outcome of a sample. */
 typedef enum tp_study_outcome {
   TP_STUDY_STANDS,
   TP_STUDY_SLIDES,
@@ -36,7 +36,8 @@ typedef enum tp_study_outcome {
   TP_STUDY_SLIDES_AND_TOPPLES,
   TP_STUDY_LEAVES_BASE, /* every contact opens */
   TP_STUDY_INTERLOCKED, /* stands at every tilt */
-  TP_STUDY_MAY_MOVE,    /* some forces would hold it, but a motion can begin: history decides */
+  TP_STUDY_MAY_MOVE,    /* some forces would hold it, but a motion can begin: depends on loading
+                           history */
   TP_STUDY_UNDECIDED,   /* at the precision allowed */
   TP_STUDY_INVALID      /* the numbers make no scene that can be solved */
 } tp_study_outcome;
@@ -55,7 +56,7 @@ typedef struct tp_study_share {
   double low, high; /* of the probability */
 } tp_study_share;
 
-/* What becomes of the samples at a tilt. Its shares of outcomes add up to 1. */
+/* Outcomes of the samples at a tilt. Its shares of outcomes add up to 1. */
 typedef struct tp_study_tilt {
   bool of_scene;    /* at the scene's tilt; where it has none, what happens first as it is tilted */
   bool as_it_lies;  /* of a scene in the frame of the world: at the dip of its mean plane */
@@ -99,7 +100,7 @@ typedef struct tp_study_spread {
  * its own way how far a block is from 1, so that they are no one distribution: just beyond toppling
  * the one by moments is little below 1, and strength reduction, where it governs, far below. */
 typedef struct tp_study_factor {
-  tp_fos_definition definition; /* by which the factor that governs is reckoned */
+  tp_fos_definition definition; /* by which the governing factor is reckoned */
   tp_study_share governs;       /* of all samples */
   size_t below;                 /* of these, with a factor below 1 */
   tp_study_spread spread;       /* of the factors of the samples kept */
@@ -227,8 +228,8 @@ typedef struct tp_study_column {
   double *values;          /* `kept` of them */
 } tp_study_column;
 
-/* A study summed up. Quantiles, ranks, ranges and columns are of the first `kept` samples, 262 144
- * at most, all else is of all. */
+/* The summary of a study. Quantiles, ranks, ranges and columns are of the first `kept` samples, 262
+ * 144 at most, all else is of all. */
 typedef struct tp_study_result {
   TP_OUTSIDE char *title;  /* of the study, else of the scene, or NULL */
   TP_OUTSIDE char *scene;  /* the file */
@@ -241,7 +242,8 @@ typedef struct tp_study_result {
   double half_width;       /* asked of every interval; 0: none was asked for */
   size_t open; /* solved samples with a number less certain than to 9 digits, or a limit or factor
                   undecided */
-  size_t by_doubles; /* samples told by doubles with proven bounds; the ladder told the others */
+  size_t
+      by_doubles; /* samples solved in doubles with proven bounds; the others in higher precision */
   double doubles_seconds, ladder_seconds;       /* of computing, of those solved in this run */
   size_t tilt_count;                            /* 1 at least */
   tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
@@ -265,7 +267,7 @@ typedef struct tp_study_result {
   tp_study_bad *bad;         /* these */
   size_t column_count;       /* of the columns */
   tp_study_column *columns;  /* the numbers that vary, the quantities, outcomes at each tilt,
-                                tp_fos_definition of the factor that governs (NaN: none), the factors
+                                tp_fos_definition of the governing factor (NaN: none), the factors
                                 by moments and of sliding, and what is measured of the base */
   size_t source_count;       /* of the sources */
   TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it

@@ -62,7 +62,7 @@ typedef struct tp_sweep_sink {
   void *context;                                            /* handed to it */
 } tp_sweep_sink;
 
-/* What became of the points: the last four add up to those that were taken. */
+/* Summary of the points: the last four add up to those that were taken. */
 typedef struct tp_sweep_summary {
   size_t count;     /* of all points */
   size_t done;      /* TP_OK */

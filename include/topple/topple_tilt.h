@@ -23,7 +23,7 @@ typedef enum tp_tilt_engine {
                      to event */
   TP_TILT_RIGID,  /* dynamics of a rigid block on rigid contacts, from event to event, with impacts
                    */
-  TP_TILT_SPRINGS /* dynamics by explicit steps on contact springs with damping */
+  TP_TILT_SPRINGS /* dynamics by explicit time steps on contact springs with damping */
 } tp_tilt_engine;
 
 /* How the table is moved. */
@@ -33,7 +33,7 @@ typedef enum tp_tilt_protocol {
   TP_TILT_RELEASE /* held at an angle, let go */
 } tp_tilt_protocol;
 
-/* What happened at a contact, or to the whole block. */
+/* An event at a contact, or of the whole block. */
 typedef enum tp_tilt_event_kind {
   TP_EVENT_OPENS,     /* a contact */
   TP_EVENT_CLOSES,    /* a contact, with the speed at which it did */
@@ -44,7 +44,7 @@ typedef enum tp_tilt_event_kind {
   TP_EVENT_RESTS,     /* the block is at rest again */
   TP_EVENT_OVERTURNS, /* it has turned by more than a quarter of a turn */
   TP_EVENT_LEAVES_BASE, /* no part of it is above the base any more */
-  TP_EVENT_ACCUMULATES  /* impacts without end in finite time were passed: its contact closes */
+  TP_EVENT_ACCUMULATES  /* rebounds below a threshold are ignored: its contact closes */
 } tp_tilt_event_kind;
 
 /* One of these events. */

@@ -178,27 +178,29 @@ typedef struct tp_overturning_grid {
 /* An island of these, at all of which the block is overturned, or thrown off its base. What lies
  * between two factors that were tried may be otherwise. */
 typedef struct tp_overturning_range {
-  double spared_below; /* the next one tried below spares it; NaN: none was tried there */
-  double least, most;  /* of those that were tried */
-  double spared_above; /* the next one tried above spares it; NaN: none was tried there */
+  double
+      spared_below;   /* the next lower one tried does not overturn it; NaN: none was tried there */
+  double least, most; /* of those that were tried */
+  double
+      spared_above; /* the next higher one tried does not overturn it; NaN: none was tried there */
 } tp_overturning_range;
 
 /* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
 typedef struct tp_tilt_case {
   tp_direction towards; /* which */
-  bool has_bracket;     /* it stands at one tilt, and lets go at another: */
-  double least_deg;   /* it stands there; of one that never lets go the last tilt tried; NaN: no run
-                         stood */
-  double most_deg;    /* it lets go there */
-  bool converged;     /* the bracket is as narrow as was asked */
-  bool has_softening; /* of a path on contacts whose stiffness the scene gives: */
-  double softening_deg;   /* by which it lets go sooner on these very springs than in the limit of
-                             stiff ones, which the bracket is for */
-  size_t jumps;           /* times that a path gave way and came to rest at the same tilt */
-  double first_jump_deg;  /* the tilt of the first of these */
-  bool has_mechanism;     /* and it lets go so: */
-  tp_mechanism mechanism; /* by the velocity with which it moves off */
-  bool has_centre;        /* of rotation */
+  bool has_bracket;     /* it stands at one tilt, and begins to move at another: */
+  double least_deg;     /* it stands there; if it never moves, the last tilt tried; NaN: no run
+                           stood */
+  double most_deg;      /* it begins to move there */
+  bool converged;       /* the bracket is as narrow as was asked */
+  bool has_softening;   /* of a path on contacts whose stiffness the scene gives: */
+  double softening_deg; /* by which it begins to move sooner on these very springs than in the limit
+                           of stiff ones, which the bracket is for */
+  size_t jumps;         /* times that a path gave way and came to rest at the same tilt */
+  double first_jump_deg;         /* the tilt of the first of these */
+  bool has_mechanism;            /* and it begins to move so: */
+  tp_mechanism mechanism;        /* by the velocity with which it moves off */
+  bool has_centre;               /* of rotation */
   double centre_x_m, centre_y_m; /* where it is */
   bool has_onset, has_limit;     /* statics knows: */
   double onset_deg, limit_deg;   /* alpha_s, certain to stand up to it; alpha_w, certain to move
@@ -284,10 +286,10 @@ TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *
                                           tp_message *message);
 
 /* Charts of it, to be freed by tp_chart_free, written by tp_report_chart_file (topple_chart.h). The
- * reactions of the facets, normal and along each, against the tilt up to where the block lets go;
- * where the table stands still against time. And the phase portraits of what moves: turn against
- * angular velocity, displacement of the centroid along the base against its speed. TP_NO_ANSWER
- * where there is none to draw: nothing moves, or no reaction is known. */
+ * reactions of the facets, normal and along each, against the tilt up to where the block begins to
+ * move; where the table stands still against time. And the phase portraits of what moves: turn
+ * against angular velocity, displacement of the centroid along the base against its speed.
+ * TP_NO_ANSWER where there is none to draw: nothing moves, or no reaction is known. */
 TP_MUST_USE tp_status tp_chart_tilt_reactions(tp_chart **chart, const tp_tilt_test *test,
                                               tp_message *message);
 TP_MUST_USE tp_status tp_chart_tilt_phase(tp_chart **chart, const tp_tilt_test *test,

@@ -76,7 +76,7 @@ TP_MUST_USE tp_status tp_verify_text(tp_verification **verification, const char 
 /* Free it with all that it points to; NULL is allowed. */
 void tp_verification_free(tp_verification *verification);
 
-/* Is anything refuted, or does it disagree? */
+/* Is any claim refuted, or in disagreement? */
 bool tp_verification_objects(const tp_verification *verification);
 
 /* The verdicts as a page, as JSON and as a table in Markdown. `*text` is allocated with malloc and

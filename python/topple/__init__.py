@@ -9,7 +9,7 @@
     print(scene.solve().report())
 
 Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names
-of fields say. What fails raises a `ToppleError`. docs/python.md tells more."""
+of fields say. Failures raise a `ToppleError`. docs/python.md has more."""
 
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import Accuracy, AccuracyRun, AccuracyValue, accuracy_of_scene, accuracy_sweep

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What accuracy costs: every method at every price, timed, against exact values."""
+"""Cost of accuracy: every method in every arithmetic, timed, against exact values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .words import AccuracyMethod, Direction, Level
 
 @dataclasses.dataclass(frozen=True)
 class AccuracyRun(Record):
-    """One way at one price. Angles are in degrees; logarithms serve where doubles underflow."""
+    """One method in one arithmetic. Angles are in degrees; logarithms serve where doubles underflow."""
 
     method: AccuracyMethod
     level: Level
@@ -33,7 +33,7 @@ class AccuracyRun(Record):
 
 @dataclasses.dataclass(frozen=True)
 class AccuracyValue(Record):
-    """What the ways of one method come to, at every price within its bound."""
+    """The result of one method, within the bound of every arithmetic."""
 
     method: AccuracyMethod
     vertices: int
@@ -46,7 +46,7 @@ def _sources(c, owner) -> tuple[str | None, ...]:
 
 @dataclasses.dataclass(frozen=True)
 class Accuracy(Record):
-    """Every method that a scene calls for at every price, or of blocks of many sizes (`sweep`)."""
+    """Every method that a scene requires, in every arithmetic, or of blocks of many sizes (`sweep`)."""
 
     title: str | None
     sweep: bool

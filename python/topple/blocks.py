@@ -31,7 +31,7 @@ Outlines = Union["numpy.ndarray", Sequence["numpy.ndarray"]]
 
 
 class Status(enum.IntEnum):
-    """What became of a block."""
+    """Status of one block."""
 
     OK = 0
     BAD_INPUT = 1
@@ -44,7 +44,7 @@ class Status(enum.IntEnum):
 
 @dataclasses.dataclass(frozen=True)
 class Summary(Record):
-    """What became of the blocks: counts that add up to all of them, but for `climbed`."""
+    """Summary of the blocks: counts that add up to all of them, but for `climbed`."""
 
     done: int
     without: int  #: no pivot is admissible
@@ -87,8 +87,8 @@ class Moments(Columns):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class CriticalAngles(Columns):
-    """The tilt at which moments of the weight let each block turn about the admissible pivot that
-    lets go first."""
+    """The tilt at which moments of the weight let each block turn about the governing admissible
+    pivot."""
 
     angle_deg: numpy.ndarray
     error_deg: numpy.ndarray
@@ -114,7 +114,7 @@ class Verdicts(Columns):
     fos: numpy.ndarray  #: the governing factor of safety, where there is a tilt and a number
     fos_error: numpy.ndarray
     fos_mechanism: numpy.ndarray  #: against which that factor is
-    fos_definition: numpy.ndarray  #: by which it is reckoned
+    fos_definition: numpy.ndarray  #: by which it is defined
     fos_moments: numpy.ndarray  #: of moments, about the pivot that is the least safe
     fos_moments_error: numpy.ndarray
     fos_sliding: numpy.ndarray  #: of shear strength
@@ -150,8 +150,8 @@ def moments(outlines: Outlines, *, threads: int = 0) -> Moments:
 
 def critical_angles(outlines: Outlines, towards: Direction | str = Direction.LEFT, *,
                     simple: bool = False, threads: int = 0) -> CriticalAngles:
-    """The critical angle of each on a base mated with its underside. `simple`: the caller vouches
-    that no outline meets itself, which is then not checked."""
+    """The critical angle of each on a base mated with its underside. `simple`: the caller
+    guarantees that no outline meets itself, which is then not checked."""
     return filled(CriticalAngles, lib.tp_blocks_critical_angles, outlines, (),
                   towards=number_of(Direction, towards), simple=simple, threads=threads)
 

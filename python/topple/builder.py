@@ -217,7 +217,7 @@ class Builder(TiltBuilder):
     def add_anchor(self, x: Number, y: Number, direction_deg: Number, force_kn: Number,
                    passive: bool = False) -> None:
         """The direction is that of its pull on the block, from x towards y. A passive anchor counts
-        as resistance, another takes from what overturns."""
+        as resistance, an active one is subtracted from the overturning moment."""
         self._change(lib.tp_scene_add_anchor, c_number(x), c_number(y), c_number(direction_deg),
                      c_number(force_kn), passive)
 

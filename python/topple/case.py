@@ -31,7 +31,7 @@ class Pivot(Record):
     x_m: Bounded | None = field(when="told")
     y_m: Bounded | None = field(when="told")
     critical_angle_deg: Bounded | None = field(when=_turns)  #: above 90 it never topples
-    #: with loads: lets go, or holds again
+    #: with loads: fails, or is held again
     limits_deg: tuple[Bounded, ...] = field(count="limit_count")
     fos_resultant: Fos | None = field(when="told")
     fos_elements: Fos | None = field(when="told")
@@ -43,11 +43,11 @@ def _slides(c) -> bool:
 
 @dataclasses.dataclass(frozen=True)
 class Sliding(Record):
-    """Patton's sliding angle phi_b + i on the facet that governs."""
+    """Patton's sliding angle phi_b + i on the governing facet."""
 
     never: bool
     always: bool
-    opens: bool  #: no other facet stands in the way of sliding along this one
+    opens: bool  #: sliding along this facet is not blocked by another one
     uneven: bool  #: facets parallel to this one have more friction
     friction_angle_deg: Bounded
     facet_angle_deg: Bounded  #: positive where the block must climb
@@ -81,7 +81,7 @@ class LoadResult(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Factor(Record):
-    """A factor of safety against one way of moving, by its definition."""
+    """A factor of safety against one mode of motion, by its definition."""
 
     definition: FosDefinition
     mechanism: Mechanism
@@ -96,7 +96,7 @@ class Factor(Record):
 
 @dataclasses.dataclass(frozen=True)
 class GoverningFos(Record):
-    """The factor of safety that governs: below 1 exactly where a motion can begin at the tilt."""
+    """The governing factor of safety: below 1 exactly where a motion can begin at the tilt."""
 
     fos: Fos
     factor: int | None = field(when="has_factor")  #: it is that of this one of the factors
@@ -147,7 +147,7 @@ class Case(Record):
 
     @property
     def governing_pivot(self) -> Pivot | None:
-        """The pivot that governs."""
+        """The governing pivot."""
         return None if self.governing is None else self.pivots[self.governing]
 
     def meets(self, design_fos: float) -> Design:

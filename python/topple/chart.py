@@ -92,18 +92,18 @@ def chart_ranges() -> Chart:
 
 
 def chart_study(result: StudyResult) -> Chart:
-    """What a study came to: probability against tilt, distribution, rank correlations,
+    """The results of a study: probability against tilt, distribution, rank correlations,
     convergence."""
     return made(lib.tp_chart_study, struct_of(result))
 
 
 def chart_study_scatter(result: StudyResult) -> Chart:
-    """The angle at which its samples let go, against each number that varies."""
+    """The critical angle of its samples, against each number that varies."""
     return made(lib.tp_chart_study_scatter, struct_of(result))
 
 
 def chart_tilt_reactions(test: TiltTest) -> Chart:
-    """Reactions of the facets in a tilt test, against the tilt up to where the block lets go; where
+    """Reactions of the facets in a tilt test, against the tilt up to where the block begins to move; where
     the table stands still against time."""
     return made(lib.tp_chart_tilt_reactions, struct_of(test))
 
@@ -118,7 +118,7 @@ def chart_overturning(scene: Scene, frequencies: tuple[float, float] | None = No
                       count: int | None = None, tolerance: float | None = None) -> Chart:
     """The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its
     form that overturns the block, as PGA against frequency and PGV, and islands in which stronger
-    shaking spares it. `frequencies` from and to, in hertz of a pulse, times as fast of a record;
+    shaking does not overturn it. `frequencies` from and to, in hertz of a pulse, times as fast of a record;
     `count` of them, 25 unless given; `tolerance` of brackets, 1e-3."""
     first, last = frequencies or (None, None)
     options = options_of("overturning", **{"from": first}, to=last, count=count,
@@ -133,8 +133,8 @@ def chart_map(scene: Scene, x: tuple[str, float, float],
               governing_fos: bool | None = None, levels: Sequence[float] | None = None) -> Chart:
     """The mechanism map of a scene that tilts in one direction and has a friction angle. An axis is
     the key of a number, as in `find`, or `tilt`, with the range that it is taken through: ("tilt",
-    0, 60). Over two other numbers it says what the block does at the scene's tilt; `any_tilt`: what
-    lets go first as it is tilted. `governing_fos`: contours of that factor of safety, else of
+    0, 60). Over two other numbers it says what the block does at the scene's tilt; `any_tilt`: the
+    first motion as it is tilted. `governing_fos`: contours of that factor of safety, else of
     angles, at `levels`, 6 at most."""
     options = options_of("chart_map", scene=scene._c, any_tilt=any_tilt, governing_fos=governing_fos)
     held = [_list(options.levels, levels)]

@@ -48,7 +48,7 @@ def settings_of(c, owner) -> tuple[Setting, ...]:
 
 @dataclasses.dataclass(frozen=True)
 class Note(Record):
-    """What stands beside an answer: `place` is file:line:column, or the call, or empty."""
+    """A note or caution beside an answer: `place` is file:line:column, or the call, or empty."""
 
     kind: NoteKind
     place: str
@@ -70,7 +70,7 @@ class Fos(Record):
 
     def __float__(self) -> float:
         if self.value is None:
-            raise ValueError(f"the factor of safety is no number: {self.state}")
+            raise ValueError(f"the factor of safety is not a number: {self.state}")
         return self.value.value
 
 
@@ -87,7 +87,7 @@ class FacetFriction(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Effect(Record):
-    """What ran, what in the scene called for it, and what it cost."""
+    """An effect that was computed, the input that required it, and its time."""
 
     name: str
     called_for_by: str
@@ -98,7 +98,7 @@ class Effect(Record):
 @dataclasses.dataclass(frozen=True)
 class Frame(Record):
     """What the coordinates of the scene lie along. In the world's frame results are along the mean
-    plane, turned about one point, which keeps its coordinates."""
+    plane, turned about one point, whose coordinates do not change."""
 
     stated: bool
     world: bool  #: y runs up: the block lies as it lies
@@ -120,7 +120,7 @@ def _presses(c) -> bool:
 
 @dataclasses.dataclass(frozen=True)
 class Earthquake(Record):
-    """An earthquake that was looked at, of a block that lies on a slope."""
+    """An earthquake that was considered, for a block that lies on a slope."""
 
     towards: Direction  #: the side to which its horizontal part drives the block
     up_dip: bool  #: against the dip
@@ -175,7 +175,7 @@ class Rest(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Joint(Record):
-    """How open the joint is of a block that was shifted along its mated base. Gaps are along y, and
+    """The opening of the joint of a block that was shifted along its mated base. Gaps are along y, and
     lengths along x, of the part of the underside that lies above the base."""
 
     shift_m: Bounded  #: to the right above 0
@@ -193,7 +193,7 @@ class Joint(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Within(Record):
-    """What lay near its contact and was moved there."""
+    """The parts near its contact that were moved there."""
 
     moved: int  #: vertices of the block, onto its base
     taken: int  #: points of the profile that became vertices of the block

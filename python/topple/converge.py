@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What the settings of a simulated tilt test take from its answer, and what each costs
+"""The influence of the settings of a simulated tilt test on its answer, and the cost of each
 (docs/tilt_converge.md). Simulated numbers have no proven bound: they are floats."""
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class ConvergeLevel(Record):
 
 @dataclasses.dataclass(frozen=True)
 class ConvergeFinding(Record):
-    """What a setting comes to."""
+    """The result for one setting."""
 
     setting: ConvergeSetting
     verdict: ConvergeVerdict

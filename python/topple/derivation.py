@@ -74,7 +74,7 @@ class DerivedReaction(Record):
 
 @dataclasses.dataclass(frozen=True)
 class DerivedCheck(Record):
-    """A condition looked at from both sides in numbers."""
+    """A condition checked on both sides in numbers."""
 
     number: int  #: of the condition
     inside: str  #: the scene's numbers that were changed

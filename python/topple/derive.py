@@ -61,7 +61,7 @@ class Derivation(Record):
     notes: tuple[Note, ...] = field(read=notes_of)
 
     def governing(self, towards: Direction | str) -> DerivedPivot | None:
-        """The pivot that governs in a direction."""
+        """The governing pivot in a direction."""
         for pivot in self.pivots:
             if pivot.governs and pivot.towards is Direction(towards):
                 return pivot
@@ -82,7 +82,7 @@ def derive(scene: Scene, *, notation: Notation | str = Notation.TEXT, elements: 
     """The closed formulas of a scene in its parameters, in scene lengths; a scene from a file or a
     text, as one built in memory has no parameters. `elements`: the elements form; `rounded`: the
     corners at the governing pivots; `limit`: the static limit and the onset of motion; `checked`:
-    their conditions looked at from both sides in numbers."""
+    their conditions checked on both sides in numbers."""
     options = options_of("derive", notation=number_of(Notation, notation), elements=elements,
                          rounded=rounded, limit=limit, checked=checked)
     receives = ffi.new("tp_derivation **")

@@ -35,7 +35,7 @@ class NoAnswer(ToppleError):
 
 
 class Undecided(ToppleError):
-    """The precision allowed does not tell."""
+    """The precision allowed is not sufficient."""
 
 
 class OutOfMemory(ToppleError, MemoryError):
@@ -64,11 +64,11 @@ class PermissionDenied(SystemFailed, PermissionError):
 
 
 class DependencyFailed(ToppleError, RuntimeError):
-    """A library that Topple builds on, or gnuplot, failed."""
+    """A library that Topple uses, or gnuplot, failed."""
 
 
 class Caution(UserWarning):
-    """A warning of what may be wrong with the input, or of what an answer does not cover."""
+    """A warning of what may be wrong with the input, or is not covered by an answer."""
 
 
 ERRORS = {

@@ -93,7 +93,7 @@ class MotionContact(Record):
 
 @dataclasses.dataclass(frozen=True)
 class MotionResistance(Record):
-    """What a motion has to overcome: a force over the weight, and its moment about the centroid
+    """The resistance to a motion: a force over the weight, and its moment about the centroid
     over the weight."""
 
     share_x: Bounded
@@ -103,7 +103,7 @@ class MotionResistance(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Motion(Record):
-    """A way in which the block can begin to move at the scene's tilt. Accelerations in units of
+    """A mode in which the block can begin to move at the scene's tilt. Accelerations in units of
     gravity."""
 
     mechanism: Mechanism
@@ -139,7 +139,7 @@ class Onset(Record):
     tie_bits: int
     centre_x_m: Bounded | None = field(when="has_centre")
     centre_y_m: Bounded | None = field(when="has_centre")
-    below_limit: bool  #: by more than 1e-6 degrees: between them history decides
+    below_limit: bool  #: by more than 1e-6 degrees: between them the result depends on loading history
     windows: tuple[Window, ...] = field(count="window_count")
     ranges: tuple[MotionRange, ...] | None = field(count="range_count", when="has_ranges")
     paradox: bool  #: of Painlevé: rigid bodies with Coulomb friction have no unique answer

@@ -19,7 +19,7 @@ def _rests(c) -> bool:
 
 @dataclasses.dataclass(frozen=True)
 class Basin(Record):
-    """Starting positions next to each other from which a block ends alike."""
+    """Adjacent starting positions with the same outcome."""
 
     end: SettlingEnd
     pose: int | None = field(when=_rests)  #: index of the one in which it comes to rest
@@ -40,7 +40,7 @@ class PoseVerdict(Record):
     first: Mechanism
     first_angle_deg: Bounded | None = field(when="has_first_angle")
     fos: Fos  #: the governing one, at the scene's tilt
-    least: bool  #: of all poses this one lets go first as the table is tilted
+    least: bool  #: of all poses this one begins to move first as the table is tilted
 
 
 @dataclasses.dataclass(frozen=True)

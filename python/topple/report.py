@@ -50,6 +50,6 @@ def drawing():
 
 
 def sheet_options(date: str | None, times: bool, lines: int):
-    """What a calculation sheet tells besides results; the second holds what the first points to."""
+    """What a calculation sheet states besides results; the second holds what the first points to."""
     held = None if date is None else c_text(date)
     return options_of("sheet", date=held, times=int(times), lines=lines), held

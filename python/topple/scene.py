@@ -115,7 +115,7 @@ class Scene(Builder):
         return cls._made(receives)
 
     def report_drawing(self) -> str:
-        """Which object of its drawing became what; empty where it has none."""
+        """The role of each object of its drawing; empty without a drawing."""
         return written(lib.tp_report_drawing, self._c)
 
     @classmethod
@@ -209,7 +209,7 @@ class Scene(Builder):
         `digits`: relative accuracy 10^-digits asked of every number, 1 to 1000. `elements`: the
         account of moments by elements. `limit`: the static limit and the onset of motion, where the
         scene gives friction. `strength_reduction`: its factor of safety. `motion_ranges`: which
-        motions can begin at every tilt. `level`: the dearest arithmetic allowed. `pivots`: which
+        motions can begin at every tilt. `level`: the costliest arithmetic allowed. `pivots`: which
         get their numbers. `threads`: that sum the moments of a ring, 0 (as many as serve) to 16.
         None: as `topple solve` does.
 

@@ -59,7 +59,7 @@ class Solution(Record):
     level: Level  #: the arithmetic that certified the numbers
     bits: int
     digits: int
-    #: one is not certain to the digits asked, and given with the bound that it has
+    #: one is not certain to the digits asked, and is given with its actual bound
     open_number: bool
     #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
     zero_bits: int
@@ -78,8 +78,8 @@ class Solution(Record):
 
     @property
     def is_undecided(self) -> bool:
-        """Did the precision allowed leave a mechanism open, or a number less certain than was
-        asked?"""
+        """Did the precision allowed leave a mechanism undecided, or a number less certain than
+        requested?"""
         return lib.tp_solution_is_undecided(struct_of(self))
 
     def meets(self, design_fos: float) -> Design:
@@ -99,7 +99,7 @@ class Solution(Record):
         return written(lib.tp_report_notes, struct_of(self))
 
     def report_effects(self) -> str:
-        """What ran, what called for each, and what each cost."""
+        """The effects computed, the input that required each, and its time."""
         return written(lib.tp_report_effects, struct_of(self))
 
     def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
@@ -107,7 +107,7 @@ class Solution(Record):
         return written(lib.tp_report_json_pivots, struct_of(self), number_of(PivotsListed, pivots))
 
     def to_json_outlines(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
-        """The same with where everything lies, for a program that draws it: `outlines`. They are of
+        """The same with the geometry of everything, for programs that draw it: `outlines`. They are of
         the scene, which must be as it was when it was solved."""
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]
@@ -135,7 +135,7 @@ class Solution(Record):
     def write_report(self, path: str | os.PathLike, date: str | None = None, times: bool = True,
                      lines: int = 400) -> None:
         """Write a calculation sheet to check and sign into a file: .html, .md or .pdf. `date` is
-        printed as it is; `times` tells how long each effect took, which no two runs have alike;
+        printed as it is; `times` adds the time of each effect, which differs between runs;
         `lines` of each file that the scene was read from are shown. It has the account of moments
         by elements where `solve(elements=True)` drew it up."""
         solution = struct_of(self)

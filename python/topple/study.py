@@ -32,7 +32,7 @@ class StudyShare(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyTilt(Record):
-    """What becomes of the samples at a tilt."""
+    """Outcomes of the samples at a tilt."""
 
     of_scene: bool  #: at the scene's; where it has none, what happens first as it is tilted
     as_it_lies: bool  #: of a scene in the frame of the world: at the dip of its mean plane
@@ -48,8 +48,8 @@ class StudyTilt(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyQuantile(Record):
-    """A quantile, with a range that holds it with 95 % certainty; infinite where the samples do not
-    tell."""
+    """A quantile, with a range that holds it with 95 % certainty; infinite where there are too few
+    samples."""
 
     probability: float
     value: float
@@ -98,8 +98,8 @@ class StudyIndex(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyRare(Record):
-    """A probability by samples drawn where it fails; None where it has no answer, which `why` tells,
-    and where it was not asked for."""
+    """A probability by samples drawn where it fails; None where it has no result (`why` gives the
+    reason), and where it was not requested."""
 
     asked: bool
     probability: float | None = field(when="known")
@@ -125,7 +125,7 @@ class StudyDesignPoint(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyReliability(Record):
-    """Reliability of first order; None all where the study does not ask for it."""
+    """First-order reliability; None all where the study does not request it."""
 
     quantity: StudyQuantity | None = field(when="known")
     converged: bool | None = field(when="known")
@@ -162,7 +162,7 @@ class StudyMeasure(Record):
 @dataclasses.dataclass(frozen=True)
 class StudyDesign(Record):
     """The design value of one number: with it, and all others as they stand in the scene, the quantity
-    is what samples have with the probability wanted; None where there is none, which `why` tells."""
+    is what samples have with the probability wanted; None where there is none (`why` gives the reason)."""
 
     variable: int  #: which of the variables
     probability: float
@@ -203,7 +203,7 @@ class StudyStep(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyBad(Record):
-    """A sample whose numbers make no scene."""
+    """A sample whose numbers do not form a valid scene."""
 
     sample: int
     settings: str  #: KEY=VALUE KEY=VALUE
@@ -212,7 +212,7 @@ class StudyBad(Record):
 
 @dataclasses.dataclass(frozen=True)
 class StudyResult(Record):
-    """A study summed up. Quantiles, ranks, ranges and columns are of the first `kept` samples."""
+    """The summary of a study. Quantiles, ranks, ranges and columns are of the first `kept` samples."""
 
     title: str | None
     scene: str
@@ -226,9 +226,9 @@ class StudyResult(Record):
     shards: int
     half_width: float  #: asked of every interval; 0: none was
     open: int  #: samples with a number less certain than to 9 digits
-    by_doubles: int  #: samples told by doubles with proven bounds; the ladder told the others
+    by_doubles: int  #: samples solved in doubles with proven bounds; the others in higher precision
     doubles_seconds: float  #: of computing, of those solved in this run, by doubles
-    ladder_seconds: float  #: and by the ladder
+    ladder_seconds: float  #: and in higher precision
     tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
     variables: tuple[StudyVariable, ...] = field(count="variable_count")
     correlations: tuple[StudyCorrelation, ...] = field(count="correlation_count")

@@ -22,7 +22,7 @@ from .words import (Direction, Mechanism, TiltEnd, TiltEngine, TiltEventKind, Ti
 
 @dataclasses.dataclass(frozen=True)
 class TiltEvent(Record):
-    """What happened at a contact, or to the whole block."""
+    """An event at a contact, or of the whole block."""
 
     kind: TiltEventKind
     time_s: float  #: 0 on a quasi-static path
@@ -126,10 +126,10 @@ class OverturningGrid(Record):
 class OverturningRange(Record):
     """Factors at all of which, of those that were tried, the block is overturned."""
 
-    spared_below: float  #: the next one tried below spares it; NaN: none was tried there
+    spared_below: float  #: the next lower one tried does not overturn it; NaN: none was tried there
     least: float
     most: float
-    spared_above: float  #: the next one tried above spares it; NaN: none was tried there
+    spared_above: float  #: the next higher one tried does not overturn it; NaN: none was tried there
 
 
 @dataclasses.dataclass(frozen=True)
@@ -137,8 +137,8 @@ class TiltCase(Record):
     """One direction of tilt."""
 
     towards: Direction
-    least_deg: float  #: it stands there; of one that never lets go the last tilt tried
-    most_deg: float | None = field(when="has_bracket")  #: it lets go there
+    least_deg: float  #: it stands there; if it never moves, the last tilt tried
+    most_deg: float | None = field(when="has_bracket")  #: it begins to move there
     converged: bool  #: the bracket is as narrow as was asked
     softening_deg: float | None = field(when="has_softening")  #: sooner on springs as given
     jumps: int  #: times that a path gave way and came to rest at the same tilt

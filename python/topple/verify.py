@@ -52,7 +52,7 @@ class Verification(Record):
 
     @property
     def objects(self) -> bool:
-        """Is anything refuted, or does it disagree?"""
+        """Is any claim refuted, or in disagreement?"""
         return lib.tp_verification_objects(struct_of(self))
 
     def report(self) -> str:

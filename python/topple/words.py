@@ -36,15 +36,15 @@ class Direction(Word):
 
 
 class NoteKind(Word):
-    """A note says what was made of the input; a caution, what may be wrong with it, or is not
-    covered."""
+    """A note states how the input was interpreted; a caution what may be wrong with it, or is
+    not covered."""
 
     NOTE = "note"
     CAUTION = "caution"
 
 
 class Level(Word):
-    """The arithmetic of the moment sums, by rising price."""
+    """The arithmetic of the moment sums, by rising cost."""
 
     DOUBLE = "double"
     COMPENSATED = "compensated"
@@ -60,13 +60,13 @@ class Mechanism(Word):
     TOPPLES = "topples"
     SLIDES_AND_TOPPLES = "slides and topples"
     INTERLOCKED = "interlocked"  #: neither slides nor topples at any tilt below 90 degrees
-    MAY_MOVE = "may move"  #: some forces would hold it, but a motion can begin: history decides
+    MAY_MOVE = "may move"  #: some forces would hold it, but a motion can begin: depends on loading history
     LEAVES_BASE = "leaves its base"  #: every contact opens
     UNDECIDED = "undecided"
 
 
 class SettlingEnd(Word):
-    """What becomes of a block that is set down."""
+    """Outcome for a block that is set down."""
 
     COMES_TO_REST = "comes to rest"
     ROLLS_OFF_LEFT = "rolls off to the left"
@@ -101,7 +101,7 @@ class FactorStanding(Word):
     """Does the factor of a way count?"""
 
     COUNTS = "counts"
-    BLOCKED = "blocked"  #: a facet stands in the way of this motion
+    BLOCKED = "blocked"  #: this motion is blocked by a facet
     PREVENTED = "prevented"  #: contact forces prevent it
     UNEVEN = "uneven"  #: facets along which it would slide differ in friction
     SMOOTH = "smooth"  #: there is no shear strength to divide
@@ -128,7 +128,7 @@ class LoadSide(Word):
 
     STABILISES = "stabilises"
     OVERTURNS = "overturns"
-    LESSENS_OVERTURNING = "lessens what overturns"
+    LESSENS_OVERTURNING = "reduces the overturning moment"
 
 
 class Rolls(Word):
@@ -146,7 +146,7 @@ class ContactEnd(Word):
     STATED = "between"  #: the scene's 'between'
     STEEP = "steeper than 45 degrees"  #: from there on it rises by more than it runs
     OVERHANG = "overhang"  #: beyond it the underside turns back over its support
-    PROFILE = "profile"  #: where the block touches a profile of its own first, or last
+    PROFILE = "profile"  #: where the block touches a separate profile first, or last
 
 
 class LimitKind(Word):
@@ -204,7 +204,7 @@ class FindTarget(Word):
     LIMIT_ANGLE = "limit_angle"  #: the static limit
     LIMIT_FOS = "limit_fos"  #: by strength reduction
     ONSET_ANGLE = "onset_angle"  #: the onset of motion
-    GOVERNING_FOS = "governing_fos"  #: the factor that governs at the scene's tilt
+    GOVERNING_FOS = "governing_fos"  #: the governing factor at the scene's tilt
 
 
 class Notation(Word):
@@ -238,7 +238,7 @@ class Verdict(Word):
 
 
 class AccuracyMethod(Word):
-    """A way to a number."""
+    """A method for a number."""
 
     BOUNDARY = "boundary sums"
     TRIANGLES = "triangles"
@@ -256,7 +256,7 @@ class ProfileResampling(Word):
 
 
 class ProfileDetrend(Word):
-    """The line that is taken off the heights of a profile, or that it is turned onto."""
+    """The line that is subtracted from the heights of a profile, or that it is turned onto."""
 
     NONE = "none"
     LINE = "line"  #: of least squares
@@ -299,7 +299,7 @@ class JrcState(Word):
 
 
 class StudyOutcome(Word):
-    """What becomes of a sample of a study."""
+    """Outcome of a sample of a study."""
 
     STANDS = "stands"
     SLIDES = "slides"
@@ -307,7 +307,7 @@ class StudyOutcome(Word):
     SLIDES_AND_TOPPLES = "slides and topples"
     LEAVES_BASE = "leaves its base"  #: every contact opens
     INTERLOCKED = "interlocked"  #: stands at every tilt
-    MAY_MOVE = "may move"  #: history decides
+    MAY_MOVE = "may move"  #: the result depends on loading history
     UNDECIDED = "undecided"
     INVALID = "invalid"  #: the numbers make no scene
 
@@ -347,13 +347,13 @@ class TiltProtocol(Word):
 
 
 class TiltEventKind(Word):
-    """What happens at a contact, or to the whole block."""
+    """An event at a contact, or of the whole block."""
 
     OPENS = "opens"
     CLOSES = "closes"
     SLIPS = "slips"
     STICKS = "sticks"
-    COLLAPSES = "lets go"
+    COLLAPSES = "begins to move"
     RESTS = "rests"
     OVERTURNS = "overturns"
     LEAVES_BASE = "leaves its base"
@@ -364,7 +364,7 @@ class TiltEnd(Word):
     """How a simulated block ended."""
 
     STANDS = "stands"
-    COLLAPSES = "lets go"
+    COLLAPSES = "begins to move"
     RESTS = "rests again"
     MOVES = "still moves"
     OVERTURNED = "overturned"
@@ -396,14 +396,14 @@ class ConvergeSetting(Word):
 
 
 class ConvergeQuantity(Word):
-    """What is asked to converge."""
+    """The quantity that is to converge."""
 
     ANGLE = "critical angle"
     OVERTURNING = "overturning factor"
 
 
 class ConvergeVerdict(Word):
-    """What comes out for one setting."""
+    """The outcome for one setting."""
 
     HOLDS = "holds"
     REFINED = "refined"

@@ -105,7 +105,7 @@ int main(void) {
         seconds[k] = bench_computed() - began;
       }
       gsl_sort(seconds, 1, SAMPLES);
-      printf("rigid contact, %-10s %-20s %8.3f ms   lets go at %.4f deg\n", blocks[b].name,
+      printf("rigid contact, %-10s %-20s %8.3f ms   begins to move at %.4f deg\n", blocks[b].name,
              ways[kind], 1e3 * gsl_stats_median_from_sorted_data(seconds, 1, SAMPLES), angle);
     }
     tp_rigid_body_clear(&body);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Somebody who never saw the command line takes the tour, by buttons alone, and finds why block E lets go at 28.7° and how
+"""Somebody who never saw the command line takes the tour, by buttons alone, and finds why block E moves at 28.7° and how
 a base that goes on would hold it. What the tour says on the way is what the native program says; and the panels can be
 read: narrow, light, dark, printed, without a complaint of the browser."""
 
@@ -45,7 +45,7 @@ class Tour(PanelCase):
             self.button("Next", ".tour")
             self.assertEqual(self.said(".tour h2"), title)
         case = solve("examples/block_e_valley.yaml")["cases"][0]
-        said = degrees(self.found("lets go at"))
+        said = degrees(self.found("begins to move at"))
         for shown, key in zip(said, (case["toppling"], case["toe"], case["limit"])):
             value = key.get("critical_angle_deg", key.get("limit_angle_deg"))["value"]
             self.assertAlmostEqual(shown, value, delta=0.0005)
@@ -97,7 +97,7 @@ class Tour(PanelCase):
     def test_history(self):
         """Between certain to stand and certain to move the verdict says that it may, and the map is of friction."""
         self.begin(6)
-        self.found("history has no say")
+        self.found("loading history has no influence")
         self.button("of 60°, tilted by 28°", ".tour")
         case = solve("examples/block_a_peak.yaml", "--set", "friction_angle_deg=60")["cases"][0]
         said = degrees(self.found("it may move"))

@@ -178,7 +178,7 @@ class Contact:
         return sum(root(dot2(minus(b, a), minus(b, a))) for a, b, _ in self.facets)
 
     def sliding(self, centroid, friction_deg, towards):
-        """Patton's phi + i of the facet that governs, in degrees; None where one stands in the way or
+        """Patton's phi + i of the governing facet, in degrees; None where one stands in the way or
         nothing touches that could govern; 'never' from 90 degrees on."""
         sign = 1 if towards == "left" else -1
 

@@ -163,7 +163,7 @@ class Corners(ContactTest):
         """A block that would stand on a rounded tip alone touches nothing."""
         refused = self.refused(self.scene([(0, 0), (2, 2), (0, 4), (-2, 2)], "{at: [0, 0], radius: 1/2}",
                                           "profile: [[-3, 1], [0, 0], [3, 1]]", "left"))
-        self.assertIn("with corners alone that are rounded off", refused)
+        self.assertIn("with only corners that are rounded off", refused)
 
     def test_rolling_off_the_rock(self):
         """A low slab rolls on its toe of radius 19 to a new rest, 19 t from where it began after a turn by t.

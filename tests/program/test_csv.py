@@ -74,15 +74,15 @@ class Csv(unittest.TestCase):
         self.same("# survey, 2024\n\n" + rows().replace("4\n", "4 # the top\n"))
 
     def test_two_header_lines(self):
-        """A title and names, names and units, either alone; a third one is a point that is no number."""
+        """A title and names, names and units, either alone; a third one is a point that is not a number."""
         for head in ("Block 7\nx,y\n", "x,y\nm,m\n", "x,y\n[m],[m]\n", '"x","y"\n"(m)","(m)"\n', "Profile 3\n", "Block E\n",
                      "distance,elevation\nm,m\n", "Survey of May, 2024, by hand\nx,y\n", "Survey of May; by hand\n\n", "x (m), y (m)\n"):
             self.same(head + rows())
         self.same("x (m) y (m)\n" + rows(" "))
         self.same("x y\n" + rows(", "))
-        self.refuse("x,y\nm,m\na,b\n" + rows(), "3:1", "what stands here is no number")
-        self.refuse("o,0\n" + rows(), "1:1", "what stands here is no number")  # a letter o: no header
-        self.refuse("0,0\nx,y\n" + rows(), "2:1", "what stands here is no number")
+        self.refuse("x,y\nm,m\na,b\n" + rows(), "3:1", "this entry is not a number")
+        self.refuse("o,0\n" + rows(), "1:1", "this entry is not a number")  # a letter o: no header
+        self.refuse("0,0\nx,y\n" + rows(), "2:1", "this entry is not a number")
 
     def test_columns_by_name(self):
         """What a header names x and y is read wherever it stands, and a note says which columns these are."""

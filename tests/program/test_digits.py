@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Digits as asked, and the dearest arithmetic allowed: `solve --digits N --level LEVEL`.
+"""Digits as asked, and the costliest arithmetic allowed: `solve --digits N --level LEVEL`.
 
 The truth comes from Python's fractions and decimals at more digits than are asked for; the static
 limit, which has no formula here, is put to the laws that it must obey."""
@@ -79,7 +79,7 @@ class Digits(unittest.TestCase):
         self.assertLess(abs(Decimal(limit["digits"]) - 20), Decimal(10) ** -196)
 
     def test_limits_under_loads(self):
-        """Every tilt at which a loaded block lets go has the digits asked for: the first is the critical angle."""
+        """Every tilt at which a loaded block begins to move has the digits asked for: the first is the critical angle."""
         pivot = solve("examples/block_seismic.yaml", "--digits", 50)["cases"][0]["pivots"][0]
         self.assertEqual(pivot["limits_deg"][0]["digits"], pivot["critical_angle_deg"]["digits"])
         self.assertEqual(len(pivot["limits_deg"][0]["digits"]), 51)

@@ -263,7 +263,7 @@ class Words(Case):
         self.write(SPLIT, None, 30, "{facet: 2, angle_deg: 20}")
         status, out, _ = run("solve", self.path)
         self.assertEqual(status, 0)
-        self.assertIn("Friction 30°, but on facets of the base, counted from the left:\n"
+        self.assertIn("Friction 30°, except on facets of the base, counted from the left:\n"
                       "         20° on facet 2\n", out)
         self.assertIn("φ + i = 20° + 0° = 20.000°.\n"
                       "  φ: the least of that facet and of all parallel to it.\n", out)

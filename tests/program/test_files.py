@@ -155,7 +155,7 @@ class Kept(Folder):
         self.assertEqual([p.read_text() for p in parts], ["of another run"] * 3)
 
     def test_pipes_and_devices(self):
-        """What is no regular file is written to where it is."""
+        """What is not a regular file is written to where it is."""
         pipe, null, full = (self.folder / f"{name}.svg" for name in ("pipe", "null", "full"))
         os.mkfifo(pipe)
         null.symlink_to("/dev/null")

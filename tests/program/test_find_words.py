@@ -62,7 +62,7 @@ class FindWords(unittest.TestCase):
             self.assertAlmostEqual(found["to"], ends[1], delta=1e-12)
             self.assertAlmostEqual(found["solutions"][0]["value"], -1, delta=1e-12)
         said = re.sub(r"\s+", " ", run("solve", "--help")[1])
-        self.assertIn("(else 0, or ten times what it is where that is below 0)", said)
+        self.assertIn("(default 0, or ten times its present value if that is below 0)", said)
 
     def test_reversed(self):
         """Each end of a range that is reversed is named, and where it came from."""
@@ -106,7 +106,7 @@ class FindWords(unittest.TestCase):
         out = run("solve", "--find", "p", "--for", "critical_angle=50", "--from", 2, "--to", 4, self.path)[1]
         self.assertIn("none in range: critical_angle goes from 14.0362434679 to 26.5650511771 there", out)
         out = run("solve", "--find", "block.thickness", "--for", "critical_angle=50", self.path)[1]
-        self.assertIn("none in range: critical_angle is 45 wherever it was looked at", out)
+        self.assertIn("none in range: critical_angle is 45 at every point examined", out)
 
     def test_the_default_range_is_as_precise(self):
         """A slab of width 1 and height 1 + (p - r)(p - s)(p - t), which has three solutions within 0.006, on a

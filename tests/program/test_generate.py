@@ -187,7 +187,7 @@ class Generate(GenerateCase):
                 (TEETH % (4, ", scatter: {amplitude: 1.1}"), "amplitude must lie between 0 and 1"),
                 (TEETH % (0, ""), "a whole number of teeth, at least 1"),
                 (TEETH % (4, "") + ", worn: {cut: 5}",
-                 "'cut' takes off all of the roughness: the highest point stands 5 above"),
+                 "'cut' removes all of the roughness: the highest point stands 5 above"),
                 (TEETH % (4, "") + ", worn: {cut: 1, rounded: 1}",
                  "one of cut, rounded and abraded"),
                 (TEETH % (4, "") + ", noise: {deviation: 0, seed: 1}",

@@ -219,7 +219,7 @@ class Refused(Gis):
         self.shp.write_bytes(data)
         self.refused("section.shp", "section.shp: ")
         self.lines(points=[("0", "0"), ("1", "0"), ("nan", "1")])
-        self.refused("section.shp", "a coordinate that is no number")
+        self.refused("section.shp", "a coordinate that is not a number")
 
     def test_nothing_there(self):
         write_shapefile(self.shp, 5, [])

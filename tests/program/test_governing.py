@@ -72,7 +72,7 @@ class Governing(GoverningCase):
             if tilt > i:
                 self.near(shear["fos"], tan(friction) / tan(tilt - i))
             else:
-                self.assertEqual((shear["fos"], shear["fos_is"]), (None, "unbounded: nothing drives it"))
+                self.assertEqual((shear["fos"], shear["fos_is"]), (None, "unbounded: no driving action"))
             self.assertTrue(shear["counts"])
             least = min(f["fos"]["value"] for f in case["factors"] if f["fos"] is not None)
             self.assertEqual(case["governing_fos"]["fos"]["value"], least)
@@ -89,7 +89,7 @@ class Governing(GoverningCase):
             self.assertLess(rough["fos"]["value"], 1)
             self.assertEqual(case["mechanism"], "stands")
             self.assertGreater(case["governing_fos"]["fos"]["value"], 1)
-        self.assertIn("(does not count: a facet stands in the way)", run("solve", self.scene(text))[1])
+        self.assertIn("(excluded: sliding is blocked by a facet)", run("solve", self.scene(text))[1])
 
     def test_what_moves_is_below_one(self):
         """Random blocks on toothed soles: where the verdict is that it moves, the factor is below 1 or there is none."""
@@ -125,7 +125,7 @@ class Governing(GoverningCase):
         self.assertGreater(self.by(case, "shear strength")["fos"]["value"], 1.8)
         self.near(self.by(case, "strength reduction")["fos"], self.by(case, "shear strength")["fos"]["value"])
         self.assertIsNone(case["governing_fos"]["fos"])
-        self.assertEqual(case["governing_fos"]["fos_is"], "none: it lets go at a lesser tilt already")
+        self.assertEqual(case["governing_fos"]["fos_is"], "none: it already fails at a lower tilt")
 
     def test_pulled_up_dip(self):
         """An anchor near the base pulls a slender slab up-dip: as its strength is reduced it slides up-dip at its tilt, though
@@ -160,7 +160,7 @@ class Governing(GoverningCase):
         self.assertEqual((governing["mechanism"], governing["definition"]), ("topples", "tilt"))
         self.near(governing["fos"], tan(5) / (2.5 / 3))
         (case,) = self.solve(leaning.replace("friction_angle_deg: 40\n", ""))
-        self.assertEqual(case["governing_fos"]["fos_is"], "none: at this tilt it lets go up-dip")
+        self.assertEqual(case["governing_fos"]["fos_is"], "none: at this tilt it fails up-dip")
 
     def test_two_apexes(self):
         """A block on two corners alone: JSON called it `topples` and `slides and topples` at once, the report spoke of

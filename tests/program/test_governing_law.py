@@ -96,10 +96,10 @@ class Law(GoverningCase):
                 self.assertAlmostEqual(governing["fos"]["value"], truth, delta=1e-9)
                 self.assertEqual(case["mechanism"] == "stands", truth > 1)
             strength = self.by(case, "strength reduction")
-            self.assertEqual((strength["fos"], strength["fos_is"]), (None, "none: no strength makes it certain to stand"))
+            self.assertEqual((strength["fos"], strength["fos_is"]), (None, "none: not certain to stand at any strength"))
 
     def test_find(self):
-        """What is found for the factor that governs gives that factor; what is found for another one says so."""
+        """What is found for the governing factor gives that factor; what is found for another one says so."""
         scene = self.scene(text_of("anchored"), "anchored.yaml")
         key = "loads.anchors.1.force_kn"
         done, out, err = run("solve", "--find", key, "--for", "governing_fos=1.3", "--to", "200", "--json", scene)
@@ -111,7 +111,7 @@ class Law(GoverningCase):
         self.assertAlmostEqual(again["governing_fos"]["fos"]["value"], 1.3, delta=1e-9)
         done, out, err = run("solve", "--find", key, "--for", "fos=1.3", "--to", "200", scene)
         self.assertEqual(done, 0, err)
-        self.assertIn("Caution: fos is not the factor that governs there: FoS 1.149 against sliding", out)
+        self.assertIn("Caution: fos is not the governing factor there: FoS 1.149 against sliding", out)
 
     def test_shares_of_a_study(self):
         """Of samples as many are below 1 as can move."""

@@ -138,7 +138,7 @@ class GoverningReports(GoverningCase):
                                          "friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 10}")
         self.assertIn("by Patton's law (Eq. 6)", run("solve", self.scene(law))[1])
         e_valley = run("solve", "examples/block_e_valley.yaml")[1]
-        self.assertIn("friction ends there at φ − 9.462° = 20.538°", e_valley)
+        self.assertIn("friction is exhausted there at φ − 9.462° = 20.538°", e_valley)
         self.assertNotIn("Caution", e_valley)  # on the other kind of base it would be safer
         goes_on = (ROOT / "examples/block_e_valley.yaml").read_text(encoding="utf-8")
         goes_on = goes_on.replace("beyond: {left: 0, right: 0}", "beyond: {left: 60, right: 60}")
@@ -147,9 +147,9 @@ class GoverningReports(GoverningCase):
     def test_what_ran(self):
         """One line by default, all of it on demand."""
         plain, told = run("solve", "examples/slab.yaml")[1], run("solve", "--verbose", "examples/slab.yaml")[1]
-        self.assertNotIn("What ran", plain)
-        self.assertIn("(--verbose: what ran).", plain)
-        listed = told[told.index("\nWhat ran\n"):]
+        self.assertNotIn("Effects computed", plain)
+        self.assertIn("(--verbose: details).", plain)
+        listed = told[told.index("\nEffects computed\n"):]
         for effect in ("moments", "toppling", "sliding", "limit"):
             self.assertRegex(listed, rf"\n  {effect} +[0-9.]+ ms   for ")
 

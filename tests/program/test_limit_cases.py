@@ -28,7 +28,7 @@ class Cases(LimitCase):
             self.holds(one["otherwise"]["critical_angle_deg"], other["critical_angle_deg"]["value"])
 
     def test_table_3(self):
-        """Where the base goes on by a tooth, every block of Table 3 lets go at the angle of its moments;
+        """Where the base goes on by a tooth, every block of Table 3 begins to move at the angle of its moments;
         towards a peak on either base."""
         rows = table("table3.csv")
         self.assertEqual(len(rows), 14)
@@ -56,8 +56,8 @@ class Cases(LimitCase):
         contact = json.loads(out)["cases"][0]["contact"]
         self.assertEqual((status, contact["points"], contact["corner_points"]), (0, 2, 2), err)
         text = run("solve", self.path)[1]
-        self.assertIn("2 of the points are a corner on a corner, which counts as no support", text)
-        self.assertIn("its contacts of a corner on a corner count as no support", text)
+        self.assertIn("2 of the points are a corner on a corner, not counted as support", text)
+        self.assertIn("its contacts of a corner on a corner are not counted as support", text)
         blunt = "profile: [[-1, -1], [0, 0], [1e-30, 0], [1/2, -1], [1 - 1e-30, 0], [1, 0], [2, -1]]"
         out = self.run_solve(
             "outline: [[0, 0], [1e-30, 0], [1/2, 1], [1 - 1e-30, 0], [1, 0], [1, 2], [0, 2]]", blunt, 30)[1]
@@ -162,7 +162,7 @@ class Cases(LimitCase):
             self.holds(case["limit"]["critical_angle_deg"], truth)
 
     def test_worn_toe(self):
-        """Block A with its toe rounded by 3.36 mm: it lets go below the sharp corner (Table 3: 26.2 and 23.9).
+        """Block A with its toe rounded by 3.36 mm: it begins to move below the sharp corner (Table 3: 26.2 and 23.9).
         The rock past the toe does not touch what is rounded off, so that a base that goes on holds no more
         than one that ends. Towards its peak it goes at the angle of its moments about the moved axis."""
         text = (ROOT / "examples" / "block_a_worn.yaml").read_text(encoding="utf-8")

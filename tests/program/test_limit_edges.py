@@ -84,7 +84,7 @@ class Edges(LimitCase):
 
     def test_centroid_outside_the_contact(self):
         """An overhang down-dip, its centroid 2 before the foot's end and 3 high: it holds from -atan(2/3)
-        down, about that end; towards the other side it lets go up-dip at tilts below 33.69."""
+        down, about that end; towards the other side it begins to move up-dip at tilts below 33.69."""
         overhang = ("outline: [[0, 0], [1, 0], [1, 6], [-5, 6], [-5, 0], [-1, 0]]", "profile: [[0, 0], [1, 0]]")
         case = self.solve(*overhang, 60)
         gx, gy = case["block"]["centroid_x_m"]["value"], case["block"]["centroid_y_m"]["value"]

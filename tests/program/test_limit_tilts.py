@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The static limit where loads do not turn with the tilt: a block that lets go and holds again. Each docstring works its
+"""The static limit where loads do not turn with the tilt: a block that begins to move and holds again. Each docstring works its
 closed form; slabs are b wide and h high, of W = 26 b h kN a metre."""
 
 import json
@@ -29,7 +29,7 @@ class LimitOverTilts(LimitLoadsCase):
 
     def test_lets_go_and_holds_again_within_a_degree(self):
         """Lifted straight off its base near 10.5 degrees only, a slab holds at 10 and 11 degrees, and at
-        all whole ones: the limit is where it lets go between, not `interlocked`."""
+        all whole ones: the limit is where it begins to move between, not `interlocked`."""
         for window in (2, 0.6, 0.1, 0.01, 0.001):
             share = math.cos(math.radians(window / 2))
             outline, loads = self.lifted(share)
@@ -40,7 +40,7 @@ class LimitOverTilts(LimitLoadsCase):
                                    delta=value["error"] + 1e-8)
 
     def test_the_first_tilt_or_undecided(self):
-        """The slab lets go in two windows ever narrower: the program names the first one's tilt or
+        """The slab begins to move in two windows ever narrower: the program names the first one's tilt or
         answers `undecided`, never that the block holds at every tilt. With a bond that suffices at
         the worst tilt it says that, and only then."""
         decided = 0

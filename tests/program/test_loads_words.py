@@ -81,7 +81,7 @@ class LoadsWords(LoadsCase):
         self.refuse("{seismic: {horizontal: 0.1}}", "leave out --elements", "--elements")
         tip = slab(2.0, 5.0, "{cohesion_kpa: 1}").replace(
             "tilt:", "base: {profile: [[-1, -1], [0, 0], [1, -1], [2, 0], [3, -1]]}\ntilt:")
-        self.refuse(None, "touches its base in points alone", text=tip)
+        self.refuse(None, "touches its base only in points", text=tip)
         self.refuse(None, "give its 'unit_weight_kn_m3'",
                     text=slab(2.0, 5.0, "{bond_kpa: 1}").replace("  unit_weight_kn_m3: 26\n", ""))
 

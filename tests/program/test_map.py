@@ -277,7 +277,7 @@ class Map(Chart):
 
     def test_at_the_scenes_tilt(self):
         """At 20° a slab slides where phi < 20° and topples where dx/y < tan 20°; it stands beyond both, and the title says
-        at which tilt. Without a tilt, or at any, what lets go first stands there as before."""
+        at which tilt. Without a tilt, or at any, the first motion stands there as before."""
         arguments = self.tilted(20, x="block.slab.width=0.65:3", y="friction_angle_deg=18.5:50")
         root = 2 * math.tan(20 * DEGREE)
         rows = self.borders(*arguments, *ONE_CONTOUR)

@@ -43,7 +43,7 @@ class Mated(MatedCase):
         self.write(outline, "base: {mated: whole}")
         text = " ".join(run("solve", self.path)[1].split())
         self.assertIn("Caution: its steepest facet lies at 80.538° from the mean plane", text)
-        self.assertIn("Caution: it reaches over 100 % of the block's height", text)
+        self.assertIn("Caution: it extends over 100 % of the block's height", text)
 
     def test_boulders(self):
         """Random convex boulders: by trial of all vertices, the contact ends to the right in the outermost one

@@ -36,7 +36,7 @@ class MeshRefused(MeshCase):
             spoilt[84 + 50 * 4 + 12 + 8:84 + 50 * 4 + 12 + 12] = struct.pack("<f", bad)
             self.refuse_file("a.stl", bytes(spoilt), "", "triangle 5: a coordinate that is not a finite number")
         self.refuse_file("a.stl", b"solid" + whole[5:-1], "", "was cut off or damaged")
-        self.refuse_file("a.stl", b"", "", "this is no STL: it neither begins with 'solid' nor has the 84 bytes")
+        self.refuse_file("a.stl", b"", "", "this is not an STL: it neither begins with 'solid' nor has the 84 bytes")
         self.refuse_file("a.stl", whole[:80] + struct.pack("<I", 0), "", "there is no face in it")
 
     def test_text_stl(self):
@@ -47,7 +47,7 @@ class MeshRefused(MeshCase):
         self.refuse_file("a.stl", whole.replace("outer", "inner", 1), ":3:3", "'outer loop' is expected here")
         self.refuse_file("a.stl", whole.replace("0.0", "0,0", 1), ":4:15", "a comma within a number; write decimals with a p")
         self.refuse_file("a.stl", whole.replace("0.0", "nan", 1), ":4:15", "a coordinate that is not a finite number")
-        self.refuse_file("a.stl", whole.replace("0.0", "zero", 1), ":4:15", "what stands here is no number")
+        self.refuse_file("a.stl", whole.replace("0.0", "zero", 1), ":4:15", "this entry is not a number")
         self.refuse_file("a.stl", whole + "root:x:0:0\n", ":227:1", "'solid' is expected here")
         self.refuse_file("a.stl", whole.encode("utf-16"), "", "this text is in UTF-16; save it as UTF-8 or plain ASCII")
 
@@ -65,7 +65,7 @@ class MeshRefused(MeshCase):
         self.refuse_file("a.ply", whole.replace(b"ascii", b"text"), ":2:8", "a format of PLY is ascii, binary_little_endian")
         self.refuse_file("a.ply", whole.replace(b"1.0", b"2.0", 1), ":2:14", "Topple reads PLY of version 1.0")
         self.refuse_file("a.ply", whole.replace(b"face 32", b"cell 32"), "", "a mesh has the elements vertex and face")
-        self.refuse_file("a.ply", whole[4:], ":1:1", "this is no PLY")
+        self.refuse_file("a.ply", whole[4:], ":1:1", "this is not a PLY")
         self.refuse_file("a.ply", whole[:60], ":4:17", "the file ends within its header")
 
     def test_binary_ply(self):
@@ -90,13 +90,13 @@ class MeshRefused(MeshCase):
         self.refuse_file("a.obj", "v 0 0 0\nf 1 1\n", ":2:6", "a face has three corners, or more")
         self.refuse_file("a.obj", "v 0 0 0\nf 1 1 1\n", "", "none of its faces has three different corners")
         self.refuse_file("a.obj", "cstype bezier\n", ":1:1", "a curved surface; export it as a mesh of flat faces")
-        self.refuse_file("a.obj", "root:x:0:0:secret\n", ":1:1", "this is no statement of an OBJ file")
+        self.refuse_file("a.obj", "root:x:0:0:secret\n", ":1:1", "this is not a statement of an OBJ file")
         self.refuse_file("a.obj", "# nothing\n", "", "there is no face in it")
-        self.refuse_file("a.obj", "v 1e400 0 0\n", ":1:3", "what stands here is larger than 1e308")
+        self.refuse_file("a.obj", "v 1e400 0 0\n", ":1:3", "this entry is larger than 1e308")
         self.refuse_file("a.obj", "".join(f"o {k}\n" for k in range(10001)), "", "more than 10000 objects")
         self.refuse_file("a.dae", "", "", "a mesh is a file whose name ends in .stl, .ply or .obj")
         (self.folder / "b.obj").mkdir()
-        self.refuse(self.scene("b.obj"), "b.obj", "is no regular file")
+        self.refuse(self.scene("b.obj"), "b.obj", "is not a regular file")
 
     def test_where_the_plane_passes(self):
         points, faces = box((0, 0, 0), (2, 3, 1))

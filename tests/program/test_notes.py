@@ -18,7 +18,7 @@ SLAB = ("topple: 1\nlength_unit: {unit}\nblock: {{slab: {{width: {width}, height
 
 
 #: What solve says of a base that shakes.
-SHAKING = "the shaking of the base is not in these numbers: 'topple tilt' simulates it"
+SHAKING = "the shaking of the base is not included in these results: 'topple tilt' simulates it"
 
 
 class Notes(unittest.TestCase):

@@ -104,7 +104,7 @@ class Known(unittest.TestCase):
         quake = self.scene.solve(*cube, 45, "loads: {seismic: {horizontal: 0.5}}\n")["left"]["onset"]
         self.close(quake["critical_angle_deg"], float(degrees_of(Fraction(1, 3))), 12)
         self.assertEqual({quake["mechanism"], quake["tied_with"]}, {"slides", "topples"})
-        self.assertRegex(quake["tie_is"], r"^not told apart by [1-9]\d* bits$")
+        self.assertRegex(quake["tie_is"], r"^not distinguished by [1-9]\d* bits$")
         for friction in ("45.000000001", "44.999999999"):
             onset = self.scene.solve(*cube, friction)["left"]["onset"]
             self.assertNotIn("tied_with", onset)

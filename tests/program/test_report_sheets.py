@@ -192,8 +192,8 @@ class Report(unittest.TestCase):
 
     def test_onset(self):
         """Of each onset a formula, the limit that it is, or why neither: told by what the JSON has. Formulas are reckoned above."""
-        kinds = {"Onset: it can begin to topple": 0, "Onset: it can begin to slide": 0, "Onset: α_s is the static limit": 0,
-                 "The onset has no formula": 0}
+        kinds = {"Onset: toppling about C is possible": 0, "Onset: sliding is possible": 0, "Onset: α_s is the static limit": 0,
+                 "The onset has no one-line formula": 0}
         run("solve", "examples/boulder.yaml", "--report", self.path / "boulder.html")  # whose onset is below its limit
         below = Page((self.path / "boulder.html").read_text(encoding="utf-8")), solve("examples/boulder.yaml")["cases"], 1
         for page, cases, _ in [*self.each(), below]:
@@ -203,9 +203,9 @@ class Report(unittest.TestCase):
             for kind, case in zip(told, at_angle):
                 kinds[kind] += 1
                 onset, limit = case["onset"]["critical_angle_deg"]["value"], case["limit"].get("critical_angle_deg")
-                if "topple" in kind:
+                if "toppling" in kind:
                     self.assertEqual(case["onset"]["mechanism"], "topples")
-                elif "slide" in kind:
+                elif "sliding" in kind:
                     self.assertEqual(case["onset"]["mechanism"], "slides")
                     self.assertAlmostEqual(onset, case["sliding"]["critical_angle_deg"]["value"], 9)
                 elif "limit" in kind:

@@ -121,7 +121,7 @@ class Studies(unittest.TestCase):
         for table, case in zip(page.tables("Numbers of the test"), told["cases"], strict=True):
             facts = dict(table)
             for label, value in (("Stands at", case["critical_angle_deg"]["stands_at"]),
-                                 ("Lets go at", case["critical_angle_deg"]["lets_go_at"]),
+                                 ("Begins to move at", case["critical_angle_deg"]["lets_go_at"]),
                                  ("Statics, α_s", case["statics"]["onset_deg"]),
                                  ("Statics, α_w", case["statics"]["limit_deg"])):
                 self.near(facts[label], value)

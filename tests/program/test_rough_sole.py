@@ -3,7 +3,7 @@
 """Roughness of a digitised sole is no strength, and a caution says how much of it is in the factor.
 
 A slab 4 m by 1.2 m with friction of 30° at 29° slides, on its mean plane, with tan 30° / tan 29° = 1.042. Its sole
-digitised with ± 2 cm climbs over its own errors. The numbers of the caution are the factor that governs the scene and
+digitised with ± 2 cm climbs over its own errors. The numbers of the caution are the governing factor the scene and
 that of a second scene, with the sole drawn level."""
 
 import json

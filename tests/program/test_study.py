@@ -114,7 +114,7 @@ class Probabilities(StudyCase):
                 self.assertAlmostEqual(point["beta"], beta, delta=1e-5)
             held += own["importance"]["low"] <= slides + topples - slides * topples <= own["importance"]["high"]
         self.assertGreaterEqual(held, 4 * seeds // 5)
-        self.assertIn("another one: beta 3.5000", self.study("study.yaml"))
+        self.assertIn("another design point: beta 3.5000", self.study("study.yaml"))
         (self.folder / "slab.yaml").write_text(
             "topple: 1\nlength_unit: m\nparameters: {x1: 0, x2: 0}\nblock: {slab: {width: 40, height: 2}}\nbase: {mated: true}\n"
             "friction_angle_deg: 30+x1-0.3*x2^2\ntilt: {towards: left, angle_deg: 26.5}\n")

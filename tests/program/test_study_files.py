@@ -161,7 +161,7 @@ class Files(StudyCase):
         for name, mine in (("rows.csv", "precious\n"), ("rows.csv", "sampled,1\n"), ("rows.csv.progress", "mine: 1\n"),
                            ("rows.csv.progress", "precious\n"), ("rows.csv.progress", "")):
             (self.folder / name).write_text(mine)
-            self.refused(f"{name}.*(which alone are written over|would be lost)", "--rows", "rows.csv", "--restart")
+            self.refused(f"{name}.*(the only files that are written over|would be lost)", "--rows", "rows.csv", "--restart")
             (self.folder / name).unlink()
         self.write(TEXT.replace("300", "200"), "other.yaml")
         self.study("other.yaml", "--rows", "rows.csv")

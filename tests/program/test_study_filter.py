@@ -103,7 +103,7 @@ class Filter(StudyCase):
         """Merged or gone on with, a study says the same of what told it."""
         self.write("samples: 300\nsampling: {chunk: 50}\nvary:\n  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n")
         whole = self.study("study.yaml")
-        self.assertRegex(whole, r"\n29\d samples were told by doubles with proven bounds, \d by the ladder\.\n")
+        self.assertRegex(whole, r"\n29\d samples solved in doubles with proven bounds, \d in higher precision\.\n")
         for part in ("1/2", "2/2"):
             self.study("study.yaml", "--shard", part, "--rows", f"part{part[0]}.csv")
         self.assertEqual(self.study("study.yaml", "--merge", "part1.csv", "part2.csv"), whole)

@@ -41,7 +41,7 @@ class Head(Told):
         stands = f"{100 * summary['tilts'][0]['certain_to_stand']['share']:.2f}"
         answer = f"\nAt 22° certain to move: {share} % ({low} to {high} %), to stand: {stands} %\n"
         self.assertIn(answer, page)
-        self.assertLess(page.index(answer), page.index("What varies"))
+        self.assertLess(page.index(answer), page.index("Variables"))
         for law in ("    normal: mean 36, deviation 3, between 25 and 50\n", "    uniform: 25.6 to 26.8\n",
                     "    beta: a 1.2, b 3, 0 to 2.5\n", "    triangular: 0 to 0.15, mode 0.02\n",
                     "  Correlated\n    friction_angle_deg, loads.water.height: -0.3\n"):
@@ -80,7 +80,7 @@ class Factors(Told):
         self.assertRegex(page, r"\n  strength reduction +11 +3 +0\.9")
 
     def test_just_beyond_toppling(self):
-        """Of a sample that has just toppled the factor that governs is little below 1, by moments, and no strength would
+        """Of a sample that has just toppled the governing factor is little below 1, by moments, and no strength would
         hold it; friction beyond any rock's, which jams it, once made that 0.03."""
         _, _, rows = self.road()
         fallen = [row for row in rows if row["outcome"] == "topples"]
@@ -166,7 +166,7 @@ class DesignValues(StudyCase):
         self.assertFalse(one["known"] or other["known"])
         self.assertIn("not between them", one["why"])
         self.assertIn("at -1 the scene has no such number: ", other["why"])
-        self.assertIn("friction_angle_deg             no answer for 10 %:\n", self.study("study.yaml"))
+        self.assertIn("friction_angle_deg             no solution for 10 %:\n", self.study("study.yaml"))
 
 
 if __name__ == "__main__":

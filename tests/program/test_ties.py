@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Pivots that tie: the least safe governs, and a mirror image says the same of the other side.
 
-Of several admissible pivots about which a block lets go at the same tilt, or at none, or stands at none, the one
+Of several admissible pivots about which a block begins to move at the same tilt, or at none, or stands at none, the one
 with the least factor of safety at the scene's tilt governs; of those alike in that too the one furthest down-dip.
 Neither the order of the vertices nor the number of digits asked for may matter. The truth is the mirror image,
 built here in exact rationals, and the list of pivots itself. TOPPLE_ROUNDS multiplies the number of scenes."""
@@ -129,7 +129,7 @@ class Ties(unittest.TestCase):
             self.assertEqual(found.get("zero_bits"), bits, height)
             moment = {load["name"]: load["moment_nm"] for load in found["cases"][0]["loads"]}["anchor"]
             self.assertEqual(moment == {"value": 0, "error": 0}, height in ("1", "1.1"), height)
-            said = "A decision above takes for zero what 160 bits do not tell from it." in run("solve", self.path)[1]
+            said = "A decision above takes as zero what 160 bits cannot distinguish from zero." in run("solve", self.path)[1]
             self.assertEqual(said, bits is not None, height)
         self.path.write_text("\n".join(line for line in anchored.replace("ROUNDED", sharp).splitlines()
                                        if not line.startswith("loads")))

@@ -70,7 +70,7 @@ class TiltCharts(unittest.TestCase):
 
     def test_slab_and_numbering(self):
         """A slab on a base that goes on: its one facet is the second of the base and the first of the contact, and says so;
-        it bears W cos and W sin of the tilt, up to the tilt at which the slab lets go, by each engine."""
+        it bears W cos and W sin of the tilt, up to the tilt at which the slab begins to move, by each engine."""
         text = SLAB.format(w=1, h=3).replace("[[-20, 0], [20, 0]]", "[[-20, 0], [-5, 0], [9, 0], [10, 3]]")
         weight, alpha = 75e3, math.degrees(math.atan2(1, 3))
         for engine in ("engine: path", "engine: dynamics, protocol: ramp"):

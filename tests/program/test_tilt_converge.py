@@ -19,7 +19,7 @@ E_SPRINGS = "engine: dynamics, method: springs, protocol: steps, normal_stiffnes
 def on_springs(w, h, k):
     """The tilt at which a slab topples whose base stands on springs of k Pa/m that do not pull, kN/m3 as above. At the closed
     length l the weight's resultant stands over l/3 from the toe, and the turn is 2 N/(k l^2) per metre of thickness; both tell
-    the tilt, which is largest where the slab lets go."""
+    the tilt, which is largest where the slab begins to move."""
     def tilt(l):
         alpha = math.atan2(w, h)
         for _ in range(60):

@@ -62,7 +62,7 @@ class Interrupted(unittest.TestCase):
     def test_brackets(self):
         """Progress tells the bracket after each run; after ctrl-C the bracket by then is told, and that it was interrupted."""
         process, terminal = self.start(LONG)
-        told = self.read(terminal, r"2 runs, stands at [0-9.]+, lets go at [0-9.]+ degrees")
+        told = self.read(terminal, r"2 runs, stands at [0-9.]+, begins to move at [0-9.]+ degrees")
         self.assertIn("1 runs, stands at", told)
         process.send_signal(signal.SIGINT)
         rest = self.read(terminal, None)

@@ -18,7 +18,7 @@ NUMBER = re.compile(r"-?\d+\.?\d*")
 
 def log_of(report):
     """The first direction's events, as they stand on a page."""
-    block = report.split("What happened", 1)[1].split("\n\n", 1)[0]
+    block = report.split("Events", 1)[1].split("\n\n", 1)[0]
     return "\n".join("  " + line for line in block.splitlines()[1:])
 
 

@@ -144,7 +144,7 @@ class Video(unittest.TestCase):
         """What ffmpeg complains of is told, and a file that was there stays."""
         (self.folder / "a.gif").write_text("as before")
         for script, said in (("cat >/dev/null; echo half; echo it broke >&2; exit 3", "ffmpeg failed: it broke"),
-                             ("exit 0", "ffmpeg failed: it drew nothing and said nothing")):
+                             ("exit 0", "ffmpeg failed: it drew nothing and printed no message")):
             done = self.animate("a.gif", self.stand_in(script))
             self.assertEqual(done.returncode, 5)
             self.assertIn(said, done.stderr)

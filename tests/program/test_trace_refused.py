@@ -83,7 +83,7 @@ class TraceRefused(unittest.TestCase):
             self.refuse(3, "topple: p.png: ")
         self.refuse(5, "none.png: cannot be opened: No such file", picture="none.png")
         (self.folder / "folder.png").mkdir()
-        self.refuse(3, "folder.png: is no regular file", picture="folder.png")
+        self.refuse(3, "folder.png: is not a regular file", picture="folder.png")
 
     def test_nothing_to_see(self):
         write_png(self.picture, 120, 90, [bytes([120] * 360)] * 90)

@@ -152,7 +152,7 @@ class Units(unittest.TestCase):
         self.assertIn("FoS", other)
 
     def test_refused(self):
-        for asked, column, said in (("{force: stone}", 23, "'stone' is no unit of force that reports print in; known are: N, kN, MN, kgf"),
+        for asked, column, said in (("{force: stone}", 23, "'stone' is not a unit of force for reports; known are: N, kN, MN, kgf"),
                                     ("{force: kip ft}", 23, "'kip ft' is no unit of force"), ("{stress: [psf]}", 24, "known are: Pa"),
                                     ("{forces: kip}", 16, "did you mean 'force'?"), ("kip", 15, "result_units")):
             self.write(SLAB + f"result_units: {asked}\n")

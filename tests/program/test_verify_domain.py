@@ -196,7 +196,7 @@ class Domain(unittest.TestCase):
     def test_wrong_domains(self):
         for more, message in ((", domain: {a: 1}", "a domain is two ends"), (", domain: [a]", "'domain' is a map of names"),
                               (", domain: {a: [2, 3]}", "the claim's own value of 'a' lies outside this domain"),
-                              (", domain: {area: [2, 3]}", "'area' is no symbol that takes a value"),
+                              (", domain: {area: [2, 3]}", "'area' is not a symbol that takes a value"),
                               (", domain: {a: [0, q]}", "unknown name 'q'"),
                               (", domain: {a: [0, sqrt(2)]}", "the end of a domain is a number"),
                               (", domain: {alpha: [0, inf]}", "the domain of an angle is two numbers")):

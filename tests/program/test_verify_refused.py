@@ -57,7 +57,7 @@ class Refused(ClaimsCase):
                  "round, quantity: a, printed: a}\n", "the scene does not tilt this way"),
                 (HEAD + "with: {q: q}\nclaims:\n- {id: x, where: h, quantity: q, printed: 1}\n", "unknown name 'q'"),
                 (HEAD + "claims:\n- {id: x, where: h, geometry: e, at: {area: 1}, quantity: a, printed: 1}\n",
-                 "'area' is no symbol that takes a value")):
+                 "'area' is not a symbol that takes a value")):
             (self.path / "claims.yaml").write_text(text)
             status, out, err = run("verify", "claims.yaml", folder=self.path)
             self.assertEqual((status, out), (3, ""), text)
@@ -69,7 +69,7 @@ class Refused(ClaimsCase):
         terms = "+".join(f"{k}*a^{k % 7}*b^{k % 5}*c^{k % 3}" for k in range(1, 400))
         result = self.claim("area", terms)
         self.assertEqual((result["verdict"], result["mend"]), ("refuted", None))
-        self.assertEqual(result["condition"], "the search for a mend was given up: the formula is long")
+        self.assertEqual(result["condition"], "the search for a correction was stopped: the formula is long")
         result = self.claim(terms, terms.replace("+7*", "-7*", 1))
         self.assertEqual((result["verdict"], result["change"]), ("refuted", "the sign before 7*a^0*b^2*c^1 is +"))
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What is no number is said in words: no angle of 180 degrees for "never", no factor below zero without a word,
+"""What is not a number is said in words: no angle of 180 degrees for "never", no factor below zero without a word,
 no null without its reason, nothing "uncertain" below a headline that calls every digit certain.
 
 Random slabs and steps under random loads, strong ones and nothings among them, at tilts from up-dip to upright.
@@ -102,7 +102,7 @@ class Words(unittest.TestCase):
                             "tilt: {towards: left, angle_deg: 10}\n")
             pivot = json.loads(run("solve", "--json", path)[1])["cases"][0]["pivots"][1]
             self.assertEqual((pivot["fos"], pivot["admissible"]), (None, False))
-            self.assertEqual(pivot["fos_is"], "none: what should hold it drives it")
+            self.assertEqual(pivot["fos_is"], "none: resisting action is negative")
             row = [line for line in run("solve", path)[1].splitlines() if "-26.565" in line][0]
             self.assertIn(" none ", row)
 

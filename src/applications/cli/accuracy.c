@@ -71,8 +71,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
       tp_cli_refuse(state, "give a scene, for example examples/block_a_worn.yaml, or --sweep");
     }
     if (a->sweep && tp_cli_settings_given(&a->settings)) {
-      tp_cli_refuse(state, "--set and --unit are of a scene, and --sweep measures blocks of its "
-                           "own; not both");
+      tp_cli_refuse(state, "--set and --unit apply to a scene, and --sweep generates its own "
+                           "blocks; not both");
     }
     if (a->json && a->output != NULL) tp_cli_refuse(state, "--json or --output, not both");
     return 0;
@@ -86,12 +86,11 @@ static const struct argp parser = {
     .parser = parse,
     .children = tp_cli_settings_child,
     .args_doc = "SCENE",
-    .doc =
-        "What does accuracy cost? Time, proven bound and true error of every arithmetic\v"
-        "Every way to the critical angle, to the static limit and to the onset of motion that "
-        "SCENE calls for is evaluated in doubles, in compensated doubles, in balls of 53 to 4096 "
-        "bits and exactly; angles are compared with their values at 6144 bits. docs/accuracy.md "
-        "tells how to read it."};
+    .doc = "Cost of accuracy: time, proven bound and true error of every arithmetic\v"
+           "Every method for the critical angle, the static limit and the onset of motion that "
+           "SCENE requires is evaluated in doubles, in compensated doubles, in balls of 53 to 4096 "
+           "bits and exactly; angles are compared with their values at 6144 bits. docs/accuracy.md "
+           "explains how to read it."};
 
 static tp_status measure(tp_accuracy **accuracy, const arguments *a, tp_message *message) {
   if (a->sweep) return tp_accuracy_sweep(accuracy, a->least, a->most, message);

@@ -28,21 +28,21 @@ enum {
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "Write FILE: .svg, .pdf, .png, or .csv", 0},
     {"json", 'j', NULL, 0, "Print the numbers as JSON", 0},
-    {NULL, 0, NULL, 0, "Of fos:", 1},
+    {NULL, 0, NULL, 0, "For fos:", 1},
     {"inverse-slenderness", KEY_SLENDERNESS, "LIST", 0, "Δx/y, as 0.5,0.75,1", 1},
-    {"amplitude", KEY_AMPLITUDE, "LIST", 0, "A/y, as 0.05,0.1; of mechanisms: one number", 1},
+    {"amplitude", KEY_AMPLITUDE, "LIST", 0, "A/y, as 0.05,0.1; for mechanisms: one number", 1},
     {"sub-blocks", KEY_COUNTS, "LIST", 0, "N, as 2,3: exact blocks instead of Eqs. (15) to (17)",
      1},
     {"tilt", KEY_TILT, "FROM:TO", 0, "Tilt angles, degrees", 1},
-    {NULL, 0, NULL, 0, "Of mechanisms:", 2},
+    {NULL, 0, NULL, 0, "For mechanisms:", 2},
     {"friction", KEY_FRICTION, "DEGREES", 0, "φ_b (30)", 2},
     {"roughness-angle", KEY_ROUGHNESS, "DEGREES", 0, "i (10)", 2},
-    {NULL, 0, NULL, 0, "Of map:", 3},
+    {NULL, 0, NULL, 0, "For map:", 3},
     {"x", 'x', "KEY=FROM:TO", 0, "A number of the scene, as block.slab.width, or tilt", 3},
-    {"y", 'y', "KEY=FROM:TO", 0, "The same upwards (tilt=0:90)", 3},
+    {"y", 'y', "KEY=FROM:TO", 0, "The same for the vertical axis (tilt=0:90)", 3},
     {"contours", KEY_CONTOURS, "WHAT[=LIST]", 0,
-     "Of critical_angle or governing_fos; levels as 1,1.3,1.5", 3},
-    {"any-tilt", KEY_ANY_TILT, NULL, 0, "What lets go first, whatever the scene's tilt", 3},
+     "Contours of critical_angle or governing_fos; levels as 1,1.3,1.5", 3},
+    {"any-tilt", KEY_ANY_TILT, NULL, 0, "The first motion, whatever the scene's tilt", 3},
     {0}};
 
 /* A decimal or a quotient of two, up to the first character that belongs to none. */
@@ -64,7 +64,7 @@ static double read_number(const char **text, struct argp_state *state) {
 static double read_whole(const char *text, struct argp_state *state) {
   const char *end = text;
   const double value = read_number(&end, state);
-  if (*end != '\0') tp_cli_refuse(state, "'%s' is no number", text);
+  if (*end != '\0') tp_cli_refuse(state, "'%s' is not a number", text);
   return value;
 }
 
@@ -77,7 +77,7 @@ static void read_list(tp_chart_list *list, double values[TP_CHART_LIST_MAX], con
     if (*at == '\0') return;
     if (*at != ',') break;
   }
-  tp_cli_refuse(state, "'%s' is no list of up to %d numbers, as 0.5,0.75,1", text,
+  tp_cli_refuse(state, "'%s' is not a list of up to %d numbers, as 0.5,0.75,1", text,
                 TP_CHART_LIST_MAX);
 }
 
@@ -89,7 +89,7 @@ static void read_range(tp_chart_range *range, const char *text, struct argp_stat
     at++;
     range->to = read_number(&at, state);
   }
-  if (!two || *at != '\0') tp_cli_refuse(state, "'%s' is no range, as 10:60", text);
+  if (!two || *at != '\0') tp_cli_refuse(state, "'%s' is not a range, as 10:60", text);
   if (!(range->from < range->to)) {
     tp_cli_refuse(state, "the range '%s' must rise: write the lesser end first", text);
   }
@@ -105,7 +105,7 @@ static void read_axis(tp_chart_axis *axis, char key[TP_CHART_KEY_SIZE], const ch
     return;
   }
   if (length == 0) {
-    tp_cli_refuse(state, "'%s' is no KEY=FROM:TO, as block.slab.width=0.2:1.5", text);
+    tp_cli_refuse(state, "'%s' is not KEY=FROM:TO, as block.slab.width=0.2:1.5", text);
     return;
   }
   memcpy(key, text, length);
@@ -144,7 +144,8 @@ static void read_argument(tp_chart_arguments *a, const char *text, struct argp_s
     a->has_kind = true;
     return;
   }
-  tp_cli_refuse(state, "'%s' is no kind of chart; known are fos, mechanisms, ranges and map", text);
+  tp_cli_refuse(state, "'%s' is not a kind of chart; known are fos, mechanisms, ranges and map",
+                text);
 }
 
 static void check(tp_chart_arguments *a, struct argp_state *state) {
@@ -157,7 +158,7 @@ static void check(tp_chart_arguments *a, struct argp_state *state) {
     a->given |= 1U << TP_CHART_KIND_FOS;
   }
   if ((a->given & ~(1U << a->kind)) != 0) {
-    tp_cli_refuse(state, "an option of another kind of chart was given to '%s'",
+    tp_cli_refuse(state, "an option for another kind of chart was given to '%s'",
                   tp_chart_kinds[a->kind]);
   }
   if (a->json && a->output != NULL) tp_cli_refuse(state, "--json prints; drop --output");

@@ -34,7 +34,7 @@ tp_status tp_cli_print_report(tp_status status, char *report, int *ended) {
 enum { KEY_COLOUR = 1000, GROUP = 50 };
 
 static const struct argp_option manner_options[] = {
-    {"quiet", 'q', NULL, 0, "Write nothing to the standard output, and tell no progress", GROUP},
+    {"quiet", 'q', NULL, 0, "Write nothing to the standard output, and show no progress", GROUP},
     {"color", KEY_COLOUR, "WHEN", 0,
      "Colour the report: auto (on a terminal, unless NO_COLOR is set), always or never", GROUP},
     {0}};

@@ -22,11 +22,11 @@ static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the formulas as JSON", 0},
     {"latex", KEY_LATEX, NULL, 0, "Print LaTeX", 0},
     {"c", KEY_C, NULL, 0, "Print C functions", 0},
-    {"elements", 'e', NULL, 0, "Derive the factor of safety by elements too, and list them", 0},
-    {"rounded", 'r', NULL, 0, "Round the corners at the governing pivots too", 0},
-    {"limit", 'l', NULL, 0, "Derive the static limit and the onset of motion too, in tan(phi)", 0},
-    {"unchecked", KEY_UNCHECKED, NULL, 0, "Do not look at both sides of its conditions in numbers",
-     0},
+    {"elements", 'e', NULL, 0, "Also derive the factor of safety by elements, and list them", 0},
+    {"rounded", 'r', NULL, 0, "Also round the corners at the governing pivots", 0},
+    {"limit", 'l', NULL, 0, "Also derive the static limit and the onset of motion, in tan(phi)", 0},
+    {"unchecked", KEY_UNCHECKED, NULL, 0,
+     "Skip the numerical check on both sides of its conditions", 0},
     {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
     {0}};
 

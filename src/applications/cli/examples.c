@@ -44,11 +44,12 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "[NAME]",
-    .doc = "List the example scenes, studies and claims that come with Topple, or write the one "
-           "of that NAME.\v"
-           "Files that an example refers to come along, into the same folder. What is there is "
-           "never overwritten. Exit status: 0 done, 2 wrong usage, 3 no such example or a file in "
-           "the way, 5 system failed."};
+    .doc =
+        "List the example scenes, studies and claims that come with Topple, or write the one "
+        "of that NAME.\v"
+        "Files that an example refers to come along, into the same folder. Existing files "
+        "are never overwritten. Exit status: 0 done, 2 wrong usage, 3 no such example or a file in "
+        "the way, 5 system failed."};
 
 /* ---- the list ----------------------------------------------------------------------------------
  */
@@ -188,7 +189,7 @@ static tp_status run(const void *words, int *ended, tp_message *message) {
   (void)ended;
   if (!tp_cli_examples_folder(folder)) {
     snprintf(message->text, sizeof message->text,
-             "the example scenes are not installed: they belong into %.500s", folder);
+             "the example scenes are not installed: they belong in %.500s", folder);
     return TP_SYSTEM_FAILED;
   }
   tp_cli_example_list list;

@@ -31,11 +31,11 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "[WORD…]",
-    .doc = "Tell what a word of a scene or of a report means: a term of rock mechanics, a symbol, "
+    .doc = "Explain a word of a scene or of a report: a term of rock mechanics, a symbol, "
            "a key of a scene, a study or a result, with its unit, formula and source. Without a "
            "WORD list all terms.\v"
-           "Keys may be given with the way to them, as block.slab.width. Exit status: 0 done, 2 "
-           "wrong usage, 3 nothing is called so, 5 system failed."};
+           "Keys may be given with their path, as block.slab.width. Exit status: 0 done, 2 "
+           "wrong usage, 3 no such word, 5 system failed."};
 
 static tp_status explain(const void *words, int *ended, tp_message *message) {
   const arguments *a = words;

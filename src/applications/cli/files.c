@@ -65,7 +65,7 @@ static tp_status read_open(char **text, size_t *length, FILE *file, const char *
                            tp_message *message) {
   struct stat own;
   if (fstat(fileno(file), &own) != 0 || !S_ISREG(own.st_mode)) {
-    return fail(message, TP_SYSTEM_FAILED, "cannot read", path, "it is no file");
+    return fail(message, TP_SYSTEM_FAILED, "cannot read", path, "it is not a file");
   }
   if (own.st_size > MOST_BYTES) {
     return fail(message, TP_BAD_INPUT, "cannot read", path, "it has more than 64 MB");
@@ -110,7 +110,7 @@ tp_status tp_cli_may_create(const char *path, const char *bytes, size_t length, 
   if (lstat(path, &own) != 0) return TP_OK;
   if (same_will_do && has_bytes(path, bytes, length)) return TP_OK;
   return fail(message, TP_BAD_INPUT, "will not overwrite", path,
-              "it is there already; remove it, or write another one with -o FILE");
+              "it already exists; remove it, or write another one with -o FILE");
 }
 
 static tp_status make_folders(const char *path, tp_message *message) {

@@ -18,20 +18,20 @@ static const struct command {
   int (*run)(int argc, char **argv);
 } commands[] = {
     {"solve", "Does the block of a scene stand, slide or topple, and at which tilt?", tp_cli_solve},
-    {"sweep", "A table of that over a range of one or two numbers of the scene", tp_cli_sweep},
-    {"derive", "The closed formulas behind that, in the scene's parameters", tp_cli_derive},
+    {"sweep", "Solve over a range of one or two numbers of a scene, as a table", tp_cli_sweep},
+    {"derive", "The closed formulas of a scene, in its parameters", tp_cli_derive},
     {"verify", "Verdicts on printed formulas and numbers, each proven", tp_cli_verify},
-    {"accuracy", "What accuracy costs: time, bound and true error by price", tp_cli_accuracy},
+    {"accuracy", "Cost of accuracy: time, bound and true error of each arithmetic",
+     tp_cli_accuracy},
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
     {"profile", "How rough is a base or a measured profile, and which JRC follows?",
      tp_cli_profile},
-    {"tilt", "A simulated tilt test, or the shaking of the base: how it lets go, and after",
-     tp_cli_tilt},
-    {"trace", "The outline of a block in a photograph, as a scene", tp_cli_trace},
-    {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
+    {"tilt", "Simulate a tilt test, or the shaking of the base", tp_cli_tilt},
+    {"trace", "Trace the outline of a block in a photograph into a scene", tp_cli_trace},
+    {"study", "The probability of each verdict, where numbers of a scene vary", tp_cli_study},
     {"new", "Begin a scene: by five questions, or from options", tp_cli_new},
     {"examples", "List the example scenes, or write one", tp_cli_examples},
-    {"explain", "What does a word of a scene or a report mean?", tp_cli_explain},
+    {"explain", "Explain a word of a scene or a report", tp_cli_explain},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
@@ -59,7 +59,7 @@ static void print_help(FILE *out) {
   for (int k = 0; k < COMMANDS; k++)
     fprintf(out, "  %-10s %s\n", commands[k].name, commands[k].what);
   fprintf(out, "\nA scene file alone is short for 'topple solve SCENE'.\n"
-               "'topple COMMAND --help' tells the options of a command.\n\n"
+               "'topple COMMAND --help' lists the options of a command.\n\n"
                "  --help     print this help\n"
                "  --version  print the version\n\n"
                "Exit status: 0 done, 1 a claim was refuted or a design factor of safety not met,\n"
@@ -100,7 +100,7 @@ int main(int argc, char **argv) {
   }
   if (has_suffix(first, ".yaml") || has_suffix(first, ".yml"))
     return run_command(commands, argc, argv);
-  tp_cli_complain("'%s' is no command and no scene file; 'topple --help' lists the commands",
+  tp_cli_complain("'%s' is neither a command nor a scene file; 'topple --help' lists the commands",
                   first);
   return TP_EXIT_USAGE;
 }

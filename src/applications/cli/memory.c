@@ -27,8 +27,8 @@ _Noreturn static void end(const char *complaint) {
 
 static void *given(void *memory) {
   if (memory == NULL) {
-    end("topple: out of memory while computing; a scene with fewer vertices or a less exact "
-        "question needs less\n");
+    end("topple: out of memory while computing; a scene with fewer vertices or fewer digits "
+        "need less\n");
   }
   return memory;
 }
@@ -62,7 +62,7 @@ static void give_back(void *memory, size_t size) {
 
 /* The attribute is part of the type that FLINT takes; for clang _Noreturn is none. */
 __attribute__((noreturn)) static void give_up(void) {
-  end("topple: FLINT, a library that Topple builds on, gave up; please report the scene\n");
+  end("topple: FLINT, a library that Topple uses, aborted; please report the scene\n");
 }
 
 /* A large base has arrays that come and go a dozen times, each of a size that glibc would have anew

@@ -43,23 +43,23 @@ static const struct argp_option options[] = {
      0},
     {"slab", KEY_SLAB, "WxH", 0, "A rectangle of this width and height, as 2x4", 1},
     {"unit", KEY_UNIT, "UNIT", 0,
-     "The length unit: mm, cm, m, km, in or ft (m unless given, or what a drawing says)", 1},
-    {"title", 't', "TEXT", 0, "What the scene is of", 1},
-    {"unit-weight", KEY_UNIT_WEIGHT, "NUMBER", 0, "Of the rock, kN/m3, as 26", 1},
+     "The length unit: mm, cm, m, km, in or ft (m unless given, or as stated in a drawing)", 1},
+    {"title", 't', "TEXT", 0, "Title of the scene", 1},
+    {"unit-weight", KEY_UNIT_WEIGHT, "NUMBER", 0, "Unit weight of the rock, kN/m3, as 26", 1},
     {"friction", KEY_FRICTION, "DEGREES", 0, "Friction angle of the contact", 1},
     {"tilt", KEY_TILT, "DEGREES", 0, "Tilt of the base today", 1},
     {"towards", KEY_TOWARDS, "SIDE", 0, "The side that is lowered: left, right or both", 1},
     {"frame", KEY_FRAME, "FRAME", 0,
-     "Of the outline: base (x along its mean plane) or world (y upwards)", 1},
-    {NULL, 0, NULL, 0, "Of a drawing:", 2},
+     "Frame of the outline: base (x along its mean plane) or world (y upwards)", 1},
+    {NULL, 0, NULL, 0, "For a drawing:", 2},
     {"block", KEY_BLOCK, "LAYER", 0, "Layer or name of the outline (BLOCK unless given)", 2},
     {"base", KEY_BASE, "LAYER", 0, "Layer or name of the profile of the base (BASE)", 2},
     {"hole", KEY_HOLE, "LAYER", 0, "Layer or name of holes (HOLE)", 2},
     {"part", KEY_PART, "LAYER=NUMBER", 0,
      "A layer of parts of the block and their unit weight, kN/m3; may be given again", 2},
     {"reference", KEY_REFERENCE, "NAME=LENGTH", 0,
-     "An object and its true length, by which all is scaled", 2},
-    {"gap", KEY_GAP, "LENGTH", 0, "By how much ends of pieces may miss each other (0)", 2},
+     "An object and its true length, to which the drawing is scaled", 2},
+    {"gap", KEY_GAP, "LENGTH", 0, "Largest gap between ends of pieces that are joined (0)", 2},
     {0}};
 
 static void keep(char answer[TP_CLI_ANSWER], const char *text, const char *option,
@@ -95,14 +95,14 @@ static void check(const arguments *a, struct argp_state *state) {
     tp_cli_refuse(state, "a block is either a slab or the outline of '%s'", a->file);
   }
   if (a->file == NULL && tp_cli_says_of_drawing(&a->scene)) {
-    tp_cli_refuse(state, "which drawing? Layers, parts, a reference and a gap are of its FILE");
+    tp_cli_refuse(state, "which drawing? Layers, parts, a reference and a gap need its FILE");
   }
   const bool has_block = a->file != NULL || a->scene.block[0] != '\0';
   if (a->given && !has_block) {
     tp_cli_refuse(state, "which block? Give --slab WxH, or the file of an outline");
   }
   if (!a->given && !has_block && isatty(STDIN_FILENO) == 0) {
-    tp_cli_refuse(state, "questions are asked on a terminal alone; here give --slab WxH, or the "
+    tp_cli_refuse(state, "questions are asked only on a terminal; here give --slab WxH, or the "
                          "file of an outline");
   }
 }
@@ -172,8 +172,8 @@ static const struct argp parser = {
     .args_doc = "[FILE]",
     .doc = "Begin a scene: of a slab, of the outline in FILE, or of a drawing (DXF, SVG, WKT, "
            "GeoJSON, CSV with layers); what is not given is asked for on a terminal.\v"
-           "The scene is solved once before it is written, and says in comments what each key "
-           "means and which defaults are cautious. What is there is never overwritten. Exit "
+           "The scene is solved once before it is written, and explains each key in comments, "
+           "and which defaults are conservative. Existing files are never overwritten. Exit "
            "status: 0 done, 2 wrong usage, 3 bad input or a file in the way, 4 undecided, 5 system "
            "failed."};
 
@@ -192,7 +192,7 @@ static tp_status run(const void *words, int *ended, tp_message *message) {
   if (status != TP_OK) return status;
   if (!ask(&a)) {
     snprintf(message->text, sizeof message->text,
-             "the answers ended before the scene was known; nothing is written");
+             "the answers ended before the scene was complete; nothing is written");
     return TP_BAD_INPUT;
   }
   const char *file = a.file != NULL ? a.file : a.scene.outline;

@@ -110,7 +110,7 @@ bool tp_cli_ask_scene(tp_cli_new_scene *scene) {
 bool tp_cli_ask_of_file(tp_cli_new_scene *scene, bool drawing) {
   char tilt[TP_CLI_ANSWER];
   const question questions[] = {
-      {drawing ? "Unit of its lengths (mm, cm, m, km, in, ft) [what the drawing says]"
+      {drawing ? "Unit of its lengths (mm, cm, m, km, in, ft) [as stated in the drawing]"
                : "Unit of its lengths (mm, cm, m, km, in, ft) [m]",
        scene->length_unit, "", wrong_unit},
       {UNIT_WEIGHT, scene->unit_weight, "", tp_cli_wrong_number},

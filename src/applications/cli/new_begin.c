@@ -94,9 +94,10 @@ tp_status tp_cli_new_scene_of(tp_cli_new_scene *scene, const char *file, const c
   }
   const bool drawing = tp_cli_is_drawing(file);
   if (!drawing && tp_cli_says_of_drawing(scene)) {
-    snprintf(message->text, sizeof message->text,
-             "layers, parts, a reference and a gap are of drawings, and this is an outline: leave "
-             "these options out, or name its columns, layer,name,x,y, which makes a CSV a drawing");
+    snprintf(
+        message->text, sizeof message->text,
+        "layers, parts, a reference and a gap apply to drawings, and this is an outline: leave "
+        "these options out, or name its columns, layer,name,x,y, which makes a CSV a drawing");
     return TP_BAD_INPUT;
   }
   strcpy(drawing ? scene->drawing : scene->outline, name);

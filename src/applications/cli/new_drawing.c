@@ -108,8 +108,8 @@ void tp_cli_write_drawing(FILE *out, const tp_cli_new_scene *scene) {
     fprintf(out, "\n  unit: %s                 # of its lengths, and of this file's\n",
             scene->length_unit);
   } else {
-    fprintf(out, "\n  # unit: mm               # of its lengths, and of this file's: the drawing "
-                 "says it\n");
+    fprintf(out, "\n  # unit: mm               # of its lengths, and of this file's: stated in "
+                 "the drawing\n");
   }
   write_layer(out, "block", scene->block_layer);
   write_layer(out, "base", scene->base_layer);
@@ -125,7 +125,6 @@ void tp_cli_write_drawing(FILE *out, const tp_cli_new_scene *scene) {
     fprintf(out, " # of true length: all is scaled by it\n");
   }
   if (scene->gap[0] != '\0') {
-    fprintf(out, "  gap: %s                  # ends of pieces may miss each other by this\n",
-            scene->gap);
+    fprintf(out, "  gap: %s                  # largest gap between ends of pieces\n", scene->gap);
   }
 }

@@ -65,19 +65,19 @@ static void write_base(FILE *out, const tp_cli_new_scene *scene) {
   }
   fprintf(out,
           "base:\n"
-          "  mated: true              # the counterpart of the underside. NOT cautious where the "
+          "  mated: true              # the counterpart of the underside. NOT conservative if the "
           "joint has\n"
           "                           # opened or worn: give its measured profile: my_base.csv "
           "instead\n"
           "  beyond: {left: 0, right: 0}\n"
-          "  # how far the base goes on past the block; neither 0 nor more is always the safer "
-          "side, and\n"
-          "  # the report says where the other one is less safe\n");
+          "  # how far the base goes on past the block; neither 0 nor more is always "
+          "safer;\n"
+          "  # the report says if the other choice is less safe\n");
 }
 
 static void write_friction(FILE *out, const tp_cli_new_scene *scene) {
   if (scene->friction[0] != '\0') {
-    fprintf(out, "friction_angle_deg: %s       # of the contact, from tests; take a low one\n",
+    fprintf(out, "friction_angle_deg: %s       # of the contact, from tests; use a low estimate\n",
             scene->friction);
   } else {
     fprintf(out, "# friction_angle_deg: 30     # of the contact. Left out: sliding is not judged, "
@@ -89,7 +89,7 @@ static void write_friction(FILE *out, const tp_cli_new_scene *scene) {
 static void write_tilt(FILE *out, const tp_cli_new_scene *scene) {
   fprintf(out,
           "tilt:\n  towards: %s            # left lowers the side of small x; both is "
-          "cautious\n",
+          "conservative\n",
           scene->towards[0] != '\0' ? scene->towards : "both");
   if (scene->tilt[0] != '\0') {
     fprintf(out, "  angle_deg: %s            # of the mean plane from level, today\n", scene->tilt);
@@ -106,12 +106,13 @@ static void write_rest(FILE *out, const tp_cli_new_scene *scene) {
   } else if (scene->outline[0] != '\0' || scene->drawing[0] != '\0') {
     fprintf(out, "# frame: world             # for coordinates as the block lies, y upwards\n");
   }
-  fprintf(out, "# Nothing else acts unless it is named, which is NOT cautious where there is water "
-               "or an\n"
-               "# earthquake; each needs unit_weight_kn_m3:\n"
-               "# loads:\n"
-               "#   water: {height: 1, uplift: true}\n"
-               "#   seismic: {horizontal: 0.1, vertical: 0}\n");
+  fprintf(out,
+          "# No other load acts unless it is given, which is NOT conservative where there is water "
+          "or an\n"
+          "# earthquake; each needs unit_weight_kn_m3:\n"
+          "# loads:\n"
+          "#   water: {height: 1, uplift: true}\n"
+          "#   seismic: {horizontal: 0.1, vertical: 0}\n");
 }
 
 tp_status tp_cli_new_scene_text(char **text, const tp_cli_new_scene *scene) {
@@ -119,7 +120,7 @@ tp_status tp_cli_new_scene_text(char **text, const tp_cli_new_scene *scene) {
   size_t length = 0;
   FILE *out = open_memstream(&own, &length);
   if (out == NULL) return TP_OUT_OF_MEMORY;
-  fprintf(out, "# Begun by 'topple new'. docs/scene.md tells of every key that a scene may have.\n"
+  fprintf(out, "# Begun by 'topple new'. docs/scene.md describes every key of a scene.\n"
                "topple: 1                  # the version of this format\n"
                "title: ");
   tp_cli_write_quoted(out, scene->title[0] != '\0' ? scene->title : "A new block");

@@ -36,16 +36,16 @@ static const struct argp_option options[] = {
     {"step", KEY_STEP, "LENGTH", 0, "Sample the profile anew at this distance", 0},
     {"resample", KEY_RESAMPLE, "HOW", 0, "Between the points: linear or spline", 0},
     {"detrend", KEY_DETREND, "LINE", 0,
-     "Take a line off: none, line (of least squares) or ends (through both); or turn the profile "
+     "Subtract a line: none, line (of least squares) or ends (through both); or turn the profile "
      "onto "
      "its mean plane: turn",
      0},
-    {"window", KEY_WINDOW, "WINDOW", 0, "Of the spectrum: hann or none", 0},
+    {"window", KEY_WINDOW, "WINDOW", 0, "Window of the spectrum: hann or none", 0},
     {"mirror", KEY_MIRROR, NULL, 0, "Exchange left and right", 0},
     {"scale", KEY_SCALE, "FACTOR", 0, "Multiply all lengths", 0},
     {"jcs", KEY_JCS, "MPA", 0, "Joint wall compressive strength, for JRC by Eq. (10)", 0},
     {"stress", KEY_STRESS, "KPA", 0,
-     "Normal stress, for the same; of a scene the block's, unless given", 0},
+     "Normal stress, for JRC by Eq. (10); default for a scene: that of the block", 0},
     {"json", 'j', NULL, 0, "Print the numbers as JSON", 0},
     {"all", KEY_ALL, NULL, 0, "With --json: every facet and every ordinate of the spectrum", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the facets as CSV", 0},
@@ -156,10 +156,10 @@ static const struct argp parser = {
     .parser = parse,
     .children = tp_cli_settings_child,
     .args_doc = "FILE",
-    .doc = "How rough is a profile, and which JRC follows from it?\v"
+    .doc = "The roughness of a profile, and the JRC that follows from it\v"
            "FILE is a CSV file of x, y from left to right, or a scene or a drawing, whose base is "
-           "measured. Lengths are in the file's unit; --unit says that of a CSV file, too (mm "
-           "unless given). docs/profile.md tells what each number is."};
+           "measured. Lengths are in the file's unit; --unit gives that of a CSV file, too "
+           "(default mm). docs/profile.md explains each number."};
 
 static tp_status measure(tp_profile **profile, const arguments *a, tp_message *message) {
   const char *unit = a->settings.unit;

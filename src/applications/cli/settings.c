@@ -12,11 +12,12 @@ enum { KEY_SET = 0x5e7, KEY_UNIT }; /* apart from the keys of every command */
 
 static const struct argp_option options[] = {
     {"set", KEY_SET, "KEY=VALUE", 0,
-     "With this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene could "
-     "have it; may be given several times",
+     "With this number at KEY, as friction_angle_deg=30: a number or a formula, as in a scene "
+     "file; "
+     "may be given several times",
      0},
     {"unit", KEY_UNIT, "UNIT", 0,
-     "Of the lengths of a drawing that is given in place of the scene: mm, cm, m, km, in or ft", 0},
+     "Length unit of a drawing that is given in place of the scene: mm, cm, m, km, in or ft", 0},
     {0}};
 
 static void take_setting(tp_cli_settings *settings, const char *word,

@@ -42,10 +42,10 @@ static void print_open(const tp_case *c, const tp_solution *solution, const char
       "%s: undecided at %ld bits: %s, %s towards the %s; %s", scene, solution->bits, what,
       stance(solution), direction(c),
       c->limit.too_dear || c->onset.too_dear
-          ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
-            "help, or a tilt farther from where the block lets go"
-          : "what decides it is nearer to a tie than these bits tell, or holds at single tilts "
-            "only: a little friction or cohesion, or another tilt, decides it");
+          ? "its proof exceeds the work allowed: coordinates and loads with fewer digits help, "
+            "or a tilt farther from the critical one"
+          : "the deciding quantity is too close to a tie for these bits, or the case holds at "
+            "single tilts only: slightly different friction, cohesion or tilt decides it");
 }
 
 /* Why a case does not meet the design factor. */
@@ -89,10 +89,9 @@ static int end_open(const tp_solution *solution, const tp_solve_words *a, const 
     print_open(solution->cases + k, solution, scene);
   }
   if (solution->open_number) {
-    tp_cli_complain(
-        "%s: a number is not certain to %d digit%s at %ld bits, and given with the bound "
-        "that it has",
-        scene, solution->digits, solution->digits == 1 ? "" : "s", solution->bits);
+    tp_cli_complain("%s: a number is not certain to %d digit%s at %ld bits, and is given with its "
+                    "actual bound",
+                    scene, solution->digits, solution->digits == 1 ? "" : "s", solution->bits);
   }
   return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
 }

@@ -32,46 +32,48 @@ static const struct argp_option options[] = {
     {"table", 't', NULL, 0, "Print a table (Markdown) of several scenes, a row a case", 0},
     {"csv", KEY_CSV, NULL, 0, "The same table as CSV, each number with its error bound", 0},
     {"fail-below", KEY_FAIL_BELOW, "FOS", 0,
-     "End with exit status 1 where a case does not certainly have this design factor of safety, or "
-     "a motion can begin; also where there is no tilt or no friction angle to judge it by",
+     "Return exit status 1 if a case does not certainly reach this design factor of safety, or a "
+     "motion can begin; also without a tilt or a friction angle",
      0},
     {"pivots", KEY_PIVOTS, "WHICH", 0,
-     "List in JSON all pivots, or those that can govern or hold the block (governing); unless "
-     "given "
-     "all, up to 300 of them",
+     "List in JSON all pivots, or those that can govern or hold the block (governing); "
+     "default: all, "
+     "up to 300",
      0},
     {"outlines", KEY_OUTLINES, NULL, 0,
-     "Print in JSON where everything lies too, for a program that draws it", 0},
-    {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
-    {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
+     "Add the geometry of everything to the JSON, for programs that draw it", 0},
+    {"verbose", 'v', NULL, 0,
+     "List the effects computed, the input that required them, and their time", 0},
+    {"elements", 'e', NULL, 0, "Also print the account of moments by elements", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"write-profile", KEY_WRITE_PROFILE, "FILE", 0,
-     "Write the profile of the base into FILE as CSV, every digit of it", 0},
+     "Write the profile of the base into FILE as CSV, with all digits", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
     {"level", KEY_LEVEL, "LEVEL", 0,
-     "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
+     "Allow no arithmetic costlier than double, compensated, ball or exact (exact unless "
      "given); exit status 4 where it is not enough",
      0},
     {"watch", KEY_WATCH, NULL, 0,
      "Solve again whenever the scene, or a file that it names, changes; ctrl-C ends", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
-     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos, "
+     "so that critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos, "
      "onset_angle or governing_fos has the value",
      1},
     {"from", KEY_FROM, "LOW", 0,
-     "Look for it from here (else 0, or ten times what it is where that is below 0)", 1},
-    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is, or 0 where that is below 0)", 1},
+     "Begin of the search range (default 0, or ten times its present value if that is below 0)", 1},
+    {"to", KEY_TO, "HIGH", 0,
+     "End of the search range (default ten times its present value, or 0 if that is below 0)", 1},
     {0}};
 
 static double read_number(const char *text, struct argp_state *state) {
   char *end = NULL;
   const double value = strtod(text, &end);
   if (end == text || *end != '\0' || !isfinite(value)) {
-    tp_cli_refuse(state, "'%s' is no number", text);
+    tp_cli_refuse(state, "'%s' is not a number", text);
   }
   return value;
 }
@@ -134,13 +136,14 @@ static void check_find(tp_solve_words *a, struct argp_state *state) {
   if ((a->find.has_low || a->find.has_high) && !named)
     tp_cli_refuse(state, "--from and --to go with --find");
   if (named && a->figure != NULL) {
-    tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
+    tp_cli_refuse(state, "--figure draws the solution of the scene as it is; leave out --find");
   }
   if (named && a->report != NULL) {
-    tp_cli_refuse(state, "--report is of a solution as the scene has it; leave out --find");
+    tp_cli_refuse(state, "--report needs the solution of the scene as it is; leave out --find");
   }
   if (named && a->has_design_fos) {
-    tp_cli_refuse(state, "--fail-below judges a solution as the scene has it; leave out --find");
+    tp_cli_refuse(state,
+                  "--fail-below judges the solution of the scene as it is; leave out --find");
   }
 }
 

@@ -42,21 +42,21 @@ enum {
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the summary as JSON", 0},
     {"rows", KEY_ROWS, "FILE", 0,
-     "Write a row for each sample into FILE; where the study was interrupted go on. CSV; HDF5 "
+     "Write a row for each sample into FILE; an interrupted study continues from it. CSV; HDF5 "
      "where "
      "FILE ends in .h5 or .hdf5",
      0},
     {"csv", KEY_ROWS, NULL, OPTION_ALIAS, NULL, 0},
     {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, over the rows that are in FILE", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
-     "Draw probability against tilt, distribution, what it depends on, and convergence into FILE, "
+     "Draw probability against tilt, distribution, rank correlations, and convergence into FILE, "
      ".svg, .pdf or .png, or write their numbers into a .csv",
      0},
-    {"scatter", KEY_SCATTER, "FILE", 0, "Draw each sample's angle against what varies, likewise",
+    {"scatter", KEY_SCATTER, "FILE", 0, "Draw each sample's angle against each variable, likewise",
      0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
-    {"threads", KEY_THREADS, "N", 0, "So many threads, the same bytes by any number", 0},
+    {"threads", KEY_THREADS, "N", 0, "Number of threads; the output does not depend on it", 0},
     {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --rows", 0},
     {"merge", KEY_MERGE, NULL, 0, "Put the files of all shards together", 0},
     {0}};
@@ -125,10 +125,11 @@ static void check(const arguments *a, struct argp_state *state) {
   }
   if (a->options.shards > 1 && a->merge) tp_cli_refuse(state, "one of --shard and --merge");
   if (a->options.shards > 1 && a->options.rows == NULL) {
-    tp_cli_refuse(state, "a shard is of use by its rows alone; say --rows FILE");
+    tp_cli_refuse(state, "a shard needs a file for its rows; say --rows FILE");
   }
   if (a->options.shards > 1 && a->rows.hdf5 != NULL) {
-    tp_cli_refuse(state, "a shard is of CSV, as '%s.csv'; --merge makes HDF5 of all", a->rows.hdf5);
+    tp_cli_refuse(state, "a shard writes CSV, as '%s.csv'; --merge makes HDF5 of all",
+                  a->rows.hdf5);
   }
   const tp_cli_written files[] = {{"--rows", a->rows.hdf5 != NULL ? a->rows.hdf5 : a->options.rows},
                                   {"--figure", a->figure},
@@ -186,9 +187,9 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "STUDY\n--merge STUDY FILE...",
-    .doc = "How probable is it that a block stands, slides or topples?\v"
-           "STUDY names a scene and what varies in it: docs/study.md. Interrupted, as by Ctrl-C, "
-           "it sums up what is known, and with --rows goes on when it is run again."};
+    .doc = "The probability that a block stands, slides or topples\v"
+           "STUDY names a scene and what varies in it: docs/study.md. If interrupted (Ctrl-C) it "
+           "reports the samples so far; with --rows it continues when run again."};
 
 /* ---- the work ----------------------------------------------------------------------------------
  */

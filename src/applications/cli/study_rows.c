@@ -72,8 +72,8 @@ tp_status tp_cli_study_file_write(const tp_study_file *file, const tp_study *stu
     if (status == TP_OK) status = write(file->hdf5, study, file->csv, is_interrupted, message);
   }
   if (status == TP_OK && is_interrupted()) {
-    tp_cli_complain("interrupted: the rows so far are in '%s', and '%s' is made of them once the "
-                    "same command has gone on to the end",
+    tp_cli_complain("interrupted: the rows so far are in '%s', and '%s' is made from them once "
+                    "the same command has been run to the end",
                     file->csv, file->hdf5);
   }
   return status;

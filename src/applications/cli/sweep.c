@@ -24,16 +24,15 @@ enum { KEY_X = 256, KEY_Y, KEY_THREADS, KEY_LEVEL };
 static const struct argp_option options[] = {
     {"x", KEY_X, "KEY=FIRST:LAST:STEP", 0,
      "Sweep the number at KEY, as friction_angle_deg=20:40:0.5, or a list, b=60,90,120", 0},
-    {"y", KEY_Y, "KEY=FIRST:LAST:STEP", 0, "And another one, at each of whose values x is swept",
-     0},
+    {"y", KEY_Y, "KEY=FIRST:LAST:STEP", 0, "A second number; x is swept at each of its values", 0},
     {"json", 'j', NULL, 0, "Print JSON instead of CSV", 0},
     {"output", 'o', "FILE", 0, "Write FILE, .csv or .json, whole or not at all", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
     {"level", KEY_LEVEL, "LEVEL", 0,
-     "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
+     "Allow no arithmetic costlier than double, compensated, ball or exact (exact unless "
      "given)",
      0},
-    {"threads", KEY_THREADS, "N", 0, "Compute by so many threads (as many as there are cores)", 0},
+    {"threads", KEY_THREADS, "N", 0, "Number of threads (default: one per core)", 0},
     {0}};
 
 static long read_count(const char *text, long most, const char *option,
@@ -59,12 +58,13 @@ static void read_output(arguments *a, const char *path, const struct argp_state 
 
 static void check(arguments *a, const struct argp_state *state) {
   if (a->sweep.x == NULL && a->sweep.y == NULL) {
-    tp_cli_refuse(state, "what is swept is missing, for example --x friction_angle_deg=20:40:0.5");
+    tp_cli_refuse(state,
+                  "the number to sweep is missing, for example --x friction_angle_deg=20:40:0.5");
   } else if (a->sweep.x == NULL) {
     tp_cli_refuse(state, "--y comes beside --x");
   }
   if (a->output != NULL && a->json) {
-    tp_cli_refuse(state, "--output says by its ending what is written; drop --json");
+    tp_cli_refuse(state, "the ending of --output selects the format; drop --json");
   }
   if (a->json) a->format = TP_SWEEP_JSON;
 }
@@ -120,8 +120,9 @@ static const struct argp parser = {
     .doc =
         "Solve a scene at each point of a range of one or two of its numbers, and print a table: "
         "the numbers set, status, verdict, factor and angles, each with its proven bound.\v"
-        "Values are exact: 0:1:0.1 goes by 0.3. Each row is what 'topple solve --csv --set' says "
-        "there. A point that is wrong is a row, with what is wrong, and the exit status tells. "
+        "Values are exact: 0:1:0.1 goes by 0.3. Each row equals the output of 'topple solve --csv "
+        "--set' there. A point that fails is a row with its message, and the exit status reports "
+        "it. "
         "Exit status: 0 done, 2 wrong usage, 3 bad input or points of it, 4 points undecided, 5 "
         "system failed."};
 

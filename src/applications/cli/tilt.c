@@ -54,17 +54,17 @@ static const struct argp_option options[] = {
      "against frequency and PGV",
      0},
     {"frequencies", KEY_FREQUENCIES, "FROM:TO:COUNT", 0,
-     "Of the spectrum, in hertz; of a record times its speed (an eighth to eight times the "
-     "scene's, 25)",
+     "Frequencies of the spectrum, in hertz; for a record, factors on its speed (an eighth "
+     "to eight times the scene's, 25)",
      0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
-    {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
+    {"moments", KEY_MOMENTS, "N", 0, "Number of moments of the motion to keep (default 400)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Scan factors on the shaking of the scene for those that overturn the block", 0},
     {"factors", KEY_FACTORS, "FROM:TO:COUNT", 0,
-     "Of --overturning, evenly on a logarithmic axis (65 from 1/16 to 16, then by 0.5 % the octave "
-     "below the least that overturns)",
+     "Factors for --overturning, evenly on a logarithmic axis (65 from 1/16 to 16, then by 0.5 % "
+     "the octave below the least that overturns)",
      0},
     {"converge", KEY_CONVERGE, NULL, 0,
      "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
@@ -89,7 +89,7 @@ static void check_converge(arguments *a, const struct argp_state *state) {
       charts->spectrum.path != NULL) {
     tp_cli_refuse(state,
                   "--converge runs many tests: --csv, --report, --animation, --reactions, --phase, "
-                  "--spectrum and --overturning are of one");
+                  "--spectrum and --overturning apply to a single test");
   } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
     tp_cli_refuse(state,
                   "the figure of --converge is a file that ends in .svg, .pdf, .png or "
@@ -158,7 +158,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case ARGP_KEY_END:
     if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
     if (a->tilt.overturning_count > 0 && !a->tilt.overturning) {
-      tp_cli_refuse(state, "--factors is of --overturning, which is missing");
+      tp_cli_refuse(state, "--factors belongs to --overturning, which is missing");
     }
     if (a->converge) check_converge(a, state);
     refuse_same_files(a, state);
@@ -173,11 +173,12 @@ static const struct argp parser = {
     .parser = parse,
     .children = tp_cli_settings_child,
     .args_doc = "SCENE",
-    .doc = "Simulate the tilt test, or the shaking of the base, that a scene calls for by "
-           "'tilt_test' or 'shaking': at which tilt the block lets go and how, what its contacts "
-           "do on the way, where it ends.\v"
-           "Simulated numbers have no proven bound; the tilts of statics, which have one, stand "
-           "beside them. An interrupted test tells what it knows. Exit status: 0 done, 2 wrong "
+    .doc = "Simulate the tilt test, or the shaking of the base, that a scene specifies by "
+           "'tilt_test' or 'shaking': at which tilt the block begins to move and how, what its "
+           "contacts do meanwhile, and where it ends.\v"
+           "Simulated numbers have no proven bound; the tilts of statics, which have one, are "
+           "given beside them. An interrupted test reports the results so far. Exit status: 0 "
+           "done, 2 wrong "
            "usage, 3 bad input, 4 undecided or not converged, 5 system failed."};
 
 /* What is undecided, told once more. */

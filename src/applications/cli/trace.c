@@ -71,13 +71,16 @@ static const struct argp_option options[] = {
      "degrees",
      0},
     {"tolerance", KEY_TOLERANCE, "LENGTH", 0,
-     "Leave out points nearer to the outline than this (half of the standard deviation across its "
-     "edge)",
+     "Omit points nearer to the outline than this (default: half of the standard deviation across "
+     "its edge)",
      0},
-    {"title", 't', "TEXT", 0, "What the scene is of (unless given, that it was traced)", 0},
+    {"title", 't', "TEXT", 0, "Title of the scene (default: that it was traced)", 0},
     {"unit-weight", KEY_UNIT_WEIGHT, "NUMBER", 0,
-     "Of the rock, kN/m3, as 26; without it the scene has none, and no forces are reported", 0},
-    {"thickness", KEY_THICKNESS, "LENGTH", 0, "Of the section, in the unit of the scene (1 m)", 0},
+     "Unit weight of the rock, kN/m3, as 26; without it the scene has none, and no forces are "
+     "reported",
+     0},
+    {"thickness", KEY_THICKNESS, "LENGTH", 0,
+     "Thickness of the section, in the unit of the scene (1 m)", 0},
     {"friction", KEY_FRICTION, "DEGREES", 0,
      "Friction angle of the contact; without it the scene has none, and sliding is not judged", 0},
     {"output", 'o', "FILE", 0, "Write the scene to FILE and print what was found", 0},
@@ -204,7 +207,7 @@ static void check(const arguments *a, const struct argp_state *state) {
   } else if (a->json && a->scene == NULL) {
     tp_cli_refuse(state, "--json prints in place of the scene: name a file for that by --output");
   } else if (a->report != NULL && a->scene == NULL) {
-    tp_cli_refuse(state, "a report is of a scene in a file: name one by --output");
+    tp_cli_refuse(state, "a report needs a scene in a file: name one by --output");
   }
   const tp_cli_written files[] = {
       {"--output", a->scene}, {"--figure", figure}, {"--report", a->report}};
@@ -277,11 +280,12 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "IMAGE",
-    .doc = "Trace the outline of a boulder or a block in a photograph, a PNG or a JPEG, and write "
-           "it as a scene.\vThe scene has a number, outline_offset, that moves the outline in and "
-           "out, and says its standard deviation, which topple study takes. Look at the outline "
-           "by --figure: what shadow, soil or moss hides no program knows. Exit status: 0 done, 2 "
-           "wrong usage, 3 bad input or no outline, 5 system failed."};
+    .doc =
+        "Trace the outline of a boulder or a block in a photograph, a PNG or a JPEG, and write "
+        "it as a scene.\vThe scene has a number, outline_offset, that moves the outline in and "
+        "out, and says its standard deviation, which topple study takes. Check the outline "
+        "with --figure: no program can see what shadow, soil or moss hides. Exit status: 0 done, 2 "
+        "wrong usage, 3 bad input or no outline, 5 system failed."};
 
 /* ---- work --------------------------------------------------------------------------------------
  */

@@ -31,9 +31,8 @@ static const struct line {
              {"  May move", YELLOW},
              {"  Whether it stands", YELLOW},
              {"  Does not stand", RED},
-             {"  Does not hold", RED},
              {"  Topples up-dip", RED},
-             {"  Lets go up-dip", RED},
+             {"  Fails up-dip", RED},
              {"  Its loads topple", RED},
              {"  Its loads slide", RED},
              {"Caution", YELLOW}};

@@ -46,7 +46,7 @@ static const struct argp parser = {
     .args_doc = "CLAIMS",
     .doc = "Verdicts on printed formulas and numbers: proven, refuted, agrees, truncated, "
            "disagrees, undecided.\v"
-           "CLAIMS is a YAML file; docs/verify.md tells how to write one. Exit status: 0 done, "
+           "CLAIMS is a YAML file; docs/verify.md explains how to write one. Exit status: 0 done, "
            "1 done and something is refuted or disagrees, 2 wrong usage, 3 bad input, 5 system "
            "failed."};
 

@@ -55,7 +55,7 @@ void tp_cli_tell_progress(size_t done, size_t of, double rate) {
 
 void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg) {
   if (tp_cli_is_quiet()) return;
-  fprintf(stderr, "\r%zu runs, stands at %.6f, lets go at %.6f degrees   ", runs, least_deg,
+  fprintf(stderr, "\r%zu runs, stands at %.6f, begins to move at %.6f degrees   ", runs, least_deg,
           most_deg);
 }
 
@@ -66,7 +66,7 @@ void tp_cli_clear_progress(void) {
 
 void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds) {
   if (tp_cli_is_quiet()) return;
-  fprintf(stderr, "%.3g s of computing by doubles with proven bounds, %.3g s by the ladder\n",
+  fprintf(stderr, "%.3g s of computing in doubles with proven bounds, %.3g s in higher precision\n",
           doubles_seconds, ladder_seconds);
 }
 

@@ -55,15 +55,16 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
   if (restart) {
     if (tp_hdf5_file_is_ours(path)) return TP_OK;
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "this file is there, and is not the rows of a study, which alone are written "
-                   "over; remove it, or name another file");
+                   "this file is there, and is not the rows of a study, the only files that are "
+                   "written over; remove it, or name another file");
   }
   const tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK || there) return status;
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "this file is there, and no '%.300s' to go on from; restart to write over it, or "
-                 "name another file",
-                 csv);
+  return tp_fail(
+      message, TP_BAD_INPUT, place,
+      "this file is there, and no '%.300s' to continue from; restart to write over it, or "
+      "name another file",
+      csv);
 }
 
 /* ---- rows --------------------------------------------------------------------------------------
@@ -141,7 +142,7 @@ tp_status tp_hdf5_write(const char *path, const tp_study *study, const char *csv
   if (status != TP_OK) return status;
   if (!there || progress.shards != 1) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0},
-                   "these are no rows of a whole study");
+                   "these are not rows of a whole study");
   }
   const uint64_t most = progress.chunks * study->chunk;
   writing w = {.study = study, .stop = stop, .rows = most < study->samples ? most : study->samples};

@@ -107,7 +107,7 @@ static tp_status read_all(unsigned char **bytes, size_t *length, FILE *file, con
                           tp_message *message) {
   struct stat about;
   if (fstat(fileno(file), &about) != 0) return tp_fail_file(message, path, "read", errno);
-  if (!S_ISREG(about.st_mode)) return fail(path, "is no regular file", message);
+  if (!S_ISREG(about.st_mode)) return fail(path, "is not a regular file", message);
   if (about.st_size > TP_PICTURE_BYTES) {
     return fail(path, "is larger than 256 MiB; cut out what shows the block", message);
   }

@@ -59,8 +59,8 @@ static void add_points(tp_text *text, const tp_trace *trace) {
 /* The contact: two vertices of the outline, which move with it. */
 static void add_base(tp_text *text, const tp_trace *trace, const tp_trace_options *options) {
   tp_text_add(text, "base:\n"
-                    "  mated: true               # the counterpart of its underside: NOT cautious "
-                    "where there are gaps\n");
+                    "  mated: true               # the counterpart of its underside: NOT "
+                    "conservative if there are gaps\n");
   if (!options->between_given) {
     tp_text_add(text, "  # between: [[x, y], [x, y]] # missing: the contact goes on to where "
                       "sides begin, steeper than 45°\n");

@@ -6,9 +6,9 @@
 
 #include "formula/parser.h"
 
+#include "common/outside.h"
 #include "formula/spelling.h"
 #include "number/ratio.h"
-#include "common/outside.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -60,10 +60,11 @@ static bool fail_unknown(tp_parser *p, size_t length) {
   } else if (logarithm) {
     tp_parser_fail(p, at, "write log10 for the decimal logarithm");
   } else if (!p->dialect->functions && *tp_parser_here(p) == '(') {
-    tp_parser_fail(p, at,
-                   "'%s(…)' is no exact operation; expressions take + - * / ^ and parentheses, so "
-                   "write its value as a number",
-                   word.text);
+    tp_parser_fail(
+        p, at,
+        "'%s(…)' is not an exact operation; expressions take + - * / ^ and parentheses, so "
+        "write its value as a number",
+        word.text);
   } else {
     tp_parser_fail(p, at, "unknown name '%s'; %s", word.text, p->dialect->unknown_name);
   }

@@ -114,7 +114,7 @@ size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, cons
     if (count <= 18) mantissa = 10 * mantissa + (uint64_t)(text[at] - '0');
   }
   if (seen == 0) {
-    *problem = "is no number";
+    *problem = "is not a number";
     return 0;
   }
   size_t used = 0;
@@ -159,7 +159,7 @@ bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const ch
     at += 1 + used;
   }
   if (at != length) {
-    *problem = "is no number";
+    *problem = "is not a number";
     return false;
   }
   if (negative) fmpq_neg(value, value);

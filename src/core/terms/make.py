@@ -15,7 +15,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 HEAD = """# Glossary
 
 Terms as rock mechanics uses them, and as Topple does where the two could differ; `topple explain TERM` prints them, and
-tells of keys of scenes and results as well ([explain.md](explain.md)). Sections are those of [mechanics.md](mechanics.md),
+explains keys of scenes and results as well ([explain.md](explain.md)). Sections are those of [mechanics.md](mechanics.md),
 equations, tables and appendices without more those of Alejano et al. ([paper.md](paper.md)); `keys` are those of scenes
 and of JSON. *Also* gives what others call it; ISRM (1978) is *Suggested methods for the quantitative description of
 discontinuities in rock masses*, Int. J. Rock Mech. Min. Sci. 15, 319–368. This page is made of `src/core/terms/terms.csv`.
@@ -25,7 +25,7 @@ discontinuities in rock masses*, Int. J. Rock Mech. Min. Sci. 15, 319–368. Thi
 """
 # A key of results ends in its unit; the longest end counts.
 UNITS = {"deg": "degrees", "m": "m", "m2": "m²", "m4": "m⁴", "n": "N", "nm": "N m", "n_m": "N m", "kn": "kN", "kpa": "kPa", "mpa": "MPa",
-         "kn_m3": "kN/m³", "g": "g", "g_per_m": "g/m", "s": "s", "m_s": "m/s", "j": "J", "hz": "Hz", "deg_min": "degrees a minute",
+         "kn_m3": "kN/m³", "g": "g", "g_per_m": "g/m", "s": "s", "m_s": "m/s", "j": "J", "hz": "Hz", "deg_min": "degrees per minute",
          "gpa_m": "GPa/m", "seconds": "s", "w_m": "weight × m", "rad_s": "rad/s"}
 
 

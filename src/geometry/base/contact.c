@@ -158,7 +158,7 @@ static tp_status fail_apart(bool cut, const tp_section *section, const tp_base *
   const tp_place place = tp_polyline_place(&base->ring, -1);
   if (cut) {
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "the block would touch its base with corners alone that are rounded off; let it "
+                   "the block would touch its base with only corners that are rounded off; let it "
                    "rest on what rounding leaves of its edges");
   }
   tp_closeness near;

@@ -192,8 +192,9 @@ static tp_status find_vertex(long *vertex, const tp_polyline *outline, const tp_
       return TP_OK;
     }
   }
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, k),
-                 "this is no vertex of the outline; 'between' names two of its vertices exactly");
+  return tp_fail(
+      message, TP_BAD_INPUT, tp_polyline_place(between, k),
+      "this is not a vertex of the outline; 'between' names two of its vertices exactly");
 }
 
 static tp_status find_named(tp_underside *u, const tp_polyline *line, const tp_polyline *between,

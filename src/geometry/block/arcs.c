@@ -255,8 +255,8 @@ tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_
   if (block->arc_count == 0) return TP_OK;
   if (!tp_polyline_orient_by_area(outline)) {
     return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "with chords for its arcs the outline has no area, so which way is outwards is "
-                   "open; give it a vertex more, on an arc");
+                   "with chords for its arcs the outline has no area, so the outward direction is "
+                   "undetermined; give it a vertex more, on an arc");
   }
   tp_polyline ring;
   tp_status status = build_apart(tips, &ring, outline, block, message);

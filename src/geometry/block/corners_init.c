@@ -148,7 +148,7 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
                         tp_message *message) {
   if (block->part_count > 0) {
     return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "a block with parts takes no arcs: which part they bound is not judged");
+                   "a block with parts takes no arcs: it is not determined which part they bound");
   }
   tp_status status = TP_OK;
   tp_corner_ball c;
@@ -221,10 +221,9 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
     if (status == TP_OK) status = check_corner_reach(corners->items + k, section, lattice, message);
   }
   if (status == TP_OK && corners->count > 0 && !corners->keeps_mass && block->part_count > 0) {
-    status =
-        tp_fail(message, TP_BAD_INPUT, rounded->place,
-                "corners of a block with parts are rounded by 'model: paper' alone: which part "
-                "would lose its mass is not judged");
+    status = tp_fail(message, TP_BAD_INPUT, rounded->place,
+                     "corners of a block with parts are rounded by 'model: paper' alone: it is not "
+                     "determined which part would lose mass");
   }
   if (status != TP_OK) tp_corners_clear(corners);
   return status;

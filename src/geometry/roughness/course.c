@@ -87,7 +87,7 @@ static tp_status check_distances(const tp_course *course, const tp_polyline *cha
     if (apart && isfinite(course->x[k]) && isfinite(course->y[k])) continue;
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, (long)k),
                    "point %zu lies too far from the first one, or too near to the one before it, "
-                   "for the slope there to be told in doubles",
+                   "for the slope there to be computed in doubles",
                    k + 1);
   }
   return TP_OK;

@@ -196,7 +196,7 @@ static tp_status refuse_half(const choosing *c, kind x) {
   static const kind known[] = {X, Y, ALONG, HEIGHT, Z, EAST, NORTH};
   if (has(c, DEGREES)) {
     return refuse(c, c->at[DEGREES],
-                  "degrees on the globe are no lengths: give distances along a line of section "
+                  "degrees on the globe are not lengths: give distances along a line of section "
                   "and heights, 'distance,elevation'");
   }
   if (has(c, EAST) && has(c, NORTH)) {

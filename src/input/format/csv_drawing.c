@@ -103,7 +103,7 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
   }
   if (tp_ratio_read_field(value, row->text + f->at, f->length, &problem)) return TP_OK;
   char what[120];
-  snprintf(what, sizeof what, "what stands here %s; a coordinate is a number", problem);
+  snprintf(what, sizeof what, "this entry %s; a coordinate is a number", problem);
   return fail(r, f->at, what);
 }
 

@@ -5,8 +5,8 @@
 
 #include "format/dxf.h"
 
-#include "format/dxf_shown.h"
 #include "common/grow.h"
+#include "format/dxf_shown.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -71,7 +71,7 @@ static tp_status split(groups *all, const tp_drawing *drawing, const tp_text_fil
     if (!read_code(&group.code, text, length)) {
       return fail(drawing, message, line - 1,
                   all->count == 0
-                      ? "this is no DXF: it does not begin with the code of a group, a number"
+                      ? "this is not a DXF: it does not begin with the code of a group, a number"
                       : "no code of a group, a number, where one belongs: a line is missing or "
                         "too many before this one");
     }
@@ -216,7 +216,7 @@ static tp_status check_file(const tp_drawing *drawing, const tp_text_file *file,
     return fail(drawing, message, 0, "a DWG, by its first bytes; save it as ASCII DXF");
   }
   if (memchr(file->text, '\0', file->length) != NULL) {
-    return fail(drawing, message, 0, "no text: it has bytes of zero; save it as ASCII DXF");
+    return fail(drawing, message, 0, "not a text: it has zero bytes; save it as ASCII DXF");
   }
   if (!tp_dxf_is_there()) {
     return fail(drawing, message, 0,

@@ -111,7 +111,7 @@ static bool add(tp_dxf_reader *r, tp_drawing_object *object, const tp_spline *s,
 static const char *problem_of(const tp_dxf_entity *entity, long count, long degree) {
   const long weights = count_of(entity, WEIGHT);
   if (count == 0 && count_of(entity, FIT) > 0) {
-    return "is a spline that has fit points alone; convert it to a polyline";
+    return "is a spline that has only fit points; convert it to a polyline";
   }
   if (count_of(entity, Y) != count || count_of(entity, KNOT) != count + degree + 1 ||
       (weights != 0 && weights != count) || degree < 1 || count <= degree) {

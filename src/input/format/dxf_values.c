@@ -69,8 +69,8 @@ bool tp_dxf_number(tp_dxf_reader *reader, fmpq_t value, const tp_dxf_group *grou
   if (read_comma(reader, value, group)) return true;
   if (reader->status != TP_OK) return false;
   char what[120];
-  snprintf(what, sizeof what, "what stands here %s; group %d is a number",
-           problem != NULL ? problem : "is no number", group->code);
+  snprintf(what, sizeof what, "this entry %s; group %d is a number",
+           problem != NULL ? problem : "is not a number", group->code);
   return tp_dxf_fail(reader, group, what);
 }
 
@@ -93,7 +93,7 @@ bool tp_dxf_whole(tp_dxf_reader *reader, long *value, const tp_dxf_entity *entit
   bool done = tp_dxf_number(reader, number, group);
   if (done && (!fmpz_is_one(fmpq_denref(number)) || fmpz_cmp_si(fmpq_numref(number), MOST) > 0 ||
                fmpz_cmp_si(fmpq_numref(number), -MOST) < 0)) {
-    done = tp_dxf_fail(reader, group, "no whole number of a size that can be meant");
+    done = tp_dxf_fail(reader, group, "not a whole number of plausible size");
   }
   if (done) *value = fmpz_get_si(fmpq_numref(number));
   fmpq_clear(number);

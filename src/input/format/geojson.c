@@ -201,7 +201,7 @@ static bool take_string(reader *r, const tp_json_event *e) {
   if (own->array) return true;
   if (is_of_globe(r, e)) {
     return fail(r, e->at - e->length,
-                "its coordinates are degrees on the globe ('crs'), which are no lengths: give x "
+                "its coordinates are degrees on the globe ('crs'), which are not lengths: give x "
                 "along the section and y upwards");
   }
   if (strcmp(own->key, "type") == 0 && e->length < WORD) strcpy(own->type, e->text);
@@ -291,7 +291,7 @@ tp_status tp_geojson_read(tp_drawing *drawing, const tp_text_file *file,
                    "rapidjson-dev and build it again, or save the drawing as WKT");
   }
   if (memchr(file->text, '\0', file->length) != NULL) {
-    return tp_fail(message, TP_BAD_INPUT, whole, "no text: it has bytes of zero");
+    return tp_fail(message, TP_BAD_INPUT, whole, "not a text: it has zero bytes");
   }
   reader r = {.drawing = drawing,
               .text = file->text,

@@ -5,9 +5,9 @@
 
 #include "format/gis.h"
 
+#include "common/outside.h"
 #include "format/gis_library.h"
 #include "number/ratio.h"
-#include "common/outside.h"
 
 #include <dlfcn.h>
 #include <errno.h>
@@ -103,7 +103,8 @@ static bool add_points(taking *t, tp_drawing_object *object, const tp_gis_part *
     const double x = part->xy[2 * k], y = part->xy[2 * k + 1];
     if (!isfinite(x) || !isfinite(y) || !tp_ratio_read_double(t->x, x) ||
         !tp_ratio_read_double(t->y, y)) {
-      return fail(t, part, "has a coordinate that is no number between 1e-308 and 1e308 in size");
+      return fail(t, part,
+                  "has a coordinate that is not a number between 1e-308 and 1e308 in size");
     }
     if (t->feet) {
       fmpq_mul(t->x, t->x, t->scale);
@@ -151,7 +152,7 @@ static tp_status check_file(const char *path, tp_message *message) {
   struct stat own;
   if (stat(path, &own) != 0) return tp_fail_file(message, path, "opened", errno);
   if (S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is no regular file");
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is not a regular file");
 }
 
 static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {
@@ -160,7 +161,7 @@ static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {
   if (outcome == TP_GIS_NO_MEMORY) return tp_fail_memory(t->message, "a drawing");
   if (outcome == TP_GIS_FAILED) {
     return tp_fail(t->message, TP_BAD_INPUT, whole,
-                   "no Shapefile (with its .shx beside it) or GeoPackage that GDAL can read: %s",
+                   "not a Shapefile (with its .shx beside it) or GeoPackage that GDAL can read: %s",
                    tp_quote_all(why).text);
   }
   if (t->degrees && !t->plane) {

@@ -96,8 +96,8 @@ static tp_status read_statement(reader *r, tp_mesh_word word) {
     return tp_mesh_fail_word(r->source, word,
                              "a curved surface; export it as a mesh of flat faces");
   }
-  return tp_mesh_fail_word(r->source, word,
-                           "this is no statement of an OBJ file, such as 'v 0 0 1' or 'f 1 2 3'");
+  return tp_mesh_fail_word(
+      r->source, word, "this is not a statement of an OBJ file, such as 'v 0 0 1' or 'f 1 2 3'");
 }
 
 tp_status tp_mesh_read_obj(tp_mesh *mesh, tp_mesh_source *source) {

@@ -47,7 +47,7 @@ static tp_status next_number(const reader *r, number *own, tp_ply_type type) {
                ? TP_OK
                : tp_mesh_fail_word(source, own->word,
                                    "this line ends too early; was the file cut off, or does its "
-                                   "header tell of another number of elements?");
+                                   "header state another number of elements?");
   }
   const int size = tp_ply_size(type);
   if (source->end - source->at < size) {

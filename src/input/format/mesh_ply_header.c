@@ -52,7 +52,7 @@ static tp_status read_property(tp_ply_header *header, tp_mesh_source *source) {
     word = tp_mesh_line_word(source);
     own.count_type = type_of(word);
     if (own.count_type >= TP_PLY_FLOAT) {
-      return tp_mesh_fail_word(source, word, "the length of a list is of a type of whole numbers");
+      return tp_mesh_fail_word(source, word, "the length of a list has an integer type");
     }
     word = tp_mesh_line_word(source);
   }
@@ -68,7 +68,7 @@ static tp_status read_property(tp_ply_header *header, tp_mesh_source *source) {
   word = tp_mesh_line_word(source);
   own.role = role_of(element, &own, word);
   if (own.role == TP_PLY_CORNERS && own.type >= TP_PLY_FLOAT) {
-    return tp_mesh_fail_word(source, word, "corners of faces are of a type of whole numbers");
+    return tp_mesh_fail_word(source, word, "corners of faces have an integer type");
   }
   for (int k = 0; k < element->property_count && own.role != TP_PLY_PASSED_OVER; k++) {
     if (element->properties[k].role == own.role) {
@@ -85,7 +85,7 @@ static tp_status read_element(tp_ply_header *header, tp_mesh_source *source) {
                         .is_face = tp_mesh_word_is(name, "face"),
                         .place = name};
   if (!tp_mesh_read_whole(&own.count, count) || own.count < 0) {
-    return tp_mesh_fail_word(source, count, "an element tells how many of it there are");
+    return tp_mesh_fail_word(source, count, "an element line states how many there are");
   }
   if ((own.is_vertex || own.is_face) && own.count > TP_MESH_MOST) {
     return tp_mesh_fail_word(source, count,
@@ -151,7 +151,7 @@ tp_status tp_ply_read_header(tp_ply_header *header, tp_mesh_source *source) {
   tp_mesh_word word = tp_mesh_line_word(source);
   bool format = false;
   if (!tp_mesh_word_is(word, "ply")) {
-    return tp_mesh_fail_word(source, word, "this is no PLY: it does not begin with 'ply'");
+    return tp_mesh_fail_word(source, word, "this is not a PLY: it does not begin with 'ply'");
   }
   tp_status status = TP_OK;
   while (status == TP_OK) {
@@ -172,12 +172,12 @@ tp_status tp_ply_read_header(tp_ply_header *header, tp_mesh_source *source) {
       status = read_property(header, source);
     } else {
       status = tp_mesh_fail_word(source, word,
-                                 "this is no line of the header of a PLY: format, element, "
+                                 "this is not a line of the header of a PLY: format, element, "
                                  "property, comment or end_header");
     }
   }
   if (status != TP_OK) return status;
-  if (!format) return tp_mesh_fail_word(source, word, "the header says no 'format'");
+  if (!format) return tp_mesh_fail_word(source, word, "the header gives no 'format'");
   if (!tp_mesh_next_line(source)) return tp_mesh_fail_line(source, "the file ends in its header");
   return check(header, source);
 }

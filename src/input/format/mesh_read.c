@@ -38,7 +38,7 @@ static tp_status read_all(char **bytes, size_t *length, FILE *file, const char *
   struct stat about;
   if (fstat(fileno(file), &about) != 0) return tp_fail_file(message, path, "read", errno);
   if (!S_ISREG(about.st_mode)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is no regular file");
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is not a regular file");
   }
   if (about.st_size > TP_MESH_BYTES) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},

@@ -125,7 +125,7 @@ tp_status tp_mesh_read_coordinate(fmpq_t value, const tp_mesh_source *source, tp
     return tp_mesh_fail_word(source, word,
                              "a comma within a number; write decimals with a point, 1.5 for 1,5");
   }
-  snprintf(what, sizeof what, "what stands here %s; a vertex has x, y and z", problem);
+  snprintf(what, sizeof what, "this entry %s; a vertex has x, y and z", problem);
   return tp_mesh_fail_word(source, word, what);
 }
 

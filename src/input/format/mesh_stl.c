@@ -38,7 +38,7 @@ static tp_status read_binary(tp_mesh *mesh, const tp_mesh_source *source, fmpq *
   const uint64_t count = tp_mesh_bits(source->at + HEAD - 4, 4, true);
   if (length != HEAD + RECORD * count) {
     return tp_mesh_fail_file(source,
-                             "a binary STL that tells of %lu triangles has %lu bytes, this one has "
+                             "a binary STL with %lu triangles has %lu bytes, this one has "
                              "%lu; it was cut off or damaged: export it again",
                              (unsigned long)count, (unsigned long)(HEAD + RECORD * count),
                              (unsigned long)length);
@@ -142,8 +142,9 @@ tp_status tp_mesh_read_stl(tp_mesh *mesh, tp_mesh_source *source) {
   if (!is_binary(source)) {
     status = read_text(mesh, source, point);
   } else if (source->end - source->at < HEAD) {
-    status = tp_mesh_fail_file(source, "this is no STL: it neither begins with 'solid' nor has the "
-                                       "84 bytes with which a binary one begins");
+    status =
+        tp_mesh_fail_file(source, "this is not an STL: it neither begins with 'solid' nor has the "
+                                  "84 bytes with which a binary one begins");
   } else {
     status = read_binary(mesh, source, point);
   }

@@ -54,7 +54,7 @@ tp_status tp_drawing_read(tp_drawing *drawing, const tp_drawing_options *options
   const int format = format_of(drawing->path);
   if (format < 0) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
-                   "no drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json, "
+                   "not a drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json, "
                    ".csv, .shp or .gpkg");
   }
   if (formats[format].read == NULL) return tp_gis_drawing_read(drawing, message);

@@ -244,7 +244,7 @@ static void begin(void *context, const XML_Char *qualified, const XML_Char **giv
   const char *name = tp_svg_local_name(qualified);
   if (r->status != TP_OK) return;
   if (r->depth == 0 && strcmp(name, "svg") != 0) {
-    fail(r, "this is no SVG: its first element is not <svg>");
+    fail(r, "this is not an SVG: its first element is not <svg>");
     return;
   }
   tp_svg_value values[TP_SVG_PROPERTIES];
@@ -254,7 +254,7 @@ static void begin(void *context, const XML_Char *qualified, const XML_Char **giv
   if (r->depth == 1) r->drawing->page_unit_m = tp_svg_page_unit(attributes);
   tp_svg_style(values, &r->sheets, name, attributes);
   if (!tp_svg_seen_within(&own->seen, name, values, &bad)) {
-    stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r), "its '%s' is no value of CSS",
+    stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r), "its '%s' is not a value of CSS",
                     tp_svg_property_name(bad)));
     return;
   }
@@ -327,7 +327,7 @@ static tp_status parse(reader *r) {
   if (parsed == XML_STATUS_OK) return TP_OK;
   const enum XML_Error error = XML_GetErrorCode(r->parser);
   if (error == XML_ERROR_NO_MEMORY) return tp_fail_memory(r->message, "a drawing");
-  return tp_fail(r->message, TP_BAD_INPUT, place_here(r), "no well-formed XML: %s",
+  return tp_fail(r->message, TP_BAD_INPUT, place_here(r), "not well-formed XML: %s",
                  XML_ErrorString(error));
 }
 

@@ -67,7 +67,7 @@ static bool read_points(tp_svg_target *t, const char *const *attributes, fmpq *n
     if (!tp_svg_number(&text, n) || !tp_svg_number(&text, n + 1)) break;
     if (!add_point(t, object, n, n + 1)) return false;
   }
-  if (text.problem == NULL && text.at < text.end) text.problem = "has points that are no numbers";
+  if (text.problem == NULL && text.at < text.end) text.problem = "has points that are not numbers";
   *problem = text.problem;
   return text.problem == NULL && tp_svg_finish(t, object);
 }

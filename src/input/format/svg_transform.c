@@ -39,7 +39,7 @@ bool tp_svg_number(tp_svg_text *text, fmpq_t value) {
   const size_t used =
       tp_ratio_read_decimal(value, text->at, (size_t)(text->end - text->at), &text->problem);
   if (used == 0) {
-    text->problem = "has a number that is none, or of no size that can be meant";
+    text->problem = "has an invalid or implausibly large number";
     return false;
   }
   text->at += used;

@@ -8,8 +8,8 @@
 
 #include "format/wkt.h"
 
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -83,10 +83,10 @@ static tp_status take_number(reader *r, fmpq_t value) {
                              (r->text[end] != '\0' && strchr("+-.", r->text[end]) != NULL))) {
     end++;
   }
-  const char *problem = "is no number";
+  const char *problem = "is not a number";
   if (!tp_ratio_read_field(value, r->text + r->at, end - r->at, &problem)) {
     char what[120];
-    snprintf(what, sizeof what, "what stands here %s; a position is x y", problem);
+    snprintf(what, sizeof what, "this entry %s; a position is x y", problem);
     return fail(r, what);
   }
   r->at = end;
@@ -182,7 +182,7 @@ static tp_status fail_word(const reader *r, const char *word) {
                      "over as DXF, whose arcs are kept");
     }
   }
-  return fail(r, "no geometry of WKT that Topple reads: LINESTRING, POLYGON, MULTILINESTRING, "
+  return fail(r, "not a WKT geometry that Topple reads: LINESTRING, POLYGON, MULTILINESTRING, "
                  "MULTIPOLYGON");
 }
 

@@ -87,7 +87,7 @@ static tp_status check_length(tp_notes *notes, const tp_scene *scene, const fmpq
   if (!large && !(small && whole)) return TP_OK;
   const char *unit = small ? "mm" : size < 1000 ? "m" : "km";
   return tp_notes_add(notes, message, TP_CAUTION, place,
-                      "%s %.4g %s, which is hardly meant; is 'length_unit: %s' right?", what,
+                      "%s %.4g %s, which is implausible; is 'length_unit: %s' right?", what,
                       small         ? 1000 * size
                       : size < 1000 ? size
                                     : size / 1000,

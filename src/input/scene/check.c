@@ -256,7 +256,7 @@ tp_status tp_check_joint(const tp_scene *scene, tp_place place, tp_message *mess
             "'matching', which share of it is closed after that";
   } else if (base->matching.given && !base->closure.given) {
     wrong = "'matching' needs a 'closure', up to which gap the joint counts as closed: straight "
-            "edges that are shifted touch in points alone, or leap from all to nothing";
+            "edges that are shifted touch only in points, or leap from all to nothing";
   }
   return wrong == NULL ? TP_OK : tp_fail(message, TP_BAD_INPUT, place, "%s", wrong);
 }

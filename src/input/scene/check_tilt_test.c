@@ -76,7 +76,7 @@ static tp_status check_stiffness(const tp_tilt_test_description *t, tp_tilt_engi
   if (normal == shear && (normal || engine != TP_TILT_SPRINGS)) return TP_OK;
   return tp_fail(message, TP_BAD_INPUT, t->place,
                  "the springs of the contact need both 'normal_stiffness_gpa_m' and "
-                 "'shear_stiffness_gpa_m'; no stiffness is taken silently; the paper's tests have "
+                 "'shear_stiffness_gpa_m'; no stiffness is assumed; the paper's tests have "
                  "1000 and 10");
 }
 
@@ -104,7 +104,7 @@ static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
   if (tp_scene_is_shaken(scene)) {
     if (engine == TP_TILT_PATH) {
       return tp_fail(message, TP_BAD_INPUT, t->engine_place,
-                     "the path is quasi-static and knows no shaking; say 'engine: dynamics'");
+                     "the path is quasi-static and does not model shaking; say 'engine: dynamics'");
     }
     if (protocol != TP_TILT_RELEASE) {
       return tp_fail(message, TP_BAD_INPUT, place,
@@ -116,11 +116,11 @@ static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
   if (protocol == TP_TILT_RELEASE) {
     if (engine == TP_TILT_PATH) {
       return tp_fail(message, TP_BAD_INPUT, place,
-                     "a block that is let go moves in time: a release needs 'engine: dynamics'");
+                     "a released block moves in time: a release needs 'engine: dynamics'");
     }
     if (!scene->tilt_angle_deg.given) {
       return tp_fail(message, TP_BAD_INPUT, place,
-                     "a release needs the tilt at which the block is let go: 'tilt: {angle_deg: "
+                     "a release needs the tilt at which the block is released: 'tilt: {angle_deg: "
                      "…}'");
     }
   }

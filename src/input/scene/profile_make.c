@@ -65,7 +65,7 @@ static tp_status check_depth(const tp_polyline *line, tp_wear wear, const tp_qua
     tp_ratio_text(text, sizeof text, most);
     status =
         tp_fail(message, TP_BAD_INPUT, depth->place,
-                "'%s' takes off all of the roughness: the highest point stands %s above the "
+                "'%s' removes all of the roughness: the highest point stands %s above the "
                 "%s; take less",
                 tp_wear_keys[wear], text, wear == TP_WEAR_CUT ? "lowest" : "mean of all points");
   }

@@ -79,13 +79,13 @@ static tp_status read_header(header *h, tp_record_source *source) {
   }
   if (status != TP_OK) return status;
   if (!named) {
-    return tp_record_fail(source, 0,
-                          "no line with NPTS and DT among the first 10: this is no .at2 of PEER");
+    return tp_record_fail(
+        source, 0, "no line with NPTS and DT among the first 10: this is not an .at2 file of PEER");
   }
   if (!h->accelerations || !h->of_g) {
     return tp_record_fail(source, 0,
-                          "the header above does not say ACCELERATION … IN UNITS OF G: this is no "
-                          "acceleration in shares of gravity, and other units are not guessed; "
+                          "the header above does not say ACCELERATION … IN UNITS OF G: this is not "
+                          "an acceleration in shares of gravity, and other units are not guessed; "
                           "write a CSV file with a header such as 'time_s,acceleration_m_s2'");
   }
   return read_sampling(h, source);

@@ -44,7 +44,7 @@ tp_status tp_record_value(fmpq_t value, const tp_record_source *source, size_t a
     snprintf(what, sizeof what, "'%s' is not a finite number", word);
   } else {
     snprintf(what, sizeof what,
-             "what stands here %s; an accelerogram holds numbers alone below "
+             "this entry %s; an accelerogram holds numbers alone below "
              "its header",
              problem);
   }

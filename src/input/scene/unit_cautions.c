@@ -25,7 +25,7 @@ static tp_status check_angle(tp_notes *notes, const tp_quantity *angle, long lea
   if (!small) return TP_OK;
   const double given = fmpq_get_d(angle->value);
   return tp_notes_add(notes, message, TP_CAUTION, angle->place,
-                      "%s of %.6g° is hardly meant; if it is in radians, write %.4g", what, given,
+                      "%s of %.6g° is implausible; if it is in radians, write %.4g", what, given,
                       given * degrees);
 }
 

@@ -160,7 +160,7 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
   if (tp_ratio_is_not_finite(word)) {
     snprintf(what, sizeof what, "'%s' is not a finite number", word);
   } else {
-    snprintf(what, sizeof what, "what stands here %s; each line holds x, y", problem);
+    snprintf(what, sizeof what, "this entry %s; each line holds x, y", problem);
   }
   return fail(r, f.at, what);
 }

@@ -153,7 +153,7 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   }
   if (base->mated && profile != NULL) {
     return tp_read_fail(reader, profile,
-                        "a base is either mated or has a profile of its own; drop one of them");
+                        "a base is either mated or has a separate profile; drop one of them");
   }
   if (!base->mated && profile == NULL) {
     return tp_read_fail(reader, node,

@@ -153,8 +153,8 @@ static tp_status choose_unit(const tp_reader *reader, const drawing_keys *k, tp_
     if (tp_unit_find(metres, &said) && drawing->unit != NULL && strcmp(said, drawing->unit) != 0 &&
         k->options.reference == NULL) {
       status = tp_read_fail(reader, k->unit,
-                            "the drawing says that its lengths are in %s, not %s: leave 'unit' "
-                            "out, or correct what the drawing says (%s)",
+                            "the drawing states that its lengths are in %s, not %s: leave 'unit' "
+                            "out, or correct the drawing (%s)",
                             drawing->unit, said, drawing->unit_from);
     } else if (!tp_unit_find(metres, &said)) {
       status = tp_read_fail(reader, k->unit, "unit must be one of mm, cm, m, km, in, ft");

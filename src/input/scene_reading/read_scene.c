@@ -80,7 +80,7 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "topple");
   if (node == NULL) {
-    return tp_read_fail(reader, root, "this is no scene: 'topple: 1' is missing");
+    return tp_read_fail(reader, root, "this is not a scene: 'topple: 1' is missing");
   }
   if (node->kind != TP_NODE_SCALAR || strcmp(node->text, "1") != 0) {
     return tp_read_fail(reader, node, "this program reads scenes of version 1: 'topple: 1'");
@@ -130,7 +130,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
                                      NULL};
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
-    return tp_read_fail(reader, root, "this is no scene: it does not begin with 'topple: 1'");
+    return tp_read_fail(reader, root, "this is not a scene: it does not begin with 'topple: 1'");
   }
   tp_status status = read_version(reader, root);
   if (status == TP_OK)
@@ -161,7 +161,7 @@ static tp_status check_used(const tp_scene *scene, tp_message *message) {
   for (long k = 0; k < scene->override_count; k++) {
     if (scene->overrides[k].used) continue;
     return tp_fail(message, TP_BAD_INPUT, tp_node_place(scene->overrides[k].node, scene->path),
-                   "this is no number of the scene");
+                   "this is not a number of the scene");
   }
   return TP_OK;
 }

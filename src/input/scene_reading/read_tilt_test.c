@@ -49,7 +49,7 @@ static tp_status read_protocol(const tp_reader *reader, const tp_node *node) {
     if (found == 3) {
       return tp_read_fail(reader, protocol,
                           "protocol must be ramp (at a speed), steps (a fresh start at each angle) "
-                          "or release (held at the tilt, let go)");
+                          "or release (held at the tilt, then released)");
     }
     test->protocol = (tp_tilt_protocol)found;
     test->protocol_place = tp_node_place(protocol, reader->scene->path);

@@ -70,7 +70,7 @@ tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node) {
     if (unit != NULL) continue;
     char list[200];
     tp_result_unit_names(list, sizeof list, false, (tp_unit_kind)kind);
-    status = tp_read_fail(reader, own, "'%s' is no unit of %s that reports print in; known are: %s",
+    status = tp_read_fail(reader, own, "'%s' is not a unit of %s for reports; known are: %s",
                           tp_quote_all(name).text, keys[kind], list);
   }
   return status;
@@ -91,6 +91,5 @@ tp_status tp_scene_set_result_unit(tp_scene *scene, const char *name, tp_message
   char list[300];
   tp_result_unit_names(list, sizeof list, true, TP_UNIT_LENGTH);
   return tp_fail(message, TP_BAD_INPUT, build.place,
-                 "'%s' is no unit that reports print in; known are: %s", tp_quote_all(name).text,
-                 list);
+                 "'%s' is not a unit for reports; known are: %s", tp_quote_all(name).text, list);
 }

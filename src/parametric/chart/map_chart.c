@@ -148,7 +148,7 @@ static void add_legend_of_line(tp_chart *chart) {
       {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
       {"limit", "tie", "limit: tie", tp_line_both},
       {"certain to stand", "", "certain to stand up to", tp_line_onset},
-      {"certain to stand", "", "history decides", tp_region_history},
+      {"certain to stand", "", "depends on history", tp_region_history},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
       {"Patton's sliding", "", "Patton's sliding", tp_line_sliding},
       {"sliding", "", "sliding along a facet", tp_line_sliding},

@@ -257,7 +257,7 @@ static tp_status complain(child *own, tp_message *message) {
     if (*c == '\n' || *c == '\t') *c = ' ';
   }
   return fail(message, own, "failed",
-              own->complained > 0 ? own->complaint : "it drew nothing and said nothing");
+              own->complained > 0 ? own->complaint : "it drew nothing and printed no message");
 }
 
 static tp_status have_drawn(child *own, tp_message *message) {
@@ -268,8 +268,8 @@ static tp_status have_drawn(child *own, tp_message *message) {
   end(own);
   if (own->no_memory) return tp_fail_memory(message, "the figure");
   return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){0},
-                 "%s failed: it did nothing for %d seconds, and was ended; does '%s' work by "
-                 "itself?",
+                 "%s failed: it did not respond for %d seconds and was stopped; does '%s' "
+                 "work by itself?",
                  own->program->name, (int)MOST_SECONDS, own->program->name);
 }
 

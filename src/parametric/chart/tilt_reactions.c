@@ -181,14 +181,15 @@ static void add_legend(const drawing *d) {
                         (tp_chart_style){TP_MARK_LINE, colours[own->colour], TP_DASH_SOLID, 0});
   }
   if (d->facets.has_others) tp_chart_add_legend(d->chart, "other facets together", others_line);
-  if (d->has_critical) tp_chart_add_legend(d->chart, "it lets go", critical_line);
+  if (d->has_critical) tp_chart_add_legend(d->chart, "begins to move", critical_line);
   if (d->has_contact_marks) tp_chart_add_legend(d->chart, "opens or closes", contact_mark);
   if (d->has_slip_marks) tp_chart_add_legend(d->chart, "slips or sticks", slip_mark);
 }
 
 static tp_status fail_empty(tp_message *message) {
-  return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
-                 "the test has no reactions to draw: it knows none before the block lets go");
+  return tp_fail(
+      message, TP_NO_ANSWER, (tp_place){0},
+      "the test has no reactions to draw: none are known before the block begins to move");
 }
 
 static bool fill(drawing *d) {

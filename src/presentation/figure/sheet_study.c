@@ -55,12 +55,12 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
   TP_TAKE_OPTIONS(message, taken, options);
   tp_sheet_picture charts[CHARTS] = {
       {{0},
-       "Probability against tilt, distribution of the angle, what it depends on, and how the "
-       "estimate settled.",
+       "Probability against tilt, distribution of the angle, its rank correlations, and "
+       "convergence of the estimate.",
        "Charts of the study. Its shares, quantiles and correlations are in the tables of this "
        "page."},
       {{0},
-       "The angle of each sample against what varies.",
+       "The angle of each sample against each variable.",
        "Scatter of the samples. Their quantiles and correlations are in the tables of this page."}};
   const tp_vector_picture none = {0};
   tp_file_sources sources = {0};

@@ -80,7 +80,8 @@ static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *sta
   }
 }
 
-/* "Certain to stand up to 26.22° and to move beyond 30.25°; between them history decides." */
+/* "Certain to stand up to 26.22° and to move beyond 30.25°; between these tilts it depends on
+ * history." */
 static void add_onset(tp_text *t, const tp_case *own) {
   const tp_onset *o = &own->onset;
   char n[2][TP_NUMBER_SIZE];
@@ -94,7 +95,11 @@ static void add_onset(tp_text *t, const tp_case *own) {
     if (tp_onset_leaves_window(own)) {
       tp_text_add(t, ", where it can begin to %s", tp_text_to_move(o->mechanism));
       tp_text_add(
-          t, limited ? ", and to move beyond α_w = %s°; between them history decides." : ".", n[1]);
+          t,
+          limited
+              ? ", and to move beyond α_w = %s°; between these tilts it depends on loading history."
+              : ".",
+          n[1]);
     } else {
       tp_text_add(t, ", and to move beyond.");
     }
@@ -106,7 +111,7 @@ static void add_onset(tp_text *t, const tp_case *own) {
     tp_text_add(t, " Not certain to stand at any tilt.");
     return;
   case TP_ONSET_UNDECIDED:
-    tp_text_add(t, " Up to which tilt it is certain to stand is undecided.");
+    tp_text_add(t, " The tilt up to which it is certain to stand is undecided.");
     return;
   case TP_ONSET_NOT_ASKED:
     return;
@@ -118,7 +123,7 @@ static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *
   const tp_case *own = state->own;
   char n[2][TP_NUMBER_SIZE];
   if (own->falls_backwards) {
-    tp_text_add(t, " At %s° it lets go the other way, up-dip.",
+    tp_text_add(t, " At %s° it begins to move the other way, up-dip.",
                 solution->has_tilt_angle ? tp_page_degrees(n[0], solution->tilt_angle_deg) : "0");
     return;
   }
@@ -217,7 +222,7 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   if (verdict.length > 0) tp_text_add(&verdict, ". ");
   const size_t begin = verdict.length;
   if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
-    tp_text_add(&verdict, "Does not hold even %s: ", tp_text_level(figure->solution));
+    tp_text_add(&verdict, "Does not stand even %s: ", tp_text_level(figure->solution));
   }
   add_limit(&verdict, figure, state, &state->own->limit);
   add_base(&verdict, figure, state);

@@ -56,13 +56,13 @@ static void add_models(tp_text *t, const tp_accuracy *a) {
   char n[TP_NUMBER_SIZE];
   if (a->sweep) return;
   for (size_t k = 0; k < a->value_count; k++) of[a->values[k].method] = a->values + k;
-  tp_text_add(t, "\nWhat they come to\n");
+  tp_text_add(t, "\nResults\n");
   for (size_t k = 0; k < a->value_count; k++) {
     const tp_accuracy_value *value = a->values + k;
     tp_text_add(t, "  %-25s%s°%s\n", tp_accuracy_method_name(value->method),
                 tp_text_significant(n, value->angle_deg, 15),
                 value->method == TP_ACCURACY_BOUNDARY && of[TP_ACCURACY_ROUNDED_PAPER] != NULL
-                    ? ", corners taken for sharp"
+                    ? ", corners treated as sharp"
                     : "");
   }
 }
@@ -77,9 +77,9 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
     tp_text_add(&t, "\n\n");
   }
   tp_text_add(&t,
-              a->sweep ? "What accuracy costs on rough blocks of growing size, towards "
+              a->sweep ? "Cost of accuracy on rough blocks of growing size, towards "
                          "the left:\nangles in degrees, against their exact values\n\n%10s  "
-                       : "What accuracy costs, towards the %s: angles in degrees, "
+                       : "Cost of accuracy, towards the %s: angles in degrees, "
                          "against their\nexact values\n\n",
               a->sweep ? "vertices" : tp_text_direction(a->towards));
   tp_text_add(&t, "%-25s%-12s %5s %11s %10s %10s\n", "method", "arithmetic", "bits", "time",
@@ -93,7 +93,8 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
   if (a->simulated != NULL) {
     const char *engine = tp_tilt_engine_name(a->simulated->settings.engine);
     const char *quantity = tp_converge_quantity_name(a->simulated->quantity);
-    tp_text_add(&t, "\nWhat its simulated test depends on, by %s: the %s\n", engine, quantity);
+    tp_text_add(&t, "\nDependence of its simulated test on the settings, by %s: the %s\n", engine,
+                quantity);
     tp_text_convergence(&t, a->simulated);
   }
   return tp_text_finish(&t, text);

@@ -33,8 +33,8 @@ static void add_beyond(tp_page *p, const tp_contact_result *c) {
 static void add_corner_points(tp_page *p, const tp_contact_result *c) {
   if (c->corner_points == 0) return;
   tp_text_add(&p->text,
-              ";\n         %zu of the points %s a corner on a corner, which counts as no support:\n"
-              "         neither has a face there for a force to be normal to",
+              ";\n         %zu of the points %s a corner on a corner, not counted as support:\n"
+              "         neither has a face there that gives a normal",
               c->corner_points, c->corner_points == 1 ? "is" : "are");
 }
 
@@ -44,7 +44,7 @@ static const char *end_words(tp_contact_end end, bool left) {
   case TP_END_WHOLE:
     return left ? "the left end of the underside" : "the right end of the underside";
   case TP_END_STATED:
-    return "as 'between' says";
+    return "as given by 'between'";
   case TP_END_STEEP:
     return "where the block's side begins, steeper than 45°";
   case TP_END_OVERHANG:
@@ -67,8 +67,9 @@ static void add_ends(tp_page *p, const tp_contact_result *c) {
               end_words(c->left_end, true), tp_page_coordinate(p, n[2], c->right_x_m),
               tp_page_coordinate(p, n[3], c->right_y_m), end_words(c->right_end, false));
   if (is_default_cut(c)) {
-    tp_text_add(&p->text, "\n         (taken so: the scene does not say 'between', or "
-                          "'mated: whole' for all of\n         the underside)");
+    tp_text_add(&p->text,
+                "\n         (default: the scene gives neither 'between' nor 'mated: whole' for\n"
+                "         all of the underside)");
   }
 }
 
@@ -77,14 +78,14 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
   if (c->steep) {
     tp_text_add(&p->text,
                 "         Caution: its steepest facet lies at %s° from the mean plane.\n"
-                "         What is steeper than 45° holds a block by locking it in, as long as the\n"
-                "         rock of the base bears it.\n",
+                "         Facets steeper than 45° hold a block by interlocking, provided the rock\n"
+                "         of the base is strong enough.\n",
                 tp_page_degrees(n, c->steepest_deg));
   }
   if (c->reaches_far) {
     const tp_bounded percent = {100 * c->reach.value, 101 * c->reach.error, NULL};
     tp_text_add(&p->text,
-                "         Caution: it reaches over %s %% of the block's height; is all of that "
+                "         Caution: it extends over %s %% of the block's height; is all of that "
                 "in\n         contact?\n",
                 tp_text_fixed(n, percent, 0));
   }
@@ -95,7 +96,7 @@ static void add_frame(tp_page *p) {
   char n[3][TP_NUMBER_SIZE];
   if (f->world) {
     tp_text_add(&p->text, "Frame    world: the block as it lies. The mean plane, %s,\n         ",
-                f->fitted ? "fitted to the contact" : "as the scene gives it");
+                f->fitted ? "fitted to the contact" : "as given in the scene");
     if (f->dips) {
       tp_text_add(&p->text, "dips by %s° towards the %s", tp_text_fixed(n[0], f->dip_deg, 3),
                   tp_text_direction(f->dips_towards));
@@ -103,18 +104,18 @@ static void add_frame(tp_page *p) {
       tp_text_add(&p->text, "is level");
     }
     if (f->level) {
-      tp_text_add(&p->text, "; x runs level and y upright, as it lies\n");
+      tp_text_add(&p->text, "; x is horizontal and y vertical\n");
     } else {
       tp_text_add(&p->text,
                   "; x runs along it and y normal to it\n         from here on, turned about "
-                  "(%s, %s), which keeps its place\n",
+                  "(%s, %s), which stays fixed\n",
                   tp_page_coordinate(p, n[1], f->about_x_m),
                   tp_page_coordinate(p, n[2], f->about_y_m));
     }
   } else if (f->inclined) {
     tp_text_add(&p->text,
                 "Frame    Caution: the mean line of the contact is inclined to x by %s°, and the\n"
-                "         scene does not say 'frame'. x is taken along the mean plane of the base,"
+                "         scene does not give 'frame'. x is taken along the mean plane of the base,"
                 "\n         level at a tilt of 0: say 'frame: base'. If y runs upwards and the "
                 "block\n         lies on a slope as drawn, say 'frame: world'.\n",
                 tp_text_fixed(n[0], f->inclination_deg, 3));
@@ -187,10 +188,10 @@ void tp_page_add_contact(tp_page *p) {
                               : "the counterpart of the underside before the shift; it\n         ");
     add_beyond(p, c);
     if (!c->beyond_stated) {
-      tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
+      tp_text_add(&p->text, "\n         (default: the scene does not give 'beyond')");
     }
   } else {
-    tp_text_add(&p->text, "a profile of its own, which ends where the scene ends it");
+    tp_text_add(&p->text, "a separate profile, which ends where the scene ends it");
   }
   add_ends(p, c);
   tp_text_add(&p->text, "\n         %zu facet%s", c->facets, c->facets == 1 ? "" : "s");

@@ -62,20 +62,20 @@ static void add_verdict(tp_text *t, const tp_converge_finding *f, const tp_tilt_
   write_value(needed, f->setting, f->needed);
   switch (f->verdict) {
   case TP_CONVERGE_HOLDS:
-    tp_text_add(t, "    holds: the answers lie within %.2g%s", f->spread, unit);
+    tp_text_add(t, "    converged: the answers lie within %.2g%s", f->spread, unit);
     if (f->has_needed && f->setting != TP_CONVERGE_TOLERANCE) {
       tp_text_add(t, ", from %s%s on", needed, isinf(f->needed) ? "" : unit_of(f->setting));
     }
     break;
   case TP_CONVERGE_REFINED:
-    tp_text_add(t, "    refined to %s%s: from there on the answers lie within %.2g%s", needed,
+    tp_text_add(t, "    refined to %s%s: from that value on the answers lie within %.2g%s", needed,
                 unit_of(f->setting), f->spread, unit);
     break;
   case TP_CONVERGE_DEPENDS:
-    tp_text_add(t, "    not converged: it takes %.2g%s off or adds it", f->spread, unit);
+    tp_text_add(t, "    not converged: it changes the answer by %.2g%s", f->spread, unit);
     break;
   case TP_CONVERGE_OPEN:
-    tp_text_add(t, "    undecided: a run was not decided, or stopped");
+    tp_text_add(t, "    undecided: a run was undecided, or stopped");
     break;
   }
   tp_text_add(t, "\n");
@@ -112,8 +112,8 @@ static void add_case(tp_text *t, const tp_tilt_convergence_case *own,
     tp_text_add(t, "  The test has no bracket that could converge: see 'topple tilt'.\n");
     return;
   }
-  tp_text_add(t, "  %20s %13s %13s %6s %11s\n", "setting", angle ? "stands at" : "spared by",
-              angle ? "lets go at" : "overturned by", "runs", "time");
+  tp_text_add(t, "  %20s %13s %13s %6s %11s\n", "setting", angle ? "stands at" : "withstands",
+              angle ? "moves at" : "overturned by", "runs", "time");
   for (size_t k = 0; k < own->finding_count; k++) {
     const tp_converge_finding *f = own->findings + k;
     const char *unit = unit_of(f->setting);

@@ -33,7 +33,7 @@ tp_status tp_report_drawing(char **text, const tp_scene *scene) {
   if (drawn != NULL) {
     tp_text_add(&t, "\nThe drawing ");
     tp_encode_plain(&t, drawn->path);
-    tp_text_add(&t, ", in %s: what became of its objects\n", drawn->length_unit);
+    tp_text_add(&t, ", in %s: role of each of its objects\n", drawn->length_unit);
     tp_text_add(&t, "    line  object      layer        name         points arcs\n");
     for (long k = 0; k < drawn->object_count; k++) add_object(&t, drawn->objects + k);
   }

@@ -20,7 +20,7 @@ static void add_none(tp_text *t, const tp_found *f, const tp_find_options *optio
   tp_text_significant(greatest, f->greatest, 12);
   tp_text_add(t, "  none in range: %s ", tp_find_target_name(options->target));
   if (strcmp(least, greatest) == 0) {
-    tp_text_add(t, "is %s wherever it was looked at\n", least);
+    tp_text_add(t, "is %s at every point examined\n", least);
   } else {
     tp_text_add(t, "goes from %s to %s there\n", least, greatest);
   }
@@ -46,10 +46,10 @@ static bool governs(const tp_governing_fos *g, tp_find_target target) {
 
 static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target target) {
   if (governs(g, target)) return;
-  tp_text_add(
-      t, "    Caution: %s is not the factor that governs there: ", tp_find_target_name(target));
+  tp_text_add(t,
+              "    Caution: %s is not the governing factor there: ", tp_find_target_name(target));
   tp_text_factor(t, g);
-  tp_text_add(t, "; look --for governing_fos\n");
+  tp_text_add(t, "; use --for governing_fos\n");
 }
 
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
@@ -69,23 +69,22 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
-    tp_text_add(
-        &t,
-        "  %s  (within %.2g): comes up to the value and turns back or ends; it may touch it, "
-        "which no bound decides\n",
-        tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
+    tp_text_add(&t,
+                "  %s  (within %.2g): approaches the value and turns back or\n"
+                "    ends; whether it reaches it is undecided\n",
+                tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
   }
   for (size_t k = 0; k < f->interval_count; k++) {
     char end[TP_NUMBER_SIZE];
     tp_text_add(&t,
                 "  every number from %s to %s  (within %.2g and %.2g): the\n"
-                "  result stays at the value, the same to 30 digits wherever it was looked at\n",
+                "  result stays at the value, equal to 30 digits at every point examined\n",
                 tp_text_significant(number, f->intervals[k].low, 12),
                 tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
                 f->intervals[k].high.error);
   }
   if (f->count + f->touching_count + f->interval_count == 0) add_none(&t, f, options);
-  tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
+  tp_text_add(&t, "search range with a solution: %.6g to %.6g\n", f->low, f->high);
   return tp_text_finish(&t, text);
 }
 

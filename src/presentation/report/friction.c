@@ -25,7 +25,7 @@ void tp_page_add_friction(tp_page *p) {
   const size_t count = s->friction_facet_count;
   char n[TP_NUMBER_SIZE];
   if (count == 0) return;
-  tp_text_add(&p->text, "Friction %s°, but on facets of the base, counted from the left:\n",
+  tp_text_add(&p->text, "Friction %s°, except on facets of the base, counted from the left:\n",
               tp_page_degrees(n, s->friction_angle_deg));
   for (size_t k = 0; k < count && k < LISTED; k++) add_facets(p, s->friction_facets + k);
   if (count > LISTED) tp_text_add(&p->text, "         and %zu more like these\n", count - LISTED);

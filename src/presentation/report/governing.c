@@ -7,6 +7,7 @@
 #include "report/governing.h"
 
 #include "report/parts_json.h"
+#include "report/words.h"
 
 #include <stdio.h>
 
@@ -19,19 +20,7 @@ void tp_text_against(tp_text *t, const tp_factor *factor) {
     }
     return;
   }
-  switch (factor->mechanism) {
-  case TP_SLIDES:
-    tp_text_add(t, "sliding");
-    return;
-  case TP_TOPPLES:
-    tp_text_add(t, "toppling");
-    return;
-  case TP_SLIDES_AND_TOPPLES:
-    tp_text_add(t, "sliding and toppling");
-    return;
-  default:
-    tp_text_add(t, "any motion");
-  }
+  tp_text_add(t, "%s", tp_text_motion(factor->mechanism));
 }
 
 /* Which way is meant, and how: "against toppling about the toe (moments)" */
@@ -52,17 +41,17 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
     add_way(t, g);
     return;
   case TP_FOS_NO_OVERTURNING:
-    tp_text_add(t, "FoS unbounded: nothing drives it at this tilt");
+    tp_text_add(t, "FoS unbounded: no driving action at this tilt");
     return;
   case TP_FOS_UNDEFINED:
     if (g->up_dip) {
-      tp_text_add(t, "No FoS: at this tilt it lets go up-dip");
+      tp_text_add(t, "No FoS: at this tilt it fails up-dip");
     } else if (g->beyond) {
-      tp_text_add(t, "No FoS: it lets go at a lesser tilt already");
+      tp_text_add(t, "No FoS: it already fails at a lower tilt");
     } else {
       tp_text_add(t, "No FoS");
       add_way(t, g);
-      tp_text_add(t, ": nothing holds it");
+      tp_text_add(t, ": no forces hold it");
     }
     return;
   case TP_FOS_UNDECIDED:
@@ -106,13 +95,13 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
 const char *tp_text_standing(tp_factor_standing standing) {
   switch (standing) {
   case TP_FACTOR_BLOCKED:
-    return "a facet stands in the way";
+    return "sliding is blocked by a facet";
   case TP_FACTOR_PREVENTED:
     return "contact forces prevent it";
   case TP_FACTOR_UNEVEN:
     return "its facets differ in friction";
   case TP_FACTOR_SMOOTH:
-    return "no friction to divide";
+    return "no friction to reduce";
   case TP_FACTOR_COUNTS:
     break;
   }
@@ -128,12 +117,10 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
               tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
-    const bool blocked = factor->standing == TP_FACTOR_BLOCKED;
-    tp_text_add(&p->text, "%36s(%s: %s)\n", "", blocked ? "does not count" : "excluded",
-                tp_text_standing(factor->standing));
+    tp_text_add(&p->text, "%36s(excluded: %s)\n", "", tp_text_standing(factor->standing));
   }
   if (factor->definition == TP_FOS_BY_REDUCTION && factor->fos.state == TP_FOS_UNDEFINED) {
-    tp_text_add(&p->text, "%36s(no strength makes it certain to stand)\n", "");
+    tp_text_add(&p->text, "%36s(not certain to stand at any strength)\n", "");
   }
   p->text.failed = p->text.failed || against.failed;
   tp_text_drop(&against);
@@ -162,8 +149,8 @@ static void add_words(tp_json *j, const tp_factor *factor) {
 
 /* Why there is no factor, where more is known of that than a factor of safety tells. */
 static const char *why_none(const tp_governing_fos *g) {
-  if (g->up_dip) return "none: at this tilt it lets go up-dip";
-  if (g->beyond) return "none: it lets go at a lesser tilt already";
+  if (g->up_dip) return "none: at this tilt it fails up-dip";
+  if (g->beyond) return "none: it already fails at a lower tilt";
   if (g->fos.state == TP_FOS_NO_TILT) return "none: the scene gives no tilt";
   if (g->fos.state == TP_FOS_NOT_ASKED) return "none: turning is blocked about every pivot";
   return NULL;
@@ -184,7 +171,7 @@ static void add_factors(tp_json *j, const tp_governing_fos *g) {
     tp_json_object(j, NULL, TP_JSON_LINE);
     if (g->factors[k].definition == TP_FOS_BY_REDUCTION &&
         g->factors[k].fos.state == TP_FOS_UNDEFINED) {
-      tp_json_no_fos(j, "fos", "none: no strength makes it certain to stand");
+      tp_json_no_fos(j, "fos", "none: not certain to stand at any strength");
     } else {
       tp_json_fos(j, "fos", g->factors[k].fos);
     }

@@ -18,15 +18,15 @@ static void add_matching(tp_page *p, const tp_joint_result *r) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_add(
       &p->text,
-      ";\n         matching %s: the share of its underside\n         that gapes by %s %s at most",
+      ";\n         matching %s: the share of its underside\n         with a gap of %s %s at most",
       tp_text_significant(n[0], r->matching, 5), tp_page_length(p, n[1], r->closure_m, 5),
       p->solution->length_unit);
   if (!r->has_matching_sought) return;
-  tp_text_add(&p->text, "; the least shift found\n         at which that is no more than %s",
+  tp_text_add(&p->text, "; the least shift found\n         at which this is at most %s",
               tp_text_significant(n[0], r->matching_sought, 5));
   static const double visible = 1e-3;
   if (r->matching_before.value - r->matching.value < visible) return;
-  tp_text_add(&p->text, "; it leaps\n         there from %s, at ",
+  tp_text_add(&p->text, "; it jumps\n         there from %s, at ",
               tp_text_significant(n[0], r->matching_before, 5));
   add_shift(p, r->shift_before_m, 8);
 }

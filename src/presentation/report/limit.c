@@ -57,7 +57,7 @@ static void add_moments(tp_page *p, const tp_case *c) {
   if (!c->has_governing || c->limit.kind != TP_LIMIT_AT_ANGLE) return;
   const tp_pivot *pivot = c->pivots + c->governing;
   if (pivot->never || pivot->always) {
-    tp_text_add(&p->text, "  Moments alone say that it %s, about pivot %zu.\n",
+    tp_text_add(&p->text, "  By moments alone it %s, about pivot %zu.\n",
                 pivot->never ? "never topples" : "topples at every tilt", c->governing + 1);
     return;
   }
@@ -67,13 +67,13 @@ static void add_moments(tp_page *p, const tp_case *c) {
   if (limit.value - limit.error > toppling.value + toppling.error) {
     if (tp_onset_leaves_window(c)) return; /* said of the onset */
     tp_text_add(&p->text,
-                "  Moments alone say %s°, about pivot %zu: friction on the other contacts\n"
+                "  Moments alone give %s°, about pivot %zu: friction on the other contacts\n"
                 "  can hold it beyond, if it is mobilised.\n",
                 n, c->governing + 1);
   } else if (c->toe.known && !c->toe.holds && c->limit.mechanism != TP_SLIDES) {
     tp_text_add(&p->text,
-                "  Moments alone say %s°, where all its weight would rest on pivot %zu; but\n"
-                "  friction ends there at ",
+                "  Moments alone give %s°, where all the weight would act on pivot %zu; but\n"
+                "  friction is exhausted there at ",
                 n, c->governing + 1);
     add_toe_friction(p, &c->toe);
     tp_text_add(&p->text, ".\n");
@@ -132,7 +132,7 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, ".\n");
   if (l->kind == TP_LIMIT_AT_ANGLE &&
       l->critical_angle_deg.value + l->critical_angle_deg.error < 0) {
-    tp_text_add(&p->text, "  Below 0: %s nothing holds it%s.\n", tp_text_level(p->solution),
+    tp_text_add(&p->text, "  Below 0: %s no forces hold it%s.\n", tp_text_level(p->solution),
                 p->solution->frame.level ? "" : ", nor at any tilt above");
   }
   if (l->tie) {

@@ -13,7 +13,7 @@ const char *tp_text_load_side(tp_load_side side) {
   case TP_OVERTURNS:
     return "overturns";
   case TP_LESSENS_OVERTURNING:
-    return "lessens what overturns";
+    return "reduces the overturning moment";
   }
   return "unknown";
 }
@@ -29,7 +29,7 @@ static void add_limits(tp_page *p, const tp_case *c) {
   for (size_t k = 0; k < pivot->limit_count; k++) {
     tp_text_add(&p->text, "%s %s°", k > 0 ? " and" : "", tp_text_fixed(n, pivot->limits_deg[k], 3));
   }
-  tp_text_add(&p->text, ": between them it\n  lets go or holds again.\n");
+  tp_text_add(&p->text, ": between these\n  tilts it fails or is held again.\n");
 }
 
 static bool is_beyond(tp_bounded angle, tp_bounded other) {
@@ -51,12 +51,11 @@ static void add_overtopping(tp_page *p, const tp_case *c) {
   if (!c->water_overtops || !speaks_beyond_the_face(p, c)) return;
   tp_text_add(&p->text,
               "  Caution: beyond %s° the level of the water is above the top of its face. There\n"
-              "  its pressure is reckoned as if the face went on: more than it can exert.\n",
+              "  its pressure is computed as if the face continued upwards: an upper bound.\n",
               tp_text_fixed(n, c->water_overtops_deg, 3));
   if (c->limit.kind == TP_LIMIT_INTERLOCKED || c->limit.kind == TP_LIMIT_NOWHERE) {
-    tp_text_add(&p->text,
-                "  It grows without bound towards 90°: contact forces are looked at up to "
-                "89.9999°.\n");
+    tp_text_add(&p->text, "  It grows without bound towards 90°: contact forces are examined up to "
+                          "89.9999°.\n");
   }
 }
 

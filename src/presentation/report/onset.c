@@ -31,16 +31,16 @@ static void add_margin(tp_page *p, tp_bounded angle) {
   }
 }
 
-/* "; from there on it can begin to topple about pivot 1, the peak at (0, 0)" */
+/* ". From that tilt toppling is possible about pivot 1, the peak at (0, 0)" */
 static void add_beginning(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
-  tp_text_add(&p->text, ".\n  From there it can begin to %s", tp_text_to_move(o->mechanism));
+  tp_text_add(&p->text, ".\n  From that tilt %s is possible", tp_text_motion(o->mechanism));
   if (o->has_centre) tp_page_add_centre(p, c, o->centre_x_m, o->centre_y_m);
   if (!o->tie) {
     tp_text_add(&p->text, ".\n");
     return;
   }
-  tp_text_add(&p->text, ",\n  or to %s, a tie", tp_text_to_move(o->tied_with));
+  tp_text_add(&p->text, ",\n  or %s, a tie", tp_text_motion(o->tied_with));
   tp_page_add_tie(p, o->tie_bits);
 }
 
@@ -70,10 +70,9 @@ static void add_stands(tp_page *p, const tp_case *c) {
   tp_text_fixed(n, o->critical_angle_deg, 3);
   if (o->critical_angle_deg.value < 0) {
     if (p->solution->frame.level) {
-      tp_text_add(&p->text,
-                  "  Not certain to stand as it lies, but only where that is turned by %s°", n);
+      tp_text_add(&p->text, "  Not certain to stand as it lies, only if turned by %s°", n);
     } else {
-      tp_text_add(&p->text, "  Not certain to stand even %s, but only below %s°",
+      tp_text_add(&p->text, "  Not certain to stand even %s, only below %s°",
                   tp_text_level(p->solution), n);
     }
     add_beginning(p, c);
@@ -110,7 +109,7 @@ static void add_moves(tp_page *p, const tp_case *c) {
     }
     return;
   case TP_LIMIT_UNDECIDED:
-    tp_text_add(&p->text, "  Beyond which tilt it is certain to move is undecided.\n");
+    tp_text_add(&p->text, "  The tilt beyond which it is certain to move is undecided.\n");
     return;
   case TP_LIMIT_NOWHERE:
   case TP_LIMIT_NOT_ASKED:
@@ -168,17 +167,18 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
   add_moves(p, c);
   if (tp_onset_leaves_window(c)) {
     tp_text_add(&p->text,
-                "  %s history decides: friction on facets that nothing has pressed\n"
-                "  could hold it. How it came to lie there would tell%s.\n",
-                c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between them"
+                "  %s the result depends on loading history: friction on\n"
+                "  contacts that carry no normal load could hold it. Knowledge of that history%s\n"
+                "  would decide.\n",
+                c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between these tilts"
                 : c->onset.kind == TP_ONSET_AT_ANGLE ? "Beyond α_s"
-                                                     : "Beyond that",
-                p->solution->frame.world ? "" : ", or a tilt test, or the\n  tilting table");
+                                                     : "Beyond that tilt",
+                p->solution->frame.world ? "" : ",\n  a tilt test or the tilting table");
   }
   tp_page_add_windows(p, &c->onset);
   if (c->onset.paradox) {
     tp_text_add(&p->text,
-                "  Caution: a slipping contact would press itself harder (Painlevé's paradox):\n"
+                "  Caution: friction would press a slipping contact harder (Painlevé's paradox):\n"
                 "  rigid bodies with Coulomb friction have no unique motion at this tilt.\n");
   }
 }

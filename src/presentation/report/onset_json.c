@@ -121,7 +121,7 @@ void tp_json_onset(tp_json *j, const tp_case *c) {
   if (o->has_motions) tp_json_truth(j, "paradox", o->paradox);
   if (o->fos.state != TP_FOS_NOT_ASKED && o->fos.state != TP_FOS_NO_TILT) {
     if (o->fos.state == TP_FOS_UNDEFINED) {
-      tp_json_no_fos(j, "fos", "none: no strength makes it certain to stand");
+      tp_json_no_fos(j, "fos", "none: not certain to stand at any strength");
     } else {
       tp_json_fos(j, "fos", o->fos);
     }

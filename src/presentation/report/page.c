@@ -83,7 +83,7 @@ void tp_page_add_tie(tp_page *p, long bits) {
   if (bits == 0) {
     tp_text_add(&p->text, ", exactly.\n");
   } else {
-    tp_text_add(&p->text, ",\n  as far as %ld bits tell.\n", bits);
+    tp_text_add(&p->text, ",\n  as far as %ld bits can distinguish.\n", bits);
   }
 }
 

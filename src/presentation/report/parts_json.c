@@ -31,7 +31,7 @@ void tp_json_no_fos(tp_json *j, const char *key, const char *words) {
 void tp_json_tie(tp_json *j, bool tie, long bits) {
   if (!tie) return;
   char words[64] = "exact";
-  if (bits > 0) snprintf(words, sizeof words, "not told apart by %ld bits", bits);
+  if (bits > 0) snprintf(words, sizeof words, "not distinguished by %ld bits", bits);
   tp_json_string(j, "tie_is", words);
 }
 

@@ -102,7 +102,7 @@ static void add_least(tp_page *p) {
     const tp_resting_pose *pose = r->poses + least;
     const tp_pose_verdict *v = pose->verdicts + c;
     char n[TP_NUMBER_SIZE + 4];
-    tp_text_add(&p->text, "  %s the %s pose %zu lets go first: ",
+    tp_text_add(&p->text, "  %s the %s, pose %zu begins to move first: ",
                 p->solution->frame.world ? "Towards" : "Tilted towards",
                 tp_text_direction(v->towards), least + 1);
     if (v->has_first_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
@@ -117,8 +117,8 @@ void tp_page_add_poses(tp_page *p) {
   if (!r->known) return;
   tp_text_add(&p->text,
               "\nResting poses from all shifts along x, from %s to %s %s: %zu.\n"
-              "None is missed whose shifts span more than %s %s.\n"
-              "Share of the shifts, height of the centroid, contact, tilt at which it lets go:\n\n",
+              "None is missed whose range of shifts exceeds %s %s.\n"
+              "Share of shifts, centroid height, contact, tilt at which it begins to move:\n\n",
               tp_page_length(p, n[0], r->from_m, 5), tp_page_length(p, n[1], r->to_m, 5), unit,
               r->pose_count, tp_page_length(p, n[2], r->spacing_m, 3), unit);
   add_head(p);
@@ -130,7 +130,8 @@ void tp_page_add_poses(tp_page *p) {
   add_rest_of_shifts(p);
   tp_text_add(&p->text, "\n");
   if (r->has_given) {
-    tp_text_add(&p->text, "> All else here is of pose %zu, to which the block comes as given.\n",
+    tp_text_add(&p->text,
+                "> All other results are for pose %zu, which the block reaches as given.\n",
                 r->given + 1);
   }
   add_least(p);

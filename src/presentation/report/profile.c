@@ -49,9 +49,9 @@ static void add_head(tp_text *t, const tp_profile *p) {
     tp_text_add(t, "\nturned onto its mean plane, by %.6g°\n\n", p->trend_deg.value);
   } else {
     tp_text_add(t, "\n%s\n\n",
-                o->detrend == TP_DETREND_LINE   ? "the line of least squares is taken off"
-                : o->detrend == TP_DETREND_ENDS ? "the line through both ends is taken off"
-                                                : "no line is taken off");
+                o->detrend == TP_DETREND_LINE   ? "the line of least squares is subtracted"
+                : o->detrend == TP_DETREND_ENDS ? "the line through both ends is subtracted"
+                                                : "no line is subtracted");
   }
 }
 

@@ -39,7 +39,7 @@ static void add_input(tp_sheet *s) {
   char n[TP_NUMBER_SIZE];
   tp_document_heading(d, 2, "Block, base and contact");
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
-                    "What the scene says, and what follows of its shape");
+                    "Input, and quantities that follow from its geometry");
   tp_page_add_input(&page);
   tp_sheet_facts(d, &page.text);
   if (own->has_friction) {
@@ -97,9 +97,9 @@ static void add_effects(tp_sheet *s) {
   tp_document *d = &s->document;
   const bool times = s->options->times != 0;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, times ? 4 : 3, times ? 8 : 0,
-                    "What ran, and what called for it");
+                    "Effects computed, and the input that required them");
   tp_document_cell(d, "Effect");
-  tp_document_cell(d, "Called for by");
+  tp_document_cell(d, "Required by");
   tp_document_cell(d, "Arithmetic");
   if (times) tp_document_cell(d, "Time (ms)");
   for (size_t k = 0; k < own->effect_count; k++) {
@@ -114,20 +114,21 @@ static void add_effects(tp_sheet *s) {
 void tp_sheet_add_proof(tp_sheet *s) {
   const tp_solution *own = s->solution;
   tp_document *d = &s->document;
-  tp_document_heading(d, 2, "What is proven, and at what price");
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "Every digit printed is certain: each number has a proven bound, asked to %d "
-                  "digits. The cheapest arithmetic that certified all of them was %s, at %ld bits. "
-                  "Effects that the scene does not call for did not run.",
-                  own->digits, tp_level_name(own->level), own->bits);
+  tp_document_heading(d, 2, "Proof and computing cost");
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      "Every digit printed is certain: each number has a proven bound, requested to "
+      "%d digits. The cheapest arithmetic that certified all of them was %s, at %ld bits. "
+      "Effects that the scene does not require were not computed.",
+      own->digits, tp_level_name(own->level), own->bits);
   if (own->open_number) {
     tp_document_add(d, TP_PASSAGE_CAUTION,
-                    "Caution: a number is not certain to the digits asked; it is printed with the "
-                    "digits that are.");
+                    "Caution: a number is not certain to the digits requested; only its certain "
+                    "digits are printed.");
   }
   if (own->zero_bits != 0) {
     tp_document_add(d, TP_PASSAGE_CAUTION,
-                    "Caution: a decision takes for zero what %ld bits do not tell from it.",
+                    "Caution: a decision takes as zero what %ld bits cannot distinguish from zero.",
                     own->zero_bits);
   }
   add_effects(s);
@@ -145,9 +146,10 @@ void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp
   }
   tp_sheet_add_notes(d, &solution->notes);
   tp_document_heading(d, 2, "Figure");
-  tp_document_figure(d, picture, "The block on its base, with pivots, forces and their labels.",
-                     "Drawing of the block on its base. Its verdict, pivots and forces are told in "
-                     "the text and the tables of this page.");
+  tp_document_figure(
+      d, picture, "The block on its base, with pivots, forces and their labels.",
+      "Drawing of the block on its base. Its verdict, pivots and forces are given in "
+      "the text and the tables of this page.");
   add_input(&s);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&s, solution->cases + k);
   tp_sheet_add_proof(&s);

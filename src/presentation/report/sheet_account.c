@@ -23,7 +23,7 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &page.text);
   if (!c->has_governing || c->load_count == 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "Their moments are told about a governing pivot %s, where there are both.",
+                    "Their moments are given about a governing pivot %s, where there are both.",
                     tp_text_present(s->solution));
     return;
   }
@@ -36,7 +36,7 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   const tp_result_unit unit = s->solution->result_units.moment;
   tp_document_cell(d, "Moment (%s)", unit.name != NULL ? unit.name : "N m");
   tp_document_cell(d, "Counts as");
-  tp_document_cell(d, "Called for by");
+  tp_document_cell(d, "Required by");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];

@@ -27,7 +27,7 @@ void tp_sheet_add_verdict(tp_sheet *s, const tp_case *c) {
   if (c->mechanism == TP_MAY_MOVE) {
     tp_document_add(
         &s->document, TP_PASSAGE_CAUTION,
-        "Caution: a motion can begin at this tilt, whatever the factor of safety says.");
+        "Caution: a motion can begin at this tilt, regardless of the factor of safety.");
   }
   tp_page_add_verdict(&page, c);
   tp_sheet_prose(&s->document, TP_PASSAGE_ANSWER, &page.text);
@@ -39,16 +39,17 @@ void tp_sheet_add_verdict(tp_sheet *s, const tp_case *c) {
 static const char *definition_words(const tp_factor *factor, bool loaded) {
   switch (factor->definition) {
   case TP_FOS_BY_MOMENTS:
-    return "moments that stabilise over moments that overturn, about the pivot";
+    return "stabilising over overturning moments, about the pivot";
   case TP_FOS_BY_SHEAR:
     return loaded ? "shear strength over shear force along the facet that slides"
                   : "shear strength on the facet that slides: tan φ / tan(α − i)";
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength on the mean plane: tan(φ + i) / tan α";
   case TP_FOS_BY_REDUCTION:
-    return factor->raised ? "by which all strength is multiplied until a motion can just begin, or "
-                            "divided until none can"
-                          : "by which all strength is divided until a motion can just begin";
+    return factor->raised
+               ? "the factor by which all strength is multiplied until a "
+                 "motion can just begin, or divided until none can"
+               : "the factor by which all strength is divided until a motion can just begin";
   case TP_FOS_BY_TILT:
     return "tan of the tilt at which motions begin, or end, over tan α";
   }
@@ -62,10 +63,10 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
   tp_document_heading(d, 3, "Factors of safety");
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
-      "The factor that governs is below 1 where a motion can begin at the tilt, and there "
-      "alone. Of a block that stands it is the least of those that count, each by the "
-      "definition that its way has in practice; of one that moves it is the least of the "
-      "ways that can begin, or that by strength, whichever lies nearer to 1.");
+      "The governing factor is below 1 exactly where a motion can begin at the tilt. For a "
+      "block that stands it is the least of the factors that count, each by the "
+      "definition usual for its mode of failure; for a block that moves it is the least factor "
+      "of the modes that can begin, or that by strength reduction, whichever is nearer to 1.");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2, "Factors of safety, the governing one marked");
   tp_document_cell(d, "Against");
   tp_document_cell(d, "FoS");
@@ -154,8 +155,8 @@ void tp_sheet_add_window(tp_sheet *s, const tp_case *c) {
   tp_document_heading(d, 3, "The window of tilts");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "Below α_s no motion can begin by any forces that friction allows; beyond α_w no "
-                  "such forces hold the block. Between them history decides: how it came to lie "
-                  "there.");
+                  "such forces hold the block. Between these tilts the result depends on loading "
+                  "history.");
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
                     "Tilts up to which it stands and beyond which it moves");
   if (s->solution->has_tilt_angle) {

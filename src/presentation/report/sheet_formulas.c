@@ -44,8 +44,8 @@ static void add_resultant(tp_sheet *s, const tp_case *c) {
   if (p->fos_resultant.state != TP_FOS_NUMBER || p->critical_angle_deg.value <= 0) return;
   const tp_bounded tilt = s->solution->tilt_angle_deg;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                  "Factor of safety against toppling about it, by the resultant (Eq. 2): what "
-                  "stabilises over what overturns.");
+                  "Factor of safety against toppling about it, by the resultant (Eq. 2): "
+                  "stabilising over overturning moment.");
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
                   "\\text{FoS} = \\frac{\\tan α_c}{\\tan α} = \\frac{\\tan %s}{\\tan %s} = %s",
                   tp_sheet_angle(p->critical_angle_deg).text, tp_sheet_angle(tilt).text,
@@ -58,8 +58,8 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
   tp_text equation = {0};
   if (p->fos_resultant.state != TP_FOS_NUMBER || c->load_count == 0) return;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                  "Factor of safety against toppling about pivot %zu: the moments of the table of "
-                  "loads, what stabilises over what overturns less what lessens that.",
+                  "Factor of safety against toppling about pivot %zu: the moments in the table of "
+                  "loads, stabilising over overturning less those that reduce overturning.",
                   c->governing + 1);
   tp_text_add(&equation, "\\text{FoS} = \\frac{");
   for (int under = 0; under < 2; under++) {
@@ -115,7 +115,7 @@ static void add_least(tp_sheet *s, const tp_governing_fos *g) {
   }
   tp_text_add(&equation, ") = %s", tp_sheet_factor(g->fos.value).text);
   if (count > 1) {
-    tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH, "The factor that governs:");
+    tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH, "The governing factor:");
     tp_document_take(&s->document, TP_PASSAGE_EQUATION, 0, &equation);
   } else {
     tp_text_drop(&equation);
@@ -125,8 +125,8 @@ static void add_least(tp_sheet *s, const tp_governing_fos *g) {
 void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
   tp_document_heading(&s->document, 3, "Formulas with their numbers");
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                  "Digits are certain as far as they are printed; who reckons with them gets the "
-                  "same to the last digit but one. Lengths are in %s, angles in degrees.",
+                  "All printed digits are certain; a recalculation from them agrees except "
+                  "possibly in the last digit. Lengths are in %s, angles in degrees.",
                   s->solution->length_unit);
   if (has_arms(s, c)) {
     add_critical_angle(s, c);

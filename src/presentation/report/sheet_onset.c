@@ -52,7 +52,8 @@ static void add_toppling(tp_sheet *s, const tp_case *c) {
                         cx = tp_sheet_coordinate(s, o->centre_x_m),
                         cy = tp_sheet_coordinate(s, o->centre_y_m);
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                  "Onset: it can begin to topple about C where the line of its weight passes C.");
+                  "Onset: toppling about C is possible from the tilt at which the line of the "
+                  "weight passes C.");
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
                   "α_s = \\arctan \\frac{%s}{y_G − y_C} \\\\"
                   "α_s = \\arctan \\frac{%s − %s}{%s − %s} = %s",
@@ -74,7 +75,7 @@ void tp_sheet_add_onset_formula(tp_sheet *s, const tp_case *c) {
   if (!s->solution->loaded && passes_centre(s, c)) {
     add_toppling(s, c);
   } else if (!s->solution->loaded && slides_at_angle(c)) {
-    tp_document_add(d, TP_PASSAGE_PARAGRAPH, "Onset: it can begin to slide at that angle.");
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH, "Onset: sliding is possible from that angle.");
     tp_document_add(d, TP_PASSAGE_EQUATION, "α_s = φ + i = %s + %s = %s",
                     tp_sheet_angle(c->sliding.friction_angle_deg).text,
                     tp_sheet_angle(c->sliding.facet_angle_deg).text,
@@ -84,10 +85,11 @@ void tp_sheet_add_onset_formula(tp_sheet *s, const tp_case *c) {
                     "Onset: α_s is the static limit, to within 0.000001°. The forces of the base "
                     "that are listed there, which balance the weight, are the check of both.");
   } else {
-    tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "The onset has no formula of one line here: it is the least tilt at which "
-                    "some mode of the contacts meets Newton's and Coulomb's conditions. "
-                    "topple derive --limit gives these in symbols; docs/onset.md tells how it is "
-                    "found.");
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "The onset has no one-line formula here: it is the least tilt at which "
+        "some mode of the contacts satisfies the conditions of Newton and "
+        "Coulomb. topple derive --limit gives these in symbols; docs/onset.md explains the "
+        "method.");
   }
 }

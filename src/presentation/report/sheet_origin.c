@@ -64,7 +64,7 @@ void tp_sheet_files_clear(tp_sheet_files *files) {
 static void add_hash(tp_text *t, const tp_sheet_file *file) {
   uint8_t hash[TP_SHA256_SIZE];
   if (file->why != 0) {
-    tp_text_add(t, "none: it cannot be read again (%s)", strerror(file->why));
+    tp_text_add(t, "none: the file cannot be read again (%s)", strerror(file->why));
     return;
   }
   char text[TP_SHA256_TEXT];
@@ -98,7 +98,7 @@ void tp_sheet_add_charts(tp_document *d, const tp_sheet_picture *charts, size_t 
 
 void tp_sheet_add_origin(tp_document *d, const tp_sheet_files *files,
                          const tp_sheet_options *options) {
-  tp_document_heading(d, 2, "What this sheet is of");
+  tp_document_heading(d, 2, "Document record");
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Program, date and input");
   tp_document_cell(d, "Program");
   tp_document_cell(d, "Topple " TP_VERSION);
@@ -109,7 +109,7 @@ void tp_sheet_add_origin(tp_document *d, const tp_sheet_files *files,
   for (size_t k = 0; k < files->count; k++) {
     tp_text hash = {0};
     add_hash(&hash, files->items + k);
-    tp_document_cell(d, k == 0 ? "Input" : "Read by it");
+    tp_document_cell(d, k == 0 ? "Input" : "Read by the program");
     tp_document_outside_cell(d, files->items[k].path);
     tp_document_cell(d, "its SHA-256");
     tp_document_outside_cell(d, hash.data != NULL ? hash.data : "");
@@ -145,7 +145,7 @@ static size_t add_lines(tp_text *t, const tp_sheet_file *file, size_t most) {
 void tp_sheet_add_files(tp_document *d, const tp_sheet_files *files,
                         const tp_sheet_options *options) {
   if (files->count == 0 || options->lines <= 0) return;
-  tp_document_heading(d, 2, "The input as it was read");
+  tp_document_heading(d, 2, "Input as read");
   for (size_t k = 0; k < files->count; k++) {
     tp_text name = {0}, lines = {0};
     if (files->items[k].why != 0) continue;

@@ -51,11 +51,11 @@ static void add_share(tp_document *d, const char *label, const tp_study_share *s
 
 static void add_outcomes(tp_document *d, const tp_study_result *r) {
   const tp_study_tilt *own = r->tilts;
-  tp_document_heading(d, 2, "What becomes of the samples");
+  tp_document_heading(d, 2, "Outcomes");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1e,
                     own->as_it_lies ? "As it lies"
                     : own->has_tilt ? "At the scene's tilt"
-                                    : "What happens first");
+                                    : "First motion");
   tp_document_cell(d, "Outcome");
   tp_document_cell(d, "Samples");
   tp_document_cell(d, "Share");
@@ -67,9 +67,10 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
   }
   add_share(d, "certain to stand", &own->stands);
   add_share(d, "certain to move", &own->moves);
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "What did not happen is left out. Intervals are Wilson's, of 95 %%, each by "
-                  "itself; of what is certain to move, with its numbers:");
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      "Outcomes that did not occur are omitted. Intervals are Wilson intervals of 95 %%, "
+      "each taken separately; for the samples certain to move, with numbers:");
   const double n = (double)r->samples;
   tp_document_add(d, TP_PASSAGE_EQUATION,
                   "p = \\frac{n}{N} = \\frac{%zu}{%zu} = %.4f \\\\"
@@ -116,7 +117,7 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
   }
   if (heads == NULL) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 1 + TP_STUDY_QUANTILES, 0xfe,
-                    "Quantiles (always: it holds at every tilt; never: at none)");
+                    "Quantiles (always: it stands at every tilt; never: at no tilt)");
   tp_document_cell(d, "Of");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     tp_document_cell(d, "%.0f %%", 100 * heads[k].probability);
@@ -132,8 +133,8 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
 }
 
 static void add_variables(tp_document *d, const tp_study_result *r) {
-  tp_document_heading(d, 2, "What varies");
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x1c, "Numbers that vary, and their samples");
+  tp_document_heading(d, 2, "Variables");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x1c, "Variables and their samples");
   static const char *const heads[] = {
       "Key", "Distribution", "Least", "Greatest", "Rank correlation with the limit", "Unit"};
   for (size_t k = 0; k < 6; k++) tp_document_cell(d, "%s", heads[k]);
@@ -181,20 +182,19 @@ static void add_analyses(tp_document *d, const tp_study_result *r) {
 }
 
 static void add_price(tp_document *d, const tp_study_result *r) {
-  tp_document_heading(d, 2, "What is proven, and at what price");
-  tp_document_add(
-      d, TP_PASSAGE_PARAGRAPH,
-      "The verdict of each sample is proven; what the samples tell of the probability is "
-      "an estimate with its interval.%s",
-      r->open > 0 ? " Some samples have a number that is less certain than to 9 digits." : "");
-  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Samples, and what told them");
+  tp_document_heading(d, 2, "Proof and computing cost");
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The verdict of each sample is proven; the probability is an estimate from the "
+                  "samples, with its interval.%s",
+                  r->open > 0 ? " Some samples have a number certain to fewer than 9 digits." : "");
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Samples, and the arithmetic that solved them");
   tp_document_cell(d, "Samples");
   tp_document_cell(d, "%zu of %zu, %s, seed %zu", r->samples, r->planned, r->method, r->seed);
-  tp_document_cell(d, "By doubles with bounds");
+  tp_document_cell(d, "Solved in doubles with bounds");
   tp_document_cell(d, "%zu", r->by_doubles);
-  tp_document_cell(d, "By the ladder");
+  tp_document_cell(d, "Solved in higher precision");
   tp_document_cell(d, "%zu", r->samples - r->by_doubles);
-  tp_document_cell(d, "Less certain than asked");
+  tp_document_cell(d, "Less certain than requested");
   tp_document_cell(d, "%zu", r->open);
   for (size_t k = 0; k < r->bad_count; k++) {
     tp_text why = {0};

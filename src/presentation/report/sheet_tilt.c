@@ -28,10 +28,10 @@ static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
   const bool released = test->settings.protocol == TP_TILT_RELEASE;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Numbers of the test");
   add_angle(d, "Stands at", !released && c->least_deg == c->least_deg, c->least_deg);
-  add_angle(d, "Lets go at", c->has_bracket, c->most_deg);
+  add_angle(d, "Begins to move at", c->has_bracket, c->most_deg);
   add_angle(d, "Statics, α_s", c->has_onset, c->onset_deg);
   add_angle(d, "Statics, α_w", c->has_limit, c->limit_deg);
-  tp_document_cell(d, "How it ended");
+  tp_document_cell(d, "Final state");
   tp_document_cell(d, "%s, at a tilt of %.6g°", tp_tilt_end_name(c->end), c->ended_deg);
   tp_document_cell(d, "Runs");
   if (options->times != 0) {
@@ -48,7 +48,7 @@ static void add_case(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *
   add_numbers(d, c, test, options);
   tp_tilt_add_events(&events, c, test);
   if (events.length > 0) {
-    tp_document_heading(d, 3, "What happened");
+    tp_document_heading(d, 3, "Events");
     tp_sheet_take_lines(d, &events);
   } else {
     tp_text_drop(&events);
@@ -62,17 +62,16 @@ void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
   tp_text settings = {0};
   tp_sheet_add_title(d, test->title, "Simulated tilt test of a rock block");
   tp_sheet_add_foot(d, files, options);
-  tp_document_add(
-      d, TP_PASSAGE_CAUTION,
-      "A simulation: its numbers have no proven bound. The tilts α_s and α_w of statics "
-      "beside them have; topple solve --report gives their account.");
+  tp_document_add(d, TP_PASSAGE_CAUTION,
+                  "A simulation: its numbers have no proven bound. The static tilts α_s and α_w "
+                  "given beside them do; topple solve --report documents these.");
   for (size_t k = 0; k < test->case_count; k++) add_verdict(d, test->cases + k, test);
   tp_sheet_add_notes(d, &test->notes);
   tp_document_heading(d, 2, "Figure");
   tp_document_figure(d, frames, "The block at some moments of its test.",
-                     "Drawings of the block on its base at some moments. What happened is told in "
+                     "Drawings of the block on its base at some moments. The events are listed in "
                      "the text of this page.");
-  tp_document_heading(d, 2, "How it was run");
+  tp_document_heading(d, 2, "Test settings");
   tp_tilt_add_settings(&settings, test);
   tp_document_take(d, TP_PASSAGE_LISTING, 0, &settings);
   for (size_t k = 0; k < test->case_count; k++) add_case(d, test->cases + k, test, options);

@@ -138,10 +138,11 @@ static void add_certainty(tp_page *p) {
   const double ms = 1e3 * seconds(s);
   tp_text_add(&p->text, "\n");
   if (s->zero_bits != 0) {
-    tp_text_add(&p->text, "A decision above takes for zero what %ld bits do not tell from it.\n",
+    tp_text_add(&p->text,
+                "A decision above takes as zero what %ld bits cannot distinguish from zero.\n",
                 s->zero_bits);
   }
-  tp_text_add(&p->text, "Certain to every digit printed; %s, %.*f ms (--verbose: what ran).\n",
+  tp_text_add(&p->text, "Certain to every digit printed; %s, %.*f ms (--verbose: details).\n",
               tp_level_name(s->level), ms < 10 ? 2 : 0, ms);
 }
 
@@ -150,7 +151,7 @@ tp_status tp_report_effects(char **text, const tp_solution *s) {
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, s);
   tp_text t = {0};
-  tp_text_add(&t, "\nWhat ran\n");
+  tp_text_add(&t, "\nEffects computed\n");
   for (size_t k = 0; k < s->effect_count; k++) {
     tp_text_add(&t, "  %-9s %8.3f ms   for ", s->effects[k].name, 1e3 * s->effects[k].seconds);
     tp_encode_plain(&t, s->effects[k].called_for_by);

@@ -29,14 +29,14 @@ static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
   } else if (tilt->has_tilt) {
     tp_text_add(t, "\nAt the scene's tilt, %.6g°", tilt->tilt_deg);
   } else {
-    tp_text_add(t, "\nWhat happens first as the table is tilted");
+    tp_text_add(t, "\nFirst motion as the table is tilted");
   }
   tp_text_add(t, "\n  %-*s %12s   %-8s %s\n", LABEL, "", "samples", "share", "95 %");
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
     const bool always =
         k <= TP_STUDY_SLIDES_AND_TOPPLES || k == TP_STUDY_MAY_MOVE || k == TP_STUDY_UNDECIDED;
     if (!always && tilt->outcomes[k].count == 0) continue;
-    const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history decides"
+    const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history dependent"
                                                : tp_study_outcome_name((tp_study_outcome)k);
     add_share(t, label, tilt->outcomes + k);
   }
@@ -91,7 +91,7 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "\n");
   }
   if (infinite) {
-    tp_text_add(t, "always: it holds at every tilt, or nothing overturns it; never: at none.\n");
+    tp_text_add(t, "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
   }
 }
 
@@ -106,7 +106,7 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
     if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
   }
   if (governing < 2 || heads == NULL) return;
-  tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "What governs the factor", "samples",
+  tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "Governing definition", "samples",
               "below 1");
   for (size_t j = 0; j < sizeof shown / sizeof shown[0]; j++) {
     tp_text_add(t, " %5.0f %%", 100 * heads[shown[j]].probability);
@@ -158,7 +158,7 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
 
 static void add_steps(tp_text *t, const tp_study_result *r) {
   if (r->step_count < 2) return;
-  tp_text_add(t, "\nCertain to move, as samples came in\n");
+  tp_text_add(t, "\nCertain to move, as the number of samples grew\n");
   for (size_t k = 0; k < r->step_count; k++) {
     const tp_study_step *step = r->steps + k;
     tp_text_add(t, "  %12zu   %.4f   %.4f to %.4f\n", step->samples, step->moves.share,
@@ -181,14 +181,14 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
 /* What accuracy costs, in bulk. */
 static void add_tellers(tp_text *t, const tp_study_result *r) {
   if (r->by_doubles == 0) return;
-  tp_text_add(t, "%zu samples were told by doubles with proven bounds, %zu by the ladder.\n",
+  tp_text_add(t, "%zu samples solved in doubles with proven bounds, %zu in higher precision.\n",
               r->by_doubles, r->samples - r->by_doubles);
 }
 
 static void add_foot(tp_text *t, const tp_study_result *r) {
-  tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each by itself.\n");
+  tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each taken separately.\n");
   if (r->open > 0) {
-    tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
+    tp_text_add(t, "%zu samples have a number certain to fewer than 9 digits.\n", r->open);
   }
   add_tellers(t, r);
   if (r->kept < r->samples) {

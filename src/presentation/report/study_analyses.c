@@ -46,7 +46,7 @@ static void add_ways(tp_text *t, const tp_study_result *r) {
   for (size_t k = 1; k < own->point_count; k++) {
     const tp_study_design_point *point = own->points + k;
     sum += point->probability;
-    tp_text_add(t, "  another one: beta %.4f, probability %.3g, at", point->beta,
+    tp_text_add(t, "  another design point: beta %.4f, probability %.3g, at", point->beta,
                 point->probability);
     const double *at = point->values;
     for (size_t i = 0; i < point->value_count; i++) {
@@ -57,11 +57,10 @@ static void add_ways(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "\n");
   }
   if (own->point_count > 1 && own->beta > 0) {
-    tp_text_add(
-        t,
-        "  caution: failure has %zu design points; %.3g of first order, if each is a way by "
-        "itself\n",
-        own->point_count, sum);
+    tp_text_add(t,
+                "  caution: failure has %zu design points; %.3g to first order, if each is\n"
+                "  a separate failure mode\n",
+                own->point_count, sum);
   }
 }
 
@@ -69,8 +68,8 @@ static void add_reliability(tp_text *t, const tp_study_result *r) {
   const tp_study_reliability *own = &r->reliability;
   if (!own->known) return;
   const tp_study_quantity quantity = own->quantity;
-  tp_text_add(t, "\nReliability of first order: %s not above %s\n",
-              tp_study_quantity_name(quantity), quantity == TP_STUDY_FOS ? "1" : "the tilt");
+  tp_text_add(t, "\nFirst-order reliability: %s not above %s\n", tp_study_quantity_name(quantity),
+              quantity == TP_STUDY_FOS ? "1" : "the tilt");
   tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->calls);
   if (own->converged) {
     tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
@@ -94,12 +93,12 @@ static void add_reliability(tp_text *t, const tp_study_result *r) {
 static void add_interval(tp_text *t, double value, double low, double high) {
   tp_text_add(t, "%.6g (", value);
   if (isinf(low)) {
-    tp_text_add(t, "any less");
+    tp_text_add(t, "unbounded");
   } else {
     tp_text_add(t, "%.6g", low);
   }
   if (isinf(high)) {
-    tp_text_add(t, " to any more)");
+    tp_text_add(t, " to unbounded)");
   } else {
     tp_text_add(t, " to %.6g)", high);
   }
@@ -125,7 +124,7 @@ static void add_design(tp_text *t, const tp_study_result *r, const tp_study_desi
   tp_text_add(t, "  ");
   tp_encode_column(t, r->variables[own->variable].key, TP_STUDY_LABEL);
   if (!own->known) {
-    tp_text_add(t, " no answer for %.4g %%:", 100 * own->probability);
+    tp_text_add(t, " no solution for %.4g %%:", 100 * own->probability);
     tp_study_add_lines(t, own->why);
     tp_text_add(t, "\n");
     return;
@@ -134,13 +133,13 @@ static void add_design(tp_text *t, const tp_study_result *r, const tp_study_desi
   add_interval(t, own->value, own->low, own->high);
   tp_text_add(t, ", not %.6g\n    then ", own->scene_value);
   add_quantity(t, own->quantity, own->quantity_value);
-  tp_text_add(t, "; %.4g %% of samples have more; safe end: %s\n", 100 * (1 - own->probability),
+  tp_text_add(t, "; %.4g %% of samples are above; safe end: %s\n", 100 * (1 - own->probability),
               own->low_is_safe ? "lower" : "upper");
 }
 
 static void add_designs(tp_text *t, const tp_study_result *r) {
   if (r->design_count == 0) return;
-  tp_text_add(t, "\nDesign values: in place of one number of the scene, what samples have\n");
+  tp_text_add(t, "\nDesign values: one number of the scene that stands for all samples\n");
   for (size_t k = 0; k < r->design_count; k++) add_design(t, r, r->designs + k);
 }
 

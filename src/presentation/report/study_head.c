@@ -33,7 +33,7 @@ static void add_range(tp_text *t, double least, double greatest, const char *uni
 /* Of the base of each sample, where the study asks. */
 static void add_measures(tp_text *t, const tp_study_result *r) {
   if (r->measure_count == 0) return;
-  tp_text_add(t, "\nMeasured of the base\n");
+  tp_text_add(t, "\nMeasured on the base\n");
   for (size_t k = 0; k < r->measure_count; k++) {
     const tp_study_measure *own = r->measures + k;
     tp_text_add(t, "  %-*s %-12s", TP_STUDY_LABEL, own->name,
@@ -55,7 +55,7 @@ static void add_measures(tp_text *t, const tp_study_result *r) {
 }
 
 static void add_variables(tp_text *t, const tp_study_result *r) {
-  tp_text_add(t, "\n%-*s samples\n", TP_STUDY_LABEL + 2, "What varies");
+  tp_text_add(t, "\n%-*s samples\n", TP_STUDY_LABEL + 2, "Variables");
   for (size_t k = 0; k < r->variable_count; k++) {
     const tp_study_variable *v = r->variables + k;
     tp_text_add(t, "  ");

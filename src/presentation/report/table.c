@@ -37,7 +37,7 @@ static void add_fos(tp_text *t, const tp_case *c) {
               : g->fos.state == TP_FOS_NO_OVERTURNING ? "unbounded"
                                                       : "-");
   if (!g->has_factor) {
-    tp_text_add(t, g->up_dip ? "lets go up-dip" : g->beyond ? "lets go before" : "-");
+    tp_text_add(t, g->up_dip ? "fails up-dip" : g->beyond ? "fails before" : "-");
     return;
   }
   const tp_mechanism mechanism = g->factors[g->factor].mechanism;

@@ -22,7 +22,7 @@ static void add_engine(tp_text *t, const tp_tilt_settings *s) {
   static const char *const what[] = {
       [TP_TILT_PATH] = "path, quasi-static from event to event",
       [TP_TILT_RIGID] = "dynamics of a rigid block on rigid contacts, by events",
-      [TP_TILT_SPRINGS] = "dynamics by explicit steps on contact springs"};
+      [TP_TILT_SPRINGS] = "dynamics by explicit time steps on contact springs"};
   tp_text_add(t, "Test     %s\n         ", what[s->engine]);
   if (s->protocol == TP_TILT_RELEASE) {
     tp_text_add(t, "released at %.6g°", s->release_deg);
@@ -114,15 +114,14 @@ static int decimals_of(const tp_tilt_case *c) {
 static void add_path(tp_text *t, const tp_tilt_case *c) {
   if (c->has_softening) {
     tp_text_add(t,
-                "  That is the limit of stiff contacts; on these very springs it lets go %.2g°\n"
-                "  sooner, as its weight moves when they give.\n",
+                "  This is the limit of stiff contacts; on the given springs it begins to move\n"
+                "  %.2g° earlier, as its weight moves when they deform.\n",
                 c->softening_deg);
   }
   if (c->jumps == 1) {
-    tp_text_add(t, "  At %.4g° it gave way, and came to rest at the same tilt.\n",
-                c->first_jump_deg);
+    tp_text_add(t, "  At %.4g° it moved, and came to rest at the same tilt.\n", c->first_jump_deg);
   } else if (c->jumps > 1) {
-    tp_text_add(t, "  It gave way %zu times and came to rest at the same tilt, first at %.4g°.\n",
+    tp_text_add(t, "  It moved %zu times and came to rest at the same tilt, first at %.4g°.\n",
                 c->jumps, c->first_jump_deg);
   }
 }
@@ -130,23 +129,23 @@ static void add_path(tp_text *t, const tp_tilt_case *c) {
 static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (test->settings.protocol == TP_TILT_RELEASE) return;
   if (isnan(c->least_deg) && test->settings.from_deg > 0) {
-    tp_text_add(t, "  Nothing holds it where it is set down: it lets go there.\n");
+    tp_text_add(t, "  No forces hold it where it is set down: it begins to move there.\n");
     return;
   }
   if (isnan(c->least_deg)) {
     tp_text_add(t,
-                "  No run is known to stand: of the tilt at which it lets go nothing is told.\n");
+                "  No run is known to stand: the tilt at which it begins to move is not known.\n");
     return;
   }
   if (!c->has_bracket) {
     tp_text_add(t,
-                c->converged ? "  Stands up to %.6g°, the last tilt that was tried.\n"
-                             : "  Stands up to %.6g°; what happens beyond is not decided.\n",
+                c->converged ? "  Stands up to %.6g°, the last tilt tried.\n"
+                             : "  Stands up to %.6g°; beyond that the result is undecided.\n",
                 c->least_deg);
     return;
   }
   const int d = decimals_of(c);
-  tp_text_add(t, "  Stands at %.*f°, lets go at %.*f°", d, c->least_deg, d, c->most_deg);
+  tp_text_add(t, "  Stands at %.*f°, begins to move at %.*f°", d, c->least_deg, d, c->most_deg);
   if (c->has_mechanism) {
     tp_text_add(t, ":\n  it %s",
                 c->mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(c->mechanism));
@@ -157,7 +156,7 @@ static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
   }
   tp_text_add(t, ".\n");
   add_path(t, c);
-  if (!c->converged) tp_text_add(t, "  The bracket is wider than was asked.\n");
+  if (!c->converged) tp_text_add(t, "  The bracket is wider than requested.\n");
 }
 
 static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
@@ -172,15 +171,16 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
   const bool locked = test->settings.traction_count > 0;
   if (c->place == TP_PLACE_WITHIN && wide) {
     tp_text_add(t,
-                "  Between them history decides: here how the block came to lie at the tilt,\n"
-                "  %sthe ratio of the contact's stiffnesses where it has any.\n",
-                locked ? "the stress locked in on its contact, and\n  " : "and ");
+                "  Between these tilts the result depends on loading history: here on how the\n"
+                "  block reached the tilt, %sthe ratio of the contact stiffnesses,\n"
+                "  if it has any.\n",
+                locked ? "the stress locked in on its contact,\n  and " : "and ");
   } else if (c->place == TP_PLACE_BELOW) {
-    tp_text_add(t, "  It let go below α_s, where rest is the only motion of rigid contacts: by "
-                   "what\n  springs, damping, time step or speed of the table add; vary them.\n");
+    tp_text_add(t, "  It moved below α_s, where rigid contacts allow no motion: an effect\n  of "
+                   "springs, damping, time step or speed of the table; vary them.\n");
   } else if (c->place == TP_PLACE_BEYOND) {
-    tp_text_add(t, "  It let go beyond α_w, where no forces hold it: it was noticed late, or "
-                   "settings\n  bear on it; vary them.\n");
+    tp_text_add(t, "  It moved beyond α_w, where no forces hold it: detected late, or affected by\n"
+                   "  the settings; vary them.\n");
   }
 }
 
@@ -238,7 +238,7 @@ static void add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
     tp_text_add(t, ": facet %zu of the contact\n", f->contact);
   }
   if (differing > listed) {
-    tp_text_add(t, "  and %zu more (--json tells them)\n", differing - listed);
+    tp_text_add(t, "  and %zu more (listed by --json)\n", differing - listed);
   }
 }
 
@@ -246,7 +246,7 @@ void tp_tilt_add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
   enum { SEVERAL = 6 };
   size_t k = 0;
   if (c->event_count == 0) return;
-  tp_text_add(t, "\n  What happened (facets of the base from left to right)\n");
+  tp_text_add(t, "\n  Events (facets of the base from left to right)\n");
   add_facets(t, c, test);
   for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
     const size_t length = chatter_length(c, k);
@@ -255,12 +255,12 @@ void tp_tilt_add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
       k++;
       continue;
     }
-    tp_text_add(t, "             and so on to and fro, %zu times in all, until it\n", length);
+    tp_text_add(t, "             alternating, %zu times in all, until it\n", length);
     add_event(t, c->events + k + length - 1, c, test);
     k += length;
   }
   if (k < c->event_count) {
-    tp_text_add(t, "  and %zu more (--json tells them)\n", c->event_count - k);
+    tp_text_add(t, "  and %zu more (listed by --json)\n", c->event_count - k);
   }
 }
 
@@ -268,12 +268,12 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
   static const char *const what[] = {
       [TP_TILT_STANDS] = "It stands where it began",
       [TP_TILT_COLLAPSES] = "What follows is a motion, which the path does not simulate",
-      [TP_TILT_RESTS] = "It moved, and rests again",
+      [TP_TILT_RESTS] = "It moved, and came to rest again",
       [TP_TILT_MOVES] = "It was still in motion when the run ended",
       [TP_TILT_OVERTURNED] = "It overturned",
       [TP_TILT_LEFT_BASE] = "It left its base",
-      [TP_TILT_OPEN] = "How it ended is undecided: a bound on steps or events was reached",
-      [TP_TILT_STOPPED] = "The test was interrupted; this is what is known by then"};
+      [TP_TILT_OPEN] = "Its end is undecided: a limit on steps or events was reached",
+      [TP_TILT_STOPPED] = "The test was interrupted; results up to that point"};
   tp_text_add(t, "\n  %s", what[c->end]);
   if (test->settings.engine == TP_TILT_PATH || c->end == TP_TILT_STANDS) {
     tp_text_add(t, ".\n");

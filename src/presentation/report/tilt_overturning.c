@@ -26,7 +26,7 @@ static void add_grid(tp_text *t, const tp_overturning_grid *grid) {
 }
 
 static void add_tried(tp_text *t, const tp_tilt_case *c) {
-  tp_text_add(t, "\n  Factors on this shaking that were tried: ");
+  tp_text_add(t, "\n  Factors applied to this shaking: ");
   if (c->overturning_grid_count == 0) tp_text_add(t, "none");
   for (size_t k = 0; k < c->overturning_grid_count; k++) {
     if (k > 0) tp_text_add(t, ",\n  and ");
@@ -34,20 +34,20 @@ static void add_tried(tp_text *t, const tp_tilt_case *c) {
   }
   tp_text_add(t, ".\n");
   if (!c->converged) {
-    tp_text_add(t, "  A run was not decided, or interrupted: the search ended there.\n");
+    tp_text_add(t, "  A run was undecided or interrupted: the search ended there.\n");
   }
 }
 
 static void add_range(tp_text *t, const tp_overturning_range *r) {
   tp_text_add(t, "    %.4g to %.4g", r->least, r->most);
   if (isnan(r->spared_below) && isnan(r->spared_above)) {
-    tp_text_add(t, ", all that were tried");
+    tp_text_add(t, ", all those tried");
   } else if (isnan(r->spared_below)) {
-    tp_text_add(t, ", from the least tried; spared by %.4g", r->spared_above);
+    tp_text_add(t, ", from the least tried; not overturned by %.4g", r->spared_above);
   } else if (isnan(r->spared_above)) {
-    tp_text_add(t, ", the greatest tried; spared by %.4g", r->spared_below);
+    tp_text_add(t, ", the greatest tried; not overturned by %.4g", r->spared_below);
   } else {
-    tp_text_add(t, "; spared by %.4g and by %.4g", r->spared_below, r->spared_above);
+    tp_text_add(t, "; not overturned by %.4g or %.4g", r->spared_below, r->spared_above);
   }
   tp_text_add(t, "\n");
 }
@@ -60,9 +60,8 @@ static void add_least(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *tes
                 c->overturning_most * own->peak_m_s2 / standard_gravity,
                 c->overturning_most * own->velocity_m_s);
   }
-  tp_text_add(
-      t, ".\n  Between two factors that were tried it may be otherwise, and less may overturn\n"
-         "  it: --factors tries more.\n");
+  tp_text_add(t, ".\n  Between two factors tried the result may differ, and less may overturn it:\n"
+                 "  --factors tries more.\n");
 }
 
 void tp_tilt_add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
@@ -77,7 +76,7 @@ void tp_tilt_add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_te
     add_range(t, c->overturning_ranges + k);
   }
   if (c->overturning_range_count > MOST_RANGES) {
-    tp_text_add(t, "    and in %zu more ranges (--json tells them)\n",
+    tp_text_add(t, "    and in %zu more ranges (listed by --json)\n",
                 c->overturning_range_count - MOST_RANGES);
   }
   add_least(t, c, test);

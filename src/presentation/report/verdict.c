@@ -29,7 +29,7 @@ static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
   if (!c->falls_backwards) return false;
   if (c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
     const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_back.critical_angle_deg);
-    tp_text_add(&p->text, "  Lets go up-dip already %s: below %s° it %s.\n", where,
+    tp_text_add(&p->text, "  Fails up-dip already %s: below %s° it %s.\n", where,
                 tp_text_fixed(n, from, 3), tp_mechanism_name(c->limit_back.mechanism));
     return true;
   }
@@ -49,7 +49,7 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
                 "  Does not stand: no forces of the base hold it at any tilt, and %s\n  %s%s.\n",
                 open ? "how it moves is" : "it", tp_mechanism_name(c->mechanism),
                 p->solution->contact.corner_points > 0
-                    ? "; its contacts of a corner on a corner count as no support"
+                    ? "; its contacts of a corner on a corner are not counted as support"
                     : "");
     return true;
   }
@@ -79,7 +79,7 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], c->first_angle_deg, 3);
   if (!c->has_margin_to_first && c->first_angle_deg.value < 0) {
-    tp_text_add(&p->text, "  Does not hold even %s: it\n  ", tp_text_level(p->solution));
+    tp_text_add(&p->text, "  Does not stand even %s: it\n  ", tp_text_level(p->solution));
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
@@ -132,7 +132,7 @@ static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
     tp_text_add(&p->text, "  Stands %s.\n", where);
     return;
   case TP_MAY_MOVE:
-    tp_text_add(&p->text, "  May move %s, or stand: history decides", where);
+    tp_text_add(&p->text, "  May move %s or stand: the result depends on loading history", where);
     if (c->onset.beginning_count > 0) {
       tp_text_add(&p->text, ".\n  It ");
       add_begun(p, c);
@@ -160,8 +160,8 @@ void tp_page_add_verdict(tp_page *p, const tp_case *c) {
   if (!tp_onset_is_known(&c->onset)) {
     add_by_first(p, c, where);
     if (c->onset.kind == TP_ONSET_UNDECIDED) {
-      tp_text_add(&p->text, "  Up to which tilt it is certain to stand is undecided%s.\n",
-                  c->onset.too_dear ? ": its proof takes\n  more work than is allowed" : "");
+      tp_text_add(&p->text, "  The tilt up to which it is certain to stand is undecided%s.\n",
+                  c->onset.too_dear ? ": its proof\n  exceeds the work allowed" : "");
     }
     return;
   }

@@ -8,11 +8,11 @@
 const char *tp_text_fos(tp_fos fos) {
   switch (fos.state) {
   case TP_FOS_NUMBER:
-    return fos.value.value < -fos.value.error ? "none: what should hold it drives it" : NULL;
+    return fos.value.value < -fos.value.error ? "none: resisting action is negative" : NULL;
   case TP_FOS_NO_OVERTURNING:
-    return "unbounded: nothing drives it";
+    return "unbounded: no driving action";
   case TP_FOS_UNDEFINED:
-    return "none: no strength would hold it";
+    return "none: no strength holds it";
   case TP_FOS_UNDECIDED:
     return "undecided";
   case TP_FOS_NO_TILT:
@@ -70,6 +70,21 @@ const char *tp_text_to_move(tp_mechanism mechanism) {
     return "leave its base";
   default:
     return "move";
+  }
+}
+
+const char *tp_text_motion(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_SLIDES:
+    return "sliding";
+  case TP_TOPPLES:
+    return "toppling";
+  case TP_SLIDES_AND_TOPPLES:
+    return "sliding and toppling";
+  case TP_LEAVES_BASE:
+    return "leaving its base";
+  default:
+    return "any motion";
   }
 }
 

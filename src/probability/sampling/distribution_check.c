@@ -82,10 +82,10 @@ static tp_status refuse(const complaint *c, const char *what, double first, doub
 
 static tp_status check_ends(const complaint *c, const tp_distribution *d) {
   if (!isfinite(d->low) || !isfinite(d->high) || !isfinite(d->high - d->low)) {
-    return refuse(c, "from %g to %g is no range: give two finite numbers", d->low, d->high);
+    return refuse(c, "from %g to %g is not a range: give two finite numbers", d->low, d->high);
   }
   if (!(d->low < d->high)) {
-    return refuse(c, "from %g to %g is no range: the low end must be below the high one", d->low,
+    return refuse(c, "from %g to %g is not a range: the low end must be below the high one", d->low,
                   d->high);
   }
   return TP_OK;
@@ -127,7 +127,7 @@ static tp_status check_mode(const complaint *c, const tp_distribution *d) {
   if (d->mode > d->high) {
     return refuse(c, "the mode %g lies above the high end %g", d->mode, d->high);
   }
-  return isnan(d->mode) ? refuse(c, "the mode %g is no number", d->mode, 0) : TP_OK;
+  return isnan(d->mode) ? refuse(c, "the mode %g is not a number", d->mode, 0) : TP_OK;
 }
 
 static tp_status check_shape(const complaint *c, const tp_distribution *d) {
@@ -147,7 +147,7 @@ static tp_status check_values(const complaint *c, const tp_distribution *d) {
   }
   for (size_t k = 0; k < d->count; k++) {
     if (!isfinite(d->values[k])) {
-      return refuse(c, "value %g is %g, which is no finite number", (double)k + 1, d->values[k]);
+      return refuse(c, "value %g is %g, which is not a finite number", (double)k + 1, d->values[k]);
     }
     if (k > 0 && d->values[k] < d->values[k - 1]) {
       return refuse(c, "the values must rise: %g comes after %g", d->values[k], d->values[k - 1]);

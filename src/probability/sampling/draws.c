@@ -47,7 +47,7 @@ const char *tp_draw_method_name(tp_draw_method method) {
 static tp_status check_plan(const tp_draws *draws, uint64_t first, tp_message *message) {
   const tp_place nowhere = {0};
   if (tp_draw_method_name(draws->method) == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere, "%d is no method of sampling",
+    return tp_fail(message, TP_BAD_INPUT, nowhere, "%d is not a method of sampling",
                    (int)draws->method);
   }
   if (draws->samples < 1 || draws->samples > TP_DRAWS_SAMPLES) {

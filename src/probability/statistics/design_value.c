@@ -48,7 +48,7 @@ static tp_status cross(double *at, bool *crosses, const tp_design_search *s, par
   if (!tp_root_find(&root, &search, low, high)) {
     if (c.status != TP_OK) return c.status;
     return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
-                   "the probability is no number somewhere from %g to %g", s->low, s->high);
+                   "the probability is not a number somewhere from %g to %g", s->low, s->high);
   }
   *at = root.low + (root.high - root.low) / 2;
   return TP_OK;

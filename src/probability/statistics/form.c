@@ -22,14 +22,15 @@ const char *tp_form_state_text(tp_form_state state) {
     return "no design point: the result does not change near where the search stopped; vary what "
            "it depends on";
   case TP_FORM_STUCK:
-    return "no design point: the result leaps or bends where the search stopped; trust the "
-           "sampling";
+    return "no design point: the result is discontinuous or kinked where the search "
+           "stopped; use the sampling";
   case TP_FORM_STEPS:
-    return "no design point after the most steps; allow more, or trust the sampling";
+    return "no design point within the steps allowed; allow more, or use the sampling";
   case TP_FORM_UNDECIDED:
     return "no design point: the result is undecided where the search stopped; allow more digits";
   case TP_FORM_FAR:
-    return "no design point within 37 deviations: failure has no probability that a double holds";
+    return "no design point within 37 deviations: the failure probability is too small for a "
+           "double";
   }
   return "unknown state";
 }

@@ -94,7 +94,7 @@ static bool check(const tp_sobol_results *r, size_t resamples, tp_message *messa
   for (size_t k = 0; k < r->samples * (r->dimensions + 2); k++) {
     if (isfinite(r->values[k])) continue;
     (void)tp_fail(message, TP_BAD_INPUT, nowhere,
-                  "result %zu of sample %zu is no finite number: Sobol' indices need them all",
+                  "result %zu of sample %zu is not a finite number: Sobol' indices need them all",
                   k % (r->dimensions + 2) + 1, k / (r->dimensions + 2) + 1);
     return false;
   }
@@ -145,7 +145,7 @@ tp_status tp_sobol_indices(tp_sobol_index *indices, const tp_sobol_results *resu
       memcpy(indices, own, d * sizeof *own);
     } else {
       status = tp_fail(message, TP_NO_ANSWER, (tp_place){0},
-                       "the result is the same for all samples: nothing is sensitive");
+                       "the result is the same for all samples: no variable has an influence");
     }
   }
   free(own);

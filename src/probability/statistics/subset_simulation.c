@@ -245,7 +245,7 @@ static tp_status check_points(const level *v, const double *points, size_t count
   free(own);
   if (all) return TP_OK;
   return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
-                 "hardly a sample reached one of the design points: its way to fail is lost; "
+                 "almost no sample reached one of the design points: its failure mode is lost; "
                  "allow more samples, or sample around the design points");
 }
 

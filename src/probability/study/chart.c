@@ -24,7 +24,7 @@ static tp_chart *begin(const char *kind, const tp_study_result *result) {
 
 static tp_status fail_empty(tp_message *message) {
   return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
-                 "no sample of the study has an angle at which it lets go: there is nothing to "
+                 "no sample of the study has a critical angle: there is nothing to "
                  "draw");
 }
 

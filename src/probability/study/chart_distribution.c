@@ -108,8 +108,8 @@ bool tp_study_add_distribution(tp_chart *chart, const tp_study_view *v) {
     if (sum > most) most = sum;
   }
   char title[64];
-  tp_study_tilt_name(title, sizeof title, v, "Distribution, by what it does",
-                     "Distribution, by what happens first");
+  tp_study_tilt_name(title, sizeof title, v, "Distribution, by outcome",
+                     "Distribution, by first motion");
   const double top = 1.12 * (double)most / (double)v->kept;
   tp_chart_add_panel(
       chart, title,

@@ -63,7 +63,7 @@ void tp_study_add_ranks(tp_chart *chart, const tp_study_view *v) {
   snprintf(label, sizeof label, "Rank correlation with the %s",
            v->quantity == TP_STUDY_LIMIT_DEG ? "static limit" : "critical angle");
   /* no tick lies within the range: rows have names */
-  tp_chart_add_panel(chart, "What it depends on, with 95 % intervals",
+  tp_chart_add_panel(chart, "Rank correlations, with 95 % intervals",
                      (tp_panel_axis){.label = label, .range = {-1, 1}, .tick = 0.5},
                      (tp_panel_axis){.range = {0.5, rows + 0.6}, .tick = 1000});
   for (size_t k = 0; k < count; k++) {

@@ -50,10 +50,11 @@ static tp_status read_probability(const tp_study_reader *reader, tp_wanted_desig
   }
   const uint64_t kept = study->samples < TP_STUDY_KEPT ? study->samples : TP_STUDY_KEPT;
   if ((double)kept * fmin(p, 1 - p) >= 1) return TP_OK;
-  return tp_study_fail(reader, node,
-                       "%zu samples do not tell a probability of %g; take %.0f at least, of which "
-                       "the first %d count here",
-                       (size_t)study->samples, p, ceil(1 / fmin(p, 1 - p)), TP_STUDY_KEPT);
+  return tp_study_fail(
+      reader, node,
+      "%zu samples are too few for a probability of %g; take %.0f at least, of which "
+      "the first %d count here",
+      (size_t)study->samples, p, ceil(1 / fmin(p, 1 - p)), TP_STUDY_KEPT);
 }
 
 /* What is certain to stand, unless something else is asked for. */

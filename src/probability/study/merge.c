@@ -56,7 +56,7 @@ static tp_status fail_missing(const char *path, tp_message *message) {
   const tp_place place = {path, 0, 0};
   if (stat(path, &state) != 0) return tp_fail_file(message, path, "opened", errno);
   return tp_fail(message, TP_BAD_INPUT, place,
-                 "there is no '%.300s.progress' beside it, by which the rows of a shard are known; "
+                 "there is no '%.300s.progress' beside it, which identifies the rows of a shard; "
                  "copy both files",
                  path);
 }

@@ -53,8 +53,8 @@ static tp_status read_samples(const tp_study_reader *reader, const tp_node *root
   uint64_t samples = 1;
   if (study->drawn == 0 && node != NULL) {
     return tp_study_fail(reader, node,
-                         "lists, grids and columns say how many samples there are, "
-                         "and nothing is drawn; leave 'samples' out");
+                         "lists, grids and columns fix the number of samples, and "
+                         "nothing is drawn; leave 'samples' out");
   }
   if (study->drawn > 0 && node == NULL) {
     return tp_study_fail(reader, root, "'samples' is missing, for example 'samples: 10000'");

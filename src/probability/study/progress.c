@@ -24,7 +24,7 @@ char *tp_progress_path(const char *rows) {
 }
 
 static const char unknown[] =
-    "this is not what a study says of its progress; name another file for the rows";
+    "this is not a progress file of a study; name another file for the rows";
 
 enum { MOST_SHARDS = 1000000 }; /* as a run takes */
 
@@ -113,7 +113,7 @@ static tp_status check_there(const char *path, tp_message *message) {
   if (known) return TP_OK;
   if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "the progress of a study");
   return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                 "this is not what a study says of its progress, and would be lost; remove it, or "
+                 "this is not a progress file of a study, and would be lost; remove it, or "
                  "name another file for the rows");
 }
 
@@ -150,8 +150,8 @@ tp_status tp_progress_write(const tp_progress *progress, const char *rows, const
   tp_sha256_text(hash, progress->hash);
   const int length =
       snprintf(text, sizeof text,
-               "# How far the rows beside this file are. The study goes on from "
-               "here; shards are merged by it.\n"
+               "# Progress of the rows beside this file. The study continues "
+               "from here; shards are merged by it.\n"
                "topple: %s\nstudy: %016" PRIx64 "\nscene: %016" PRIx64 "\nfiles: %016" PRIx64
                "\nshard: %zu\nshards: %zu\n"
                "chunks: %" PRIu64 "\nbytes: %" PRIu64 "\nsha256: %s\n",

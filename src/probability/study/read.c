@@ -25,7 +25,7 @@ static tp_status read_version(const tp_study_reader *reader, const tp_node *root
                                      "roughness",    "unit",        "set",         NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
-    return tp_study_fail(reader, root, "this is no study: 'topple_study: 1' is missing");
+    return tp_study_fail(reader, root, "this is not a study: 'topple_study: 1' is missing");
   }
   if (node->kind != TP_NODE_SCALAR || strcmp(node->text, "1") != 0) {
     return tp_study_fail(reader, node,

@@ -23,8 +23,8 @@ static tp_status fail_writing(const tp_rows *rows, tp_message *message) {
   const int why = errno;
   const tp_status status =
       tp_fail(message, TP_SYSTEM_FAILED, (tp_place){rows->path, 0, 0},
-              "cannot be written: %s; what is there stays, and the study goes on from it once "
-              "there is room",
+              "cannot be written: %s; the rows written so far are kept, and the study "
+              "continues from them once there is room",
               strerror(why));
   return tp_fail_because(message, status, why);
 }
@@ -105,8 +105,8 @@ static tp_status check_there(const tp_rows *rows, bool restart, off_t size, tp_m
   if (status != TP_OK || begins) return status;
   return tp_fail(message, TP_BAD_INPUT, (tp_place){rows->path, 0, 0},
                  "this file is there, and is not the rows of a study%s",
-                 restart ? ", which alone are written over; remove it, or name another file"
-                         : " to go on with; restart to write over rows, or name another file");
+                 restart ? ", the only files that are written over; remove it, or name another file"
+                         : " to continue from; restart to write over rows, or name another file");
 }
 
 static tp_status check_going_on(const tp_rows *rows, const tp_study_options *options, off_t size,

@@ -25,7 +25,7 @@ typedef struct reading {
 
 static tp_status fail_line(const reading *r) {
   return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->line, 0},
-                 "this is no row of the study; the file was changed since it was written");
+                 "this is not a row of the study; the file was changed since it was written");
 }
 
 /* The header is what this study would write. */

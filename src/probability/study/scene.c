@@ -67,7 +67,7 @@ tp_status tp_study_read_scene(const tp_study_reader *reader, const tp_node *root
   const tp_scene *scene = study->scene;
   if (scene->towards_left && scene->towards_right && scene->frame != TP_FRAME_WORLD) {
     return tp_study_fail(reader, node,
-                         "this scene tilts both ways; let it say which, 'tilt: "
+                         "this scene tilts both ways; give one, 'tilt: "
                          "{towards: left}'");
   }
   return hash_scene(reader);

@@ -209,8 +209,8 @@ static tp_status truncate_it(const tp_study_reader *reader, tp_variable *variabl
   double low = 0, high = 0;
   if (variable->source != TP_VARIABLE_DRAWN) {
     return tp_study_fail(reader, node,
-                         "a %s is no distribution, and cannot be truncated; leave "
-                         "out what is not wanted",
+                         "a %s is not a distribution, and cannot be truncated; leave "
+                         "out the values that are not wanted",
                          variable->kind);
   }
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
@@ -235,14 +235,14 @@ tp_status tp_variable_read(const tp_study_reader *reader, tp_variable *variable,
   for (const tp_node *child = node->first; child != NULL && status == TP_OK; child = child->next) {
     if (strcmp(child->key, "truncated") == 0) continue;
     if (of != NULL) {
-      status = tp_study_fail(reader, child, "'%s' varies by '%s' already; say one of them",
+      status = tp_study_fail(reader, child, "'%s' varies by '%s' already; give only one of them",
                              tp_quote_all(node->key).text, of->key);
     }
     of = child;
   }
   if (status != TP_OK) return status;
   if (of == NULL) {
-    return tp_study_fail(reader, node, "say by what '%s' varies, for example %s",
+    return tp_study_fail(reader, node, "give the distribution of '%s', for example %s",
                          tp_quote_all(node->key).text, example);
   }
   status = read_kind(reader, variable, of);

@@ -54,7 +54,7 @@ static tp_status check(const tp_path_settings *s, const tp_rigid_body *body, tp_
                   "the step of the path's history and the length of a point are 0 or more");
   }
   if (body->closed_count == 0) {
-    return refuse(message, "the block touches its base nowhere: there is no equilibrium to follow");
+    return refuse(message, "the block does not touch its base: there is no equilibrium to follow");
   }
   return TP_OK;
 }

@@ -64,17 +64,17 @@ tp_status tp_tilt_engines_notes(tp_notes *notes, const tp_tilt_engines *own, tp_
     const char *text;
   } all[] = {
       {own->paradox, TP_CAUTION,
-       "a slipping contact would press itself harder (Painlevé): rigid bodies with Coulomb "
+       "friction would press a slipping contact harder (Painlevé): rigid bodies with Coulomb "
        "friction "
        "have no unique motion there; compare with 'method: springs'"},
       {own->in_window, TP_NOTE,
-       "where it began to move, forces that its history may have left in its contacts could have "
-       "held it; rigid contacts know none, and it was let go"},
+       "at the tilt where it began to move, forces left in its contacts by its loading history "
+       "could have held it; rigid contacts have no such forces, and it was released"},
       {own->lowered_restitution, TP_NOTE,
-       "in an impact the restitution was lowered, as energy would have grown by it"},
+       "the restitution was reduced in an impact, as it would have increased the energy"},
       {own->accumulated, TP_NOTE,
-       "impacts without end in finite time were passed: their contact closes where its bounces are "
-       "lower than a stated share of the block"}};
+       "rebounds below a threshold, a stated share of the block, are ignored: the contact then "
+       "closes"}};
   tp_status status = TP_OK;
   for (size_t k = 0; k < sizeof all / sizeof all[0] && status == TP_OK; k++) {
     if (all[k].met) status = tp_notes_add(notes, message, all[k].kind, place, "%s", all[k].text);

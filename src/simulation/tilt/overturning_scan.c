@@ -42,7 +42,7 @@ static tp_status try_factor(scan *s, double factor, bool *went_on) {
   tp_tilt_verdict verdict = TP_VERDICT_OPEN;
   tried *grown = tp_grow(s->all, s->count, &s->room, sizeof *s->all);
   *went_on = false;
-  if (grown == NULL) return tp_fail_memory(s->message, "the factors that were tried");
+  if (grown == NULL) return tp_fail_memory(s->message, "the factors tried");
   s->all = grown;
   const tp_status status = tp_overturning_look(&verdict, &s->own, factor);
   *went_on = status == TP_OK && s->found->converged;

@@ -241,8 +241,8 @@ static tp_status check(const tp_scene *scene, const tp_tilt_options *options, tp
   if (status != TP_OK) return status;
   if (options->overturning && !tp_scene_is_shaken(scene)) {
     return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
-                   "what shaking overturns the block is asked for, and the scene gives no "
-                   "'shaking'");
+                   "the shaking that overturns the block is requested, but the scene gives "
+                   "no 'shaking'");
   }
   return tp_overturning_check(options, message);
 }

@@ -12,7 +12,7 @@
 
 const char *tp_tilt_end_name(tp_tilt_end end) {
   static const char *const names[] = {
-      [TP_TILT_STANDS] = "stands",         [TP_TILT_COLLAPSES] = "lets go",
+      [TP_TILT_STANDS] = "stands",         [TP_TILT_COLLAPSES] = "begins to move",
       [TP_TILT_RESTS] = "rests again",     [TP_TILT_MOVES] = "still moves",
       [TP_TILT_OVERTURNED] = "overturned", [TP_TILT_LEFT_BASE] = "left its base",
       [TP_TILT_OPEN] = "undecided",        [TP_TILT_STOPPED] = "interrupted"};
@@ -37,7 +37,7 @@ const char *tp_tilt_event_name(tp_tilt_event_kind kind) {
                                       [TP_EVENT_CLOSES] = "closes",
                                       [TP_EVENT_SLIPS] = "slips",
                                       [TP_EVENT_STICKS] = "sticks",
-                                      [TP_EVENT_COLLAPSES] = "lets go",
+                                      [TP_EVENT_COLLAPSES] = "begins to move",
                                       [TP_EVENT_RESTS] = "rests",
                                       [TP_EVENT_OVERTURNS] = "overturns",
                                       [TP_EVENT_LEAVES_BASE] = "leaves its base",

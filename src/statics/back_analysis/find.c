@@ -88,8 +88,8 @@ static tp_status check_reach(const tp_search *s) {
                      ? "it is a balance of moments about a pivot, which the friction and "
                        "the cohesion of the contact do not enter; limit_angle, limit_fos, "
                        "onset_angle and governing_fos depend on them"
-                     : "it is a tilt at which the block lets go, whatever the tilt that "
-                       "the scene gives; a factor of safety depends on that");
+                     : "it is a tilt at which the block begins to move, whatever the "
+                       "tilt that the scene gives; a factor of safety depends on that");
 }
 
 static bool is_factor(tp_find_target target) {

@@ -159,7 +159,7 @@ void tp_search_scan(tp_search *s) {
         tp_fail(s->message, TP_NO_ANSWER, tp_scene_key_place(s->varied.keys, s->varied.scene),
                 "nowhere from %g to %g the scene has a %s; %s", found->low, found->high,
                 tp_find_target_name(s->options->target),
-                s->why.text[0] != '\0' ? s->why.text : "nothing lets go there");
+                s->why.text[0] != '\0' ? s->why.text : "the block does not begin to move there");
   } else if (s->status == TP_OK) {
     found->low = r->first;
     found->high = r->last;

@@ -67,11 +67,10 @@ static tp_status note_width(tp_notes *notes, const tp_evaluation *e, tp_message 
       arf_get_d(arb_midref(width), ARF_RND_NEAR) / fmpq_get_d(scene->metres_per_unit);
   arb_clear(width);
   if (touches == 0 || touches >= fmpq_get_d(stated->value)) return TP_OK;
-  return tp_notes_add(
-      notes, message, TP_CAUTION, stated->place,
-      "the contact is stated to be %.4g %s wide and touches on %.4g: the wider, the "
-      "less the stress and the more friction by the law barton",
-      fmpq_get_d(stated->value), scene->length_unit, touches);
+  return tp_notes_add(notes, message, TP_CAUTION, stated->place,
+                      "the contact is stated to be %.4g %s wide but touches over %.4g: a larger "
+                      "width lowers the stress and raises the friction by the law barton",
+                      fmpq_get_d(stated->value), scene->length_unit, touches);
 }
 
 /* Once, under what acts in the first direction that has it. */

@@ -190,8 +190,8 @@ static tp_status tell(tp_notes *notes, const levelled *s, gain g, const tp_probl
       notes, message, TP_CAUTION, tp_polyline_place(problem->section.rings, -1),
       "towards the %s %s with the sole as it is drawn; with %ld of its facets, on asperities whose "
       "sides are shorter than %.3g %s, half of the contact, levelled into the mean plane it "
-      "slides %s %.3f%s: what lies between is no strength where these facets come from digitising, "
-      "or where %s is that of the rough joint",
+      "slides %s %.3f%s: the difference is not real strength if these facets come from digitising, "
+      "or if %s is that of the rough joint",
       towards == TP_TOWARDS_LEFT ? "left" : "right", drawn, s->count, s->length, scene->length_unit,
       g.of_angle ? "at" : "with a factor of", g.level, g.of_angle ? "°" : "",
       scene->friction.load_dependent ? "Barton's law" : "'friction_angle_deg'");

@@ -115,7 +115,7 @@ static tp_status note(tp_notes *notes, const tp_scene *scene, tp_place place, co
   *any = true;
   return tp_notes_add(notes, message, TP_NOTE, place,
                       "this %s acts %.2g %s beside the block's face, less than a millionth of the "
-                      "block's size: it is put on it",
+                      "block's size: it is moved onto it",
                       what, sqrt(fmpq_get_d(moved)), scene->length_unit);
 }
 

@@ -208,7 +208,7 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
   }
   if (glued->given && !has_length) {
     return tp_fail(message, TP_BAD_INPUT, glued->place,
-                   "the block touches its base in points alone: there is no contact to hold");
+                   "the block touches its base only in points: there is no contact to hold");
   }
   if (scene->loads.water.given) find_joint(problem);
   tp_status status = tp_loads_check(scene, &problem->section, message);

@@ -100,7 +100,7 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
   default:
     return tp_fail(message, TP_UNDECIDED, place,
                    "several corners of the block touch at once as it turns about (%.9g, %.9g) %s, "
-                   "in a pose whose coordinates are no fractions; shift the block a little",
+                   "in a pose whose coordinates are not fractions; shift the block a little",
                    x, y, unit);
   }
 }

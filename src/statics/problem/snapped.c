@@ -42,7 +42,7 @@ static tp_status check_edges(const tp_closeness *near, const tp_scene *scene, tp
     tp_ratio_text(text, sizeof text, within);
     tp_place_text(where, sizeof where, tp_polyline_place(line, edge));
     status = tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                     "within %s %s corners could not be told apart: the edge from vertex %ld to "
+                     "within %s %s corners could not be distinguished: the edge from vertex %ld to "
                      "vertex %ld of the %s (%s) is %.3g %s long; give at most the shortest edge",
                      text, scene->length_unit, tp_polyline_number(line, edge),
                      tp_polyline_number(line, next), of_base ? "profile" : "outline", where,

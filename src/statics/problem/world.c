@@ -27,7 +27,7 @@ typedef struct found {
 
 static tp_status fail_direction(const tp_scene *scene, tp_message *message) {
   return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                 "the contact tells no mean plane that runs from left to right; give it: 'frame: "
+                 "the contact defines no mean plane that runs from left to right; give it: 'frame: "
                  "{mean_plane: [[x, y], [x, y]]}'");
 }
 
@@ -184,7 +184,7 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
     if (!along) {
       return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
                      "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
-                     "the other way; leave 'towards' out, or say %s: an earthquake is looked at "
+                     "the other way; leave 'towards' out, or say %s: an earthquake is considered "
                      "both ways, or as 'direction' of 'loads.seismic' says",
                      way, way);
     }

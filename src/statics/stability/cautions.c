@@ -74,8 +74,8 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
   return tp_notes_add(
       notes, message, TP_CAUTION, water->place,
       "%s towards the %s, the water is put on a face normal to the base, but "
-      "the side of the block that it wets leans %s: what it pushes %s there is left "
-      "out, which is %s; give it as 'pressures' on the edges that it wets",
+      "the side of the block that it wets leans %s: its %s push there is neglected, "
+      "which is %s; give it as 'pressures' on the edges that it wets",
       stance, towards, wetted.out ? "out over it" : "back from it",
       wetted.out ? "upwards" : "downwards", wetted.out ? "not cautious" : "cautious");
 }
@@ -121,8 +121,8 @@ static tp_status note_one_side(tp_notes *notes, const tp_scene *scene, tp_messag
   if (!tp_earthquake_is_one_sided(scene)) return TP_OK;
   return tp_notes_add(
       notes, message, TP_CAUTION, scene->loads.seismic_place,
-      "the earthquake is looked at down-dip alone, and it shakes both ways: say "
-      "'frame: world' of a block on a slope, solve with 'horizontal' below 0 too, or "
+      "the earthquake is considered down-dip only, but it shakes both ways: say "
+      "'frame: world' for a block on a slope, solve with 'horizontal' below 0 too, or "
       "say 'direction: down_dip' where this is meant");
 }
 
@@ -164,9 +164,9 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   if (is_one_point(&problem->contact, &problem->lattice)) {
     const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
     status = tp_notes_add(notes, message, TP_CAUTION, place,
-                          "the block touches its base in one place alone: it can balance there at "
-                          "single tilts, where all moments about that place cancel, and stands at "
-                          "no other; whether it balances at one to the last digit may stay "
+                          "the block touches its base in one place only: it can balance there at "
+                          "single tilts, where all moments about that place cancel, and at no "
+                          "others; whether it balances at such a tilt may stay "
                           "undecided");
   }
   if (status == TP_OK) status = note_near(notes, problem, message);

@@ -22,7 +22,7 @@ tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message 
   if (scene->frame != TP_FRAME_WORLD) {
     if (!loads->direction_given || loads->direction == TP_SEISMIC_DOWN_DIP) return TP_OK;
     return tp_fail(message, TP_BAD_INPUT, loads->seismic_place,
-                   "an earthquake is looked at both ways, or up-dip, where the block lies on a "
+                   "an earthquake is considered both ways, or up-dip, where the block lies on a "
                    "slope, 'frame: world'; on a table 'horizontal' acts towards the side that the "
                    "tilt lowers, and a negative one against it");
   }
@@ -58,12 +58,13 @@ tp_status tp_earthquake_note_water(tp_notes *notes, const tp_water_description *
                                    tp_message *message) {
   return tp_notes_add(
       notes, message, TP_NOTE, water->place,
-      "under the earthquake up-dip the push of the water, which holds the block back, is left "
-      "out%s: "
-      "cautious at any level up to the one given where the block slides or turns about the upper "
-      "end "
-      "of its contact; where its push is certain, give it as 'pressures' on the edges that it wets",
-      water->uplift ? ", and its uplift alone acts" : "");
+      "under the earthquake up-dip the push of the water, which holds the block back, is "
+      "neglected%s: "
+      "conservative at any level up to the one given where the block slides or turns about the "
+      "upper "
+      "end of its contact; where its push is certain, give it as 'pressures' on the edges that it "
+      "wets",
+      water->uplift ? ", and only its uplift acts" : "");
 }
 
 /* ---- which is worse ----------------------------------------------------------------------------
@@ -179,7 +180,7 @@ static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_
     return status;
   }
   return tp_notes_add(&l->governs->notes, message, TP_CAUTION, scene->loads.seismic_place,
-                      "the earthquake is looked at down-dip alone, and it shakes up-dip too: %s",
+                      "the earthquake is considered down-dip only, but it shakes up-dip too: %s",
                       why.text);
 }
 

@@ -35,7 +35,7 @@ static tp_status note_shaking(tp_notes *notes, const tp_scene *scene, tp_message
   if (!tp_scene_is_shaken(scene)) return TP_OK;
   return tp_notes_add(
       notes, message, TP_CAUTION, scene->shaking_place,
-      "the shaking of the base is not in these numbers: 'topple tilt' simulates it");
+      "the shaking of the base is not included in these results: 'topple tilt' simulates it");
 }
 
 static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *scene,

@@ -47,7 +47,7 @@ tp_status tp_varied_check(double *own, const tp_varied *varied, tp_message *mess
   const tp_scene *scene = varied->scene;
   if (scene->towards_left && scene->towards_right && scene->frame != TP_FRAME_WORLD) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "this scene tilts both ways; say which, 'tilt: {towards: left}'");
+                   "this scene tilts both ways; choose one, 'tilt: {towards: left}'");
   }
   fmpq_t value;
   fmpq_init(value);

@@ -67,17 +67,18 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
   }
   if (scene->base.rests) {
     return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "where a block comes to rest is no formula in its parameters; derive it where "
+                   "where a block comes to rest has no formula in its parameters; derive it where "
                    "it rests, 'place: as_given'");
   }
   if (tp_scene_is_shifted(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, tp_scene_shift_place(scene),
-                   "where a shifted block comes to rest is no formula in its parameters; derive it "
-                   "where it fits, and leave out 'joint'");
+    return tp_fail(
+        message, TP_BAD_INPUT, tp_scene_shift_place(scene),
+        "where a shifted block comes to rest has no formula in its parameters; derive it "
+        "where it fits, and leave out 'joint'");
   }
   if (scene->base.within.given) {
     return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                   "where vertices are moved to their contacts is no formula in the parameters; "
+                   "where vertices are moved to their contacts has no formula in the parameters; "
                    "give them where they touch, and leave out 'contact'");
   }
   if (scene->frame == TP_FRAME_WORLD) {

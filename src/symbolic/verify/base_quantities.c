@@ -99,7 +99,7 @@ TP_QUANTITY_RULE(tp_quantity_mean_square_slope) {
   fmpz_mpoly_q_zero(run, ring);
   tp_status status = sum_slopes(value, run, dx, dy, s, message);
   if (status == TP_OK && fmpz_mpoly_q_is_zero(run, ring)) {
-    status = tp_subject_lacks(s, message, "the block touches its base in points alone");
+    status = tp_subject_lacks(s, message, "the block touches its base only in points");
   }
   if (status == TP_OK) tp_field_div(value, value, run, field);
   fmpz_mpoly_q_clear(dx, ring);

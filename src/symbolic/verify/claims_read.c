@@ -160,7 +160,7 @@ static tp_status read_root(tp_claims *claims, tp_message *message) {
       root->kind == TP_NODE_MAPPING ? tp_node_get(root, "topple_claims") : NULL;
   if (version == NULL) {
     return tp_claims_fail(claims, root, message,
-                          "this is no claims file: 'topple_claims: 1' is missing");
+                          "this is not a claims file: 'topple_claims: 1' is missing");
   }
   if (version->kind != TP_NODE_SCALAR || strcmp(version->text, "1") != 0) {
     return tp_claims_fail(claims, version, message,

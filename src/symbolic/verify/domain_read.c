@@ -67,7 +67,7 @@ tp_status tp_claims_read_domain(tp_domain *domain, const tp_claims *claims, cons
     if (bounds.symbol < 0 && !all_names) continue; /* of another geometry */
     if (bounds.symbol < 0) {
       status = tp_claims_fail(claims, n, message,
-                              "'%.40s' is no symbol that takes a value: a domain is one of "
+                              "'%.40s' is not a symbol that takes a value: a domain is one of "
                               "parameters, symbols, angles and r",
                               n->key);
     } else {

@@ -276,7 +276,7 @@ static tp_status find(search *s) {
   tp_field_forgive(q->subject->field);
   if (s->failed) return tp_fail_memory(q->message, "a claim");
   if (!spent || s->result->mend != NULL || s->result->condition != NULL) return TP_OK;
-  s->result->condition = strdup("the search for a mend was given up: the formula is long");
+  s->result->condition = strdup("the search for a correction was stopped: the formula is long");
   return s->result->condition != NULL ? TP_OK : tp_fail_memory(q->message, "a claim");
 }
 

@@ -70,7 +70,7 @@ tp_status tp_sample_set(tp_claim_sample *sample, const tp_subject *s, const char
   const long symbol = tp_sample_symbol(s, name);
   if (symbol < 0) {
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "'%s' is no symbol that takes a value: 'at' sets parameters, symbols, angles "
+                   "'%s' is not a symbol that takes a value: 'at' sets parameters, symbols, angles "
                    "and r",
                    tp_quote_all(name).text);
   }

@@ -78,7 +78,7 @@ export class Requests {
 
   /** Stop what runs, with an error of its own, and start anew; what waits is kept. */
   restart() {
-    this.#stop(new CoreStopped("The core was stopped, as was asked for. It has been started again."));
+    this.#stop(new CoreStopped("The core was stopped on request. It has been started again."));
   }
 
   /** End for good. */

@@ -8,7 +8,7 @@ import { snap } from "../scene/decimal.js";
 
 /** @param {import("../scene/scene_text.js").SceneText} scene @returns {string|null} why there is no one friction angle */
 function lawOfFriction(scene) {
-  return scene.keys(["friction"])?.includes("law") ? "stands in the friction law; its numbers are in the text" : null;
+  return scene.keys(["friction"])?.includes("law") ? "is set by the friction law; edit its numbers in the text" : null;
 }
 
 const NUMBERS = [

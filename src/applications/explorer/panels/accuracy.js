@@ -22,7 +22,7 @@ export class AccuracyPanel extends Panel {
     this.button = element("button", { type: "button", onclick: () => this.measure() }, "Measure on this machine");
     this.body.append(
       element(
-        "p", {}, "Each way to the critical angle, to the static limit and to the onset is evaluated at every ",
+        "p", {}, "Each method for the critical angle, the static limit and the onset is evaluated at every ",
         this.terms.word("level"), ", timed, and compared with its value at 6144 bits.",
       ),
       element("p", { class: "choices" }, this.button), this.told, this.chart, this.rows,

@@ -99,7 +99,7 @@ export class CurvesPanel extends Panel {
       marks: this.#marks(number, what),
     });
     this.told.replaceChildren(
-      x.length + " points in " + milliseconds.toFixed(0) + " ms, each solved by itself with its bounds: ",
+      x.length + " points in " + milliseconds.toFixed(0) + " ms, each solved separately with its bounds: ",
       saveLink("curve.csv", csv, "the table as CSV"),
     );
   }

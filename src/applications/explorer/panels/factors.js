@@ -9,10 +9,10 @@ import { Panel } from "./panel.js";
 import { againstText, definitionText, directionText, termOfDefinition } from "./words.js";
 
 const STANDINGS = {
-  blocked: "a contact stands in the way: it does not count",
+  blocked: "excluded: blocked by a contact",
   prevented: "excluded: contact forces prevent it",
   uneven: "excluded: its facets differ in friction",
-  smooth: "excluded: no friction to divide",
+  smooth: "excluded: no friction to reduce",
 };
 
 export class FactorsPanel extends Panel {

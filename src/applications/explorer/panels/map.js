@@ -145,7 +145,7 @@ export class MapPanel extends Panel {
           : "",
       ),
     );
-    const what = [this.x.key, this.y.key].includes(TILT) ? "What it does at each tilt. " : "What lets go first, as the table is tilted. ";
+    const what = [this.x.key, this.y.key].includes(TILT) ? "The verdict at each tilt. " : "The first motion as the table is tilted. ";
     this.points = what + (POINTS - 1) + " × " + (POINTS - 1) + " cells in " + (milliseconds / 1000).toFixed(2) + " s: " + grid.count +
       " points solved, the others lie in cells whose solved points agree.";
     this.told.textContent = this.points;

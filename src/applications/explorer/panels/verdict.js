@@ -97,7 +97,7 @@ export class VerdictPanel extends Panel {
       row(this.terms.word("Certain to move", "static limit"), limitText(limit), "limit"),
       first.margin_deg ? row(this.terms.word("Margin", "margin"), degreesText(first.margin_deg), "margin") : null,
       onset.below_limit === true
-        ? row(this.terms.word("Between", "history"), "history decides: forces locked in hold it, or not", "history")
+        ? row(this.terms.word("Between", "history"), "depends on loading history: locked-in forces may or may not hold it", "history")
         : null,
       this.#motion(limit),
     );
@@ -140,7 +140,7 @@ function onsetText(onset) {
   const words = {
     never: "at every tilt: no motion can begin",
     nowhere: "at no tilt: a motion can begin on level ground",
-    undecided: onset.too_dear === true ? "undecided: the proof takes more work than is allowed" : "undecided",
+    undecided: onset.too_dear === true ? "undecided: the proof exceeds the work allowed" : "undecided",
   };
   return words[onset.kind] ?? ["up to ", alpha("s"), " = " + degreesText(onset.critical_angle_deg) + ", then it " + onset.mechanism];
 }

@@ -55,7 +55,7 @@ export function windowGauge(theCase) {
   const parts = stretches(theCase);
   if (parts.length === 0) return null;
   const tilt = theCase.tilt_angle_deg ?? null;
-  const words = { stands: "certain to stand", "may-move": "history decides", moves: "certain to move" };
+  const words = { stands: "certain to stand", "may-move": "depends on history", moves: "certain to move" };
   const told = parts.map((part) => words[part.kind] + " from " + part.from.toFixed(1) + "° to " + part.to.toFixed(1) + "°");
   return svgElement(
     "svg",

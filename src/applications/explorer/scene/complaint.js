@@ -8,7 +8,7 @@
 
 /** @param {string} err @returns {Complaint} of the first line that says something */
 export function readComplaint(err) {
-  const said = err.split("\n").find((line) => line.trim() !== "") ?? "the core ended without a word";
+  const said = err.split("\n").find((line) => line.trim() !== "") ?? "the core ended without a message";
   const words = said.replace(/^topple(?: \w+)?: /, "");
   const placed = /^([^:\n]{1,300}):(\d{1,9}):(\d{1,9}): (.*)$/.exec(words);
   if (placed === null) return { file: null, line: null, column: null, message: words };

@@ -14,7 +14,7 @@ const PLAIN = "#t=";
 /** @param {import("./store.js").State} state @returns {Promise<string>} */
 export async function linkOfScene({ name, text, files }) {
   if (Object.values(files).some((content) => typeof content !== "string")) {
-    throw new Error("A file beside the scene is no text: it goes into no link. Save the scene and send both files.");
+    throw new Error("A file beside the scene is not a text: it goes into no link. Save the scene and send both files.");
   }
   const bytes = new TextEncoder().encode(JSON.stringify({ name, text, files }));
   const packs = typeof CompressionStream === "function";

@@ -18,7 +18,7 @@ export async function readFiles(chosen, store) {
   const scene = names.find((name) => /\.ya?ml$/i.test(name));
   if (scene !== undefined) {
     const { [scene]: text, ...beside } = files;
-    if (typeof text !== "string") throw new Error(scene + " is no text in UTF-8.");
+    if (typeof text !== "string") throw new Error(scene + " is not text in UTF-8.");
     store.open({ name: scene, text, files: beside });
     return;
   }
@@ -41,7 +41,7 @@ function openOne(name, content, store) {
     return;
   }
   const text = DRAWINGS.test(name) ? sceneOfDrawing(name) : /\.csv$/i.test(name) ? sceneOfPoints(name) : null;
-  if (text === null) throw new Error(name + " is no scene, no drawing (DXF, SVG, WKT, GeoJSON) and no points (CSV); the scene does not name it either.");
+  if (text === null) throw new Error(name + " is not a scene, a drawing (DXF, SVG, WKT, GeoJSON) or points (CSV); the scene does not name it either.");
   store.open({ name: name.replace(/\.\w+$/, "") + ".yaml", text, files: { [name]: content } });
 }
 
@@ -57,7 +57,7 @@ function sceneOfPoints(name) {
 }
 
 function rest(block) {
-  return "\n" + block + "\nfriction_angle_deg: 30      # taken until you say it\ntilt: {towards: both, angle_deg: 0}\n";
+  return "\n" + block + "\nfriction_angle_deg: 30      # assumed; replace it by a measured value\ntilt: {towards: both, angle_deg: 0}\n";
 }
 
 /** A name as a scalar of YAML that can hold any. */

@@ -15,7 +15,7 @@ export const PARSED_MAX = 200_000;
 
 /** The core's reader takes brackets that end at the margin; the one that finds the numbers to be dragged does not. */
 function whyUnread(error) {
-  if (error.code !== "BAD_INDENT") return "The text is no YAML yet; see its message";
+  if (error.code !== "BAD_INDENT") return "The text is not valid YAML yet; see its message";
   const line = error.linePos?.[0]?.line ?? 1;
   return "Brackets go on at the margin at line " + line + "; indent that line, and the scene can be dragged";
 }
@@ -36,7 +36,7 @@ export class SceneText {
       if (document.errors.length > 0) this.unread = whyUnread(document.errors[0]);
       else this.root = document.contents;
     } catch (error) {
-      this.unread = "The text is no YAML yet: " + error.message;
+      this.unread = "The text is not valid YAML yet: " + error.message;
     }
   }
 
@@ -84,7 +84,7 @@ export class SceneText {
   #edit(path, text) {
     const node = this.node(path);
     if (isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], text };
-    if (node !== null) throw new RangeError(path.join(".") + " is no number but a list or a map");
+    if (node !== null) throw new RangeError(path.join(".") + " is not a number but a list or a map");
     return this.#insertion(path, text);
   }
 
@@ -92,7 +92,7 @@ export class SceneText {
     let depth = path.length - 1;
     while (depth > 0 && this.node(path.slice(0, depth)) === null) depth--;
     const map = depth === 0 ? this.root : this.node(path.slice(0, depth));
-    if (!isMap(map)) throw new RangeError(path.slice(0, depth).join(".") + " is no map that could have a key more");
+    if (!isMap(map)) throw new RangeError(path.slice(0, depth).join(".") + " is not a map that could take another key");
     const inner = path.slice(depth + 1).reduceRight((value, key) => "{" + key + ": " + value + "}", text);
     const pair = path[depth] + ": " + inner;
     if (map.flow) {

@@ -33,7 +33,7 @@ export const STEPS = [
     tab: "curves",
     says: [
       "A block topples about its toe when its weight passes it. This slab is half as wide as high, so that happens at " +
-        "arctan ½ = 26.565°; before, the factor of safety is what holds it over what turns it, tan 26.565° / tan α.",
+        "arctan ½ = 26.565°; below that, the factor of safety is the stabilising over the overturning moment, tan 26.565° / tan α.",
       "Drag the handle of the tilt, or try these.",
     ],
     tries: [
@@ -77,8 +77,8 @@ export const STEPS = [
     says: [
       "The paper's Table 3 has such angles for seven blocks. Each row below is solved here and now, from the example of " +
         "its name: the angle by moments agrees with the printed one.",
-      "But moments do not ask whether friction can hold the toe. Contact forces do, and let some blocks go earlier: the " +
-        "rows that are marked.",
+      "But moments do not ask whether friction can hold the toe. Contact forces do, and some blocks move earlier: the " +
+        "marked rows.",
     ],
     tries: [],
     finds: () => null,
@@ -89,16 +89,16 @@ export const STEPS = [
     tab: "forces",
     says: [
       "Block E towards its valley: the formula says 35.2°, and the paper saw it slide long before. Why?",
-      "At 35.2° all of its weight would rest on the toe. The facet there falls away down-dip, and friction on it ends at " +
-        "φ − 9.5°. So the next facet has to bear a share; the two forces below are the last ones that hold it, each at the " +
-        "edge of its cone.",
+      "At 35.2° all of its weight would rest on the toe. The facet there falls away down-dip, and friction on it is exhausted at " +
+        "φ − 9.5°. So the next facet has to carry a share; the two forces below are the last that can hold it, each at the " +
+        "edge of its friction cone.",
     ],
     tries: [{ label: "Tilt it by 28.7°", numbers: [tilt("28.7")] }, { label: "by 28.8°", numbers: [tilt("28.8")] }],
     finds: (solution) => {
       const { limit, toppling, toe } = solution.cases[0];
       if (!limit?.critical_angle_deg || !toppling) return null;
-      return "Moments alone say " + degreesText(toppling.critical_angle_deg) + ", but the toe can bear all the weight up to " +
-        degreesText(toe.limit_angle_deg) + " only: it lets go at " + degreesText(limit.critical_angle_deg) + " and " + limit.mechanism + ".";
+      return "Moments alone give " + degreesText(toppling.critical_angle_deg) + ", but the toe can bear all the weight up to " +
+        degreesText(toe.limit_angle_deg) + " only: it begins to move at " + degreesText(limit.critical_angle_deg) + " and " + limit.mechanism + ".";
     },
   },
   {
@@ -108,7 +108,7 @@ export const STEPS = [
     says: [
       "The base of step 4 ends at the toe. If it goes on, the block's toe lies in a notch of the rock: the flank of the next " +
         "tooth stands against it and holds it. Let the base go on by the width of a tooth.",
-      "In the scene that is base: beyond: left. Where a base ends decides, and so a scene has to say it.",
+      "In the scene that is base: beyond: left. The result depends on where the base ends, so a scene has to state it.",
     ],
     tries: [
       { label: "Let the base go on by 30 mm", numbers: [beyond("30")] },
@@ -127,8 +127,8 @@ export const STEPS = [
     tab: "map",
     across: "friction_angle_deg",
     says: [
-      "That some forces would hold a block does not mean that they are there. Very rough, block A stands for certain up to " +
-        "one tilt and moves for certain beyond another; between them it depends on how it came to lie there.",
+      "That some forces would hold a block does not mean that they are there. With high friction, block A is certain to " +
+        "stand up to one tilt and to move beyond another; between them it depends on loading history.",
       "The map shows where: drag the point through it.",
     ],
     tries: [
@@ -139,7 +139,7 @@ export const STEPS = [
       const { onset, limit, mechanism, tilt_angle_deg: at } = solution.cases[0];
       if (onset?.kind !== "angle" || !limit?.critical_angle_deg) return null;
       const there = at ? " At " + degreesText(at) + " it " + mechanism + "." : "";
-      if (!onset.below_limit) return "Both are " + degreesText(onset.critical_angle_deg) + ": history has no say." + there;
+      if (!onset.below_limit) return "Both are " + degreesText(onset.critical_angle_deg) + ": loading history has no influence." + there;
       return "Certain to stand up to " + degreesText(onset.critical_angle_deg) + ", certain to move beyond " +
         degreesText(limit.critical_angle_deg) + "." + there;
     },
