@@ -18,7 +18,7 @@ START_TEST(read) {
   REFUSED(tp_study_read(&study, NULL, &message), "'path'");
   ck_assert_int_eq(tp_study_read(&study, EXAMPLE("studies/none.yaml"), &message), TP_SYSTEM_FAILED);
   ck_assert_ptr_nonnull(strstr(message.text, "opened"));
-  REFUSED(tp_study_read(&study, EXAMPLE("slab.yaml"), &message), "no study");
+  REFUSED(tp_study_read(&study, EXAMPLE("slab.yaml"), &message), "not a study");
   ck_assert_ptr_eq(study, UNTOUCHED(tp_study));
   tp_study_free(NULL);
 }

@@ -126,7 +126,7 @@ START_TEST(shaken) {
   DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
                                 &message));
   DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
-  REFUSED(RUN, "quasi-static and knows no shaking");
+  REFUSED(RUN, "quasi-static and does not model shaking");
   DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RAMP, false, &message));
   REFUSED(RUN, "held at its tilt while its base shakes");
   DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));

@@ -93,7 +93,7 @@ class Barton(unittest.TestCase):
         """A slab of 2 m stated to be 3 m wide: less stress, more friction, and a caution."""
         slab = "[[0, 0], [2, 0], [2, 2], [0, 2]]"
         _, said = self.case(scene(slab, LAW % 120, more="contact: {width: 3}\n"))
-        self.assertIn("stated to be 3 m wide and touches on 2", said)
+        self.assertIn("stated to be 3 m wide but touches over 2", said)
         _, said = self.case(scene(slab, LAW % 120, more="contact: {width: 1}\n"))
         self.assertNotIn("touches on", said)
 

@@ -73,7 +73,7 @@ class Errors(Chart):
 
     def test_usage(self):
         self.slab()
-        self.refuse(2, "no kind of chart", "pie")
+        self.refuse(2, "not a kind of chart", "pie")
         self.refuse(2, "kind of chart is missing")
         self.refuse(2, "another kind", "ranges", "--friction", 3)
         self.refuse(2, "must rise", "fos", "--tilt", "60:10")

@@ -160,7 +160,7 @@ class Level(unittest.TestCase):
                       ("--level", "quad"), ("--level", "")):
             status, out, err = run("solve", *wrong, BLOCK_E)
             self.assertEqual((status, out), (2, ""))
-            self.assertIn(wrong[0], err + "--digits" * ("no number" in err))
+            self.assertIn(wrong[0], err + "--digits" * ("not a number" in err))
 
 
 if __name__ == "__main__":

@@ -298,7 +298,7 @@ class Refused(Drawing):
         self.refused(svg(body)[:-8], "XML", name="d.svg", options=("--unit", "m"))
         self.refused(svg('<path id="BLOCK" d="M0 0 L1 x"/>'), "path", name="d.svg", options=("--unit", "m"))
         self.refused(svg('<rect id="BLOCK" width="3cm" height="4"/>'), "unit", name="d.svg", options=("--unit", "m"))
-        self.refused("<html/>", "no SVG", name="d.svg", options=("--unit", "m"))
+        self.refused("<html/>", "not an SVG", name="d.svg", options=("--unit", "m"))
 
     def test_geojson_wkt_csv(self):
         unit = ("--unit", "m")

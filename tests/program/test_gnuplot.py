@@ -12,8 +12,8 @@ from stand_ins import CHARTS, StandIns
 
 # A gnuplot that ends in some wrong way, and what the program says of it.
 FAILURES = {
-    "true; exit 0": "drew nothing and said nothing",
-    "cat >/dev/null; exit 0": "drew nothing and said nothing",
+    "true; exit 0": "drew nothing and printed no message",
+    "cat >/dev/null; exit 0": "drew nothing and printed no message",
     "cat >/dev/null; echo half; echo it broke >&2; exit 3": "it broke",
     "echo half; kill -9 $$": "gnuplot failed",
     "echo half; kill -SEGV $$": "gnuplot failed",

@@ -25,7 +25,7 @@ class Hangs(StandIns):
         animation = [PROGRAM, "tilt", "--json", "--animation", self.folder / "a.webm", "examples/tilt_block_f.yaml"]
         with subprocess.Popen(animation, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8",
                               env=self.stand_in("moving", "cat >/dev/null; exec sleep 100", "ffmpeg")) as film:
-            self.assertIn("ffmpeg failed: it did nothing for 60 seconds", film.communicate(timeout=300)[1])
+            self.assertIn("ffmpeg failed: it did not respond for 60 seconds", film.communicate(timeout=300)[1])
             self.assertEqual(film.returncode, 5)
         self.assertFalse((self.folder / "a.webm").exists())
         for k, process in enumerate(processes):

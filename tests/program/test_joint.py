@@ -214,7 +214,7 @@ class Joint(JointCase):
         hook = "outline: [[0, 0], [4, 0], [4, 1], [3, 2], [6, 2], [6, 5], [0, 5]]"
         self.refused("turns back over the block", hook, "{mated: true, between: [[0, 0], [6, 2]]}", joint="{shift: 1}")
         self.write(slab, joint="{shift: 1}")
-        self.assertIn("is no formula", run("derive", self.path)[2])
+        self.assertIn("has no formula", run("derive", self.path)[2])
         self.assertIn("60 digits", run("solve", "--digits", "61", self.path)[2])
 
     def test_rest_is_meant(self):

@@ -130,9 +130,9 @@ class MatedEnds(MatedCase):
 
     def test_water_on_a_leaning_side(self):
         """Water is put on a face normal to the base: told where the side leans, and which way that errs."""
-        for outline, towards, said in (([(0, 0), (4, 0), (6, 8), (0, 8)], "left", "leans out over it: what it pushes upwards"),
-                                       ([(0, 0), (4, 0), (3, 8), (0, 8)], "left", "leans back from it: what it pushes downwards"),
-                                       ([(0, 0), (4, 0), (4, 8), (-1, 8)], "right", "leans out over it: what it pushes upwards"),
+        for outline, towards, said in (([(0, 0), (4, 0), (6, 8), (0, 8)], "left", "leans out over it: its upwards push"),
+                                       ([(0, 0), (4, 0), (3, 8), (0, 8)], "left", "leans back from it: its downwards push"),
+                                       ([(0, 0), (4, 0), (4, 8), (-1, 8)], "right", "leans out over it: its upwards push"),
                                        ([(0, 0), (4, 0), (4, 2), (5, 8), (0, 8)], "left", None),
                                        ([(0, 0), (4, 0), (4, 8), (0, 8)], "left", None)):
             points = ", ".join(f"[{x}, {y}]" for x, y in outline)
@@ -161,7 +161,7 @@ class MatedEnds(MatedCase):
         self.assertEqual(case["limit"]["mechanism"], "holds nowhere")
         self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"],
                                math.degrees(math.asin(10 * 2 * math.cos(math.radians(200)) / (208 * 2))), delta=1e-9)
-        self.assertIn("in one place alone", self.notes())
+        self.assertIn("in one place only", self.notes())
 
     def test_upright_sole(self):
         """A contact without length along the mean plane has no weight per area of it."""

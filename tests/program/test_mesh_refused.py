@@ -26,7 +26,7 @@ class MeshRefused(MeshCase):
 
     def test_binary_stl(self):
         whole = binary_stl(*SOLID)
-        self.refuse_file("a.stl", whole[:-7], "", "a binary STL that tells of 32 triangles has 1684 bytes, this one has 1677; "
+        self.refuse_file("a.stl", whole[:-7], "", "a binary STL with 32 triangles has 1684 bytes, this one has 1677; "
                          "it was cut off or damaged")
         self.refuse_file("a.stl", whole + b"\0", "", "this one has 1685")
         lies = whole[:80] + struct.pack("<I", 0xffffffff) + whole[84:]
@@ -59,7 +59,7 @@ class MeshRefused(MeshCase):
         self.refuse_file("a.ply", whole.replace(b"vertex 18", b"vertex 17"), ":30:1", "the length of a list is a whole number")
         self.refuse_file("a.ply", whole.replace(b"vertex 18", b"vertex 19999999"), ":4:9", "the file is too short for so many")
         self.refuse_file("a.ply", whole.replace(b"vertex 18", b"vertex 20000001"), ":4:16", "more than 20 million")
-        self.refuse_file("a.ply", whole.replace(b"vertex 18", b"vertex -1"), ":4:16", "an element tells how many")
+        self.refuse_file("a.ply", whole.replace(b"vertex 18", b"vertex -1"), ":4:16", "an element line states how many")
         self.refuse_file("a.ply", whole.replace(b"float x", b"float u"), ":4:9", "vertices have the properties x, y and z")
         self.refuse_file("a.ply", whole.replace(b"float x", b"real x"), ":5:10", "a type of PLY is expected here")
         self.refuse_file("a.ply", whole.replace(b"ascii", b"text"), ":2:8", "a format of PLY is ascii, binary_little_endian")

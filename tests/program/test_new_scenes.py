@@ -78,7 +78,7 @@ class Examples(Folder):
             (self.folder / in_the_way).write_text("mine")
             status, out, err = run("examples", "boulder", folder=self.folder)
             self.assertEqual((status, out), (3, ""))
-            self.assertIn(f"will not overwrite {in_the_way}: it is there already", err)
+            self.assertIn(f"will not overwrite {in_the_way}: it already exists", err)
             self.assertEqual(self.files(), [in_the_way])
             self.assertEqual((self.folder / in_the_way).read_text(), "mine")
             (self.folder / in_the_way).unlink()
@@ -290,7 +290,7 @@ class New(Folder):
     def test_refused(self):
         (self.folder / "crossed.csv").write_text("0,0\n2,2\n2,0\n0,2\n")
         (self.folder / "there.yaml").write_text("mine")
-        for words, status, said in (((), 2, "questions are asked on a terminal alone"), (("--tilt", "3"), 2, "which block?"),
+        for words, status, said in (((), 2, "questions are asked only on a terminal"), (("--tilt", "3"), 2, "which block?"),
                                     (("--slab", "2*4"), 2, "as 2x4"), (("--slab", "2x4", "x.csv"), 2, "either a slab or"),
                                     (("--slab", "2x4", "--friction", "3O"), 2, "no unit, no comma, not '3O'"),
                                     (("--slab", "2x4", "--friction", "95"), 3, "scene.yaml:"), (("--slab", "0x4"), 3, "scene.yaml:"),

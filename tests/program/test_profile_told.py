@@ -109,7 +109,7 @@ class Told(ProfileCase):
     def test_page(self):
         status, out, err = run("profile", "--step", "0.5", "--mirror", "--detrend", "line", JOINT)
         self.assertEqual((status, err), (0, ""))
-        for word in ("201 points every 0.5, straight between the 401", "mirrored", "least squares is taken off",
+        for word in ("201 points every 0.5, straight between the 401", "mirrored", "least squares is subtracted",
                      "meant for it", "self-affine H"):
             self.assertIn(word, out)
         self.assertLessEqual(max(map(len, out.splitlines()[1:])), 80)  # below the path

@@ -85,7 +85,7 @@ class Sheets(hostile.Case):
     def test_settings(self):
         """What was set on the command line stands in the page as it was given."""
         page = Page(self.sheet(self.scene("x"), "html", "--set", "a=15*2").decode())
-        self.assertIn(["Set", "a = 15*2 = 30 mm"], page.tables("What the scene says")[0])
+        self.assertIn(["Set", "a = 15*2 = 30 mm"], page.tables("Input, and quantities")[0])
 
     def test_date(self):
         """SOURCE_DATE_EPOCH is quoted plainly where it is wrong."""

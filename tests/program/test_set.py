@@ -105,7 +105,7 @@ class Set(unittest.TestCase):
         self.assertEqual(told[0], told[1])
 
     def test_set_where_there_is_no_scene(self):
-        for words, why in ((("chart", "fos", "--set", "a=3"), "an option of another kind of chart"),
+        for words, why in ((("chart", "fos", "--set", "a=3"), "an option for another kind of chart"),
                            (("accuracy", "--sweep", "--set", "a=3"), "--set and --unit are of a scene"),
                            (("derive", "--set", "a", E), "--set takes KEY=VALUE")):
             status, out, err = run(*words)

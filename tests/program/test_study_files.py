@@ -54,7 +54,7 @@ class Files(StudyCase):
         for wrong in ("sha256: 12\n", "sha256: " + 64 * "g" + "\n", "sha256: [1]\n"):
             at = told.index("sha256: ")
             (self.folder / "rows.csv.progress").write_text(told[:at] + wrong)
-            self.refused("not what a study says of its progress", "--rows", "rows.csv")
+            self.refused("this is not a progress file of a study", "--rows", "rows.csv")
         (self.folder / "rows.csv.progress").write_text(told[:at])  # as before there were hashes
         self.refused("by another version of this program; restart", "--rows", "rows.csv")
 

@@ -156,7 +156,7 @@ class Hdf5(StudyCase):
         refused("this file is there", "--rows", "mine.h5")
         refused("a file that the study reads", "--rows", "link.h5", "--restart")
         refused("a file of its own", "--rows", "folder.h5", "--restart")
-        refused("a shard is of CSV", "--rows", "rows.h5", "--shard", "1/2", status=2)
+        refused("a shard writes CSV", "--rows", "rows.h5", "--shard", "1/2", status=2)
         self.study("study.yaml", "--rows", "rows.h5")
         self.write(STUDY.replace("mean: 30", "mean: 31"))
         refused("changed since", "--rows", "rows.h5")

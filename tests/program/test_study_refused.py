@@ -42,7 +42,7 @@ class Refused(StudyCase):
         told = progress.read_text()
         for wrong in ("shard: 0", "shard: 3", "shard: 99999999999999999999", "shard: -1"):
             progress.write_text(told.replace("shard: 1", wrong, 1))
-            refused("not what a study says of its progress", "study.yaml", "--merge", "1.csv", "2.csv")
+            refused("this is not a progress file of a study", "study.yaml", "--merge", "1.csv", "2.csv")
         progress.write_text(told)
         rows = (self.folder / "rows.csv").read_text()
         (self.folder / "rows.csv").write_text(rows.replace("stands", "standz", 1))
@@ -81,9 +81,9 @@ class Refused(StudyCase):
                 ("vary: {block.slab.height: {normal: {mean: 1, deviation: -1}}}", r"study.yaml:3:\d+: .*deviation"),
                 ("vary: {block.slab.height: {triangular: {low: 1, mode: 5, high: 3}}}", r"study.yaml:3:\d+: .*mode"),
                 ("vary: {block.slab.height: {uniform: {low: 1, high: 3}, truncated: [4, 5]}}", r"study.yaml:3:\d+: .*truncat"),
-                ("vary: {block.slab.height: {list: [1], truncated: [4, 5]}}", r"study.yaml:3:\d+: a list is no distribution"),
+                ("vary: {block.slab.height: {list: [1], truncated: [4, 5]}}", r"study.yaml:3:\d+: a list is not a distribution"),
                 ("vary: {block.slab.height: {list: [1], grid: {from: 1, to: 2, step: 1}}}", "varies by 'list' already"),
-                ("vary: {block.slab.height: {truncated: [1, 2]}}", "say by what 'block.slab.height' varies"),
+                ("vary: {block.slab.height: {truncated: [1, 2]}}", "give the distribution of 'block.slab.height'"),
                 ("vary: {block.slab.height: {list: [1, a]}}", r"study.yaml:3:\d+: .*'a'"),
                 ("vary: {block.slab.height: {list: 5}}", "list: "),
                 ("vary: {block.slab.height: {grid: {from: 1, to: 2, step: -1}}}", "from 'from' to 'to'"),
@@ -92,7 +92,7 @@ class Refused(StudyCase):
                  "'phii'; write its name letter by letter as that line does$"),
                 ("vary: {block.slab.height: {column: 't.csv:x'}}", r"t.csv:3:1: the row ends before"),
                 ("vary: {block.slab.height: {list: [1]}, block.slab: {list: [1]}}", "a single number"),
-                ("vary: {topple: {list: [1]}}", "no number of the scene"),
+                ("vary: {topple: {list: [1]}}", "not a number of the scene"),
                 ("vary: {}", "'vary' is a map"),
                 ("samples: 10\nvary: {block.slab.height: {list: [1]}}", "leave 'samples' out"),
                 (vary.replace("samples: 10\n", ""), "'samples' is missing"),
@@ -118,7 +118,7 @@ class Refused(StudyCase):
                 (vary + "design_values: [{of: friction_angle, probability: 0.1}]", "does not vary.*did you mean 'friction_angle_deg'"),
                 (vary + "design_values: [{of: friction_angle_deg}]", "'probability' is missing"),
                 (vary + "design_values: [{of: friction_angle_deg, probability: 1}]", "lies between 0 and 1"),
-                (vary + "design_values: [{of: friction_angle_deg, probability: 0.01}]", "10 samples do not tell .*; take 100 at"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 0.01}]", "10 samples are too few .*; take 100 at"),
                 (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, quantity: onset}]", "did you mean 'onset_deg'"),
                 (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, from: 3}]", "'from' and 'to' go together"),
                 (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, from: 3, to: 3}]", "must be above 'from'"),

@@ -209,7 +209,7 @@ class Rows(StudyCase):
         done = subprocess.run([PROGRAM, "study", "study.yaml", "--csv", "full.csv"], cwd=self.folder,
                               capture_output=True, encoding="utf-8", preexec_fn=little_room)
         self.assertEqual((done.returncode, done.stdout), (5, ""))
-        self.assertIn("goes on from it", done.stderr)
+        self.assertIn("continues from them", done.stderr)
         self.assertEqual(self.study("study.yaml", "--csv", "full.csv"), whole)
         self.assertEqual((self.folder / "full.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
 

@@ -143,7 +143,7 @@ class Sweep(unittest.TestCase):
 
     def test_refused(self):
         for words, status, why in (
-                ((E,), 2, "what is swept is missing"), ((E, "--y", "a=1,2"), 2, "--y comes beside --x"),
+                ((E,), 2, "the number to sweep is missing"), ((E, "--y", "a=1,2"), 2, "--y comes beside --x"),
                 ((E, "--x", "a=1,2", "--x", "b=1,2"), 2, "one --x at a time"),
                 ((E, "--x", "a=1,2", "--output", "t.txt"), 2, ".csv or .json"),
                 ((E, "--x", "a=1,2", "--threads", "0"), 2, "--threads takes a whole number from 1 to 1024"),

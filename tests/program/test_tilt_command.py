@@ -110,7 +110,7 @@ class Tilt(unittest.TestCase):
         none = ("--set", "tilt_test.tractions.1.shear_kpa=0", "--set", "tilt_test.tractions.2.shear_kpa=0")
         status, out, err = run("tilt", *none, scene)
         self.assertEqual(status, 0, err)
-        self.assertIn("Nothing holds it where it is set down", out)
+        self.assertIn("No forces hold it where it is set down", out)
         mirrored = [part for key in ("1", "2") for part in
                     ("--set", f"tilt_test.tractions.{key}.shear_kpa={'20456' if key == '1' else '-6612'}")]
         self.assertIn("Nothing holds it", run("tilt", *mirrored, scene)[1])  # the same stress the other way round
@@ -212,7 +212,7 @@ class Tilt(unittest.TestCase):
         for text, words, place in (
                 ("tilt_test: {engine: fem}", "engine must be path", "6:21"),
                 ("tilt_test: {method: events}", "a method belongs to 'engine: dynamics'", "6:21"),
-                ("tilt_test: {engine: dynamics, method: springs}", "no stiffness is taken silently", "6:12"),
+                ("tilt_test: {engine: dynamics, method: springs}", "no stiffness is assumed", "6:12"),
                 ("tilt_test: {engine: dynamics, method: springs, normal_stiffness_gpa_m: 1}", "need both", "6:12"),
                 (f"tilt_test: {{engine: dynamics, {SPRINGS}, time_step_s: 1}}", "are not stable", "6:"),
                 ("tilt_test: {normal_stiffness_gpa_m: 0, shear_stiffness_gpa_m: 1}", "above zero, not 0", "6:37"),
@@ -234,7 +234,7 @@ class Tilt(unittest.TestCase):
                  "belongs to 'engine: path'", "6:43"),
                 ("tilt_test: {protocol: steps, start: level}", "one ramp to all angles", "6:37"),
                 ("tilt_test: {speed: 20}", "'speed' lacks its unit: write 'speed_deg_min'", "6:13"),
-                ("tilt_test: {engine: path}\n" + PULSE, "knows no shaking", "6:21"),
+                ("tilt_test: {engine: path}\n" + PULSE, "does not model shaking", "6:21"),
                 ("tilt_test: {engine: dynamics, protocol: ramp}\n" + PULSE, "held at its tilt while its base shakes", "6:41"),
                 ("shaking: {}", "needs 'horizontal' or 'vertical'", "6:10"),
                 ("shaking: {horizontal: {}}", "is one of half_sine, full_sine and record", "6:"),
@@ -318,7 +318,7 @@ class Tilt(unittest.TestCase):
         for scene in ("shaken_boulder", "tilt_block_e_valley", "tilt_block_f"):
             page = run("tilt", f"examples/{scene}.yaml")[1]
             self.assertLessEqual(max(map(len, page.splitlines())), 80, page)
-        self.assertIn("the shaking of the base is not in these numbers", run("solve", boulder)[1].replace("\n         ", " "))
+        self.assertIn("the shaking of the base is not included in these results", run("solve", boulder)[1].replace("\n         ", " "))
         self.assertEqual(run("tilt", "--figure", self.folder / "x.png", boulder)[0], 3)
 
 

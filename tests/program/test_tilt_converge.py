@@ -196,7 +196,7 @@ class Converge(unittest.TestCase):
         for one, other in zip(own["cases"][0]["settings"], also["cases"][0]["settings"], strict=True):
             self.assertEqual([level["bracket"] for level in one["levels"]], [level["bracket"] for level in other["levels"]])
         self.assertNotIn("simulated", json.loads(run("accuracy", "--json", ROOT / "examples" / "slab_left.yaml")[1]))
-        self.assertIn("What its simulated test depends on", run("accuracy", scene)[1])
+        self.assertIn("Dependence of its simulated test on the settings", run("accuracy", scene)[1])
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class Overturning(unittest.TestCase):
         self.scene.write_text(SLAB + PULSE.format(form="full_sine", f=1.5))
         for factors, words in (("0.1:0.5:5", ("5 from 0.1 to 0.5, 50 % apart", "None of them overturns it")),
                                ("3.8:4:2", ("3.8 to 4, all those tried",)),
-                               ("1:4:35", ("The least of them is", "withstands", "the greatest tried", "less may overturn",
+                               ("1:4:35", ("The least of them is", "not overturned by", "the greatest tried", "less may overturn",
                                            "--factors tries more"))):
             status, out, err = run("tilt", "--overturning", "--factors", factors, self.scene)
             self.assertEqual(status, 0, err)

@@ -153,7 +153,7 @@ class Units(unittest.TestCase):
 
     def test_refused(self):
         for asked, column, said in (("{force: stone}", 23, "'stone' is not a unit of force for reports; known are: N, kN, MN, kgf"),
-                                    ("{force: kip ft}", 23, "'kip ft' is no unit of force"), ("{stress: [psf]}", 24, "known are: Pa"),
+                                    ("{force: kip ft}", 23, "'kip ft' is not a unit of force"), ("{stress: [psf]}", 24, "known are: Pa"),
                                     ("{forces: kip}", 16, "did you mean 'force'?"), ("kip", 15, "result_units")):
             self.write(SLAB + f"result_units: {asked}\n")
             status, out, err = run("solve", "scene.yaml", folder=self.folder)

@@ -219,7 +219,7 @@ class Within(unittest.TestCase):
 
     def test_refused(self):
         square = [(0, 0), (4, 0), (4, 6), (0, 6)]
-        self.assertIn("corners could not be told apart", self.refused(square, [(-1, 0), (1, 0), ("1.1", 0), (5, 0)], "0.2"))
+        self.assertIn("corners could not be distinguished", self.refused(square, [(-1, 0), (1, 0), ("1.1", 0), (5, 0)], "0.2"))
         self.assertIn("of the outline", self.refused([(0, 0), ("0.1", 0)] + square[1:], [(-1, 0), (5, 0)], "0.2"))
         self.assertIn("moved there: ", self.refused(square, [(-1, 0), (2, 1), (5, 0)], "0.2"))
         self.assertIn("does not touch its base anywhere: at the nearest", self.refused(square, [(-1, -1), (5, -1)], "0.2"))

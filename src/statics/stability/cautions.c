@@ -77,7 +77,7 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
       "the side of the block that it wets leans %s: its %s push there is neglected, "
       "which is %s; give it as 'pressures' on the edges that it wets",
       stance, towards, wetted.out ? "out over it" : "back from it",
-      wetted.out ? "upwards" : "downwards", wetted.out ? "not cautious" : "cautious");
+      wetted.out ? "upwards" : "downwards", wetted.out ? "unconservative" : "conservative");
 }
 
 static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {
