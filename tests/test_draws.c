@@ -160,7 +160,7 @@ START_TEST(no_plan) {
       {{TP_DRAW_MONTE_CARLO, 1, 10, 1, 0, NULL}, 0, "0 variables: there can be from 1"},
       {{TP_DRAW_MONTE_CARLO, 1, 10, 1, 1001, NULL}, 0, "1001 variables"},
       {{TP_DRAW_SOBOL, 1, 10, 1, 41, NULL}, 0, "have 40 at most: draw a Latin hypercube"},
-      {{(tp_draw_method)9, 1, 10, 1, 1, NULL}, 0, "9 is no method"},
+      {{(tp_draw_method)9, 1, 10, 1, 1, NULL}, 0, "9 is not a method"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     tp_draws_walk *walk = NULL;

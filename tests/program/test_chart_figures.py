@@ -83,7 +83,7 @@ class Errors(Chart):
         self.refuse(2, "--x KEY=FROM:TO", "map", self.scene)
         self.refuse(2, "scene file is missing", "map")
         self.refuse(2, "must end in", "fos", "--output", self.folder / "a.gif")
-        self.refuse(2, "no list", "fos", "--amplitude", "0.1;0.2")
+        self.refuse(2, "not a list", "fos", "--amplitude", "0.1;0.2")
         self.refuse(2, "number", "mechanisms", "--friction", "steep")
 
     def test_input(self):

@@ -139,7 +139,7 @@ class InPlaceOfAScene(unittest.TestCase):
     def test_refused_where_there_is_no_scene(self):
         (self.folder / "points.csv").write_text("x,y\n0,0\n1,0.1\n2,0\n3,0.1\n")
         for words, why in ((("accuracy", "--sweep", "--unit", "mm"), "--sweep generates its own blocks"),
-                           (("chart", "fos", "--unit", "mm"), "an option of another kind of chart"),
+                           (("chart", "fos", "--unit", "mm"), "an option for another kind of chart"),
                            (("profile", "--set", "a=3", "points.csv"), "is a file of points")):
             status, out, err = self.run_here(*words)
             self.assertEqual((status, out), (2, ""), words)

@@ -30,7 +30,7 @@ class MeshRefused(MeshCase):
                          "it was cut off or damaged")
         self.refuse_file("a.stl", whole + b"\0", "", "this one has 1685")
         lies = whole[:80] + struct.pack("<I", 0xffffffff) + whole[84:]
-        self.refuse_file("a.stl", lies, "", "tells of 4294967295 triangles has 214748364834 bytes")
+        self.refuse_file("a.stl", lies, "", "with 4294967295 triangles has 214748364834 bytes")
         for bad in (float("nan"), float("inf"), float("-inf")):
             spoilt = bytearray(whole)
             spoilt[84 + 50 * 4 + 12 + 8:84 + 50 * 4 + 12 + 12] = struct.pack("<f", bad)

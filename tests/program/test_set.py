@@ -106,7 +106,7 @@ class Set(unittest.TestCase):
 
     def test_set_where_there_is_no_scene(self):
         for words, why in ((("chart", "fos", "--set", "a=3"), "an option for another kind of chart"),
-                           (("accuracy", "--sweep", "--set", "a=3"), "--set and --unit are of a scene"),
+                           (("accuracy", "--sweep", "--set", "a=3"), "--set and --unit apply to a scene"),
                            (("derive", "--set", "a", E), "--set takes KEY=VALUE")):
             status, out, err = run(*words)
             self.assertEqual((status, out), (2, ""))
