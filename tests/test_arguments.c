@@ -7,10 +7,10 @@
  * NULL ended the program of whoever passed it. Every call says what is wrong, names the argument,
  * and leaves its outputs alone. Other calls are in test_analysis_arguments.c and the like. */
 
-#include "example_scene.h"
 #include "common/message.h"
 #include "common/notes.h"
 #include "common/options.h"
+#include "example_scene.h"
 #include "refused.h"
 
 #include <math.h>

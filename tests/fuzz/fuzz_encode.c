@@ -4,9 +4,9 @@
 /* The encoders of text from outside: the first byte says for which language, the rest is the text.
  * What must hold is read back here without what the encoders are made of. */
 
+#include "common/outside.h"
 #include "fuzz.h"
 #include "output/encode.h"
-#include "common/outside.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,9 +5,9 @@
 
 #include "formula/parser.h"
 
+#include "common/outside.h"
 #include "formula/spelling.h"
 #include "number/ratio.h"
-#include "common/outside.h"
 
 #include <ctype.h>
 #include <stdarg.h>

@@ -6,8 +6,8 @@
 
 #include "formula/read.h"
 
-#include "formula/parser.h"
 #include "common/outside.h"
+#include "formula/parser.h"
 
 #include <limits.h>
 #include <string.h>

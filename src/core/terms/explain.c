@@ -5,8 +5,8 @@
  * brings the terms behind it along. */
 
 #include "common/host.h"
-#include "output/text.h"
 #include "common/outside.h"
+#include "output/text.h"
 #include "terms/table.h"
 #include "terms/words.h"
 

@@ -8,10 +8,10 @@
  * extruded along -z. Cosine and sine of what is no quarter of a turn are decimals within 1e-18. An
  * object on layer 0 of a block is on the layer of the insert. */
 
+#include "common/grow.h"
 #include "format/drawing_work.h"
 #include "format/dxf_shown.h"
 #include "format/dxf_use.h"
-#include "common/grow.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,10 +6,10 @@
 
 #define _GNU_SOURCE
 #include "output/file.h"
+#include "common/message.h"
 #include "figure/figure.h"
 #include "figure/name.h"
 #include "figure/sink.h"
-#include "common/message.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

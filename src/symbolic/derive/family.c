@@ -15,10 +15,10 @@
 #include "derive/family.h"
 #include "derive/field_work.h"
 
+#include "common/host.h"
 #include "derive/c_names.h"
 #include "derive/model.h"
 #include "derive/notation.h"
-#include "common/host.h"
 
 #include <stdlib.h>
 #include <string.h>

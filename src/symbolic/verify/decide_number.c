@@ -11,10 +11,10 @@
 
 #include "verify/decide.h"
 
+#include "common/outside.h"
 #include "derive/field_work.h"
 #include "number/ball.h"
 #include "number/ratio.h"
-#include "common/outside.h"
 #include "verify/evaluate.h"
 
 #include <ctype.h>

@@ -6,8 +6,8 @@
 
 #include "verify/mend.h"
 
-#include "number/ratio.h"
 #include "common/outside.h"
+#include "number/ratio.h"
 
 #include <math.h>
 #include <stdio.h>

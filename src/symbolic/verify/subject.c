@@ -5,10 +5,10 @@
 
 #include "verify/subject.h"
 
+#include "common/outside.h"
 #include "derive/field_work.h"
 #include "formula/read.h"
 #include "formula/spelling.h"
-#include "common/outside.h"
 
 #include <stdlib.h>
 #include <string.h>

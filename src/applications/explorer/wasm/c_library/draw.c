@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Figures and sheets, in place of src/applications/cli/draw.c: Cairo is linked in, and there are no processes to
- * draw in. Where it breaks down, the page begins the core anew. */
+/* Figures and sheets, in place of src/applications/cli/draw.c: Cairo is linked in, and there are no
+ * processes to draw in. Where it breaks down, the page begins the core anew. */
 
 #include "cli/cli.h"
 
