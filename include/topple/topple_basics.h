@@ -53,7 +53,7 @@ int tp_version_number(void);
  * TP_DEPENDENCY_FAILED, a library that Topple builds on did. */
 typedef enum tp_status {
 /* An item of the list. */
-#define TP_STATUS_ENUM(name, number, exit_status, meaning) name = number,
+#define TP_STATUS_ENUM(name, number, exit_status, meaning) name = (number),
   TP_STATUS_LIST(TP_STATUS_ENUM)
 #undef TP_STATUS_ENUM
 } tp_status;
