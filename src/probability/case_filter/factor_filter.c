@@ -194,14 +194,16 @@ static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
   return false;
 }
 
+/* Does the window that holds the tilt begin at the onset and go on to the end of all tilts? */
+static bool is_in_last_window(const tp_case_told *told, tp_near tangent) {
+  return tp_filter_begins_from(told, told->onset.tangent, tangent) == TP_FILTER_COUNTS &&
+         goes_on(&told->onset, tangent);
+}
+
 /* Of a block that moves whatever its strength, in the window that begins at the onset and goes on:
  * by the tilt. */
 static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state *s) {
-  if (told->never ||
-      tp_filter_begins_from(told, told->onset.tangent, s->tangent) != TP_FILTER_COUNTS ||
-      !goes_on(&told->onset, s->tangent)) {
-    return false;
-  }
+  if (told->never || !is_in_last_window(told, s->tangent)) return false;
   return take(l, TP_FOS_NUMBER, tp_near_div(told->onset.tangent, s->tangent), TP_FOS_BY_TILT,
               s->mover);
 }
@@ -239,11 +241,7 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
 static bool is_told_without_tilt(const least *l, const tp_case_told *told,
                                  const tp_filter_state *s) {
   if (!l->number || told->never || tp_near_is_zero(s->tangent)) return true;
-  if (s->moves &&
-      (tp_filter_begins_from(told, told->onset.tangent, s->tangent) != TP_FILTER_COUNTS ||
-       !goes_on(&told->onset, s->tangent))) {
-    return false;
-  }
+  if (s->moves && !is_in_last_window(told, s->tangent)) return false;
   const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
   const int order = tp_near_sign(tp_near_sub(fos, l->fos));
   return (s->moves ? order <= 0 : order >= 0) ||
