@@ -49,6 +49,12 @@ def example_scenes():
     return [path for path in sorted((ROOT / "examples").glob("*.yaml")) if is_readable(path)]
 
 
+def schemas():
+    """The JSON Schemas of what commands print: those that are made of tables, in the build, and the others."""
+    return sorted([*(ROOT / "docs" / "schema").glob("*.json"), *(pathlib.Path(PROGRAM).parent / "src" / "core").glob("*.json")],
+                  key=lambda path: path.stem)
+
+
 def run(*arguments, folder=ROOT, timeout=300):
     """Run topple; exit status, stdout and stderr as text."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, timeout=timeout,

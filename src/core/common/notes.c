@@ -12,10 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *tp_note_kind_name(tp_note_kind kind) {
-  return kind == TP_CAUTION ? "caution" : "note";
-}
-
 static void note_clear(tp_note *note) {
   free(note->place);
   free(note->text);

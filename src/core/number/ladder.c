@@ -53,18 +53,3 @@ tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_level highest, 
   return TP_UNDECIDED;
 }
 
-static const char *const names[TP_LEVELS] = {"double", "compensated", "ball", "exact"};
-
-const char *tp_level_name(tp_level level) {
-  return (int)level >= 0 && (int)level < TP_LEVELS ? names[level] : "unknown";
-}
-
-bool tp_level_read(tp_level *level, const char *name) {
-  if (level == NULL || name == NULL) return false;
-  for (int k = 0; k < TP_LEVELS; k++) {
-    if (strcmp(name, names[k]) != 0) continue;
-    *level = (tp_level)k;
-    return true;
-  }
-  return false;
-}

@@ -29,22 +29,6 @@ static const correlation correlations[] = {TP_JRC_CORRELATIONS(ROW)};
 #undef ROW
 enum { CORRELATIONS = sizeof correlations / sizeof correlations[0] };
 
-const char *tp_jrc_state_name(tp_jrc_state state) {
-  switch (state) {
-  case TP_JRC_MEANT:
-    return "meant for it";
-  case TP_JRC_OTHER_STEP:
-    return "meant for another step";
-  case TP_JRC_OTHER_LENGTH:
-    return "meant for other lengths";
-  case TP_JRC_OFF_SCALE:
-    return "beyond the profiles that it was fitted to";
-  case TP_JRC_NO_NUMBER:
-    return "no number";
-  }
-  return "unknown";
-}
-
 /* What a correlation may ask of a profile sampled at one step. */
 typedef struct sampled {
   double step; /* mm; 0: uneven */

@@ -58,13 +58,6 @@ tp_accuracy_prices tp_accuracy_prices_of(tp_accuracy_method method, bool few) {
   return PRICES(balls);
 }
 
-const char *tp_accuracy_method_name(tp_accuracy_method method) {
-  static const char *const names[TP_ACCURACY_METHODS] = {
-      "boundary sums",         "triangles",      "rounding, paper's model",
-      "rounding, exact model", "limit analysis", "onset of motion"};
-  return (int)method >= 0 && (int)method < TP_ACCURACY_METHODS ? names[method] : "unknown";
-}
-
 tp_accuracy *tp_accuracy_new(void) {
   return calloc(1, sizeof(tp_accuracy));
 }

@@ -7,6 +7,7 @@
 #include "figure/figure.h"
 #include "report/pivots.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,7 +40,7 @@ static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size
   char n[TP_NUMBER_SIZE];
   snprintf(cells[NUMBER], CELL_SIZE, "%zu", k + 1);
   snprintf(cells[KIND], CELL_SIZE, "%s%s", pivot->rounded ? "rounded " : "",
-           tp_text_pivot_kind(pivot->kind));
+           tp_pivot_kind_name(pivot->kind));
   snprintf(cells[X], CELL_SIZE, "%s", tp_page_coordinate(&page, n, pivot->x_m));
   snprintf(cells[Y], CELL_SIZE, "%s", tp_page_coordinate(&page, n, pivot->y_m));
   if (pivot->never || pivot->always) {

@@ -8,6 +8,7 @@
 #include "output/encode.h"
 #include "report/converge_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -81,7 +82,7 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
                          "the left:\nangles in degrees, against their exact values\n\n%10s  "
                        : "Cost of accuracy, towards the %s: angles in degrees, "
                          "against their\nexact values\n\n",
-              a->sweep ? "vertices" : tp_text_direction(a->towards));
+              a->sweep ? "vertices" : tp_direction_name(a->towards));
   tp_text_add(&t, "%-25s%-12s %5s %11s %10s %10s\n", "method", "arithmetic", "bits", "time",
               "bound", "true error");
   for (size_t k = 0; k < a->run_count; k++) {
@@ -135,7 +136,7 @@ tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
   tp_json j = {0};
   tp_json_report(&j);
   if (a->title != NULL) tp_json_string(&j, "title", a->title);
-  tp_json_string(&j, "towards", tp_text_direction(a->towards));
+  tp_json_string(&j, "towards", tp_direction_name(a->towards));
   tp_json_array(&j, "runs", TP_JSON_BLOCK);
   for (size_t k = 0; k < a->run_count; k++) json_run(&j, a->runs + k);
   tp_json_close(&j);

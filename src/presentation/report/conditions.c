@@ -7,6 +7,7 @@
 #include "report/conditions.h"
 
 #include "report/c_arguments.h"
+#include "terms/names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -76,11 +77,6 @@ void tp_c_conditional(tp_text *t, const tp_condition_list *l, const tp_derivatio
   tp_text_add(t, ";\n}\n");
 }
 
-static const char *verdict_name(tp_check_verdict verdict) {
-  static const char *const names[] = {"same", "other", "none", "contact", "refused", "undecided"};
-  return names[verdict];
-}
-
 /* "c = 7.41, b = 100" as {"c": 7.41, "b": 100}. */
 static void json_numbers(tp_json *j, const char *key, const char *text) {
   static const char between[] = " =,";
@@ -109,7 +105,7 @@ static void json_checks(tp_json *j, const tp_derived_checks *checks) {
     tp_json_count(j, "condition", c->number);
     json_numbers(j, "inside", c->inside);
     json_numbers(j, "outside", c->outside);
-    tp_json_string(j, "beyond", verdict_name(c->beyond));
+    tp_json_string(j, "beyond", tp_check_verdict_name(c->beyond));
     tp_json_close(j);
   }
   tp_json_close(j);

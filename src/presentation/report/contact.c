@@ -10,6 +10,7 @@
 #include "report/joint.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 static void add_beyond(tp_page *p, const tp_contact_result *c) {
   const char *unit = p->solution->length_unit;
@@ -55,7 +56,7 @@ static const char *end_words(tp_contact_end end, bool left) {
   return "";
 }
 
-static bool is_default_cut(const tp_contact_result *c) {
+bool tp_contact_is_cut_by_default(const tp_contact_result *c) {
   return c->left_end == TP_END_STEEP || c->left_end == TP_END_OVERHANG ||
          c->right_end == TP_END_STEEP || c->right_end == TP_END_OVERHANG;
 }
@@ -66,7 +67,7 @@ static void add_ends(tp_page *p, const tp_contact_result *c) {
               tp_page_coordinate(p, n[0], c->left_x_m), tp_page_coordinate(p, n[1], c->left_y_m),
               end_words(c->left_end, true), tp_page_coordinate(p, n[2], c->right_x_m),
               tp_page_coordinate(p, n[3], c->right_y_m), end_words(c->right_end, false));
-  if (is_default_cut(c)) {
+  if (tp_contact_is_cut_by_default(c)) {
     tp_text_add(&p->text,
                 "\n         (default: the scene gives neither 'between' nor 'mated: whole' for\n"
                 "         all of the underside)");
@@ -99,7 +100,7 @@ static void add_frame(tp_page *p) {
                 f->fitted ? "fitted to the contact" : "as given in the scene");
     if (f->dips) {
       tp_text_add(&p->text, "dips by %s° towards the %s", tp_text_fixed(n[0], f->dip_deg, 3),
-                  tp_text_direction(f->dips_towards));
+                  tp_direction_name(f->dips_towards));
     } else {
       tp_text_add(&p->text, "is level");
     }
@@ -216,104 +217,4 @@ void tp_page_add_contact(tp_page *p) {
   add_corner_points(p, c);
   tp_text_add(&p->text, "\n");
   add_cautions(p, c);
-}
-
-static void json_end(tp_json *j, const char *key, tp_contact_end end, tp_bounded x_m,
-                     tp_bounded y_m) {
-  static const char *const words[] = {[TP_END_WHOLE] = "end of the underside",
-                                      [TP_END_STATED] = "between",
-                                      [TP_END_STEEP] = "steeper than 45 degrees",
-                                      [TP_END_OVERHANG] = "overhang",
-                                      [TP_END_PROFILE] = "profile"};
-  tp_json_object(j, key, TP_JSON_LINE);
-  tp_json_string(j, "is", words[end]);
-  tp_json_bounded(j, "x_m", x_m);
-  tp_json_bounded(j, "y_m", y_m);
-  tp_json_close(j);
-}
-
-void tp_json_rest(tp_json *j, const tp_rest_result *r) {
-  if (!r->known) return;
-  tp_json_object(j, "rest", TP_JSON_LINE);
-  tp_json_count(j, "turns", r->turns);
-  tp_json_count(j, "contacts", r->touches);
-  tp_json_bounded(j, "turned_deg", r->turned_deg);
-  tp_json_bounded(j, "moved_x_m", r->moved_x_m);
-  tp_json_bounded(j, "moved_y_m", r->moved_y_m);
-  tp_json_bounded(j, "margin_left_m", r->margin_left_m);
-  tp_json_bounded(j, "margin_right_m", r->margin_right_m);
-  tp_json_close(j);
-}
-
-void tp_json_within(tp_json *j, const tp_within_result *r) {
-  if (!r->known) return;
-  tp_json_object(j, "within", TP_JSON_LINE);
-  tp_json_count(j, "moved", r->moved);
-  tp_json_count(j, "taken", r->taken);
-  tp_json_bounded(j, "within_m", r->within_m);
-  tp_json_bounded(j, "farthest_m", r->farthest_m);
-  tp_json_bounded(j, "gap_left_m", r->gap_left_m);
-  tp_json_bounded(j, "overlap_removed_m", r->overlap_removed_m);
-  tp_json_close(j);
-}
-
-void tp_json_frame(tp_json *j, const tp_frame_result *f) {
-  tp_json_object(j, "frame", TP_JSON_LINE);
-  tp_json_string(j, "is", f->world ? "world" : "base");
-  tp_json_truth(j, "stated", f->stated);
-  if (f->world) {
-    tp_json_string(j, "mean_plane", f->fitted ? "fitted" : "given");
-    tp_json_string(j, "dips_towards", f->dips ? tp_text_direction(f->dips_towards) : NULL);
-    tp_json_bounded(j, "dip_deg", f->dip_deg);
-    tp_json_truth(j, "level", f->level);
-    tp_json_break(j);
-    tp_json_point(j, "turned_about", f->about_x_m, f->about_y_m);
-  } else if (!f->stated) {
-    tp_json_truth(j, "inclined", f->inclined);
-    tp_json_bounded(j, "inclination_deg", f->inclination_deg);
-  }
-  tp_json_close(j);
-}
-
-/* What touches, in numbers. */
-static void json_counts(tp_json *j, const tp_contact_result *c) {
-  tp_json_truth(j, "mated", c->mated);
-  tp_json_beside(j);
-  tp_json_truth(j, "beyond_stated", c->beyond_stated);
-  tp_json_beside(j);
-  tp_json_count(j, "facets", c->facets);
-  tp_json_beside(j);
-  tp_json_count(j, "points", c->points);
-  tp_json_beside(j);
-  tp_json_count(j, "corner_points", c->corner_points);
-}
-
-static void json_steepness(tp_json *j, const tp_contact_result *c) {
-  tp_json_truth(j, "cut_by_default", is_default_cut(c));
-  tp_json_beside(j);
-  tp_json_truth(j, "steep", c->steep);
-  tp_json_beside(j);
-  if (c->facets > 0) tp_json_bounded(j, "steepest_deg", c->steepest_deg);
-  tp_json_beside(j);
-  tp_json_bounded(j, "share_of_height", c->reach);
-}
-
-void tp_json_contact(tp_json *j, const tp_contact_result *c, bool has_weight) {
-  tp_json_object(j, "contact", TP_JSON_BLOCK);
-  json_counts(j, c);
-  json_end(j, "left_end", c->left_end, c->left_x_m, c->left_y_m);
-  json_end(j, "right_end", c->right_end, c->right_x_m, c->right_y_m);
-  json_steepness(j, c);
-  if (c->mated || c->shifted) {
-    tp_json_bounded(j, "beyond_left_m", c->beyond_left_m);
-    tp_json_bounded(j, "beyond_right_m", c->beyond_right_m);
-  }
-  tp_json_bounded(j, "length_m", c->length_m);
-  tp_json_bounded(j, "nominal_length_m", c->nominal_length_m);
-  if (c->has_contact_ratio) tp_json_bounded(j, "contact_ratio", c->contact_ratio);
-  if (has_weight) {
-    tp_json_bounded(j, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
-    tp_json_bounded(j, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
-  }
-  tp_json_close(j);
 }

@@ -11,10 +11,7 @@
 
 void tp_page_add_contact(tp_page *page);
 
-/* The keys `frame` and `contact` of a case. */
-void tp_json_rest(tp_json *json, const tp_rest_result *rest);
-void tp_json_within(tp_json *json, const tp_within_result *within);
-void tp_json_frame(tp_json *json, const tp_frame_result *frame);
-void tp_json_contact(tp_json *json, const tp_contact_result *contact, bool has_weight);
+/* Does it end where the underside grows steep or overhangs, which the scene does not say? */
+bool tp_contact_is_cut_by_default(const tp_contact_result *contact);
 
 #endif

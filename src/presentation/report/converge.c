@@ -8,6 +8,7 @@
 #include "report/converge_json.h"
 #include "report/notes.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -101,7 +102,7 @@ static void add_case(tp_text *t, const tp_tilt_convergence_case *own,
   if (!angle && c->settings.release_deg == 0) {
     tp_text_add(t, "\nOn level ground\n\n");
   } else {
-    tp_text_add(t, "\nTilted towards the %s\n\n", tp_text_direction(own->towards));
+    tp_text_add(t, "\nTilted towards the %s\n\n", tp_direction_name(own->towards));
   }
   if (own->has_onset && own->has_limit && angle) {
     tp_text_add(t,

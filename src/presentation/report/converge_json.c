@@ -9,6 +9,7 @@
 #include "common/host.h"
 #include "report/notes.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 static const char *key_of(tp_converge_setting setting) {
   static const char *const keys[TP_CONVERGE_SETTINGS] = {
@@ -63,7 +64,7 @@ static void json_finding(tp_json *j, const tp_converge_finding *f,
 
 static void json_case(tp_json *j, const tp_tilt_convergence_case *c) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
-  tp_json_string(j, "towards", tp_text_direction(c->towards));
+  tp_json_string(j, "towards", tp_direction_name(c->towards));
   if (c->has_onset) tp_json_double(j, "onset_deg", c->onset_deg);
   if (c->has_limit) tp_json_double(j, "limit_deg", c->limit_deg);
   json_range(j, "as_set", c->known, c->own_least, c->own_most);

@@ -11,6 +11,7 @@
 #include "report/derived_onset.h"
 #include "report/notes.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -31,8 +32,8 @@ static void add_heading(tp_text *t, const tp_derivation *d, encoder encode) {
 static void add_description(tp_text *t, const tp_derived_pivot *p) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s at (%s, %s), towards the %s, %s, %s degrees at the scene's values",
-              tp_text_pivot_kind(p->kind), p->x.formula, p->y.formula,
-              tp_text_direction(p->towards),
+              tp_pivot_kind_name(p->kind), p->x.formula, p->y.formula,
+              tp_direction_name(p->towards),
               p->governs      ? "governs"
               : p->admissible ? "admissible"
                               : "not admissible",
@@ -48,13 +49,13 @@ static void add_factor(tp_text *t, const char *formula) {
 static void add_elements(tp_text *t, const tp_derivation *d, tp_direction towards) {
   if (d->elements[towards] == NULL) return;
   tp_text_add(t, "\nElements about the governing pivot, towards the %s\n",
-              tp_text_direction(towards));
+              tp_direction_name(towards));
   for (size_t k = 0; k < d->element_count; k++) {
     const tp_derived_element *e = d->elements[towards] + k;
     tp_text_add(t, "  w%zu  %s, area %s\n      arms %s (%s), %s (%s)\n", k + 1,
-                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle", e->area.formula,
-                e->normal_arm.formula, e->normal_stabilises ? "stabilises" : "overturns",
-                e->parallel_arm.formula, e->parallel_overturns ? "overturns" : "stabilises");
+                tp_element_kind_name(e->kind), e->area.formula, e->normal_arm.formula,
+                e->normal_stabilises ? "stabilises" : "overturns", e->parallel_arm.formula,
+                e->parallel_overturns ? "overturns" : "stabilises");
   }
 }
 
@@ -87,7 +88,7 @@ static void add_text_rounding(tp_text *t, const tp_derived_rounding *r, tp_direc
       "\nRounded corner: the axis moves from the governing %s, towards the %s, up-dip along\n"
       "its facet, of angle i, by r; the mass is kept\n  tan(alpha_crit) = %s\n"
       "  toppling at alpha: r = %s\n",
-      tp_text_pivot_kind(r->kind), tp_text_direction(towards), r->tangent.formula,
+      tp_pivot_kind_name(r->kind), tp_direction_name(towards), r->tangent.formula,
       r->length.formula);
   if (r->has_radius) tp_text_add(t, "  of radius r_c = %s\n", r->radius.formula);
 }
@@ -131,7 +132,7 @@ static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
     const tp_derived_rounding *r = d->rounded + k;
     if (!r->known) continue;
     tp_text_add(t, "%% the corner at the governing %s, towards the %s, rounded\n",
-                tp_text_pivot_kind(r->kind), tp_text_direction((tp_direction)k));
+                tp_pivot_kind_name(r->kind), tp_direction_name((tp_direction)k));
     tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n\\[ r = %s \\]\n",
                 r->tangent.formula, r->length.formula);
     if (r->has_radius) tp_text_add(t, "\\[ r_c = %s \\]\n", r->radius.formula);
@@ -189,13 +190,13 @@ static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
 static void add_c_rounding(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_rounding *r = d->rounded + k;
-    const char *side = tp_text_direction((tp_direction)k);
+    const char *side = tp_direction_name((tp_direction)k);
     if (!r->known) continue;
     tp_text_add(
         t,
         "\n/* the corner at the governing %s, towards the %s, rounded by r along its facet of "
         "angle i */\ndouble tan_critical_angle_rounded_%s",
-        tp_text_pivot_kind(r->kind), side, side);
+        tp_pivot_kind_name(r->kind), side, side);
     tp_c_arguments(t, d, "double r, double i");
     tp_text_add(t, "  (void)i; /* of a level facet it is 0 */\n  return %s;\n}\n",
                 r->tangent.formula);

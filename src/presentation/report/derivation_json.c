@@ -10,6 +10,7 @@
 #include "report/notes.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 static void add_fraction_below(tp_json *j, const char *key, const tp_fraction *f) {
   tp_json_break(j);
@@ -33,8 +34,8 @@ static void add_elements_form(tp_json *j, const tp_derived_pivot *p) {
 
 static void add_pivot(tp_json *j, const tp_derived_pivot *p) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_text_direction(p->towards));
-  tp_json_string(j, "kind", tp_text_pivot_kind(p->kind));
+  tp_json_string(j, "towards", tp_direction_name(p->towards));
+  tp_json_string(j, "kind", tp_pivot_kind_name(p->kind));
   tp_json_truth(j, "admissible", p->admissible);
   tp_json_truth(j, "governs", p->governs);
   add_fraction_below(j, "x", &p->x);
@@ -48,8 +49,8 @@ static void add_pivot(tp_json *j, const tp_derived_pivot *p) {
 
 static void add_rounding(tp_json *j, const tp_derived_rounding *r, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_text_direction(towards));
-  tp_json_string(j, "kind", tp_text_pivot_kind(r->kind));
+  tp_json_string(j, "towards", tp_direction_name(towards));
+  tp_json_string(j, "kind", tp_pivot_kind_name(r->kind));
   add_fraction_below(j, "tan_critical_angle", &r->tangent);
   add_fraction_below(j, "rounding_length", &r->length);
   if (r->has_radius) add_fraction_below(j, "corner_radius", &r->radius);

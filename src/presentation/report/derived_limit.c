@@ -9,12 +9,13 @@
 #include "report/conditions.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 /* "slides and topples, towards the left, on a base that ends at the toe, 28.735 degrees …" */
 static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s, towards the %s, on a base that %s,\n%s degrees at the scene's values",
-              tp_mechanism_name(l->mechanism), tp_text_direction(towards),
+              tp_mechanism_name(l->mechanism), tp_direction_name(towards),
               l->base_beyond_toe ? "goes on past the toe" : "ends at the toe",
               tp_text_fixed(n, l->critical_angle_deg, 3));
 }
@@ -50,7 +51,7 @@ void tp_text_derived_limit(tp_text *t, const tp_derivation *d) {
     if (d->limit[k].known) add_text(t, d->limit + k, (tp_direction)k);
     if (!d->limit[k].known && d->limit[k].mechanism == TP_INTERLOCKED) {
       tp_text_add(t, "\nLimit: none, towards the %s forces hold it at any tilt\n",
-                  tp_text_direction((tp_direction)k));
+                  tp_direction_name((tp_direction)k));
     }
   }
 }
@@ -60,7 +61,7 @@ void tp_latex_derived_limit(tp_text *t, const tp_derivation *d) {
     const tp_derived_limit *l = d->limit + k;
     if (!l->known) continue;
     tp_text_add(t, "%% limit: %s, towards the %s, on a base that %s\n",
-                tp_mechanism_name(l->mechanism), tp_text_direction((tp_direction)k),
+                tp_mechanism_name(l->mechanism), tp_direction_name((tp_direction)k),
                 l->base_beyond_toe ? "goes on past the toe" : "ends at the toe");
     tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", l->tangent.formula);
     const tp_condition_list conditions = conditions_of(l);
@@ -72,7 +73,7 @@ void tp_latex_derived_limit(tp_text *t, const tp_derivation *d) {
 void tp_c_derived_limit(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_limit *l = d->limit + k;
-    const char *side = tp_text_direction((tp_direction)k);
+    const char *side = tp_direction_name((tp_direction)k);
     if (!l->known) continue;
     tp_text_add(t, "\n/* limit: ");
     add_description(t, l, (tp_direction)k);
@@ -113,7 +114,7 @@ static void json_formulas(tp_json *j, const tp_derived_limit *l) {
 
 static void add_json(tp_json *j, const tp_derived_limit *l, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_text_direction(towards));
+  tp_json_string(j, "towards", tp_direction_name(towards));
   tp_json_string(j, "mechanism", tp_mechanism_name(l->mechanism));
   tp_json_truth(j, "base_beyond_toe", l->base_beyond_toe);
   if (l->known) {

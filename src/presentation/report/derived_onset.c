@@ -9,12 +9,13 @@
 #include "report/conditions.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 /* "topples, towards the left, 26.215 degrees at the scene's values, below the limit" */
 static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s, towards the %s, %s degrees at the scene's values%s",
-              tp_mechanism_name(o->mechanism), tp_text_direction(towards),
+              tp_mechanism_name(o->mechanism), tp_direction_name(towards),
               tp_text_fixed(n, o->critical_angle_deg, 3),
               o->below_limit ? ", below the limit" : "");
 }
@@ -66,7 +67,7 @@ void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
     if (o->known) add_text(t, o, (tp_direction)k);
     if (missing(o) != NULL) {
       tp_text_add(t, "\nOnset of motion: no formula, towards the %s:\n  %s\n",
-                  tp_text_direction((tp_direction)k), missing(o));
+                  tp_direction_name((tp_direction)k), missing(o));
     }
   }
 }
@@ -76,7 +77,7 @@ void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
     const tp_derived_onset *o = d->onset + k;
     if (missing(o) != NULL) {
       tp_text_add(t, "%% onset of motion: no formula, towards the %s: %s\n",
-                  tp_text_direction((tp_direction)k), missing(o));
+                  tp_direction_name((tp_direction)k), missing(o));
     }
     if (!o->known) continue;
     tp_text_add(t, "%% onset of motion: ");
@@ -91,7 +92,7 @@ void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
 void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_onset *o = d->onset + k;
-    const char *side = tp_text_direction((tp_direction)k);
+    const char *side = tp_direction_name((tp_direction)k);
     if (missing(o) != NULL) {
       tp_text_add(t, "\n/* onset of motion: no formula, towards the %s: %s */\n", side, missing(o));
     }
@@ -132,7 +133,7 @@ static void json_formulas(tp_json *j, const tp_derived_onset *o) {
 
 static void add_json(tp_json *j, const tp_derived_onset *o, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_text_direction(towards));
+  tp_json_string(j, "towards", tp_direction_name(towards));
   tp_json_string(j, "mechanism", tp_mechanism_name(o->mechanism));
   tp_json_truth(j, "below_limit", o->below_limit);
   if (o->known) {

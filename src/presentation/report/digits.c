@@ -6,6 +6,7 @@
 
 #include "report/digits.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 static void add(tp_page *p, const char *name, const char *unit, tp_bounded number) {
   char n[TP_NUMBER_SIZE];
@@ -29,7 +30,7 @@ static void add_limit(tp_page *p, const tp_limit *limit) {
 }
 
 static void add_case(tp_page *p, const tp_case *c) {
-  tp_text_add(&p->text, "  towards the %s:\n", tp_text_direction(c->towards));
+  tp_text_add(&p->text, "  towards the %s:\n", tp_direction_name(c->towards));
   if (c->has_governing) {
     const tp_pivot *pivot = c->pivots + c->governing;
     if (!pivot->never && !pivot->always) add(p, "critical angle", "°", pivot->critical_angle_deg);

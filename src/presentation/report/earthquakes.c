@@ -8,11 +8,12 @@
 
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 /* "to the right, up-dip, without k_v"; the part is named where some have it. */
 static void add_name(tp_text *t, const tp_earthquake *own, bool vertical) {
   const char *part = !vertical ? "" : own->vertical ? ", with k_v" : ", without k_v";
-  tp_text_add(t, "to the %s, %s%s", tp_text_direction(own->towards),
+  tp_text_add(t, "to the %s, %s%s", tp_direction_name(own->towards),
               own->up_dip ? "up-dip" : "down-dip", part);
 }
 
@@ -40,20 +41,4 @@ void tp_page_add_earthquakes(tp_page *p) {
   if (s->earthquake_count > 0) {
     tp_text_add(&p->text, "         The first of them governs, and what follows is of it.\n");
   }
-}
-
-void tp_json_earthquakes(tp_json *j, const tp_solution *s) {
-  if (s->earthquake_count == 0) return;
-  tp_json_array(j, "earthquakes", TP_JSON_LIST);
-  for (size_t k = 0; k < s->earthquake_count; k++) {
-    const tp_earthquake *own = s->earthquakes + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_string(j, "towards", tp_text_direction(own->towards));
-    tp_json_string(j, "direction", own->up_dip ? "up_dip" : "down_dip");
-    tp_json_truth(j, "vertical", own->vertical);
-    tp_json_string(j, "mechanism", tp_mechanism_name(own->mechanism));
-    tp_json_fos(j, "fos", own->fos);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
 }

@@ -11,7 +11,4 @@
 
 void tp_page_add_earthquakes(tp_page *p);
 
-/* Left out where there are none. */
-void tp_json_earthquakes(tp_json *j, const tp_solution *s);
-
 #endif

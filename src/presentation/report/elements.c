@@ -6,6 +6,7 @@
 #include "common/host.h"
 #include "report/account_units.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdio.h>
 
@@ -21,7 +22,7 @@ static void add_account(tp_page *p, const tp_case *c) {
               !s->frame.world        ? ",\ntilted towards the %s by %s°%s\n"
               : a->at_critical_angle ? ",\nsteepened towards the %s to %s°%s\n"
                                      : ",\nas it lies, towards the %s, at %s°%s\n",
-              tp_text_direction(c->towards), tp_page_degrees(n[0], a->angle_deg),
+              tp_direction_name(c->towards), tp_page_degrees(n[0], a->angle_deg),
               a->at_critical_angle ? ", the critical angle" : "");
   snprintf(head[0], sizeof head[0], "weight (%s)", units.weight);
   snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);
@@ -33,13 +34,12 @@ static void add_account(tp_page *p, const tp_case *c) {
               head[2], head[3], head[3]);
   for (size_t k = 0; k < a->count; k++) {
     const tp_element *e = a->elements + k;
-    tp_text_add(&p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
-                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
-                tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
-                tp_page_length(p, n[1], e->normal_arm_m, 6),
-                tp_page_length(p, n[2], e->parallel_arm_m, 6),
-                tp_account_moment(p, n[3], e->stabilising, &units),
-                tp_account_moment(p, n[4], e->overturning, &units));
+    tp_text_add(
+        &p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1, tp_element_kind_name(e->kind),
+        tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
+        tp_page_length(p, n[1], e->normal_arm_m, 6), tp_page_length(p, n[2], e->parallel_arm_m, 6),
+        tp_account_moment(p, n[3], e->stabilising, &units),
+        tp_account_moment(p, n[4], e->overturning, &units));
   }
   tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
               tp_account_moment(p, n[0], a->stabilising, &units),

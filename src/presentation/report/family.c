@@ -9,6 +9,7 @@
 #include "report/c_arguments.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <string.h>
 
@@ -54,7 +55,7 @@ static void write_text(tp_text *t, const tp_family *f) {
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = f->formulas + k;
     tp_text_add(t, "\nN %s, towards the %s, about the %s\n  tan(alpha_crit) = %s\n",
-                parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
+                parity(own->even), tp_direction_name(own->towards), tp_pivot_kind_name(own->kind),
                 own->tangent.formula);
   }
   tp_text_add(t, "\n");
@@ -70,7 +71,7 @@ static void write_latex(tp_text *t, const tp_family *f) {
     const tp_family_formula *own = f->formulas + k;
     tp_text_add(
         t, "%% N %s, towards the %s, about the %s\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n",
-        parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
+        parity(own->even), tp_direction_name(own->towards), tp_pivot_kind_name(own->kind),
         own->tangent.formula);
   }
   add_proof(t, f, "% ");
@@ -91,8 +92,8 @@ static void write_c(tp_text *t, const tp_family *f) {
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = f->formulas + k;
     tp_text_add(t, "\n/* N %s, towards the %s, about the %s */\ndouble tan_critical_angle_%s_%s(",
-                parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
-                parity(own->even), tp_text_direction(own->towards));
+                parity(own->even), tp_direction_name(own->towards), tp_pivot_kind_name(own->kind),
+                parity(own->even), tp_direction_name(own->towards));
     if (f->count_is_symbol)
       tp_text_add(t, "double %s%s", f->count, f->symbol_count > 0 ? ", " : "");
     for (size_t s = 0; s < f->symbol_count; s++) {
@@ -132,8 +133,8 @@ static void json_counts(tp_json *j, const char *key, const long *counts, int num
 static void json_formula(tp_json *j, const tp_family *f, const tp_family_formula *own) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
   tp_json_string(j, "count", parity(own->even));
-  tp_json_string(j, "towards", tp_text_direction(own->towards));
-  tp_json_string(j, "kind", tp_text_pivot_kind(own->kind));
+  tp_json_string(j, "towards", tp_direction_name(own->towards));
+  tp_json_string(j, "kind", tp_pivot_kind_name(own->kind));
   tp_json_break(j);
   tp_json_fraction(j, "tan_critical_angle", &own->tangent);
   tp_json_break(j);

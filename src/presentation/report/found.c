@@ -8,7 +8,7 @@
 #include "common/options.h"
 #include "output/encode.h"
 #include "report/governing.h"
-#include "report/parts_json.h"
+#include "report/results.h"
 #include "report/solution_json.h"
 
 #include <string.h>
@@ -88,43 +88,6 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   return tp_text_finish(&t, text);
 }
 
-static void json_numbers(tp_json *j, const char *key, const tp_bounded *numbers, size_t count) {
-  tp_json_break(j);
-  tp_json_array(j, key, TP_JSON_LINE);
-  for (size_t k = 0; k < count; k++) tp_json_bounded(j, NULL, numbers[k]);
-  tp_json_close(j);
-}
-
-static void json_governing(tp_json *j, const tp_found *f) {
-  if (f->governing == NULL) return;
-  tp_json_break(j);
-  tp_json_array(j, "governing", TP_JSON_LINE);
-  for (size_t k = 0; k < f->count; k++) {
-    const tp_governing_fos *g = f->governing + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_known(j, "fos", g->fos.state == TP_FOS_NUMBER, g->fos.value);
-    if (g->has_factor) {
-      const tp_factor *factor = g->factors + g->factor;
-      tp_json_string(j, "mechanism", tp_mechanism_name(factor->mechanism));
-      tp_json_string(j, "definition", tp_fos_definition_name(factor->definition));
-    }
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}
-
-static void json_intervals(tp_json *j, const tp_found *f) {
-  tp_json_break(j);
-  tp_json_array(j, "intervals", TP_JSON_LINE);
-  for (size_t k = 0; k < f->interval_count; k++) {
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_bounded(j, "from", f->intervals[k].low);
-    tp_json_bounded(j, "to", f->intervals[k].high);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}
-
 tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
@@ -133,17 +96,9 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   tp_json j = {0};
   tp_json_report(&j);
   tp_json_solution(&j, solution, TP_PIVOTS_BY_COUNT);
+  tp_json_subject x = {.s = solution};
   tp_json_object(&j, "find", TP_JSON_LINE);
-  tp_json_string(&j, "key", f->key);
-  tp_json_double(&j, "from", f->low);
-  tp_json_double(&j, "to", f->high);
-  tp_json_break(&j);
-  tp_json_bounded(&j, "least", f->least);
-  tp_json_bounded(&j, "greatest", f->greatest);
-  json_numbers(&j, "solutions", f->solutions, f->count);
-  json_numbers(&j, "touching", f->touching, f->touching_count);
-  json_intervals(&j, f);
-  json_governing(&j, f);
+  tp_json_members_of_find(&j, f, &x);
   tp_json_close(&j);
   tp_json_close(&j);
   return tp_json_finish(&j, text);

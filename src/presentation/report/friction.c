@@ -30,18 +30,3 @@ void tp_page_add_friction(tp_page *p) {
   for (size_t k = 0; k < count && k < LISTED; k++) add_facets(p, s->friction_facets + k);
   if (count > LISTED) tp_text_add(&p->text, "         and %zu more like these\n", count - LISTED);
 }
-
-void tp_json_friction(tp_json *j, const tp_solution *s) {
-  if (s->friction_facet_count == 0) return;
-  tp_json_array(j, "friction_facets", TP_JSON_BLOCK);
-  for (size_t k = 0; k < s->friction_facet_count; k++) {
-    const tp_facet_friction_result *f = s->friction_facets + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_count(j, "first", f->first);
-    tp_json_count(j, "last", f->last);
-    tp_json_bounded(j, "angle_deg", f->angle_deg);
-    tp_json_count(j, "touching", f->touching);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}

@@ -10,6 +10,4 @@
 #include "report/page.h"
 
 void tp_page_add_friction(tp_page *page);
-void tp_json_friction(tp_json *j, const tp_solution *solution);
-
 #endif

@@ -25,7 +25,4 @@ const char *tp_text_standing(tp_factor_standing standing);
 /* The line, and all factors with their definitions. */
 void tp_page_add_governing(tp_page *page, const tp_case *own);
 
-/* The keys `governing_fos` and `factors`. */
-void tp_json_governing(tp_json *json, const tp_case *own);
-
 #endif

@@ -47,22 +47,3 @@ void tp_page_add_joint(tp_page *p) {
   if (r->has_closure) add_matching(p, r);
   tp_text_add(&p->text, "\n");
 }
-
-void tp_json_joint(tp_json *j, const tp_joint_result *r) {
-  if (!r->known) return;
-  tp_json_object(j, "joint", TP_JSON_LINE);
-  tp_json_bounded(j, "shift_m", r->shift_m);
-  tp_json_bounded(j, "above_base_m", r->above_base_m);
-  tp_json_bounded(j, "largest_gap_m", r->largest_gap_m);
-  tp_json_bounded(j, "mean_gap_m", r->mean_gap_m);
-  if (r->has_closure) {
-    tp_json_bounded(j, "closure_m", r->closure_m);
-    tp_json_bounded(j, "matching", r->matching);
-  }
-  if (r->has_matching_sought) {
-    tp_json_bounded(j, "matching_sought", r->matching_sought);
-    tp_json_bounded(j, "shift_before_m", r->shift_before_m);
-    tp_json_bounded(j, "matching_before", r->matching_before);
-  }
-  tp_json_close(j);
-}

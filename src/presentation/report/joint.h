@@ -11,6 +11,4 @@
 #include "report/page.h"
 
 void tp_page_add_joint(tp_page *page);
-void tp_json_joint(tp_json *json, const tp_joint_result *joint);
-
 #endif

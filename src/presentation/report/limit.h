@@ -11,7 +11,4 @@
 
 void tp_page_add_limit(tp_page *page, const tp_case *own);
 
-/* The key `limit` of a case. */
-void tp_json_limit(tp_json *json, const tp_case *own);
-
 #endif

@@ -5,18 +5,7 @@
  * (docs/mechanics.md section 5), in text and JSON. */
 
 #include "report/loads.h"
-
-const char *tp_text_load_side(tp_load_side side) {
-  switch (side) {
-  case TP_STABILISES:
-    return "stabilises";
-  case TP_OVERTURNS:
-    return "overturns";
-  case TP_LESSENS_OVERTURNING:
-    return "reduces the overturning moment";
-  }
-  return "unknown";
-}
+#include "terms/names.h"
 
 /* The tilts in order: it lets go at the first if it stands level, holds again at the next. */
 static void add_limits(tp_page *p, const tp_case *c) {
@@ -75,31 +64,7 @@ void tp_page_add_loads(tp_page *p, const tp_case *c) {
     char n[TP_NUMBER_SIZE];
     tp_text_add(&p->text, "    %-17s %14s %s   %s\n", l->name,
                 tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6),
-                unit.name != NULL ? unit.name : "N m", tp_text_load_side(l->side));
+                unit.name != NULL ? unit.name : "N m", tp_load_side_name(l->side));
   }
   tp_text_add(&p->text, "\n");
-}
-
-void tp_json_loads(tp_json *j, const tp_case *c) {
-  if (c->water_overtops) tp_json_bounded(j, "water_overtops_deg", c->water_overtops_deg);
-  if (c->load_count == 0) return;
-  tp_json_array(j, "loads", TP_JSON_BLOCK);
-  for (size_t k = 0; k < c->load_count; k++) {
-    const tp_load_result *l = c->loads + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_string(j, "name", l->name);
-    tp_json_string(j, "called_for_by", l->called_for_by);
-    tp_json_bounded(j, "moment_nm", l->moment_nm);
-    tp_json_string(j, "side", tp_text_load_side(l->side));
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}
-
-void tp_json_limits(tp_json *j, const tp_pivot *pivot) {
-  tp_json_array(j, "limits_deg", TP_JSON_LINE);
-  for (size_t k = 0; k < pivot->limit_count; k++) {
-    tp_json_bounded(j, NULL, pivot->limits_deg[k]);
-  }
-  tp_json_close(j);
 }

@@ -9,20 +9,11 @@
 #include "output/json.h"
 #include "report/page.h"
 
-/* stabilises, overturns, lessens what overturns */
-const char *tp_text_load_side(tp_load_side side);
-
 /* At which tilts the moments balance, and a caution where water stands above its face. */
 void tp_page_add_balance(tp_page *page, const tp_case *own);
 
 /* That, and the account of moments about the governing pivot, and the tilts at which it lets go and
  * holds again. Nothing where the scene has no loads. */
 void tp_page_add_loads(tp_page *page, const tp_case *own);
-
-/* The keys `water_overtops_deg` and `loads` of a case, where it has them. */
-void tp_json_loads(tp_json *json, const tp_case *own);
-
-/* The key `limits_deg` of a pivot under loads. */
-void tp_json_limits(tp_json *json, const tp_pivot *pivot);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "report/first.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 bool tp_onset_is_known(const tp_onset *o) {
   return o->kind == TP_ONSET_AT_ANGLE || o->kind == TP_ONSET_NEVER || o->kind == TP_ONSET_NOWHERE;
@@ -192,9 +193,9 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
     const tp_motion_contact *own = m->contacts + k;
     if (own->of_facet) {
       tp_text_add(&p->text, "      facet %zu, %s end: %s", own->facet + 1,
-                  own->at_right_end ? "right" : "left", tp_text_contact_state(own->state));
+                  own->at_right_end ? "right" : "left", tp_contact_state_name(own->state));
     } else {
-      tp_text_add(&p->text, "      the base past the toe: %s", tp_text_contact_state(own->state));
+      tp_text_add(&p->text, "      the base past the toe: %s", tp_contact_state_name(own->state));
     }
     if (own->has_force) {
       tp_text_add(&p->text, ", force (%s, %s) W", tp_text_significant(n[0], own->share_x, 4),

@@ -26,12 +26,6 @@ void tp_page_add_windows(tp_page *page, const tp_onset *onset);
 /* The motions that can begin at the scene's tilt, as a table. */
 void tp_page_add_motions(tp_page *page, const tp_case *own);
 
-/* The keys `onset` and `motions` of a case. */
-void tp_json_onset(tp_json *json, const tp_case *own);
-
-/* The key `can_begin`: what can begin at the scene's tilt; null where that is not known. */
-void tp_json_beginnings(tp_json *json, const tp_case *own);
-
 /* What can begin at the scene's tilt, in words: "slides or topples". */
 void tp_text_beginnings(tp_text *text, const tp_onset *onset);
 

@@ -1,38 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* JSON members shared by several reports: factors of safety with words, ties, fractions, points,
- * critical angles. */
+/* JSON members shared by several reports: ties, fractions, points. */
 
 #include "report/parts_json.h"
 
-#include "report/words.h"
-
 #include <stdio.h>
 
-/* A factor of safety in words, beside its key. */
-static void add_words(tp_json *j, const char *key, const char *words) {
-  char key_is[32];
-  snprintf(key_is, sizeof key_is, "%s_is", key);
-  tp_json_string(j, key_is, words);
-}
-
-void tp_json_fos(tp_json *j, const char *key, tp_fos fos) {
-  const char *words = tp_text_fos(fos);
-  tp_json_known(j, key, fos.state == TP_FOS_NUMBER, fos.value);
-  if (words != NULL) add_words(j, key, words);
-}
-
-void tp_json_no_fos(tp_json *j, const char *key, const char *words) {
-  tp_json_null(j, key);
-  add_words(j, key, words);
-}
-
-void tp_json_tie(tp_json *j, bool tie, long bits) {
-  if (!tie) return;
+void tp_json_tie(tp_json *j, const char *key, long bits) {
   char words[64] = "exact";
   if (bits > 0) snprintf(words, sizeof words, "not distinguished by %ld bits", bits);
-  tp_json_string(j, "tie_is", words);
+  tp_json_string(j, key, words);
 }
 
 void tp_json_fraction(tp_json *j, const char *key, const tp_fraction *f) {
@@ -49,6 +27,14 @@ void tp_json_point(tp_json *j, const char *key, tp_bounded x_m, tp_bounded y_m) 
   tp_json_close(j);
 }
 
+void tp_json_ends(tp_json *j, const char *key, tp_bounded x0_m, tp_bounded y0_m, tp_bounded x1_m,
+                  tp_bounded y1_m) {
+  tp_json_array(j, key, TP_JSON_LINE);
+  tp_json_point(j, NULL, x0_m, y0_m);
+  tp_json_point(j, NULL, x1_m, y1_m);
+  tp_json_close(j);
+}
+
 void tp_json_known(tp_json *j, const char *key, bool known, tp_bounded number) {
   if (known) {
     tp_json_bounded(j, key, number);
@@ -57,8 +43,6 @@ void tp_json_known(tp_json *j, const char *key, bool known, tp_bounded number) {
   }
 }
 
-void tp_json_critical_angle(tp_json *j, const tp_pivot *p) {
-  const bool none = p->never || p->always;
-  tp_json_known(j, "critical_angle_deg", !none, p->critical_angle_deg);
-  if (none) tp_json_string(j, "critical_angle_is", p->never ? "never" : "always");
+tp_bounded tp_bounded_negated(tp_bounded number) {
+  return (tp_bounded){.value = 0 - number.value, .error = number.error};
 }

@@ -11,6 +11,7 @@
 #include "report/loads.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdio.h>
 
@@ -26,7 +27,7 @@ static void add_row(tp_page *p, const tp_case *c, size_t k) {
   const tp_pivot *pivot = c->pivots + k;
   char n[5][TP_NUMBER_SIZE];
   tp_text_add(&p->text, "%s%3zu %-8s %10s %10s ", governs(c, k) ? ">" : " ", k + 1,
-              tp_text_pivot_kind(pivot->kind), tp_page_coordinate(p, n[0], pivot->x_m),
+              tp_pivot_kind_name(pivot->kind), tp_page_coordinate(p, n[0], pivot->x_m),
               tp_page_coordinate(p, n[1], pivot->y_m));
   if (pivot->never || pivot->always) {
     tp_text_add(&p->text, "%11s", pivot->never ? "never" : "always");
@@ -67,54 +68,4 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Tie: another free pivot has the same critical angle");
     tp_page_add_tie(p, c->governing_tie_bits);
   }
-}
-
-/* A factor below zero is one of the governing pivot alone; elsewhere there is none. */
-static void add_fos(tp_json *j, const char *key, tp_fos fos, bool admissible) {
-  const char *words = tp_text_fos(fos);
-  if (!admissible && words != NULL) {
-    tp_json_no_fos(j, key, words);
-  } else {
-    tp_json_fos(j, key, fos);
-  }
-}
-
-static void add_pivot(tp_json *j, const tp_pivot *p, size_t k, bool loaded) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_count(j, "index", k);
-  tp_json_string(j, "kind", tp_text_pivot_kind(p->kind));
-  tp_json_bounded(j, "x_m", p->x_m);
-  tp_json_bounded(j, "y_m", p->y_m);
-  tp_json_critical_angle(j, p);
-  add_fos(j, "fos", p->fos_resultant, p->admissible);
-  add_fos(j, "fos_elements", p->fos_elements, p->admissible);
-  if (loaded) tp_json_limits(j, p);
-  tp_json_truth(j, "admissible", p->admissible);
-  if (p->rounded) tp_json_truth(j, "rounded", true);
-  tp_json_close(j);
-}
-
-/* One of those that can govern, or hold the block at its limit. */
-static bool matters(const tp_case *c, size_t k) {
-  const tp_pivot *p = c->pivots + k;
-  return p->admissible || governs(c, k) || tp_pivot_bears(p, &c->limit);
-}
-
-static bool are_all_told(const tp_case *c) {
-  for (size_t k = 0; k < c->pivot_count; k++) {
-    if (!c->pivots[k].told) return false;
-  }
-  return true;
-}
-
-void tp_json_pivots(tp_json *j, const tp_solution *s, const tp_case *c, bool all) {
-  all = all && are_all_told(c);
-  tp_json_count(j, "pivot_count", c->pivot_count);
-  tp_json_beside(j);
-  tp_json_string(j, "pivots_listed", all ? "all" : "governing");
-  tp_json_array(j, "pivots", TP_JSON_BLOCK);
-  for (size_t k = 0; k < c->pivot_count; k++) {
-    if (all || matters(c, k)) add_pivot(j, c->pivots + k, k, s->loaded);
-  }
-  tp_json_close(j);
 }

@@ -15,7 +15,4 @@ void tp_page_add_pivots(tp_page *page, const tp_case *own);
 /* How it turns about the pivot: "governs", "free" or "blocked". */
 const char *tp_text_turning(const tp_case *own, size_t pivot);
 
-/* The key `pivots`: all of them, or those that can govern and those that hold the block. */
-void tp_json_pivots(tp_json *json, const tp_solution *solution, const tp_case *own, bool all);
-
 #endif

@@ -10,6 +10,7 @@
 #include "report/contact.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdio.h>
 
@@ -53,7 +54,7 @@ static void add_head(tp_page *p) {
   snprintf(unit[2], sizeof unit[2], "to (%s)", s->length_unit);
   tp_text_add(&p->text, "  Pose   share    turned %11s %9s %9s", unit[0], unit[1], unit[2]);
   for (size_t c = 0; c < s->case_count; c++) {
-    tp_text_add(&p->text, " %10s", tp_text_direction(s->cases[c].towards));
+    tp_text_add(&p->text, " %10s", tp_direction_name(s->cases[c].towards));
   }
   tp_text_add(&p->text, "\n");
 }
@@ -88,7 +89,7 @@ static void add_rest_of_shifts(tp_page *p) {
 }
 
 /* The pose that lets go first; as many as there are where none is solved. */
-static size_t least_of(const tp_poses_result *r, size_t c) {
+size_t tp_poses_first_to_move(const tp_poses_result *r, size_t c) {
   size_t k = 0;
   while (k < r->pose_count && !r->poses[k].verdicts[c].least) k++;
   return k;
@@ -97,14 +98,14 @@ static size_t least_of(const tp_poses_result *r, size_t c) {
 static void add_least(tp_page *p) {
   const tp_poses_result *r = &p->solution->poses;
   for (size_t c = 0; c < p->solution->case_count; c++) {
-    const size_t least = least_of(r, c);
+    const size_t least = tp_poses_first_to_move(r, c);
     if (least == r->pose_count) continue;
     const tp_resting_pose *pose = r->poses + least;
     const tp_pose_verdict *v = pose->verdicts + c;
     char n[TP_NUMBER_SIZE + 4];
     tp_text_add(&p->text, "  %s the %s, pose %zu begins to move first: ",
                 p->solution->frame.world ? "Towards" : "Tilted towards",
-                tp_text_direction(v->towards), least + 1);
+                tp_direction_name(v->towards), least + 1);
     if (v->has_first_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
     tp_text_add(&p->text, "%s.\n", tp_mechanism_name(v->first));
   }
@@ -135,74 +136,4 @@ void tp_page_add_poses(tp_page *p) {
                 r->given + 1);
   }
   add_least(p);
-}
-
-static void json_verdict(tp_json *j, const tp_resting_pose *pose, size_t c) {
-  const tp_pose_verdict *v = pose->verdicts + c;
-  if (pose->verdict_count == 0) return;
-  tp_json_string(j, "mechanism", tp_mechanism_name(v->mechanism));
-  tp_json_string(j, "first", tp_mechanism_name(v->first));
-  tp_json_known(j, "critical_angle_deg", v->has_first_angle, v->first_angle_deg);
-  tp_json_known(j, "fos", v->fos.state == TP_FOS_NUMBER, v->fos.value);
-}
-
-static void json_pose(tp_json *j, const tp_resting_pose *pose, size_t c) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_bounded(j, "share", pose->share);
-  tp_json_count(j, "basins", pose->basins);
-  tp_json_count(j, "widest_basin", pose->widest);
-  tp_json_bounded(j, "shift_m", pose->shift_m);
-  tp_json_bounded(j, "centroid_y_m", pose->centroid_y_m);
-  tp_json_break(j);
-  tp_json_rest(j, &pose->rest);
-  tp_json_break(j);
-  tp_json_point(j, "first_contact", pose->first_x_m, pose->first_y_m);
-  tp_json_point(j, "last_contact", pose->last_x_m, pose->last_y_m);
-  tp_json_break(j);
-  json_verdict(j, pose, c);
-  tp_json_close(j);
-}
-
-static void json_basin(tp_json *j, const tp_basin *basin) {
-  const bool rests = basin->end == TP_COMES_TO_REST;
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "end", tp_settling_end_name(basin->end));
-  if (rests) {
-    tp_json_count(j, "pose", basin->pose);
-  } else {
-    tp_json_null(j, "pose");
-  }
-  tp_json_bounded(j, "from_m", basin->from_m);
-  tp_json_bounded(j, "to_m", basin->to_m);
-  tp_json_bounded(j, "share", basin->share);
-  tp_json_known(j, "turned_from_deg", rests, basin->turned_from_deg);
-  tp_json_known(j, "turned_to_deg", rests, basin->turned_to_deg);
-  tp_json_close(j);
-}
-
-static void json_index(tp_json *j, const char *key, bool known, size_t index) {
-  if (known) {
-    tp_json_count(j, key, index);
-  } else {
-    tp_json_null(j, key);
-  }
-}
-
-void tp_json_poses(tp_json *j, const tp_poses_result *r, size_t c) {
-  if (!r->known) return;
-  tp_json_object(j, "poses", TP_JSON_BLOCK);
-  tp_json_bounded(j, "from_m", r->from_m);
-  tp_json_bounded(j, "to_m", r->to_m);
-  tp_json_bounded(j, "spacing_m", r->spacing_m);
-  tp_json_bounded(j, "border_m", r->border_m);
-  tp_json_count(j, "settlings", r->settlings);
-  json_index(j, "given", r->has_given, r->given);
-  json_index(j, "least", least_of(r, c) < r->pose_count, least_of(r, c));
-  tp_json_array(j, "poses", TP_JSON_BLOCK);
-  for (size_t k = 0; k < r->pose_count; k++) json_pose(j, r->poses + k, c);
-  tp_json_close(j);
-  tp_json_array(j, "basins", TP_JSON_BLOCK);
-  for (size_t k = 0; k < r->basin_count; k++) json_basin(j, r->basins + k);
-  tp_json_close(j);
-  tp_json_close(j);
 }

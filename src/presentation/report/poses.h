@@ -12,7 +12,7 @@
 /* A table, where the scene asks for them. */
 void tp_page_add_poses(tp_page *page);
 
-/* The key `poses` of a case. */
-void tp_json_poses(tp_json *json, const tp_poses_result *poses, size_t number_of_case);
+/* The pose that begins to move first in a case of the solution; as many as there are: none. */
+size_t tp_poses_first_to_move(const tp_poses_result *poses, size_t number_of_case);
 
 #endif

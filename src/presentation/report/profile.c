@@ -7,8 +7,8 @@
 #include "common/host.h"
 #include "output/encode.h"
 #include "report/notes.h"
-#include "report/profile_words.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -81,7 +81,7 @@ static void add_facing(tp_text *t, const tp_profile *p) {
   for (int d = 0; d < 2; d++) {
     const tp_profile_facing *f = p->facing + d;
     char share[TP_NUMBER_SIZE], angle[TP_NUMBER_SIZE], steepest[TP_NUMBER_SIZE];
-    tp_text_add(t, "  %-8s %8zu %10s %9s° %9s°", tp_text_direction((tp_direction)d), f->facets,
+    tp_text_add(t, "  %-8s %8zu %10s %9s° %9s°", tp_direction_name((tp_direction)d), f->facets,
                 tp_text_fixed(share, f->share, 4), tp_text_fixed(angle, f->angle_deg, 3),
                 tp_text_fixed(steepest, f->steepest_deg, 3));
     if (f->facets > 0) {
@@ -197,8 +197,8 @@ tp_status tp_report_profile_csv(char **text, const tp_profile *p) {
     tp_text_add(&t, "%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%s\n", k, p->x[k - 1],
                 p->y[k - 1], p->x[k], p->y[k], sqrt(dx * dx + dy * dy), slope,
                 atan(slope) * degrees,
-                slope > 0   ? tp_text_direction(TP_TOWARDS_RIGHT)
-                : slope < 0 ? tp_text_direction(TP_TOWARDS_LEFT)
+                slope > 0   ? tp_direction_name(TP_TOWARDS_RIGHT)
+                : slope < 0 ? tp_direction_name(TP_TOWARDS_LEFT)
                             : "neither");
   }
   return tp_text_finish(&t, text);

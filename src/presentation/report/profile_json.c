@@ -8,9 +8,9 @@
 #include "output/encode.h"
 #include "output/json.h"
 #include "report/notes.h"
-#include "report/profile_words.h"
 #include "report/words.h"
 #include "roughness/bands.h"
+#include "terms/names.h"
 
 #include <math.h>
 
@@ -52,7 +52,7 @@ static void add_shape(tp_json *j, const tp_profile *p) {
 
 static void add_facing(tp_json *j, const tp_profile_facing *facing, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "towards", tp_text_direction(towards));
+  tp_json_string(j, "towards", tp_direction_name(towards));
   tp_json_count(j, "facets", facing->facets);
   tp_json_bounded(j, "share", facing->share);
   tp_json_bounded(j, "angle_deg", facing->angle_deg);
@@ -176,7 +176,7 @@ tp_status tp_report_profile_json(char **text, const tp_profile *p, bool all) {
   tp_json j = {0};
   tp_json_report(&j);
   if (p->title != NULL) tp_json_string(&j, "title", p->title);
-  tp_json_string(&j, "from", tp_text_profile_origin(p->origin));
+  tp_json_string(&j, "from", tp_profile_origin_name(p->origin));
   tp_json_string(&j, "length_unit", p->length_unit);
   add_sampling(&j, p);
   add_shape(&j, p);
@@ -184,7 +184,7 @@ tp_status tp_report_profile_json(char **text, const tp_profile *p, bool all) {
   for (int d = 0; d < 2; d++) add_facing(&j, p->facing + d, (tp_direction)d);
   tp_json_close(&j);
   add_jrc(&j, p);
-  tp_json_string(&j, "series", tp_text_profile_series(p->series));
+  tp_json_string(&j, "series", tp_profile_series_name(p->series));
   if (p->series == TP_SERIES_GIVEN) {
     add_estimate(&j, "correlation_length", &p->correlation_length);
     tp_json_array(&j, "hurst", TP_JSON_BLOCK);

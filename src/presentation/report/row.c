@@ -11,6 +11,7 @@
 #include "report/onset.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdio.h>
 
@@ -86,7 +87,7 @@ typedef void add_words(tp_text *t, const tp_solution *s, const tp_case *c);
 
 static void add_towards(tp_text *t, const tp_solution *s, const tp_case *c) {
   (void)s;
-  tp_text_add(t, "%s", tp_text_direction(c->towards));
+  tp_text_add(t, "%s", tp_direction_name(c->towards));
 }
 
 static void add_verdict(tp_text *t, const tp_solution *s, const tp_case *c) {
@@ -131,7 +132,7 @@ static void add_pivot(tp_text *t, const tp_solution *s, const tp_case *c) {
 static void add_pivot_kind(tp_text *t, const tp_solution *s, const tp_case *c) {
   (void)s;
   if (c->has_governing) {
-    tp_text_add(t, "%s", tp_text_pivot_kind(c->pivots[c->governing].kind));
+    tp_text_add(t, "%s", tp_pivot_kind_name(c->pivots[c->governing].kind));
   }
 }
 

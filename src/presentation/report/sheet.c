@@ -11,6 +11,7 @@
 #include "report/poses.h"
 #include "report/settings.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdlib.h>
 
@@ -69,14 +70,14 @@ static void add_case_heading(tp_sheet *s, const tp_case *c, const char *what) {
   char n[TP_NUMBER_SIZE];
   if (s->solution->frame.world) {
     tp_document_heading(&s->document, 2, "%s, as it lies, towards the %s", what,
-                        tp_text_direction(c->towards));
+                        tp_direction_name(c->towards));
   } else if (s->solution->has_tilt_angle) {
     tp_document_heading(&s->document, 2, "%s, tilted towards the %s by %s°", what,
-                        tp_text_direction(c->towards),
+                        tp_direction_name(c->towards),
                         tp_page_degrees(n, s->solution->tilt_angle_deg));
   } else {
     tp_document_heading(&s->document, 2, "%s, tilted towards the %s", what,
-                        tp_text_direction(c->towards));
+                        tp_direction_name(c->towards));
   }
 }
 

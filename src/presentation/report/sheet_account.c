@@ -8,6 +8,7 @@
 #include "report/account_units.h"
 #include "report/loads.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <string.h>
 
@@ -42,7 +43,7 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
     char n[TP_NUMBER_SIZE];
     tp_document_cell(d, "%s", l->name);
     tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6));
-    tp_document_cell(d, "%s", tp_text_load_side(l->side));
+    tp_document_cell(d, "%s", tp_load_side_name(l->side));
     tp_document_outside_cell(d, l->called_for_by);
   }
 }
@@ -70,7 +71,7 @@ static void add_element(tp_sheet *s, const tp_element *e, size_t k, const tp_acc
   const tp_page page = {.solution = s->solution};
   char n[TP_NUMBER_SIZE];
   tp_document_cell(d, "%zu", k + 1);
-  tp_document_cell(d, "%s", e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle");
+  tp_document_cell(d, "%s", tp_element_kind_name(e->kind));
   tp_document_cell(d, "%s", area_of(s, n, e->area_m2));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_y_m));

@@ -11,6 +11,7 @@
 #include "report/sliding.h"
 #include "report/verdict.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 void tp_sheet_add_verdict(tp_sheet *s, const tp_case *c) {
   tp_text headline = {0};
@@ -185,7 +186,7 @@ static void add_pivot(tp_sheet *s, const tp_case *c, size_t k) {
   char n[TP_NUMBER_SIZE];
   if (c->has_governing && k == c->governing) tp_document_mark_row(d);
   tp_document_cell(d, "%zu", k + 1);
-  tp_document_cell(d, "%s", tp_text_pivot_kind(pivot->kind));
+  tp_document_cell(d, "%s", tp_pivot_kind_name(pivot->kind));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->y_m));
   if (pivot->never || pivot->always) {

@@ -7,6 +7,7 @@
 
 #include "output/encode.h"
 #include "report/study_words.h"
+#include "terms/names.h"
 
 #include <math.h>
 

@@ -18,6 +18,7 @@
 #include "report/sliding.h"
 #include "report/verdict.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 static void add_teeth(tp_page *p) {
   const tp_teeth_result *teeth = &p->solution->teeth;
@@ -27,8 +28,8 @@ static void add_teeth(tp_page *p) {
   tp_text_add(&p->text, "Teeth    N = %zu, a = %s, b = %s, c = %s %s; left end %s, right end %s\n",
               teeth->count, tp_page_length(p, n[0], teeth->width_m, 6),
               tp_page_length(p, n[1], teeth->height_m, 6),
-              tp_page_length(p, n[2], teeth->depth_m, 6), unit, tp_text_pivot_kind(teeth->left_end),
-              tp_text_pivot_kind(teeth->right_end));
+              tp_page_length(p, n[2], teeth->depth_m, 6), unit, tp_pivot_kind_name(teeth->left_end),
+              tp_pivot_kind_name(teeth->right_end));
   tp_text_add(&p->text,
               "         width Δx = %s, mean height y = %s, amplitude A = %s,\n"
               "         wavelength λ = %s %s\n",

@@ -7,6 +7,7 @@
 #include "common/host.h"
 #include "output/json.h"
 #include "report/study_words.h"
+#include "terms/names.h"
 
 #include <math.h>
 

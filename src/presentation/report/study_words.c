@@ -13,11 +13,6 @@ const char *tp_study_quantity_words(tp_study_quantity quantity) {
   return words[quantity];
 }
 
-const char *tp_study_end_name(tp_study_end end) {
-  static const char *const names[] = {"complete", "certain", "interrupted", "shard"};
-  return names[end];
-}
-
 void tp_study_add_lines(tp_text *t, const char *words) {
   enum { WIDTH = 76 };
   char plain[1024];

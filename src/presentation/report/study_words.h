@@ -15,9 +15,6 @@ enum { TP_STUDY_LABEL = 30 };
 /* As on the page: critical angle, and so on. */
 const char *tp_study_quantity_words(tp_study_quantity quantity);
 
-/* complete, certain, interrupted or shard. */
-const char *tp_study_end_name(tp_study_end end);
-
 /* Words between blanks, over lines of a terminal. */
 void tp_study_add_lines(tp_text *text, const char *words);
 

@@ -9,6 +9,7 @@
 #include "report/row.h"
 #include "report/settings.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +65,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   const bool goes_on = c->limit.base_beyond_toe;
   tp_text_add(t, "| ");
   tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
-  tp_text_add(t, " | %s", tp_text_direction(c->towards));
+  tp_text_add(t, " | %s", tp_direction_name(c->towards));
   add_angle(t, s->has_tilt_angle, s->tilt_angle_deg);
   tp_text_add(t, " | ");
   if (s->has_tilt_angle) {
@@ -74,7 +75,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   }
   add_fos(t, c);
   add_onset(t, &c->onset);
-  tp_text_add(t, " | %s", pivot != NULL ? tp_text_pivot_kind(pivot->kind) : "-");
+  tp_text_add(t, " | %s", pivot != NULL ? tp_pivot_kind_name(pivot->kind) : "-");
   add_angle(t, pivot != NULL && !pivot->never && !pivot->always,
             pivot != NULL ? pivot->critical_angle_deg : (tp_bounded){0});
   add_angle(t, c->sliding.known && !c->sliding.never && !c->sliding.always,

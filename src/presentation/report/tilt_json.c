@@ -8,6 +8,7 @@
 #include "output/json.h"
 #include "report/notes.h"
 #include "report/words.h"
+#include "terms/names.h"
 
 #include <math.h>
 
@@ -198,7 +199,7 @@ static void json_overturning(tp_json *j, const tp_tilt_case *c) {
 
 static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *test) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
-  tp_json_string(j, "towards", tp_text_direction(c->towards));
+  tp_json_string(j, "towards", tp_direction_name(c->towards));
   if (test->settings.protocol != TP_TILT_RELEASE) json_critical(j, c);
   json_path(j, c);
   json_mechanism(j, c);
@@ -249,7 +250,7 @@ tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test) {
     for (size_t k = 0; k < own->moment_count; k++) {
       const tp_tilt_moment *m = own->moments + k;
       tp_text_add(&t, "%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,",
-                  tp_text_direction(own->towards), m->time_s, m->angle_deg, m->moved_x_m,
+                  tp_direction_name(own->towards), m->time_s, m->angle_deg, m->moved_x_m,
                   m->moved_y_m, m->turned_deg, m->speed_x_m_s, m->speed_y_m_s, m->turning_rad_s,
                   m->kinetic_energy_j);
       /* a path has none */

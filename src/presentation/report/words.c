@@ -22,42 +22,6 @@ const char *tp_text_fos(tp_fos fos) {
   return NULL;
 }
 
-const char *tp_text_pivot_kind(tp_pivot_kind kind) {
-  switch (kind) {
-  case TP_PIVOT_VALLEY:
-    return "valley";
-  case TP_PIVOT_PEAK:
-    return "peak";
-  case TP_PIVOT_FLAT_END:
-    return "flat end";
-  case TP_PIVOT_FLANK:
-    return "flank";
-  }
-  return "unknown";
-}
-
-const char *tp_mechanism_name(tp_mechanism mechanism) {
-  switch (mechanism) {
-  case TP_STANDS:
-    return "stands";
-  case TP_SLIDES:
-    return "slides";
-  case TP_TOPPLES:
-    return "topples";
-  case TP_SLIDES_AND_TOPPLES:
-    return "slides and topples";
-  case TP_INTERLOCKED:
-    return "interlocked";
-  case TP_MAY_MOVE:
-    return "may move";
-  case TP_LEAVES_BASE:
-    return "leaves its base";
-  case TP_MECHANISM_UNDECIDED:
-    return "undecided";
-  }
-  return "unknown";
-}
-
 const char *tp_text_to_move(tp_mechanism mechanism) {
   switch (mechanism) {
   case TP_SLIDES:
@@ -86,24 +50,6 @@ const char *tp_text_motion(tp_mechanism mechanism) {
   default:
     return "any motion";
   }
-}
-
-const char *tp_text_contact_state(tp_contact_state state) {
-  switch (state) {
-  case TP_CONTACT_OPENS:
-    return "opens";
-  case TP_CONTACT_STICKS:
-    return "sticks";
-  case TP_CONTACT_SLIPS_DOWN_DIP:
-    return "slips down-dip";
-  case TP_CONTACT_SLIPS_UP_DIP:
-    return "slips up-dip";
-  }
-  return "unknown";
-}
-
-const char *tp_text_direction(tp_direction direction) {
-  return direction == TP_TOWARDS_LEFT ? "left" : "right";
 }
 
 const char *tp_text_stance(const tp_solution *solution, const tp_case *of) {

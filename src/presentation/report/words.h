@@ -13,11 +13,8 @@
  * not asked for. */
 const char *tp_text_fos(tp_fos fos);
 
-const char *tp_text_pivot_kind(tp_pivot_kind kind);
-const char *tp_text_contact_state(tp_contact_state state);
 const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
 const char *tp_text_motion(tp_mechanism mechanism);  /* "sliding and toppling" */
-const char *tp_text_direction(tp_direction direction);
 /* How the block of a case stands before its angle is told: "Tilted towards the left"; of a scene in
  * the frame of the world "As it lies, towards the left", the side that it can go to. */
 const char *tp_text_stance(const tp_solution *solution, const tp_case *of);

@@ -9,35 +9,6 @@
 
 #include <math.h>
 
-const char *tp_converge_setting_name(tp_converge_setting setting) {
-  static const char *const names[TP_CONVERGE_SETTINGS] = {
-      [TP_CONVERGE_TOLERANCE] = "bracket",
-      [TP_CONVERGE_STIFFNESS] = "normal stiffness",
-      [TP_CONVERGE_STIFFNESS_RATIO] = "shear over normal stiffness",
-      [TP_CONVERGE_TIME_STEP] = "time step",
-      [TP_CONVERGE_DAMPING] = "damping",
-      [TP_CONVERGE_ROUNDING] = "radius of corners",
-      [TP_CONVERGE_STEP_TOLERANCE] = "tolerance of steps",
-      [TP_CONVERGE_LEAST_BOUNCE] = "least bounce"};
-  return (int)setting >= 0 && (int)setting < TP_CONVERGE_SETTINGS ? names[setting]
-                                                                  : "unknown setting";
-}
-
-const char *tp_converge_quantity_name(tp_converge_quantity quantity) {
-  static const char *const names[] = {
-      [TP_CONVERGE_ANGLE] = "critical angle", [TP_CONVERGE_OVERTURNING] = "overturning factor"};
-  return (int)quantity >= 0 && quantity <= TP_CONVERGE_OVERTURNING ? names[quantity]
-                                                                   : "unknown quantity";
-}
-
-const char *tp_converge_verdict_name(tp_converge_verdict verdict) {
-  static const char *const names[] = {[TP_CONVERGE_HOLDS] = "holds",
-                                      [TP_CONVERGE_REFINED] = "refined",
-                                      [TP_CONVERGE_DEPENDS] = "not converged",
-                                      [TP_CONVERGE_OPEN] = "undecided"};
-  return (int)verdict >= 0 && verdict <= TP_CONVERGE_OPEN ? names[verdict] : "unknown verdict";
-}
-
 /* What must agree of two brackets: all of both; of brackets whose width is what is varied, how far
  * they are apart. */
 static double apart(const tp_converge_level *a, const tp_converge_level *b) {

@@ -10,41 +10,6 @@
 
 #include <math.h>
 
-const char *tp_tilt_end_name(tp_tilt_end end) {
-  static const char *const names[] = {
-      [TP_TILT_STANDS] = "stands",         [TP_TILT_COLLAPSES] = "begins to move",
-      [TP_TILT_RESTS] = "rests again",     [TP_TILT_MOVES] = "still moves",
-      [TP_TILT_OVERTURNED] = "overturned", [TP_TILT_LEFT_BASE] = "left its base",
-      [TP_TILT_OPEN] = "undecided",        [TP_TILT_STOPPED] = "interrupted"};
-  return (int)end >= 0 && end <= TP_TILT_STOPPED ? names[end] : "unknown end";
-}
-
-const char *tp_tilt_engine_name(tp_tilt_engine engine) {
-  static const char *const names[] = {[TP_TILT_PATH] = "path",
-                                      [TP_TILT_RIGID] = "dynamics by events",
-                                      [TP_TILT_SPRINGS] = "dynamics by springs"};
-  return (int)engine >= 0 && engine <= TP_TILT_SPRINGS ? names[engine] : "unknown engine";
-}
-
-const char *tp_tilt_protocol_name(tp_tilt_protocol protocol) {
-  static const char *const names[] = {
-      [TP_TILT_RAMP] = "ramp", [TP_TILT_STEPS] = "steps", [TP_TILT_RELEASE] = "release"};
-  return (int)protocol >= 0 && protocol <= TP_TILT_RELEASE ? names[protocol] : "unknown protocol";
-}
-
-const char *tp_tilt_event_name(tp_tilt_event_kind kind) {
-  static const char *const names[] = {[TP_EVENT_OPENS] = "opens",
-                                      [TP_EVENT_CLOSES] = "closes",
-                                      [TP_EVENT_SLIPS] = "slips",
-                                      [TP_EVENT_STICKS] = "sticks",
-                                      [TP_EVENT_COLLAPSES] = "begins to move",
-                                      [TP_EVENT_RESTS] = "rests",
-                                      [TP_EVENT_OVERTURNS] = "overturns",
-                                      [TP_EVENT_LEAVES_BASE] = "leaves its base",
-                                      [TP_EVENT_ACCUMULATES] = "stops bouncing"};
-  return (int)kind >= 0 && kind <= TP_EVENT_ACCUMULATES ? names[kind] : "unknown event";
-}
-
 /* A record whose velocity does not come back to zero pushes the block beyond its motion. */
 static tp_status note_baseline(tp_tilt_test *test, const tp_scene *scene, tp_message *message) {
   static const double share = 0.05;

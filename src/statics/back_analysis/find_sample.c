@@ -12,25 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const targets[] = {"critical_angle", "fos",          "sliding_angle",
-                                      "sliding_fos",    "limit_angle",  "limit_fos",
-                                      "onset_angle",    "governing_fos"};
-enum { TARGETS = sizeof targets / sizeof targets[0] };
-
-bool tp_find_target_read(tp_find_target *target, const char *name) {
-  if (target == NULL || name == NULL) return false;
-  for (int k = 0; k < TARGETS; k++) {
-    if (strcmp(name, targets[k]) != 0) continue;
-    *target = (tp_find_target)k;
-    return true;
-  }
-  return false;
-}
-
-const char *tp_find_target_name(tp_find_target target) {
-  return (int)target >= 0 && (int)target < TARGETS ? targets[target] : "unknown";
-}
-
 static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
   const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
   const bool slides = own->sliding.known && !own->sliding.never;

@@ -21,27 +21,6 @@
 
 #include <math.h>
 
-const char *tp_fos_definition_name(tp_fos_definition definition) {
-  switch (definition) {
-  case TP_FOS_BY_MOMENTS:
-    return "moments";
-  case TP_FOS_BY_SHEAR:
-    return "shear strength";
-  case TP_FOS_BY_ROUGHNESS:
-    return "shear strength with roughness";
-  case TP_FOS_BY_REDUCTION:
-    return "strength reduction";
-  case TP_FOS_BY_TILT:
-    return "tilt";
-  }
-  return "unknown";
-}
-
-const char *tp_factor_standing_name(tp_factor_standing own) {
-  static const char *const names[] = {"counts", "blocked", "prevented", "uneven", "smooth"};
-  return own >= TP_FACTOR_COUNTS && own <= TP_FACTOR_SMOOTH ? names[own] : "unknown";
-}
-
 /* ---- which governs -----------------------------------------------------------------------------
  */
 

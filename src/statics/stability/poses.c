@@ -17,22 +17,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-const char *tp_settling_end_name(tp_settling_end end) {
-  switch (end) {
-  case TP_COMES_TO_REST:
-    return "comes to rest";
-  case TP_ROLLS_OFF_LEFT:
-    return "rolls off to the left";
-  case TP_ROLLS_OFF_RIGHT:
-    return "rolls off to the right";
-  case TP_BALANCES:
-    return "balances";
-  case TP_SETTLING_UNDECIDED:
-    return "undecided";
-  }
-  return "unknown";
-}
-
 /* An ending that rests, with its basins. */
 typedef struct pose_basins {
   long ending, first, widest, count;

@@ -13,12 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *tp_verdict_name(tp_verdict verdict) {
-  static const char *const names[TP_VERDICTS] = {"proven",  "agrees",    "truncated",
-                                                 "refuted", "disagrees", "undecided"};
-  return (int)verdict >= 0 && (int)verdict < TP_VERDICTS ? names[verdict] : "unknown";
-}
-
 bool tp_verification_objects(const tp_verification *v) {
   return v == NULL || v->tally[TP_VERDICT_REFUTED] + v->tally[TP_VERDICT_DISAGREES] > 0;
 }

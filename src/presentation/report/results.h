@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Results as JSON. What is printed stands in the tables of core/terms/results, of which the C is
+ * made (make_results.py); here is what they call. */
+
+#ifndef TP_REPORT_RESULTS_H
+#define TP_REPORT_RESULTS_H
+
+#include "report/contact.h"
+#include "report/parts_json.h"
+#include "report/poses.h"
+#include "report/words.h"
+#include "terms/names.h"
+
+/* What a report is of, and where in it the writing is; tables call it x. */
+typedef struct tp_json_subject {
+  const tp_solution *s;
+  tp_pivots_listed listed;
+  const tp_case *c;  /* of the solution, that is being written: */
+  size_t case_index; /* its number, */
+  bool all_pivots;   /* and whether all its pivots are listed */
+  size_t k;          /* the number of the item of a list */
+} tp_json_subject;
+
+/* The members of a record, between brackets that the caller opens and closes. */
+void tp_json_members_of_solve(tp_json *json, const tp_solution *solution, tp_json_subject *x);
+void tp_json_members_of_find(tp_json *json, const tp_found *found, tp_json_subject *x);
+
+/* On to a case; and is a pivot of it listed? */
+void tp_json_enter_case(tp_json_subject *x, const tp_case *own);
+bool tp_json_lists_pivot(const tp_json_subject *x, size_t pivot);
+
+/* Is the factor about a pivot printed? One below 0 is told of pivots alone about which the block is
+ * free to turn. */
+bool tp_pivot_has_fos(const tp_pivot *pivot, tp_fos fos);
+
+/* Where no limit is reached as the table is tilted back: why. NULL where one is. */
+const char *tp_text_holds_from_is(tp_limit_kind kind);
+
+/* By which formula the angle of sliding is found. */
+const char *tp_text_sliding_method(const tp_solution *solution);
+
+/* What a factor by strength reduction is that is no number above 0; else NULL. */
+const char *tp_text_reduction(tp_fos fos);
+
+/* Why there is no governing factor, where more is known of that than a factor tells, else NULL; and
+ * what the factor is, which is no number above 0, else NULL. */
+const char *tp_text_no_factor(const tp_governing_fos *governing);
+const char *tp_text_factor_is(const tp_governing_fos *governing);
+
+#endif
