@@ -101,7 +101,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -112,7 +112,7 @@ class Schema(unittest.TestCase):
                 for key, own in part["properties"].items():
                     count += 1
                     self.assertGreater(len(own.get("description", "")), 5, f"{place}: {key} is not explained")
-            self.assertGreater(count, 15, name)
+            self.assertGreater(count, 10, name)
 
     def test_2_solve_examples(self):
         for scene in EXAMPLES:
@@ -178,7 +178,7 @@ class Schema(unittest.TestCase):
             for words in (("--rounded",), ("--for-all", "count")):
                 status, out, _ = run("derive", "--json", *words, scene)
                 if status == 0:
-                    self.fits("derive", out)
+                    self.fits("family" if "--for-all" in words else "derive", out)
 
     def test_2_verify(self):
         document = self.prints("verify", "--json", ROOT / "examples" / "paper" / "claims.yaml", statuses=(1,))
@@ -303,11 +303,12 @@ class Schema(unittest.TestCase):
             self.assertFalse(validator.is_valid(other))
 
     def test_4_nothing_is_explained_that_is_not_printed(self):
-        """Runs last: every key of every schema was printed by a command above, but for those of UNSEEN and of commands
-        that were not built."""
+        """Runs last: every key of every schema was printed by a command above, but for those of UNSEEN, of commands that
+        were not built, and the digits of numbers where the command has no --digits."""
         never = [f"{place}: {key}" for name, validator in self.validators.items() if name != "trace" or TRACES
                  for place, part in properties_of(validator.schema, name)
-                 for key in part["properties"] if (id(part["properties"]), key) not in self.seen]
+                 for key in part["properties"] if (id(part["properties"]), key) not in self.seen
+                 and (key != "digits" or name in ("solve", "sweep"))]
         self.assertEqual(never, UNSEEN)
 
 

@@ -13,17 +13,20 @@ what the command prints, the type is the command.
 
 Types: bounded (a number with a proven error), factor (a tp_fos: null unless it is a number), number, fixed:N (so many
 decimals), count (from 0; count:1 from 1), integer:LEAST, truth, text (text? may be null), tie (bits that do not tell two
-results apart), point and ends (one point and two, of coordinates), a set of words.csv (with words after a colon: these
-alone; after a leading comma: these besides), `one of` words, a record, and []TYPE, a list.
+results apart), fraction (of polynomials), point and ends (one point and two, of coordinates), `numbers by name` (told in a
+text), `of case` and `text of case` (a number or words that a function finds of a case), a set of words.csv (with words
+after a colon: these alone; after a leading comma: these besides), `one of` words, a record, and []TYPE, a list. A type
+that ends in ? may be null. A key that stands twice has one type or the other.
 
 Values: a C expression, in which .member is one of the record, *r the record, x what the report is of; for a list items
-and their number, and, where some are left out, which item k stays. Empty: .key. A dash: another file writes it.
+(or what is printed of item [k]) and their number, and, where some are left out, which item k stays. Empty: .key, and of
+a list .key_count. After `by` the call that writes it. A dash: another file writes it.
 
 When: a condition, else the key is absent; after a question mark a condition, else the key is null; `given`: absent where
 the value is NULL.
 
-Layout: of lists and records line, lines, list, block, flush (output/json.h); before it / for a new line, + for the same
-one. A key * takes in the keys of another record."""
+Layout: of lists and records line, lines, list, block, aligned, flush (output/json.h); before it / for a new line, + for
+the same one; of a record that is a row of a table in CSV too, csv. A key * takes in the keys of another record."""
 
 import csv
 import json
@@ -46,6 +49,11 @@ POINT = {
     "description": "A point.", "type": "object", "additionalProperties": False, "required": ["x_m", "y_m"],
     "properties": {"x_m": {"description": "Along the mean plane.", "$ref": "#/$defs/number"},
                    "y_m": {"description": "Normal to it.", "$ref": "#/$defs/number"}}}
+FRACTION = {
+    "description": "A rational function.", "type": "object", "additionalProperties": False, "required": ["numerator", "denominator"],
+    "properties": {"numerator": {"description": "A polynomial in the symbols.", "type": "string"},
+                   "denominator": {"description": "Likewise; 1 where there is none.", "type": "string"}}}
+SHARED = {"number": NUMBER, "point": POINT, "fraction": FRACTION}
 VERSION = {"description": "Version of the program that wrote this.", "type": "string"}
 
 
@@ -122,6 +130,17 @@ def c(expression):
     return re.sub(r"(?<![\w\])>.])\.(?=[a-z_])", "r->", expression)
 
 
+def address(value):
+    """Of a record by its value."""
+    return c(value.removeprefix("*") if value.startswith("*") else f"&{value}")
+
+
+def in_words(function, value):
+    """A value of a set as its word; what is words already stays."""
+    is_text = '"' in value or re.fullmatch(r"\w+\(.*\)", value)
+    return value if function is None or is_text else f"{function}({value})"
+
+
 def split(value):
     """The parts of a value at its commas outside of parentheses."""
     parts, depth = [""], 0
@@ -146,15 +165,18 @@ class Writer:
         """The call that writes a value of a type without members; None of another one."""
         words = self.records.words.of(kind)
         if words is not None:
-            named = value if words[0] is None or "(" in value or "?" in value else f"{words[0]}({value})"
-            return f"tp_json_string(j, {key}, {named});"
-        name, _, more = kind.partition(":")
-        if name in ("text", "text?"):
+            return f"tp_json_string(j, {key}, {in_words(words[0], value)});"
+        name, _, more = kind.removesuffix("?").partition(":")
+        if name == "text":
             return f"tp_json_string(j, {key}, {value});"
         if name == "fixed":
             return f"tp_json_fixed(j, {key}, {value}, {more});"
-        if name in ("point", "ends"):
-            return f"tp_json_{name}(j, {key}, {value});"
+        if name in ("point", "ends", "numbers by name"):
+            return f"tp_json_{name.replace(' ', '_')}(j, {key}, {value});"
+        if name in ("of case", "text of case"):
+            return f"tp_json_{name.replace(' ', '_')}(j, {key}, {value}, r);"
+        if name == "fraction":
+            return f"tp_json_fraction(j, {key}, &{value});"
         if name == "tie":
             return f"tp_json_tie(j, {key}, {value});"
         if name == "factor":
@@ -164,8 +186,8 @@ class Writer:
 
     def record(self, name, key, value, how):
         head = self.records.heads[name]
-        address = value.removeprefix("*") if value.startswith("*") else f"&{value}"
-        return [f"tp_json_object(j, {key}, {layout(how or head.layout)});", f"members_of_{name}(j, {address}, x);", "tp_json_close(j);"]
+        return [f"tp_json_object(j, {key}, {layout(how or head.layout)});", f"members_of_{name}(j, {address(value)}, x);",
+                "tp_json_close(j);"]
 
     def items(self, row, key, value):
         parts = split(value)
@@ -176,7 +198,7 @@ class Writer:
         shape = layout("line" if how == "lines" else how)
         if how == "block or line":
             shape = f"{count} > 0 ? TP_JSON_BLOCK : TP_JSON_LINE"
-        written = self.simple(row.item, "NULL", f"{items}[k]")
+        written = self.simple(row.item, "NULL", items if "[k]" in items else f"{items}[k]")
         lines = [written] if written else ["x->k = k;", *self.record(row.item, "NULL", f"*{items} + k", "")]
         if how == "lines":
             lines = ["if (k > 0) tp_json_break(j);", *lines]
@@ -187,10 +209,12 @@ class Writer:
     def member(self, row):
         """The statements that write a row."""
         if row.key == "*":
-            return [f"members_of_{row.kind}(j, &{c(row.value)}, x);"]
+            return [f"members_of_{row.kind}(j, {address(row.value)}, x);"]
         key, value = f'"{row.key}"', c(row.value)
         body = [{"/": "tp_json_break(j);", "+": "tp_json_beside(j);"}[row.mark]] if row.mark else []
-        if row.is_list:
+        if row.value.startswith("by "):
+            plain = [f"{c(row.value[3:])};"]
+        elif row.is_list:
             plain = self.items(row, key, row.value)
         elif row.kind in self.records.heads:
             plain = self.record(row.kind, key, value, row.layout)
@@ -212,10 +236,53 @@ class Writer:
         for row in self.records.rows[name]:
             if row.value != "-":
                 lines += self.member(row)
-        if not any(re.search(r"\bx\b", line) for line in lines):
+        if not any(re.search(r"(?<![\">.])\bx\b", line) for line in lines):
             lines.insert(0, "(void)x;")
         text = "".join(f"  {line}\n" for line in lines)
         return f"void members_of_{name}(tp_json *j, const {head.value} *r, tp_json_subject *x) {{\n{text}}}\n\n"
+
+    def outer(self, name):
+        """What other files call: the members of a record that stands in no other, and of what a command prints the whole."""
+        declared = f"const {self.records.heads[name].value} *r, tp_json_subject *x) {{\n"
+        text = f"void tp_json_members_of_{name}(tp_json *j, {declared}  members_of_{name}(j, r, x);\n}}\n\n"
+        if self.records.heads[name].kind:
+            text += (f"tp_status tp_json_document_of_{name}(char **text, {declared}"
+                     f"  tp_json j = {{0}};\n  tp_json_report(&j);\n  members_of_{name}(&j, r, x);\n  tp_json_close(&j);\n"
+                     f"  return tp_json_finish(&j, text);\n}}\n\n")
+        return text
+
+
+class Columns:
+    """The same rows of a table in CSV: a comma before each, numbers followed by their bounds."""
+
+    def __init__(self, records):
+        self.records, self.words = records, records.words
+
+    def names(self, name):
+        keys = []
+        for row in self.records.all_rows(name):
+            keys.append(row.key)
+            if row.kind in ("bounded", "of case"):
+                keys.append(re.sub(r"_(deg|m)$", "", row.key) + "_error")
+        return "".join(f",{key}" for key in keys)
+
+    def field(self, row):
+        value, known = c(row.value), c(row.null) or "true"
+        if row.kind in ("of case", "text of case"):
+            return f"tp_csv_{row.kind.replace(' ', '_')}(t, {value}, r);"
+        if row.kind == "bounded":
+            return f"tp_csv_bounded(t, {known}, {value});"
+        if row.kind == "count":
+            return f"tp_csv_count(t, {known}, {value});"
+        return f"tp_csv_words(t, {known} ? {in_words(self.words.of(row.kind)[0], value)} : NULL);"
+
+    def functions(self, name):
+        fields = "".join(f"  {self.field(row)}\n" for row in self.records.all_rows(name))
+        empty = self.names(name).count(",") * ","
+        unused = "" if "x->" in fields else "  (void)x;\n"
+        return (f"void tp_csv_names_of_{name}(tp_text *t) {{\n  tp_text_add(t, \"{self.names(name)}\");\n}}\n\n"
+                f"void tp_csv_fields_of_{name}(tp_text *t, const {self.records.heads[name].value} *r, const tp_json_subject *x) {{\n"
+                f"{unused}  if (r == NULL) {{\n    tp_text_add(t, \"{empty}\");\n    return;\n  }}\n{fields}}}\n\n")
 
 
 def write_c(output, tables):
@@ -229,8 +296,8 @@ def write_c(output, tables):
     inner = {row.item for name in written for row in records.rows[name] if row.value != "-"}
     for name in written:
         if name not in inner:
-            out.append(f"void tp_json_members_of_{name}(tp_json *j, const {records.heads[name].value} *r, tp_json_subject *x) {{\n"
-                       f"  members_of_{name}(j, r, x);\n}}\n\n")
+            out.append(writer.outer(name))
+    out += [Columns(records).functions(name) for name in written if records.heads[name].layout == "csv"]
     pathlib.Path(output).write_text("".join(out), encoding="utf-8")
 
 
@@ -245,9 +312,14 @@ class Schema:
         if kind in ("bounded", "factor"):
             self.use("number")
             return {"$ref": "#/$defs/number"}
-        if kind == "point":
-            self.use("point")
-            return {"$ref": "#/$defs/point"}
+        if kind in ("point", "fraction"):
+            self.use(kind)
+            own = {"$ref": f"#/$defs/{kind}"}
+            return {"oneOf": [own, {"type": "null"}]} if null else own
+        if kind == "of case":
+            return self.of("bounded", True)
+        if kind == "numbers by name":
+            return {"type": "object", "additionalProperties": {"type": "number"}, "minProperties": 1}
         if kind == "ends":
             return {"type": "array", "items": self.of("point", False), "minItems": 2, "maxItems": 2}
         if kind.startswith("[]"):
@@ -262,9 +334,11 @@ class Schema:
         name, _, more = kind.partition(":")
         if name == "tie":
             return {"type": "string", "pattern": "^(exact|not distinguished by [1-9][0-9]* bits)$"}
-        kinds = {"text": "string", "text?": "string", "truth": "boolean", "count": "integer", "integer": "integer", "number": "number",
-                 "fixed": "number"}
-        own = {"type": [kinds[name], "null"] if null or name == "text?" else kinds[name]}
+        null = null or name.endswith("?") or name == "text of case"
+        name = name.removesuffix("?")
+        kinds = {"text": "string", "text of case": "string", "truth": "boolean", "count": "integer", "integer": "integer",
+                 "number": "number", "fixed": "number"}
+        own = {"type": [kinds[name], "null"] if null else kinds[name]}
         if name in ("count", "integer"):
             own["minimum"] = int(more or 0)
         return own
@@ -276,8 +350,12 @@ class Schema:
     def object(self, name, head=()):
         properties, required = dict(head), [key for key, _ in head]
         for row in self.records.all_rows(name):
-            properties[row.key] = {"description": row.meaning, **self.of(row.kind, bool(row.null))}
-            if not row.absent:
+            own = self.of(row.kind, bool(row.null))
+            if row.key in properties:
+                first = {key: value for key, value in properties[row.key].items() if key != "description"}
+                own = {"anyOf": [first, own]}
+            properties[row.key] = {"description": row.meaning, **own}
+            if not row.absent or "anyOf" in own:
                 required.append(row.key)
         return {"description": self.records.heads[name].meaning, "type": "object", "additionalProperties": False, "required": required,
                 "properties": properties}
@@ -288,7 +366,7 @@ class Schema:
         schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": f"topple-{name}.json", "title": command,
                   **self.object(name, [("topple", VERSION)]), "$defs": {}}
         for used in self.used:  # grows while it is walked
-            schema["$defs"][used] = NUMBER if used == "number" else POINT if used == "point" else self.object(used)
+            schema["$defs"][used] = SHARED.get(used) or self.object(used)
         return schema
 
 

@@ -29,7 +29,4 @@ void tp_latex_conditions(tp_text *text, const tp_condition_list *list);
 void tp_c_conditional(tp_text *text, const tp_condition_list *list, const tp_derivation *derivation,
                       const char *tangent, const char *side);
 
-/* The keys `parameters_above_zero` and `conditions`, and `checks` where they were run. */
-void tp_json_conditions(tp_json *json, const tp_condition_list *list);
-
 #endif

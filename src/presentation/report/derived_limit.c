@@ -82,59 +82,7 @@ void tp_c_derived_limit(tp_text *t, const tp_derivation *d) {
   }
 }
 
-static void json_reactions(tp_json *j, const tp_derived_limit *l) {
-  tp_json_break(j);
-  tp_json_array(j, "reactions", TP_JSON_LINE);
-  for (int k = 0; k < 2; k++) {
-    const tp_derived_reaction *r = l->reactions + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_fraction(j, "x", &r->x);
-    tp_json_fraction(j, "y", &r->y);
-    tp_json_truth(j, "against_slip", r->against_slip);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}
-
-static void json_formulas(tp_json *j, const tp_derived_limit *l) {
-  tp_json_break(j);
-  tp_json_fraction(j, "tan_critical_angle", &l->tangent);
-  tp_json_break(j);
-  tp_json_bounded(j, "critical_angle_deg", l->critical_angle_deg);
-  json_reactions(j, l);
-  if (l->has_centre) {
-    tp_json_break(j);
-    tp_json_fraction(j, "centre_x", &l->centre_x);
-    tp_json_break(j);
-    tp_json_fraction(j, "centre_y", &l->centre_y);
-  }
-  const tp_condition_list conditions = conditions_of(l);
-  tp_json_conditions(j, &conditions);
-}
-
-static void add_json(tp_json *j, const tp_derived_limit *l, tp_direction towards) {
-  tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_direction_name(towards));
-  tp_json_string(j, "mechanism", tp_mechanism_name(l->mechanism));
-  tp_json_truth(j, "base_beyond_toe", l->base_beyond_toe);
-  if (l->known) {
-    json_formulas(j, l);
-  } else {
-    tp_json_null(j, "tan_critical_angle");
-  }
-  tp_json_close(j);
-}
-
 /* Is there a limit, or none because forces hold the block at any tilt? */
-static bool is_told(const tp_derived_limit *l) {
+bool tp_derived_limit_is_told(const tp_derived_limit *l) {
   return l->known || l->mechanism == TP_INTERLOCKED;
-}
-
-void tp_json_derived_limit(tp_json *j, const tp_derivation *d) {
-  if (!is_told(d->limit) && !is_told(d->limit + 1)) return;
-  tp_json_array(j, "limit", TP_JSON_BLOCK);
-  for (int k = 0; k < 2; k++) {
-    if (is_told(d->limit + k)) add_json(j, d->limit + k, (tp_direction)k);
-  }
-  tp_json_close(j);
 }

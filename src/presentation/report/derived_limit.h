@@ -12,7 +12,7 @@ void tp_text_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_latex_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_limit(tp_text *text, const tp_derivation *derivation);
 
-/* The key `limit`. */
-void tp_json_derived_limit(tp_json *json, const tp_derivation *derivation);
+/* Is there a limit, or none because forces hold the block at any tilt? */
+bool tp_derived_limit_is_told(const tp_derived_limit *limit);
 
 #endif

@@ -30,7 +30,7 @@ static tp_condition_list conditions_of(const tp_derived_onset *o) {
 }
 
 /* Why there is no formula; NULL where there is one, or none was asked for. */
-static const char *missing(const tp_derived_onset *o) {
+const char *tp_derived_onset_missing(const tp_derived_onset *o) {
   if (o->known || o->kind == TP_ONSET_NOT_ASKED) return NULL;
   return o->reason != NULL ? o->reason : "no motion can begin at any tilt up to 90 degrees";
 }
@@ -65,9 +65,9 @@ void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_onset *o = d->onset + k;
     if (o->known) add_text(t, o, (tp_direction)k);
-    if (missing(o) != NULL) {
+    if (tp_derived_onset_missing(o) != NULL) {
       tp_text_add(t, "\nOnset of motion: no formula, towards the %s:\n  %s\n",
-                  tp_direction_name((tp_direction)k), missing(o));
+                  tp_direction_name((tp_direction)k), tp_derived_onset_missing(o));
     }
   }
 }
@@ -75,9 +75,9 @@ void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
 void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_onset *o = d->onset + k;
-    if (missing(o) != NULL) {
+    if (tp_derived_onset_missing(o) != NULL) {
       tp_text_add(t, "%% onset of motion: no formula, towards the %s: %s\n",
-                  tp_direction_name((tp_direction)k), missing(o));
+                  tp_direction_name((tp_direction)k), tp_derived_onset_missing(o));
     }
     if (!o->known) continue;
     tp_text_add(t, "%% onset of motion: ");
@@ -93,8 +93,9 @@ void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
   for (int k = 0; k < 2; k++) {
     const tp_derived_onset *o = d->onset + k;
     const char *side = tp_direction_name((tp_direction)k);
-    if (missing(o) != NULL) {
-      tp_text_add(t, "\n/* onset of motion: no formula, towards the %s: %s */\n", side, missing(o));
+    if (tp_derived_onset_missing(o) != NULL) {
+      tp_text_add(t, "\n/* onset of motion: no formula, towards the %s: %s */\n", side,
+                  tp_derived_onset_missing(o));
     }
     if (!o->known) continue;
     tp_text_add(t, "\n/* onset of motion: ");
@@ -102,57 +103,4 @@ void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
     const tp_condition_list conditions = conditions_of(o);
     tp_c_conditional(t, &conditions, d, o->tangent.formula, side);
   }
-}
-
-static void json_row(tp_json *j, const tp_derived_row *r) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "row", r->is_force ? "force" : r->turns ? "turns" : "slides");
-  if (r->is_force) tp_json_truth(j, "against_slip", r->against_slip);
-  if (r->is_force || r->turns) {
-    tp_json_fraction(j, "x", &r->x);
-    tp_json_fraction(j, "y", &r->y);
-  }
-  tp_json_close(j);
-}
-
-static void json_formulas(tp_json *j, const tp_derived_onset *o) {
-  tp_json_truth(j, "same_as_limit", o->same_as_limit);
-  tp_json_break(j);
-  tp_json_fraction(j, "tan_critical_angle", &o->tangent);
-  tp_json_break(j);
-  tp_json_bounded(j, "critical_angle_deg", o->critical_angle_deg);
-  tp_json_break(j);
-  tp_json_array(j, "balance", TP_JSON_LINE);
-  json_row(j, o->rows);
-  tp_json_break(j);
-  json_row(j, o->rows + 1);
-  tp_json_close(j);
-  const tp_condition_list conditions = conditions_of(o);
-  tp_json_conditions(j, &conditions);
-}
-
-static void add_json(tp_json *j, const tp_derived_onset *o, tp_direction towards) {
-  tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "towards", tp_direction_name(towards));
-  tp_json_string(j, "mechanism", tp_mechanism_name(o->mechanism));
-  tp_json_truth(j, "below_limit", o->below_limit);
-  if (o->known) {
-    json_formulas(j, o);
-  } else {
-    tp_json_null(j, "tan_critical_angle");
-    tp_json_break(j);
-    tp_json_string(j, "why", missing(o));
-  }
-  tp_json_close(j);
-}
-
-void tp_json_derived_onset(tp_json *j, const tp_derivation *d) {
-  bool asked[2];
-  for (int k = 0; k < 2; k++) asked[k] = d->onset[k].kind != TP_ONSET_NOT_ASKED;
-  if (!asked[0] && !asked[1]) return;
-  tp_json_array(j, "onset", TP_JSON_BLOCK);
-  for (int k = 0; k < 2; k++) {
-    if (asked[k]) add_json(j, d->onset + k, (tp_direction)k);
-  }
-  tp_json_close(j);
 }

@@ -12,7 +12,7 @@ void tp_text_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_latex_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_onset(tp_text *text, const tp_derivation *derivation);
 
-/* The key `onset`. */
-void tp_json_derived_onset(tp_json *json, const tp_derivation *derivation);
+/* Why there is no formula; NULL where there is one, or none was asked for. */
+const char *tp_derived_onset_missing(const tp_derived_onset *onset);
 
 #endif

@@ -123,36 +123,3 @@ tp_status tp_report_family(char **text, const tp_family *family) {
   }
   return tp_text_finish(&t, text);
 }
-
-static void json_counts(tp_json *j, const char *key, const long *counts, int number) {
-  tp_json_array(j, key, TP_JSON_LINE);
-  for (int k = 0; k < number; k++) tp_json_integer(j, NULL, counts[k]);
-  tp_json_close(j);
-}
-
-static void json_formula(tp_json *j, const tp_family *f, const tp_family_formula *own) {
-  tp_json_object(j, NULL, TP_JSON_ALIGNED);
-  tp_json_string(j, "count", parity(own->even));
-  tp_json_string(j, "towards", tp_direction_name(own->towards));
-  tp_json_string(j, "kind", tp_pivot_kind_name(own->kind));
-  tp_json_break(j);
-  tp_json_fraction(j, "tan_critical_angle", &own->tangent);
-  tp_json_break(j);
-  json_counts(j, "fixed_by", f->fixed[own->even], TP_FAMILY_FIXED);
-  json_counts(j, "checked_on", f->checked[own->even], TP_FAMILY_CHECKED);
-  tp_json_close(j);
-}
-
-tp_status tp_report_family_json(char **text, const tp_family *family) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(NULL, text);
-  TP_REFUSE_NULL(NULL, family);
-  tp_json j = {0};
-  tp_json_report(&j);
-  tp_json_string(&j, "count", family->count);
-  tp_json_array(&j, "formulas", TP_JSON_BLOCK);
-  for (int k = 0; k < 4; k++) json_formula(&j, family, family->formulas + k);
-  tp_json_close(&j);
-  tp_json_close(&j);
-  return tp_json_finish(&j, text);
-}

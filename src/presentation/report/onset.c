@@ -254,7 +254,8 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
   }
 }
 
-void tp_text_beginnings(tp_text *t, const tp_onset *o) {
+void tp_text_beginnings(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
   for (size_t k = 0; k < o->beginning_count; k++) {
     tp_text_add(t, "%s%s", k > 0 ? " or " : "", tp_mechanism_name(o->beginnings[k]));
   }
@@ -267,7 +268,7 @@ void tp_text_verdict(tp_text *t, const tp_case *c) {
       m == TP_SLIDES || m == TP_TOPPLES || m == TP_SLIDES_AND_TOPPLES || m == TP_LEAVES_BASE;
   if (m == TP_MAY_MOVE && o->beginning_count > 0) tp_text_add(t, "may move: ");
   if ((moves || m == TP_MAY_MOVE) && o->beginning_count > 0) {
-    tp_text_beginnings(t, o);
+    tp_text_beginnings(t, c);
   } else {
     tp_text_add(t, "%s", tp_mechanism_name(m));
   }

@@ -27,7 +27,7 @@ void tp_page_add_windows(tp_page *page, const tp_onset *onset);
 void tp_page_add_motions(tp_page *page, const tp_case *own);
 
 /* What can begin at the scene's tilt, in words: "slides or topples". */
-void tp_text_beginnings(tp_text *text, const tp_onset *onset);
+void tp_text_beginnings(tp_text *text, const tp_case *own);
 
 /* The verdict at the scene's tilt with all that can begin there: "may move: topples". */
 void tp_text_verdict(tp_text *text, const tp_case *own);

@@ -50,18 +50,3 @@ void tp_csv_setting_value(tp_text *t, const tp_setting *setting) {
     tp_text_add(t, "%.17g", setting->value.value);
   }
 }
-
-void tp_json_settings(tp_json *j, const tp_settings *settings) {
-  if (settings->count == 0) return;
-  tp_json_array(j, "set", TP_JSON_LIST);
-  for (size_t k = 0; k < settings->count; k++) {
-    const tp_setting *setting = settings->items + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_string(j, "key", setting->key);
-    tp_json_string(j, "formula", setting->formula);
-    tp_json_string(j, "unit", setting->unit);
-    tp_json_bounded(j, "value", setting->value);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}

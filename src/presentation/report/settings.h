@@ -17,7 +17,4 @@ char *tp_text_setting(const tp_setting *setting);
 void tp_csv_setting_name(tp_text *text, const char *key, const char *unit);
 void tp_csv_setting_value(tp_text *text, const tp_setting *setting);
 
-/* The key `set`; nothing where nothing was set. */
-void tp_json_settings(tp_json *json, const tp_settings *settings);
-
 #endif

@@ -90,9 +90,6 @@ tp_status tp_report_json_pivots(char **text, const tp_solution *solution, tp_piv
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solution);
-  tp_json j = {0};
-  tp_json_report(&j);
-  tp_json_solution(&j, solution, listed);
-  tp_json_close(&j);
-  return tp_json_finish(&j, text);
+  tp_json_subject x = {.s = solution, .listed = listed};
+  return tp_json_document_of_solve(text, solution, &x);
 }

@@ -6,7 +6,7 @@
 #include "common/host.h"
 #include "output/encode.h"
 #include "output/file.h"
-#include "report/row.h"
+#include "report/results.h"
 #include "report/settings.h"
 #include "scene/scene.h"
 
@@ -38,8 +38,8 @@ static void add_head(tp_text *t, const tp_settings *set) {
     tp_text_add(t, ",");
   }
   tp_text_add(t, "status");
-  tp_row_names(t, TP_ROW_VERDICT);
-  tp_row_names(t, TP_ROW_PIVOT);
+  tp_csv_names_of_verdict_row(t);
+  tp_csv_names_of_pivot_row(t);
   tp_text_add(t, ",message\n");
 }
 
@@ -49,8 +49,9 @@ static void add_row(tp_text *t, const tp_sweep_point *point, const tp_case *own)
     tp_text_add(t, ",");
   }
   tp_text_add(t, "%s", tp_status_meaning(point->status));
-  tp_row_fields(t, TP_ROW_VERDICT, point->solution, own);
-  tp_row_fields(t, TP_ROW_PIVOT, point->solution, own);
+  const tp_json_subject x = {.s = point->solution};
+  tp_csv_fields_of_verdict_row(t, own, &x);
+  tp_csv_fields_of_pivot_row(t, own, &x);
   tp_text_add(t, ",");
   tp_encode_csv(t, point->message);
   tp_text_add(t, "\n");
@@ -73,15 +74,13 @@ static void add_point(tp_json *j, const tp_sweep_point *point) {
     tp_json_array(j, "points", TP_JSON_LIST);
   }
   tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_settings(j, point->set);
-  tp_json_string(j, "status", tp_status_meaning(point->status));
-  if (s == NULL) tp_json_string(j, "message", point->message);
+  tp_json_subject x = {.s = s};
+  tp_json_members_of_sweep_point(j, point, &x);
   tp_json_break(j);
   tp_json_array(j, "cases", TP_JSON_LIST);
   for (size_t k = 0; s != NULL && k < s->case_count; k++) {
     tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_row_members(j, TP_ROW_VERDICT, s, s->cases + k);
-    tp_row_members(j, TP_ROW_PIVOT, s, s->cases + k);
+    tp_json_members_of_sweep_row(j, s->cases + k, &x);
     tp_json_close(j);
   }
   tp_json_close(j);

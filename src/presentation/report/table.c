@@ -6,7 +6,7 @@
 #include "common/host.h"
 #include "output/encode.h"
 #include "report/onset.h"
-#include "report/row.h"
+#include "report/results.h"
 #include "report/settings.h"
 #include "report/words.h"
 #include "terms/names.h"
@@ -191,14 +191,15 @@ static void write_csv(tp_text *t, const keys *all, const tp_solution *const *sol
     tp_text_add(t, ",");
   }
   tp_text_add(t, "scene");
-  tp_row_names(t, TP_ROW_VERDICT);
+  tp_csv_names_of_verdict_row(t);
   tp_text_add(t, "\n");
   for (size_t k = 0; k < count; k++) {
     const tp_solution *s = solutions[k];
+    const tp_json_subject x = {.s = s};
     for (size_t c = 0; c < s->case_count; c++) {
       add_settings(t, &s->settings, all);
       tp_encode_csv(t, s->title != NULL ? s->title : "");
-      tp_row_fields(t, TP_ROW_VERDICT, s, s->cases + c);
+      tp_csv_fields_of_verdict_row(t, s->cases + c, &x);
       tp_text_add(t, "\n");
     }
   }
