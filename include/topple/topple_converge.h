@@ -113,7 +113,7 @@ TP_MUST_USE tp_status tp_tilt_converge(tp_tilt_convergence **convergence, const 
 /* Free it with all that it points to; NULL is allowed. */
 void tp_tilt_convergence_free(tp_tilt_convergence *convergence);
 
-/* As a page, and as JSON (docs/schema). `*text` is allocated with malloc and is the caller's to
+/* As a page, and as JSON (docs/json.md). `*text` is allocated with malloc and is the caller's to
  * free. */
 TP_MUST_USE tp_status tp_report_tilt_convergence(char **text,
                                                  const tp_tilt_convergence *convergence);

@@ -212,7 +212,7 @@ TP_MUST_USE tp_status tp_profile_of_scene(tp_profile **profile, const tp_scene *
 /* NULL is let pass. */
 void tp_profile_free(tp_profile *profile);
 
-/* A page; JSON (docs/schema/profile.json), with every facet, lag and ordinate of the spectrum where
+/* A page; JSON (docs/json.md), with every facet, lag and ordinate of the spectrum where
  * `all`; CSV, a row for every facet. */
 TP_MUST_USE tp_status tp_report_profile(char **text, const tp_profile *profile);
 TP_MUST_USE tp_status tp_report_profile_json(char **text, const tp_profile *profile, bool all);

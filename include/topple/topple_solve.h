@@ -90,7 +90,7 @@ tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
 tp_design tp_case_meets(const tp_case *own, double design_fos);
 
 /* Reports, as `topple solve` prints them: the page, the account of moments by elements, JSON
- * (docs/schema). Of every report `*text` is allocated with malloc and is the caller's to free; it
+ * (docs/json.md). Of every report `*text` is allocated with malloc and is the caller's to free; it
  * is UTF-8, and ends with a line end. */
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);

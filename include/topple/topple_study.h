@@ -313,7 +313,7 @@ TP_MUST_USE tp_status tp_study_merge(tp_study_result **result, const tp_study *s
 /* Free it with all that it points to; NULL is allowed. */
 void tp_study_result_free(tp_study_result *result);
 
-/* The result as `topple study` prints it, and as JSON (docs/schema). `*text` is allocated with
+/* The result as `topple study` prints it, and as JSON (docs/json.md). `*text` is allocated with
  * malloc and is the caller's to free. */
 TP_MUST_USE tp_status tp_report_study(char **text, const tp_study_result *result);
 TP_MUST_USE tp_status tp_report_study_json(char **text, const tp_study_result *result);

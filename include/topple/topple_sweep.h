@@ -78,7 +78,7 @@ TP_MUST_USE tp_status tp_sweep(tp_sweep_summary *summary, const tp_scene *scene,
                                tp_message *message);
 
 /* As what a sweep is written: CSV, a row for each direction of each point, the numbers set first,
- * those of `topple solve --csv` after its status; or JSON (docs/schema/sweep.json). */
+ * those of `topple solve --csv` after its status; or JSON (docs/json.md). */
 typedef enum tp_sweep_format { TP_SWEEP_CSV, TP_SWEEP_JSON } tp_sweep_format;
 
 /* Who takes a text piece by piece: false ends the writing. */

@@ -268,7 +268,7 @@ TP_MUST_USE tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scen
 /* Free it with all that it points to; NULL is allowed. */
 void tp_tilt_test_free(tp_tilt_test *test);
 
-/* Reports, as `topple tilt` prints them: the page; JSON (docs/schema); the moments as CSV. Of each
+/* Reports, as `topple tilt` prints them: the page; JSON (docs/json.md); the moments as CSV. Of each
  * `*text` is allocated with malloc and is the caller's to free; UTF-8, ended by a line end. */
 TP_MUST_USE tp_status tp_report_tilt(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_json(char **text, const tp_tilt_test *test);

@@ -61,7 +61,7 @@ class Accuracy(Record):
         return written(lib.tp_report_accuracy, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/accuracy.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_accuracy_json, struct_of(self))
 
     def chart(self) -> Chart:

@@ -29,7 +29,7 @@ class Chart:
         return written(lib.tp_report_chart_csv, self._c)
 
     def to_json(self) -> str:
-        """The same as JSON (docs/schema/chart.json)."""
+        """The same as JSON (docs/json.md)."""
         return written(lib.tp_report_chart_json, self._c)
 
     def write(self, path: str | os.PathLike) -> None:

@@ -80,7 +80,7 @@ class Convergence(Record):
         return written(lib.tp_report_tilt_convergence, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/converge.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_tilt_convergence_json, struct_of(self))
 
     def chart(self) -> Chart:

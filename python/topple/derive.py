@@ -72,7 +72,7 @@ class Derivation(Record):
         return written(lib.tp_report_derivation, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/derive.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_derivation_json, struct_of(self))
 
 

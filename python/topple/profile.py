@@ -143,7 +143,7 @@ class Profile(Record):
         return written(lib.tp_report_profile, struct_of(self))
 
     def to_json(self, every: bool = False) -> str:
-        """JSON (docs/schema/profile.json); with every facet and ordinate of the spectrum."""
+        """JSON (docs/json.md); with every facet and ordinate of the spectrum."""
         return written(lib.tp_report_profile_json, struct_of(self), every)
 
     def csv(self) -> str:

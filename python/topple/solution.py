@@ -103,7 +103,7 @@ class Solution(Record):
         return written(lib.tp_report_effects, struct_of(self))
 
     def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
-        """JSON, as `topple solve --json` prints it (docs/schema/solve.json)."""
+        """JSON, as `topple solve --json` prints it (docs/json.md)."""
         return written(lib.tp_report_json_pivots, struct_of(self), number_of(PivotsListed, pivots))
 
     def to_json_outlines(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:

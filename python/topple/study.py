@@ -257,7 +257,7 @@ class StudyResult(Record):
         return written(lib.tp_report_study, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/study.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_study_json, struct_of(self))
 
     def write_report(self, path: str | os.PathLike, study: str | os.PathLike,

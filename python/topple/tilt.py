@@ -191,7 +191,7 @@ class TiltTest(Record):
         return written(lib.tp_report_tilt, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/tilt.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_tilt_json, struct_of(self))
 
     def csv(self) -> str:

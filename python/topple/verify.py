@@ -60,7 +60,7 @@ class Verification(Record):
         return written(lib.tp_report_verification, struct_of(self))
 
     def to_json(self) -> str:
-        """JSON (docs/schema/verify.json)."""
+        """JSON (docs/json.md)."""
         return written(lib.tp_report_verification_json, struct_of(self))
 
     def markdown(self) -> str:

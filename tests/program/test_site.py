@@ -41,12 +41,12 @@ class Contents(unittest.TestCase):
         text = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
         listed = re.findall(r": ([\w/]+\.md)$", text, re.MULTILINE)
         pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
-        pages |= {"index.md", "contents.md", "contributing.md", "schema/index.md"}
+        pages |= {"index.md", "contents.md", "contributing.md"}
         self.assertEqual(sorted(listed), sorted(pages))
 
     def test_the_same_order_in_the_folder(self):
         """docs/README.md, which a forge shows, has the groups and the pages of the site, in its order and by its names."""
-        ways = {"contributing.md": "../CONTRIBUTING.md", "schema/index.md": "schema"}
+        ways = {"contributing.md": "../CONTRIBUTING.md"}
         text = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
         text = text[text.index("contents.md\n"):]
         of_site = re.findall(r"^ +- (\w[^:\n]*):$|^ +- \"?(.+?)\"?: ([\w/]+\.md)$", text, re.MULTILINE)

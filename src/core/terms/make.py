@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What words mean, from the tables that say so: terms.csv (rock mechanics), keys.csv (files that are read) and
-docs/schema (results). `make.py c OUTPUT SCHEMA…` writes the table that the library has, `make.py glossary` prints
+"""What words mean, from the tables that say so: terms.csv (rock mechanics), keys.csv (files that are read) and the
+schemas (results). `make.py c OUTPUT SCHEMA…` writes the table that the library has, `make.py glossary` prints
 docs/glossary.md."""
 
 import csv

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """What is made of the tables of results, results/*.csv, in which each result that JSON has stands once:
 
-    make_results.py c OUTPUT TABLE…         the C that writes a record as JSON, member by member
+    make_results.py c CODE,HEADER TABLE…    the C that writes a record as JSON, member by member
     make_results.py schema OUTPUT TABLE…    the JSON Schema of what a command prints, that of the first table
 
 A table has a row for each key, in the order in which they are printed: the record that it belongs to, the key, its
@@ -11,9 +11,10 @@ type, its value in C, when it is there, how it stands on the page, and its meani
 record: value is the type in C, `when` a call on entering it, `layout` how it is printed; of the first record, which is
 what the command prints, the type is the command.
 
-Types: bounded (a number with a proven error), factor (a tp_fos: null unless it is a number), number, fixed:N (so many
-decimals), count (from 0; count:1 from 1), integer:LEAST, truth, text (text? may be null), tie (bits that do not tell two
-results apart), fraction (of polynomials), point and ends (one point and two, of coordinates), `numbers by name` (told in a
+Types: bounded (a number with a proven error), factor (a tp_fos: null unless it is a number), number, fixed:N and
+significant:N (so many decimals, so many digits), `number or word` (always, never: it is infinite), count (from 0; count:1
+from 1), integer and integer:LEAST, truth, text, tie (bits that do not tell two results apart), range (its two ends),
+fraction (of polynomials), point and ends (one point and two, of coordinates), `numbers by name` (told in a
 text), `of case` and `text of case` (a number or words that a function finds of a case), a set of words.csv (with words
 after a colon: these alone; after a leading comma: these besides), `one of` words, a record, and []TYPE, a list. A type
 that ends in ? may be null. A key that stands twice has one type or the other.
@@ -53,7 +54,11 @@ FRACTION = {
     "description": "A rational function.", "type": "object", "additionalProperties": False, "required": ["numerator", "denominator"],
     "properties": {"numerator": {"description": "A polynomial in the symbols.", "type": "string"},
                    "denominator": {"description": "Likewise; 1 where there is none.", "type": "string"}}}
-SHARED = {"number": NUMBER, "point": POINT, "fraction": FRACTION}
+RANGE = {
+    "description": "A range.", "type": "object", "additionalProperties": False, "required": ["least", "most"],
+    "properties": {"least": {"description": "Its lower end.", "type": "number"},
+                   "most": {"description": "Its upper end.", "type": "number"}}}
+SHARED = {"number": NUMBER, "range": RANGE, "point": POINT, "fraction": FRACTION}
 VERSION = {"description": "Version of the program that wrote this.", "type": "string"}
 
 
@@ -110,6 +115,8 @@ class Records:
                 self.heads[row.record], self.rows[row.record] = row, []
                 self.first = self.first or row.record
         self.words = Words()
+        for name in self.heads.keys() & self.words.sets.keys():
+            sys.exit(f"the record {name} is called as a set of words")
 
     def is_written(self, name):
         return self.heads[name].value != "-"
@@ -166,12 +173,13 @@ class Writer:
         words = self.records.words.of(kind)
         if words is not None:
             return f"tp_json_string(j, {key}, {in_words(words[0], value)});"
-        name, _, more = kind.removesuffix("?").partition(":")
+        name, _, more = kind.partition(":")
+        name = name.removesuffix("?")
         if name == "text":
             return f"tp_json_string(j, {key}, {value});"
-        if name == "fixed":
-            return f"tp_json_fixed(j, {key}, {value}, {more});"
-        if name in ("point", "ends", "numbers by name"):
+        if name in ("fixed", "significant"):
+            return f"tp_json_{name}(j, {key}, {value}, {more});"
+        if name in ("point", "ends", "range", "numbers by name", "number or word"):
             return f"tp_json_{name.replace(' ', '_')}(j, {key}, {value});"
         if name in ("of case", "text of case"):
             return f"tp_json_{name.replace(' ', '_')}(j, {key}, {value}, r);"
@@ -194,6 +202,7 @@ class Writer:
         if len(parts) == 1:
             parts = [parts[0], re.sub(r"s$", "_count", parts[0])]
         items, count = c(parts[0]), c(parts[1])
+        count = f"({count})" if " " in count else count
         how = row.layout
         shape = layout("line" if how == "lines" else how)
         if how == "block or line":
@@ -285,20 +294,24 @@ class Columns:
                 f"{unused}  if (r == NULL) {{\n    tp_text_add(t, \"{empty}\");\n    return;\n  }}\n{fields}}}\n\n")
 
 
-def write_c(output, tables):
+MADE = "/* Made by core/terms/make_results.py of the tables in core/terms/results; not to be edited. */\n\n"
+
+
+def write_c(sources, tables):
+    """Two files, their names with a comma between: the functions, and the declarations of those that others call."""
     records = Records(tables)
     writer = Writer(records)
     written = [name for name in records.heads if records.is_written(name)]
-    out = ["/* Made by core/terms/make_results.py of the tables in core/terms/results; not to be edited. */\n\n#include \"report/results.h\"\n\n"]
-    out += [f"static void members_of_{name}(tp_json *, const {records.heads[name].value} *, tp_json_subject *);\n" for name in written]
-    out.append("\n")
-    out += [f"static {writer.function(name)}" for name in written]
     inner = {row.item for name in written for row in records.rows[name] if row.value != "-"}
-    for name in written:
-        if name not in inner:
-            out.append(writer.outer(name))
-    out += [Columns(records).functions(name) for name in written if records.heads[name].layout == "csv"]
-    pathlib.Path(output).write_text("".join(out), encoding="utf-8")
+    static = "".join(f"static {writer.function(name)}" for name in written)
+    shown = "".join(writer.outer(name) for name in written if name not in inner)
+    shown += "".join(Columns(records).functions(name) for name in written if records.heads[name].layout == "csv")
+    early = "".join(f"static void members_of_{name}(tp_json *, const {records.heads[name].value} *, tp_json_subject *);\n" for name in written)
+    code, declarations = map(pathlib.Path, sources.split(","))
+    code.write_text(f"{MADE}#include \"report/results.h\"\n\n{early}\n{static}{shown}", encoding="utf-8")
+    declared = "".join(f"{head};\n" for head in re.findall(r"^(\w[^{}]*\)) \{$", shown, re.MULTILINE))
+    guard = "TP_RESULTS_JSON_H"
+    declarations.write_text(f"{MADE}#ifndef {guard}\n#define {guard}\n\n#include \"report/row.h\"\n\n{declared}\n#endif\n", encoding="utf-8")
 
 
 # ---- JSON Schema ------------------------------------------------------------------------------------------------------
@@ -312,12 +325,14 @@ class Schema:
         if kind in ("bounded", "factor"):
             self.use("number")
             return {"$ref": "#/$defs/number"}
-        if kind in ("point", "fraction"):
+        if kind in ("point", "fraction", "range"):
             self.use(kind)
             own = {"$ref": f"#/$defs/{kind}"}
             return {"oneOf": [own, {"type": "null"}]} if null else own
         if kind == "of case":
             return self.of("bounded", True)
+        if kind == "number or word":
+            return {"anyOf": [{"type": "number"}, {"enum": ["always", "never"]}]}
         if kind == "numbers by name":
             return {"type": "object", "additionalProperties": {"type": "number"}, "minProperties": 1}
         if kind == "ends":
@@ -337,9 +352,9 @@ class Schema:
         null = null or name.endswith("?") or name == "text of case"
         name = name.removesuffix("?")
         kinds = {"text": "string", "text of case": "string", "truth": "boolean", "count": "integer", "integer": "integer",
-                 "number": "number", "fixed": "number"}
+                 "number": "number", "fixed": "number", "significant": "number"}
         own = {"type": [kinds[name], "null"] if null else kinds[name]}
-        if name in ("count", "integer"):
+        if name == "count" or more and name == "integer":
             own["minimum"] = int(more or 0)
         return own
 
@@ -349,13 +364,14 @@ class Schema:
 
     def object(self, name, head=()):
         properties, required = dict(head), [key for key, _ in head]
+        keys = [row.key for row in self.records.all_rows(name)]
         for row in self.records.all_rows(name):
             own = self.of(row.kind, bool(row.null))
             if row.key in properties:
                 first = {key: value for key, value in properties[row.key].items() if key != "description"}
                 own = {"anyOf": [first, own]}
             properties[row.key] = {"description": row.meaning, **own}
-            if not row.absent or "anyOf" in own:
+            if (not row.absent or keys.count(row.key) > 1) and row.key not in required:
                 required.append(row.key)
         return {"description": self.records.heads[name].meaning, "type": "object", "additionalProperties": False, "required": required,
                 "properties": properties}

@@ -6,7 +6,7 @@
 
 #include "common/host.h"
 #include "output/encode.h"
-#include "report/converge_json.h"
+#include "report/converge.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -99,55 +99,4 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
     tp_text_convergence(&t, a->simulated);
   }
   return tp_text_finish(&t, text);
-}
-
-/* The logarithm goes on where doubles end. */
-static void json_run(tp_json *j, const tp_accuracy_run *run) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "method", tp_accuracy_method_name(run->method));
-  tp_json_string(j, "level", tp_level_name(run->level));
-  tp_json_integer(j, "bits", run->bits);
-  tp_json_count(j, "vertices", run->vertices);
-  tp_json_significant(j, "seconds", run->seconds, 6);
-  if (run->has_bound) {
-    tp_json_double(j, "bound", run->bound);
-    tp_json_fixed(j, "bound_log10", run->log10_bound, 6);
-  } else {
-    tp_json_null(j, "bound");
-    tp_json_null(j, "bound_log10");
-  }
-  tp_json_double(j, "true_error", run->true_error);
-  tp_json_fixed(j, "true_error_log10", run->log10_true_error, 6);
-  tp_json_close(j);
-}
-
-static void json_value(tp_json *j, const tp_accuracy_value *value) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "method", tp_accuracy_method_name(value->method));
-  tp_json_count(j, "vertices", value->vertices);
-  tp_json_bounded(j, "angle_deg", value->angle_deg);
-  tp_json_close(j);
-}
-
-tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(NULL, text);
-  TP_REFUSE_NULL(NULL, a);
-  tp_json j = {0};
-  tp_json_report(&j);
-  if (a->title != NULL) tp_json_string(&j, "title", a->title);
-  tp_json_string(&j, "towards", tp_direction_name(a->towards));
-  tp_json_array(&j, "runs", TP_JSON_BLOCK);
-  for (size_t k = 0; k < a->run_count; k++) json_run(&j, a->runs + k);
-  tp_json_close(&j);
-  tp_json_array(&j, "values", TP_JSON_BLOCK);
-  for (size_t k = 0; k < a->value_count; k++) json_value(&j, a->values + k);
-  tp_json_close(&j);
-  if (a->simulated != NULL) {
-    tp_json_object(&j, "simulated", TP_JSON_BLOCK);
-    tp_json_convergence(&j, a->simulated);
-    tp_json_close(&j);
-  }
-  tp_json_close(&j);
-  return tp_json_finish(&j, text);
 }

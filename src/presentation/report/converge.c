@@ -3,9 +3,9 @@
 
 /* What the settings of a tilt test take from its answer, as a page of 80 columns. */
 
+#include "report/converge.h"
 #include "common/host.h"
 #include "output/encode.h"
-#include "report/converge_json.h"
 #include "report/notes.h"
 #include "report/words.h"
 #include "terms/names.h"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Profiles, derivations, families and verifications as JSON documents, by the tables of
- * core/terms/results; here is what these call for a profile, whose lengths are in its length unit.
+/* Studies, accuracy, profiles, derivations, families and verifications as JSON documents, by the
+ * tables of core/terms/results; here is what these call for a profile, whose lengths are in its
+ * length unit.
  */
 
 #include "common/host.h"
@@ -91,4 +92,20 @@ tp_status tp_report_verification_json(char **text, const tp_verification *verifi
   TP_REFUSE_NULL(NULL, verification);
   tp_json_subject x = {0};
   return tp_json_document_of_verify(text, verification, &x);
+}
+
+tp_status tp_report_study_json(char **text, const tp_study_result *result) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, result);
+  tp_json_subject x = {.study = result};
+  return tp_json_document_of_study(text, result, &x);
+}
+
+tp_status tp_report_accuracy_json(char **text, const tp_accuracy *accuracy) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, accuracy);
+  tp_json_subject x = {0};
+  return tp_json_document_of_accuracy(text, accuracy, &x);
 }

@@ -81,16 +81,3 @@ tp_status tp_report_notes(char **text, const tp_solution *solution) {
   tp_text_notes(&t, &solution->notes);
   return tp_text_finish(&t, text);
 }
-
-void tp_json_notes(tp_json *j, const tp_notes *notes) {
-  tp_json_array(j, "notes", TP_JSON_LIST);
-  for (size_t k = 0; k < notes->count; k++) {
-    const tp_note *note = notes->items + k;
-    tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_string(j, "kind", tp_note_kind_name(note->kind));
-    tp_json_string(j, "place", note->place);
-    tp_json_string(j, "text", note->text);
-    tp_json_close(j);
-  }
-  tp_json_close(j);
-}

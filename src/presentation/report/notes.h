@@ -15,7 +15,4 @@ void tp_text_notes(tp_text *text, const tp_notes *notes);
 /* There too: a line for each number that was set. */
 void tp_text_settings(tp_text *text, const tp_settings *settings);
 
-/* The key `notes`. */
-void tp_json_notes(tp_json *json, const tp_notes *notes);
-
 #endif

@@ -5,6 +5,7 @@
 
 #include "report/parts_json.h"
 
+#include <math.h>
 #include <stdio.h>
 
 void tp_json_tie(tp_json *j, const char *key, long bits) {
@@ -40,6 +41,21 @@ void tp_json_known(tp_json *j, const char *key, bool known, tp_bounded number) {
     tp_json_bounded(j, key, number);
   } else {
     tp_json_null(j, key);
+  }
+}
+
+void tp_json_range(tp_json *j, const char *key, double least, double most) {
+  tp_json_object(j, key, TP_JSON_LINE);
+  tp_json_double(j, "least", least);
+  tp_json_double(j, "most", most);
+  tp_json_close(j);
+}
+
+void tp_json_number_or_word(tp_json *j, const char *key, double value) {
+  if (isinf(value)) {
+    tp_json_string(j, key, value > 0 ? "always" : "never");
+  } else {
+    tp_json_double(j, key, value);
   }
 }
 

@@ -24,6 +24,13 @@ void tp_json_ends(tp_json *json, const char *key, tp_bounded x0_m, tp_bounded y0
 /* A number, or null where it is not known. */
 void tp_json_known(tp_json *json, const char *key, bool known, tp_bounded number);
 
+/* {"least": a, "most": b} */
+void tp_json_range(tp_json *json, const char *key, double least, double most);
+
+/* A number, or the word for one that is infinite: always, where it holds at every tilt, and never.
+ */
+void tp_json_number_or_word(tp_json *json, const char *key, double value);
+
 /* The same number with the other sign. */
 tp_bounded tp_bounded_negated(tp_bounded number);
 

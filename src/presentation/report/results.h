@@ -29,6 +29,12 @@ typedef struct tp_json_subject {
   bool all;              /* of a profile, also each facet and ordinate */
   const tp_hurst *hurst; /* of a profile, by both ways */
   const tp_family *family;
+  const tp_study_result *study;
+  const tp_tilt_test *test;
+  const tp_tilt_case *tilt_case;     /* of the test; */
+  const tp_tilt_reaction *reactions; /* of the moment that is being written */
+  size_t reaction_count;
+  const tp_tilt_convergence_case *converge_case;
   const tp_solution *s;
   tp_pivots_listed listed;
   const tp_case *c;  /* of the solution, that is being written: */
@@ -37,30 +43,7 @@ typedef struct tp_json_subject {
   size_t k;          /* the number of the item of a list */
 } tp_json_subject;
 
-/* Whole documents. */
-tp_status tp_json_document_of_derive(char **text, const tp_derivation *derivation,
-                                     tp_json_subject *x);
-tp_status tp_json_document_of_family(char **text, const tp_family *family, tp_json_subject *x);
-tp_status tp_json_document_of_profile(char **text, const tp_profile *profile, tp_json_subject *x);
-tp_status tp_json_document_of_solve(char **text, const tp_solution *solution, tp_json_subject *x);
-tp_status tp_json_document_of_verify(char **text, const tp_verification *verification,
-                                     tp_json_subject *x);
-
-/* The members of a record, between brackets that the caller opens and closes. */
-void tp_json_members_of_solve(tp_json *json, const tp_solution *solution, tp_json_subject *x);
-void tp_json_members_of_derive(tp_json *json, const tp_derivation *derivation, tp_json_subject *x);
-void tp_json_members_of_family(tp_json *json, const tp_family *family, tp_json_subject *x);
-void tp_json_members_of_profile(tp_json *json, const tp_profile *profile, tp_json_subject *x);
-void tp_json_members_of_verify(tp_json *json, const tp_verification *v, tp_json_subject *x);
-void tp_json_members_of_sweep_point(tp_json *json, const tp_sweep_point *p, tp_json_subject *x);
-void tp_json_members_of_sweep_row(tp_json *json, const tp_case *own, tp_json_subject *x);
-void tp_json_members_of_find(tp_json *json, const tp_found *found, tp_json_subject *x);
-
-/* The columns of a row in CSV, a comma before each; `own` NULL: as many empty fields. */
-void tp_csv_names_of_verdict_row(tp_text *text);
-void tp_csv_names_of_pivot_row(tp_text *text);
-void tp_csv_fields_of_verdict_row(tp_text *text, const tp_case *own, const tp_json_subject *x);
-void tp_csv_fields_of_pivot_row(tp_text *text, const tp_case *own, const tp_json_subject *x);
+#include "results_json.h"
 
 /* A profile's spectrum in bands, and its facets. */
 void tp_json_profile_bands(tp_json *json, const char *key, const tp_profile *profile);
@@ -68,6 +51,11 @@ void tp_json_profile_facets(tp_json *json, const char *key, const tp_profile *pr
 
 /* "c = 7.41, b = 100" as {"c": 7.41, "b": 100}. */
 void tp_json_numbers_by_name(tp_json *json, const char *key, const char *text);
+
+/* On to a case of a tilt test, and to the next of its moments; and the key of a setting. */
+void tp_json_enter_tilt_case(tp_json_subject *x, const tp_tilt_case *own);
+void tp_json_enter_moment(tp_json_subject *x);
+const char *tp_json_key_of_setting(tp_converge_setting setting);
 
 /* On to a case; and is a pivot of it listed? */
 void tp_json_enter_case(tp_json_subject *x, const tp_case *own);

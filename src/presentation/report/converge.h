@@ -3,13 +3,10 @@
 
 /* What the settings of a tilt test take from its answer, within other reports. */
 
-#ifndef TP_REPORT_CONVERGE_JSON_H
-#define TP_REPORT_CONVERGE_JSON_H
+#ifndef TP_REPORT_CONVERGE_H
+#define TP_REPORT_CONVERGE_H
 
-#include "output/json.h"
-
-/* The quantity, what was asked and the cases, into an object that is open. */
-void tp_json_convergence(tp_json *json, const tp_tilt_convergence *convergence);
+#include "output/text.h"
 
 /* The cases as text. */
 void tp_text_convergence(tp_text *text, const tp_tilt_convergence *convergence);
