@@ -8,7 +8,7 @@ import subprocess
 import xml.etree.ElementTree
 
 from chart_case import Chart, chart
-from harness import PROGRAM, ROOT, main, run
+from harness import PROGRAM, ROOT, main, rounds, run
 
 
 class Figures(Chart):
@@ -21,14 +21,17 @@ class Figures(Chart):
         return (*self.kinds, line, plane)
 
     def test_whole_and_the_same_again(self):
-        """Every kind in every format: well formed, and byte for byte the same on a rerun."""
+        """Every kind in every format: well formed, and byte for byte the same on a rerun, which the short form asks of PDF
+        and SVG of the first two kinds alone."""
         for k, arguments in enumerate(self.all_kinds()):
             for ending in ("svg", "pdf", "png", "csv"):
                 one, other = (self.folder / f"{k}-{turn}.{ending}" for turn in "ab")
-                for path in (one, other):
+                again = rounds(k < 2 and ending in ("svg", "pdf"), True)
+                for path in (one, other)[:1 + again]:
                     self.assertEqual(run("chart", *arguments, "--output", path), (0, "", ""))
                 data = one.read_bytes()
-                self.assertEqual(data, other.read_bytes())
+                if again:
+                    self.assertEqual(data, other.read_bytes())
                 if ending == "svg":
                     root = xml.etree.ElementTree.fromstring(data)
                     self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")

@@ -44,13 +44,15 @@ static void count_scans(j_common_ptr info) {
   leave(info);
 }
 
+static tp_status refuse(const reader *r, const char *name, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
+                 "a broken JPEG: %s; save it again from where it comes", r->text);
+}
+
 /* What libjpeg has taken is given back by its caller, whichever way this ends. */
 static tp_status decode(struct jpeg_decompress_struct *info, reader *r, tp_trace_picture *picture,
                         const char *name, tp_message *message) {
-  if (setjmp(r->back) != 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
-                   "a broken JPEG: %s; save it again from where it comes", r->text);
-  }
+  if (setjmp(r->back) != 0) return refuse(r, name, message);
   (void)jpeg_read_header(info, TRUE);
   const tp_status status =
       tp_picture_check_size(info->image_width, info->image_height, name, message);
