@@ -52,4 +52,3 @@ tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_level highest, 
   }
   return TP_UNDECIDED;
 }
-
