@@ -170,9 +170,9 @@ START_TEST(convergence) {
   ck_assert_int_eq(tp_chart_tilt_convergence(&chart, &empty, &message), TP_NO_ANSWER);
   ck_assert_ptr_eq(of, UNTOUCHED(tp_tilt_convergence));
   ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
-  ck_assert_str_eq(tp_converge_setting_name((tp_converge_setting)-1), "unknown setting");
-  ck_assert_str_eq(tp_converge_quantity_name((tp_converge_quantity)9), "unknown quantity");
-  ck_assert_str_eq(tp_converge_verdict_name((tp_converge_verdict)9), "unknown verdict");
+  ck_assert_str_eq(tp_converge_setting_name((tp_converge_setting)-1), "unknown");
+  ck_assert_str_eq(tp_converge_quantity_name((tp_converge_quantity)9), "unknown");
+  ck_assert_str_eq(tp_converge_verdict_name((tp_converge_verdict)9), "unknown");
   tp_tilt_convergence_free(NULL);
 }
 END_TEST
@@ -205,10 +205,10 @@ START_TEST(reports) {
   REFUSED(tp_report_sheet_tilt("x.html", scene, &empty, &sized, &message), "the size");
   REFUSED(tp_report_sheet_tilt("x.svg", scene, &empty, &sheet, &message), ".html, .md or .pdf");
   ck_assert_ptr_eq(text, UNTOUCHED(char));
-  ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown end");
-  ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown engine");
-  ck_assert_str_eq(tp_tilt_protocol_name((tp_tilt_protocol)7), "unknown protocol");
-  ck_assert_str_eq(tp_tilt_event_name((tp_tilt_event_kind)99), "unknown event");
+  ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown");
+  ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown");
+  ck_assert_str_eq(tp_tilt_protocol_name((tp_tilt_protocol)7), "unknown");
+  ck_assert_str_eq(tp_tilt_event_name((tp_tilt_event_kind)99), "unknown");
 }
 END_TEST
 

@@ -38,7 +38,7 @@ typedef struct tp_accuracy_run {
   size_t vertices; /* of the block */
   double seconds;  /* of one evaluation: median of several */
   bool has_bound;  /* a limit in doubles alone has none */
-  double bound, log10_bound;           /* proven, rounded up */
+  double bound, log10_bound;           /* if has_bound: proven, rounded up */
   double true_error, log10_true_error; /* against the exact value */
 } tp_accuracy_run;
 

@@ -165,7 +165,7 @@ typedef enum tp_fos_state {
 /* A factor of safety: what it is, or why it is none. */
 typedef struct tp_fos {
   tp_fos_state state; /* is it a number? */
-  tp_bounded value;   /* only when state is TP_FOS_NUMBER */
+  tp_bounded value;   /* if state == TP_FOS_NUMBER */
 } tp_fos;
 
 #ifdef __cplusplus

@@ -29,10 +29,10 @@ typedef struct tp_frame_result {
   bool world;                      /* y runs up: the block lies as it lies */
   bool level;                      /* results are along the horizontal: an earthquake up-dip */
   bool fitted;                     /* the mean plane, to the contact; else given */
-  bool dips;                       /* the mean plane is not level, ... */
-  tp_direction dips_towards;       /* ... its lower side, ... */
-  tp_bounded dip_deg;              /* ... and at which angle, 0 to 90: part of the tilt angle */
-  tp_bounded about_x_m, about_y_m; /* the point that stays */
+  bool dips;                       /* the mean plane is not level */
+  tp_direction dips_towards;       /* if dips: its lower side */
+  tp_bounded dip_deg;              /* if dips: its angle, 0 to 90: part of the tilt angle */
+  tp_bounded about_x_m, about_y_m; /* if world: the point that stays */
   bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
   tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
 } tp_frame_result;
@@ -55,7 +55,9 @@ typedef struct tp_contact_result {
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   bool has_contact_ratio;      /* on a profile, if the block has an underside there: */
   tp_bounded contact_ratio;    /* that length over that of the underside */
-  tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
+  tp_bounded weight_per_contact_area_pa,
+      weight_per_nominal_area_pa; /* if weight_per_contact_area_pa.value != 0: the block has a
+                                     weight, and its contact a length */
 } tp_contact_result;
 
 /* Facets of the base with a friction angle of their own: from one number to another, counted from 1
@@ -82,18 +84,20 @@ typedef struct tp_rest_result {
  * open the joint is then. Gaps are along y, and lengths along x, of the part of the underside that
  * lies above the base. */
 typedef struct tp_joint_result {
-  bool known;                 /* the scene asks for it */
-  tp_bounded shift_m;         /* along x, to the right above 0 */
-  tp_bounded above_base_m;    /* how much of the underside lies above the base */
-  tp_bounded largest_gap_m;   /* there */
-  tp_bounded mean_gap_m;      /* the area of the gap over that length */
-  bool has_closure;           /* the scene says up to which gap */
-  tp_bounded closure_m;       /* the joint counts as closed: */
-  tp_bounded matching;        /* so much of all of the underside is, 0 to 1 */
+  bool known;               /* the scene asks for it */
+  tp_bounded shift_m;       /* along x, to the right above 0 */
+  tp_bounded above_base_m;  /* how much of the underside lies above the base */
+  tp_bounded largest_gap_m; /* there */
+  tp_bounded mean_gap_m;    /* the area of the gap over that length */
+  bool has_closure;         /* the scene says up to which gap */
+  tp_bounded closure_m;     /* the joint counts as closed: */
+  tp_bounded
+      matching; /* if has_closure: the share of all of the underside that is closed, 0 to 1 */
   bool has_matching_sought;   /* the scene says how much, and the shift was searched: */
   tp_bounded matching_sought; /* that much at most; */
-  tp_bounded shift_before_m;  /* at this shift, the last before it that was looked at, */
-  tp_bounded matching_before; /* it is still this, above what is sought */
+  tp_bounded shift_before_m;  /* if has_matching_sought: at this shift, the last before it that was
+                                 looked at, */
+  tp_bounded matching_before; /* if has_matching_sought: it is still this, above what is sought */
 } tp_joint_result;
 
 /* The parts near its contact that were moved there ('contact: {within: ...}'). All of a solution is

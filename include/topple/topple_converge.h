@@ -56,7 +56,7 @@ typedef struct tp_converge_level {
   double value;                /* in the unit of it; INFINITY: the limit of stiff contacts */
   bool own;                    /* it is as the scene has it, or as it was refined before */
   bool known;                  /* a bracket was found: */
-  double least, most;          /* degrees, or factors */
+  double least, most;          /* if known: degrees, or factors */
   size_t runs;                 /* of the engine */
   double seconds;              /* that they took: of what is short the least of several */
 } tp_converge_level;
@@ -75,15 +75,15 @@ typedef struct tp_converge_finding {
 
 /* One direction of tilt. */
 typedef struct tp_tilt_convergence_case {
-  tp_direction towards;          /* which */
-  bool has_onset, has_limit;     /* statics knows: */
-  double onset_deg, limit_deg;   /* alpha_s and alpha_w */
-  bool known;                    /* the test as it is set has a bracket: */
-  double own_least, own_most;    /* that */
-  double least, most;            /* of it and of the finest levels together; where settings were
-                                    refined of the levels after that */
-  bool converged;                /* every setting holds, or was refined */
-  size_t finding_count;          /* of the findings */
+  tp_direction towards;        /* which */
+  bool has_onset, has_limit;   /* statics knows: */
+  double onset_deg, limit_deg; /* alpha_s and alpha_w */
+  bool known;                  /* the test as it is set has a bracket: */
+  double own_least, own_most;  /* if known: that */
+  double least, most;   /* if known: of it and of the finest levels together; where settings were
+                           refined of the levels after that */
+  bool converged;       /* every setting holds, or was refined */
+  size_t finding_count; /* of the findings */
   tp_converge_finding *findings; /* a setting each */
   size_t level_count;            /* of the levels */
   tp_converge_level *levels;     /* by setting, then from coarse to fine */

@@ -49,9 +49,9 @@ typedef struct tp_derived_pivot {
   tp_bounded critical_angle_deg;                        /* at the scene's values */
   bool has_elements;                                    /* the elements form was asked for */
   bool splits;                                          /* c = 0 */
-  tp_fraction fos_cot, fos_constant;                    /* where it splits */
-  tp_fraction normal_stabilising, parallel_stabilising; /* a, b */
-  tp_fraction normal_overturning, parallel_overturning; /* c, d */
+  tp_fraction fos_cot, fos_constant;                    /* if has_elements && splits */
+  tp_fraction normal_stabilising, parallel_stabilising; /* if has_elements: a, b */
+  tp_fraction normal_overturning, parallel_overturning; /* if has_elements: c, d */
 } tp_derived_pivot;
 
 /* The corner at the governing pivot of one direction, rounded (Appendix B): the axis moves along
@@ -126,7 +126,7 @@ typedef struct tp_derived_row {
   bool is_force;     /* else a motion */
   bool against_slip; /* of a force */
   bool turns;        /* of a motion; else it slides, and no point is given */
-  tp_fraction x, y;  /* the contact point, or the centre of turning */
+  tp_fraction x, y;  /* if is_force || turns: the contact point, or the centre of turning */
 } tp_derived_row;
 
 /* The onset of motion in symbols (docs/onset.md), in those of the limit: the tangent of the tilt up
@@ -139,9 +139,9 @@ typedef struct tp_derived_onset {
   bool known;                    /* false: there is no angle, or */
   const char *reason;            /* why it is not derived, a static text; else NULL */
   bool same_as_limit;            /* one formula serves for both */
-  tp_fraction tangent;           /* of its angle */
-  tp_bounded critical_angle_deg; /* at the scene's values */
-  tp_derived_row rows[2];        /* what balances the weight there */
+  tp_fraction tangent;           /* if known: of its angle */
+  tp_bounded critical_angle_deg; /* if known: at the scene's values */
+  tp_derived_row rows[2];        /* if known: what balances the weight there */
   bool positive;                 /* as for the limit */
   size_t condition_count;        /* of the conditions */
   tp_fraction *conditions;       /* above zero where the formula is sure to hold */
@@ -154,17 +154,17 @@ typedef struct tp_derivation {
   tp_notation notation;                 /* how they are written */
   tp_fraction area, x_moment, y_moment; /* about the scene's origin, weighted by relative density */
   size_t symbol_count;                  /* of both: */
-  TP_OUTSIDE char **symbols,
-      **parameters;   /* that the formulas are in: as these write them, which in C is another name
-                         where C keeps one for itself, and as the scene calls them */
-  size_t pivot_count; /* of the pivots */
+  TP_OUTSIDE char **symbols; /* as the formulas write them, which in C is another name where C keeps
+                                one for itself */
+  TP_OUTSIDE char **parameters;    /* symbol_count of them: as the scene calls them */
+  size_t pivot_count;              /* of the pivots */
   tp_derived_pivot *pivots;        /* by direction, and along the contact */
   size_t element_count;            /* 0 unless asked for */
-  tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
-  tp_derived_rounding rounded[2];  /* by direction; where asked for */
-  tp_derived_limit limit[2];       /* likewise */
-  tp_derived_onset onset[2];       /* with the limit */
-  tp_notes notes;                  /* of the scene's reading, and on its problem */
+  tp_derived_element *elements[2]; /* by direction: about the governing pivot; NULL where none */
+  tp_derived_rounding rounded[2];  /* by direction: where asked for */
+  tp_derived_limit limit[2];       /* by direction: likewise */
+  tp_derived_onset onset[2]; /* by direction where kind != TP_ONSET_NOT_ASKED: with the limit */
+  tp_notes notes;            /* of the scene's reading, and on its problem */
 } tp_derivation;
 
 /* What is derived. */
@@ -214,15 +214,16 @@ typedef struct tp_family_formula {
  * TP_FAMILY_FIXED members fix, so the formulas hold for every N. TP_FAMILY_CHECKED further members
  * were found to agree exactly. */
 typedef struct tp_family {
-  TP_OUTSIDE char *title;                  /* of the scene, or NULL */
-  tp_notation notation;                    /* how the formulas are written */
-  char *count;                             /* what N is: a symbol, or 2 dx / lambda */
-  bool count_is_symbol;                    /* of its own, besides the scene's */
-  size_t symbol_count;                     /* of both: */
-  TP_OUTSIDE char **symbols, **parameters; /* as in a derivation */
-  long fixed[2][TP_FAMILY_FIXED];          /* odd, even: the N that fix the formulas */
-  long checked[2][TP_FAMILY_CHECKED];      /* the N that they were checked on */
-  tp_family_formula formulas[4];           /* odd left, odd right, even left, even right */
+  TP_OUTSIDE char *title;             /* of the scene, or NULL */
+  tp_notation notation;               /* how the formulas are written */
+  char *count;                        /* what N is: a symbol, or 2 dx / lambda */
+  bool count_is_symbol;               /* of its own, besides the scene's */
+  size_t symbol_count;                /* of both: */
+  TP_OUTSIDE char **symbols;          /* as in a derivation */
+  TP_OUTSIDE char **parameters;       /* symbol_count of them: likewise */
+  long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
+  long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
+  tp_family_formula formulas[4];      /* odd left, odd right, even left, even right */
 } tp_family;
 
 /* One formula for every number of teeth, for the scene's left end. Scenes of other blocks are bad

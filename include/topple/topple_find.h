@@ -63,13 +63,13 @@ typedef struct tp_found {
   double low, high;             /* the range, cut to where the scene has an answer */
   tp_bounded least, greatest;   /* of the results at the numbers that were looked at */
   size_t count;                 /* 0: none in the range */
-  tp_bounded *solutions;        /* `count` of them */
+  tp_bounded *solutions;        /* count of them: at which it has the value */
   size_t touching_count;        /* of those that touch */
   tp_bounded *touching;         /* as told above */
   size_t interval_count;        /* of the intervals */
   tp_found_interval *intervals; /* throughout which it has the value */
-  tp_governing_fos *governing;  /* of each solution, where a factor of safety was looked for: the
-                                   factors there, and which of them governs; or NULL */
+  tp_governing_fos *governing;  /* if governing != NULL: of each solution, where a factor of safety
+                                   was looked for: the factors there, and which of them governs */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;

@@ -55,7 +55,7 @@ const char *tp_factor_standing_name(tp_factor_standing standing);
 typedef struct tp_factor {
   tp_fos_definition definition; /* by which it is defined */
   tp_mechanism mechanism; /* against which; by reduction, what happens at the strength reduced */
-  size_t pivot;           /* by moments: of the case's */
+  size_t pivot;           /* if definition == TP_FOS_BY_MOMENTS: of the case's */
   bool toe;               /* it is the end of the contact down-dip */
   bool counts;            /* false: it is shown for comparison, as `standing` says */
   tp_fos fos;             /* the factor itself */
@@ -70,7 +70,7 @@ enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
 typedef struct tp_governing_fos {
   tp_fos fos;          /* TP_FOS_UNDEFINED: it does not stand at all */
   bool has_factor;     /* it is that of ... */
-  size_t factor;       /* ... this one of the factors */
+  size_t factor;       /* if has_factor: this one of the factors */
   bool tie;            /* one against another mechanism is the same, as far as their bounds tell */
   bool up_dip;         /* none: at this tilt it fails up-dip */
   bool beyond;         /* none: it fails at a lower tilt, though forces would hold it at this one */

@@ -37,17 +37,19 @@ typedef struct tp_reaction {
 typedef struct tp_limit {
   tp_limit_kind kind; /* is it at an angle? */
   bool too_dear; /* undecided, it or its factor, since the proof takes more work than is allowed */
-  tp_bounded friction_angle_deg; /* at the normal stress of the limit */
-  tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
+  tp_bounded
+      friction_angle_deg; /* if kind != TP_LIMIT_NOT_ASKED: at the normal stress of the limit */
+  tp_bounded critical_angle_deg; /* if kind == TP_LIMIT_AT_ANGLE: below 0: it does not even hold on
+                                    level ground */
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
   bool tie;                      /* another mechanism has the same limit: */
-  tp_mechanism tied_with;        /* that one */
+  tp_mechanism tied_with;        /* if tie: that one */
   long tie_bits;     /* 0: exactly; else half of so many bits do not tell the two apart */
   bool turns_up_dip; /* against the sense of toppling */
   bool has_centre;   /* of rotation */
   tp_bounded centre_x_m, centre_y_m; /* where it is: a contact point where it topples */
   bool has_facet;                    /* along which it slides */
-  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its two ends */
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* if has_facet: its two ends */
   size_t reaction_count;                                     /* 1 or 2; 0 where there is no angle */
   tp_reaction reactions[2]; /* of the base, which hold the block at the limit, on the verge */
   tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which forces

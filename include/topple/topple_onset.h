@@ -35,8 +35,9 @@ typedef enum tp_onset_kind {
 /* Tilts between -90 and 90 degrees at which a motion can begin, both ends included. Between two
  * windows none can: there it is certain to stand again. */
 typedef struct tp_window {
-  bool from_below, to_above;   /* it has no lower end, no upper end, within that range */
-  tp_bounded from_deg, to_deg; /* its ends, where it has them */
+  bool from_below, to_above; /* it has no lower end, no upper end, within that range */
+  tp_bounded from_deg;       /* if !from_below: its lower end */
+  tp_bounded to_deg;         /* if !to_above: its upper end */
   tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
   bool from_by_strength, to_by_strength; /* a little more or less of all strength moves that end;
                                             told of the ends next to the scene's tilt */
@@ -44,10 +45,11 @@ typedef struct tp_window {
 
 /* Tilts from one to another throughout which the same motions can begin. */
 typedef struct tp_motion_range {
-  bool from_below, to_above;   /* as of a window */
-  tp_bounded from_deg, to_deg; /* its ends */
-  unsigned motions; /* the bit 1u << mechanism for each of slides, topples, slides and topples,
-                       leaves its base; never 0 */
+  bool from_below, to_above; /* as of a window */
+  tp_bounded from_deg;       /* if !from_below: likewise */
+  tp_bounded to_deg;         /* if !to_above: likewise */
+  unsigned motions; /* set of mechanism: the bit 1u << mechanism for each of slides, topples, slides
+                       and topples, leaves its base; never 0 */
 } tp_motion_range;
 
 /* What a contact does in a motion. */
@@ -67,7 +69,7 @@ typedef struct tp_motion_contact {
   bool has_pivot;              /* it is one of the contact's points, */
   size_t pivot;                /* of the case's pivots this one */
   bool has_force;              /* false: nothing fixes how the contacts that stay share the load */
-  tp_bounded share_x, share_y; /* along x and y of the scene */
+  tp_bounded share_x, share_y; /* if has_force: along x and y of the scene */
 } tp_motion_contact;
 
 /* What a motion has to overcome, as a force on the block over its weight, and its moment about the
@@ -87,12 +89,13 @@ typedef struct tp_motion {
   bool greatest;              /* or, of a slide that bonds pull on, the greatest: with no more pull
                                  than balance needs */
   bool has_strength;          /* under cohesion or bonds: */
-  tp_motion_resistance cohesion, bond; /* of lines that slip, of facets that open; the cohesion of
-                                          a line that sticks is part of its contact's force */
-  bool has_centre;                     /* of rotation */
-  tp_bounded centre_x_m, centre_y_m;   /* where it is */
-  size_t contact_count;                /* of the contacts */
-  tp_motion_contact *contacts;         /* those that do not open */
+  tp_motion_resistance cohesion,
+      bond; /* if has_strength: of lines that slip, of facets that open; the cohesion of a line that
+               sticks is part of its contact's force */
+  bool has_centre;                   /* of rotation */
+  tp_bounded centre_x_m, centre_y_m; /* where it is */
+  size_t contact_count;              /* of the contacts */
+  tp_motion_contact *contacts;       /* those that do not open */
 } tp_motion;
 
 /* As many mechanisms begin a motion: slides, topples, slides and topples, leaves its base. */
@@ -100,17 +103,18 @@ enum { TP_BEGINNINGS_MAX = 4 };
 
 /* The onset of a case, and how the block moves at the scene's tilt. */
 typedef struct tp_onset {
-  tp_onset_kind kind;            /* is it at an angle? */
-  bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
-  tp_bounded friction_angle_deg; /* at the normal stress of the onset */
-  tp_bounded critical_angle_deg; /* alpha_s, the lower end of the window that holds level ground, or
-                                    else of the first above it; below 0: certain to stand only when
-                                    tilted back */
-  tp_mechanism mechanism;        /* what can begin there */
-  bool tie;                      /* another mechanism can begin at the same tilt: */
-  tp_mechanism tied_with;        /* that one */
-  long tie_bits;                 /* 0: exactly; else so many bits do not tell the two apart */
-  bool has_centre;               /* of rotation of what can begin there */
+  tp_onset_kind kind; /* is it at an angle? */
+  bool too_dear;      /* undecided, since the proof takes more work than is allowed */
+  tp_bounded
+      friction_angle_deg; /* if kind != TP_ONSET_NOT_ASKED: at the normal stress of the onset */
+  tp_bounded critical_angle_deg;     /* if kind == TP_ONSET_AT_ANGLE: alpha_s, the lower end of the
+                                        window that holds level ground, or else of the first above it;
+                                        below 0: certain to stand only when tilted back */
+  tp_mechanism mechanism;            /* if kind == TP_ONSET_AT_ANGLE: what can begin there */
+  bool tie;                          /* another mechanism can begin at the same tilt: */
+  tp_mechanism tied_with;            /* if tie: that one */
+  long tie_bits;                     /* 0: exactly; else so many bits do not tell the two apart */
+  bool has_centre;                   /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m; /* where it is */
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them the
                           result depends on loading history */
@@ -119,14 +123,14 @@ typedef struct tp_onset {
   bool has_ranges; /* where the options ask for them; not under cohesion or bonds, not with friction
                       that depends on the stress, and not where they stay open */
   size_t range_count;      /* from below; where two meet, one motion takes over from another */
-  tp_motion_range *ranges; /* owned by the case */
+  tp_motion_range *ranges; /* if has_ranges: owned by the case */
   bool paradox; /* in some mode at the scene's tilt friction would press the slipping contact harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
   bool has_motions; /* at the scene's tilt, where there is one, and where they do not stay open */
   size_t motion_count;    /* 0: none can begin */
-  tp_motion *motions;     /* owned by the case */
+  tp_motion *motions;     /* if has_motions: owned by the case */
   size_t beginning_count; /* of their mechanisms, each once: what can begin at the scene's tilt, */
-  tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* in the order of tp_mechanism */
+  tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* if has_motions: in the order of tp_mechanism */
   tp_fos fos; /* by which tan(phi), cohesion and bond have to be divided, or multiplied, all alike,
                  before it changes whether a motion can begin at the scene's tilt, the nearer of
                  the two: above 1 where none can begin, unbounded where none does whatever the

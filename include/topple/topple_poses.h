@@ -29,12 +29,12 @@ const char *tp_settling_end_name(tp_settling_end end);
 /* Starting positions next to each other from which a block ends alike: shifts along x from where
  * the scene has it. */
 typedef struct tp_basin {
-  tp_settling_end end;     /* how */
-  size_t pose;             /* in this one of the poses, where it comes to rest */
-  tp_bounded from_m, to_m; /* its borders */
-  tp_bounded share;        /* of all starting positions */
-  tp_bounded turned_from_deg,
-      turned_to_deg; /* by what it turns in all next to these borders, where it comes to rest */
+  tp_settling_end end; /* how */
+  size_t pose; /* if end == TP_COMES_TO_REST: in this one of the poses, where it comes to rest */
+  tp_bounded from_m, to_m;                   /* its borders */
+  tp_bounded share;                          /* of all starting positions */
+  tp_bounded turned_from_deg, turned_to_deg; /* if end == TP_COMES_TO_REST: by what it turns in all
+                                                next to these borders, where it comes to rest */
 } tp_basin;
 
 /* Does a block stand in a pose, when the table is tilted in one direction? */

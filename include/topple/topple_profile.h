@@ -66,8 +66,8 @@ const char *tp_profile_window_name(tp_profile_window window);
 typedef struct tp_profile_estimate {
   bool found;       /* else there is none */
   bool has_range;   /* else its spread is not known */
-  double value;     /* the estimate */
-  double low, high; /* the range */
+  double value;     /* if found: the estimate */
+  double low, high; /* if has_range: the range */
 } tp_profile_estimate;
 
 /* The facets that face a block sliding to one side: those that it must climb. */
@@ -150,9 +150,10 @@ typedef struct tp_profile {
 
   size_t given_points; /* before resampling */
   size_t point_count;  /* of the profile that is measured: */
-  double *x, *y;       /* from its left end on; heights above the first point, detrended */
-  bool even;           /* the points lie at equal distances, but for a millionth */
-  double step;         /* mean distance along x */
+  double *x,
+      *y; /* point_count of them: from its left end on; heights above the first point, detrended */
+  bool even;                       /* the points lie at equal distances, but for a millionth */
+  double step;                     /* mean distance along x */
   double least_step, largest_step; /* the least and the largest of them */
 
   tp_bounded length;     /* along x */
@@ -184,12 +185,12 @@ typedef struct tp_profile {
   size_t jrc_count;             /* of the correlations */
   tp_profile_jrc *jrc;          /* each of them */
   size_t jrc_meant;             /* so many are meant for this profile: */
-  tp_bounded jrc_low, jrc_high; /* the least and the largest JRC by these */
-  tp_bounded jrc_median;        /* and their median */
+  tp_bounded jrc_low, jrc_high; /* if jrc_meant > 0: the least and the largest JRC by these */
+  tp_bounded jrc_median;        /* if jrc_meant > 0: and their median */
   bool has_eq_10;               /* JCS and a normal stress are known: */
-  double jcs_mpa;               /* joint wall compressive strength */
-  double normal_stress_kpa;     /* across the contact */
-  tp_bounded jrc_eq_10;         /* i / log10(JCS / normal stress) */
+  double jcs_mpa;               /* if has_eq_10: joint wall compressive strength */
+  double normal_stress_kpa;     /* if has_eq_10: across the contact */
+  tp_bounded jrc_eq_10;         /* if has_eq_10: i / log10(JCS / normal stress) */
 } tp_profile;
 
 /* The profile in a CSV file of x, y. `length_unit` is mm, cm, m, km, in or ft. */

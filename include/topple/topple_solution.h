@@ -36,14 +36,14 @@ typedef struct tp_pivot {
   bool told;           /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
   bool never;          /* loads keep it from toppling about this pivot at any tilt, ... */
   bool always;         /* ... or from standing on it at any: there is no critical angle */
-  tp_bounded x_m, y_m; /* the point, or the axis */
-  tp_bounded
-      critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
+  tp_bounded x_m, y_m; /* if told: the point, or the axis */
+  tp_bounded critical_angle_deg; /* if told && !never && !always: -180 to 180; above 90 it never
+                                    topples, below 0 not even level */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it fails, or is held again */
   tp_bounded *limits_deg; /* owned by the case */
-  tp_fos fos_resultant;   /* Eq. (2): tan(critical angle) / tan(tilt); with loads stabilising over
-                             overturning moment */
-  tp_fos fos_elements;    /* (A1.3): each element's components by their own sign */
+  tp_fos fos_resultant; /* if told: Eq. (2): tan(critical angle) / tan(tilt); with loads stabilising
+                           over overturning moment */
+  tp_fos fos_elements;  /* if told: (A1.3): each element's components by their own sign */
 } tp_pivot;
 
 /* What a section is cut into (section 5.1 of the paper): triangles, of a toothed block slabs too.
@@ -85,7 +85,8 @@ typedef struct tp_sliding {
                                     frictions of their own the least along which it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its ends, left and right */
-  tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
+  tp_bounded critical_angle_deg; /* if !never && !always: with loads, from the forces along and
+                                    across the facet */
   tp_fos fos;                    /* tan(phi_b + i) / tan(tilt) (Eq. 6); with loads by the forces */
   tp_fos fos_strength; /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
 } tp_sliding;
@@ -99,7 +100,7 @@ typedef struct tp_toe {
   bool known;   /* the scene gives a friction angle, and a pivot governs */
   bool holds;   /* it can */
   bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
-  tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
+  tp_bounded limit_angle_deg; /* if !upright: phi_b + i */
 } tp_toe;
 
 /* Where a load counts in the factor of safety: stabilising over overturning moment. */
@@ -127,16 +128,17 @@ typedef struct tp_case {
   long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
   tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
   bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
-  tp_bounded rest_turn_deg; /* ... turned by this on its base */
+  tp_bounded rest_turn_deg; /* if rests: turned by this on its base */
   tp_sliding sliding;       /* by angles, without statics */
   tp_toe toe;               /* can it bear what moments put on it? */
   tp_limit limit;           /* with the base of the scene */
-  tp_limit
-      limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
-  bool base_matters;   /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
-  tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
-  tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
-                          loads: at tilts below minus its angle the block begins to move up-dip */
+  tp_limit limit_otherwise; /* if limit_otherwise.kind != TP_LIMIT_NOT_ASKED: with a base that ends
+                               at the toe, or goes on, if the scene's does not */
+  bool base_matters;        /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
+  tp_onset onset;           /* up to which tilt no motion can begin, with the base of the scene */
+  tp_limit limit_back; /* if limit_back.kind != TP_LIMIT_NOT_ASKED: by contact forces, as the table
+                          is tilted the other way under the same loads: at tilts below minus its
+                          angle the block begins to move up-dip */
   tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
                                  Where it moves, what can begin there: of several motions that
                                  of the limit if it is among them, else the first of the onset's
@@ -151,14 +153,14 @@ typedef struct tp_case {
   bool slides_sooner;   /* the friction that a bond adds apart, it slides before `limit` */
   bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
   tp_governing_fos governing_fos; /* at the scene's tilt */
-  tp_account account;             /* by elements, where asked for */
+  tp_account account;             /* if account.count > 0: by elements, where asked for */
   tp_bounded *limits;             /* of all pivots, with loads */
   size_t load_count;     /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads; /* about the governing pivot */
   bool
       water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
-  tp_bounded water_overtops_deg; /* its face, whose pressure is computed as if the face continued
-                                    upwards */
+  tp_bounded water_overtops_deg; /* if water_overtops: its face, whose pressure is computed as if
+                                    the face continued upwards */
 } tp_case;
 
 /* The block as a body. */
@@ -242,7 +244,7 @@ typedef struct tp_solution {
   bool has_tilt_angle;          /* the scene gives one: */
   tp_bounded tilt_angle_deg;    /* that the block lies at, along its mean plane */
   bool has_friction;            /* the scene gives one: */
-  tp_bounded friction_angle_deg; /* of the contact */
+  tp_bounded friction_angle_deg; /* if has_friction: of the contact */
   bool friction_is_residual;     /* Barton's law: the angle at a stress is above it */
   bool friction_is_patton;       /* Patton's law: phi_b + i of the scene */
   tp_block_result block;         /* area, centroid, weight */

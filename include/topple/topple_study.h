@@ -93,7 +93,7 @@ typedef struct tp_study_quantile {
 /* How a quantity is distributed. */
 typedef struct tp_study_spread {
   size_t count; /* of the samples kept that have it; 0: no quantiles */
-  tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* by rising probability */
+  tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* if count > 0: by rising probability */
 } tp_study_spread;
 
 /* The factors of safety of samples that one definition governs at the scene's tilt. Each tells in
@@ -109,15 +109,15 @@ typedef struct tp_study_factor {
 /* Spearman's rank correlation of a number that varies with a quantity. */
 typedef struct tp_study_rank {
   bool known;              /* three samples at least, and neither is the same for all */
-  double value, low, high; /* -1 to 1, with its interval of 95 % */
+  double value, low, high; /* if known: -1 to 1, with its interval of 95 % */
 } tp_study_rank;
 
 /* Sobol' indices of a number for a quantity: the share of its variance that the number has by
  * itself, and with all in which it takes part, with their intervals of 95 %. */
 typedef struct tp_study_index {
   bool known;                          /* they were asked for, and every point has the quantity */
-  double first, first_low, first_high; /* by itself */
-  double total, total_low, total_high; /* with all in which it takes part */
+  double first, first_low, first_high; /* if known: by itself */
+  double total, total_low, total_high; /* if known: with all in which it takes part */
 } tp_study_index;
 
 /* A probability by samples drawn where it fails: around the design points (importance), or step by
@@ -125,9 +125,9 @@ typedef struct tp_study_index {
 typedef struct tp_study_rare {
   bool asked;                    /* for this one, */
   bool known;                    /* and it has an answer */
-  double probability, low, high; /* with its interval of 95 % */
-  double variation;              /* its deviation over itself */
-  size_t calls;                  /* scenes solved for it */
+  double probability, low, high; /* if known: with its interval of 95 % */
+  double variation;              /* if known: its deviation over itself */
+  size_t calls;                  /* if known: scenes solved for it */
   char *why;                     /* where it is not known: plain; else NULL */
 } tp_study_rare;
 
@@ -142,14 +142,14 @@ typedef struct tp_study_design_point {
 
 /* Reliability of first order at the scene's tilt: of the nearest design point, the most likely. */
 typedef struct tp_study_reliability {
-  bool known;                       /* it was asked for */
-  tp_study_quantity quantity;       /* of which */
-  bool converged;                   /* a design point was found; else there is no number, */
-  const char *state;                /* and why, in words; a static string */
-  double beta;                      /* the index: the distance of the design point in deviations */
-  double probability;               /* of first order, Phi(-beta), that the quantity is not above;
-                                       both NaN where there is no design point */
-  size_t calls;                     /* scenes solved for it */
+  bool known;                 /* it was asked for */
+  tp_study_quantity quantity; /* if known: of which */
+  bool converged;             /* if known: a design point was found; else there is no number, */
+  const char *state;          /* if known: and why, in words; a static string */
+  double beta;        /* if known: the index: the distance of the design point in deviations */
+  double probability; /* if known: of first order, Phi(-beta), that the quantity is not above; both
+                         NaN where there is no design point */
+  size_t calls;       /* if known: scenes solved for it */
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
   size_t point_count;               /* of the design points */
   tp_study_design_point *points;    /* the nearest first */
@@ -163,13 +163,14 @@ typedef struct tp_study_design {
   double probability;         /* wanted: */
   tp_study_quantity quantity; /* that this is not above `quantity_value` */
   bool known;                 /* there is one */
-  double value, low, high; /* the number, with its interval of 95 %; an end may be infinite, where
-                              the samples, or the range, do not reach it */
-  bool low_is_safe;        /* of the interval, else the high one: there is less of the quantity */
-  double quantity_value;   /* of the scene with it */
-  double scene_value;      /* the number as it stands in the scene */
-  size_t calls;            /* scenes solved for it */
-  char *why;               /* where it is not known: plain; else NULL */
+  double value, low, high;    /* if known: the number, with its interval of 95 %; an end may be
+                                 infinite, where the samples, or the range, do not reach it */
+  bool
+      low_is_safe; /* if known: of the interval, else the high one: there is less of the quantity */
+  double quantity_value; /* if known: of the scene with it */
+  double scene_value;    /* the number as it stands in the scene */
+  size_t calls;          /* scenes solved for it */
+  char *why;             /* where it is not known: plain; else NULL */
 } tp_study_design;
 
 /* A number that varies. */
@@ -197,7 +198,7 @@ typedef struct tp_study_measure {
                              Eq. (15), and valley_deg, Eq. (16); a static string */
   const char *unit;       /* mm, deg and so on; NULL: none */
   size_t count;           /* of the samples kept that have it */
-  double least, greatest; /* of these */
+  double least, greatest; /* if count > 0: of these */
   tp_study_rank ranks[TP_STUDY_QUANTITIES]; /* with each quantity */
 } tp_study_measure;
 

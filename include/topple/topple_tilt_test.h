@@ -191,7 +191,7 @@ typedef struct tp_tilt_case {
   bool has_bracket;     /* it stands at one tilt, and begins to move at another: */
   double least_deg;     /* it stands there; if it never moves, the last tilt tried; NaN: no run
                            stood */
-  double most_deg;      /* it begins to move there */
+  double most_deg;      /* if has_bracket: it begins to move there */
   bool converged;       /* the bracket is as narrow as was asked */
   bool has_softening;   /* of a path on contacts whose stiffness the scene gives: */
   double softening_deg; /* by which it begins to move sooner on these very springs than in the limit
@@ -215,8 +215,9 @@ typedef struct tp_tilt_case {
   double energy_scale_j;         /* weight times extent, for comparison */
   bool overturning_scanned;      /* it was asked which factors on its shaking overturn it */
   bool has_overturning;          /* some factor that was tried does: */
-  double overturning_least; /* the next below the least of these, which spares it; 0: none tried */
-  double overturning_most;  /* the least that was found */
+  double overturning_least; /* if has_overturning: the next below the least of these, which spares
+                               it; 0: none tried */
+  double overturning_most;  /* if has_overturning: the least that was found */
   size_t overturning_grid_count;            /* of the grids that were tried */
   tp_overturning_grid overturning_grids[2]; /* all the range; below the least that was found */
   size_t overturning_range_count;           /* of the ranges */
@@ -241,10 +242,10 @@ typedef struct tp_tilt_case {
 /* The shaking of the base along one axis. */
 typedef struct tp_tilt_shaking {
   bool given;               /* by the scene */
-  double peak_m_s2;         /* PGA */
-  double velocity_m_s;      /* PGV */
-  double last_velocity_m_s; /* what its baseline leaves at the end */
-  double duration_s;        /* of the shaking */
+  double peak_m_s2;         /* if given: PGA */
+  double velocity_m_s;      /* if given: PGV */
+  double last_velocity_m_s; /* if given: what its baseline leaves at the end */
+  double duration_s;        /* if given: of the shaking */
 } tp_tilt_shaking;
 
 /* The result of a test. */

@@ -45,13 +45,14 @@ typedef struct tp_claim_result {
   TP_OUTSIDE char *difference; /* of a refuted formula, printed minus derived; NULL: none */
   bool is_tangent;             /* derived and difference are of tangents of angles */
   TP_OUTSIDE char *mend;       /* the printed formula, mended by one change; NULL: none found */
-  TP_OUTSIDE char *change;     /* what the change is */
+  TP_OUTSIDE char *change;     /* what the change is; NULL: likewise */
   TP_OUTSIDE char *condition;  /* what keeps the verdict from being more, or where a formula holds;
                                   NULL: none */
   bool has_values;             /* there are numbers at */
   TP_OUTSIDE char *values;     /* these values of the symbols: */
-  tp_bounded printed_value, computed; /* of what is printed, and of what is derived */
-  int digits, points;                 /* of a formula that agrees in numbers */
+  tp_bounded printed_value,
+      computed;       /* if has_values: of what is printed, and of what is derived */
+  int digits, points; /* of a formula that agrees in numbers */
 } tp_claim_result;
 
 /* The verdicts on a file of claims. */
@@ -59,7 +60,7 @@ typedef struct tp_verification {
   TP_OUTSIDE char *title, *source; /* of the file; NULL: none */
   size_t count;                    /* of the claims */
   tp_claim_result *claims;         /* in the order of the file */
-  size_t tally[TP_VERDICTS];       /* how many have each verdict */
+  size_t tally[TP_VERDICTS];       /* by verdict: how many have it */
 } tp_verification;
 
 /* Verdicts on the claims of the file `path` (docs/verify.md). A claim that is refuted, or not

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import os
-from typing import Sequence
+from typing import TYPE_CHECKING, Sequence
 
 from ._library import ffi, lib
 from .errors import BadInput, checked
@@ -13,9 +13,10 @@ from .given import c_path, c_text, refuse_masked
 from .options import options_of
 from .record import struct_of
 from .report import drawn, written
-from .scene import Scene
-from .study import StudyResult
-from .tilt import TiltTest
+
+if TYPE_CHECKING:
+    from .records import StudyResult, TiltTest
+    from .scene import Scene
 
 
 class Chart:

@@ -4,50 +4,13 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 from ._library import ffi, lib
-from .case import GoverningFos
 from .given import c_text
 from .options import options_of
-from .record import Bounded, Record, field, record, struct_of
-from .report import written
+from .record import record
+from .records import Found
 from .scene import Scene
-from .solution import Solution
 from .words import FindTarget, number_of
-
-
-@dataclasses.dataclass(frozen=True)
-class FoundInterval(Record):
-    """A stretch of solutions."""
-
-    low: Bounded
-    high: Bounded
-
-
-@dataclasses.dataclass(frozen=True)
-class Found(Record):
-    """The numbers, in scene units, for which the target has the value: at the ends of value ± error
-    of each it is certain to lie on different sides."""
-
-    key: str
-    low: float  #: the range, cut to where the scene has an answer
-    high: float
-    least: Bounded  #: of the results at the numbers that were looked at
-    greatest: Bounded
-    solutions: tuple[Bounded, ...] = field(count="count")
-    touching: tuple[Bounded, ...] = field(count="touching_count")  #: a double solution, or none
-    intervals: tuple[FoundInterval, ...] = field(count="interval_count")
-    #: of each solution, where a factor of safety was looked for
-    governing: tuple[GoverningFos, ...] | None = field(count="count", when=lambda c: c.governing != ffi.NULL)
-
-    def report(self) -> str:
-        """What was found, as `topple solve --find` prints it."""
-        return written(lib.tp_report_found, struct_of(self), self.__dict__["_options"])
-
-    def to_json(self, solution: Solution) -> str:
-        """JSON, with a solution of the scene as it is."""
-        return written(lib.tp_report_found_json, struct_of(self), struct_of(solution))
 
 
 def find(scene: Scene, key: str, target: FindTarget | str, value: float, low: float | None = None,

@@ -12,9 +12,15 @@ import dataclasses
 import fractions
 import functools
 import re
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Mapping
 
-from .record import Record
+from ._library import lib
+from .record import Record, field, struct_of
+from .report import written
+from .words import Direction
+
+if TYPE_CHECKING:
+    from .records import DerivedPivot
 
 TERM = re.compile(r"\s*([+-])?\s*([^\s+-]+)")
 FACTOR = re.compile(r"(\d+)|([^\W\d]\w*(?:\(\w+\))?)(?:\^(\d+))?")
@@ -54,15 +60,7 @@ def value_of(polynomial: str, values: Mapping[str, Any]) -> Any:
     return total
 
 
-@dataclasses.dataclass(frozen=True)
-class Fraction(Record):
-    """Numerator and denominator, coprime polynomials with whole coefficients, and both as one
-    formula."""
-
-    numerator: str
-    denominator: str
-    formula: str
-
+class FractionMethods:
     def __call__(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Any:
         """Its value at those of its symbols, by name; those that are no names of Python, as
         tan(phi), in a mapping: formula({"tan(phi)": 0.5}, a=30, b=120). Of whole numbers and
@@ -74,3 +72,41 @@ class Fraction(Record):
 
     def __str__(self) -> str:
         return self.formula
+
+
+class DerivationMethods:
+    def governing(self, towards: Direction | str) -> DerivedPivot | None:
+        """The governing pivot in a direction."""
+        for pivot in self.pivots:
+            if pivot.governs and pivot.towards is Direction(towards):
+                return pivot
+        return None
+
+    def report(self) -> str:
+        """The report, as `topple derive` prints it."""
+        return written(lib.tp_report_derivation, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_derivation_json, struct_of(self))
+
+
+def _parities(name):
+    """Reads the numbers of teeth of odd and even members."""
+    return lambda c, owner: {"odd": tuple(getattr(c, name)[0]), "even": tuple(getattr(c, name)[1])}
+
+
+@dataclasses.dataclass(frozen=True)
+class FamilyMethods(Record):
+    #: the N that fix the formulas
+    fixed: dict[str, tuple[int, ...]] = field(read=_parities("fixed"))
+    #: the N that they were checked on
+    checked: dict[str, tuple[int, ...]] = field(read=_parities("checked"))
+
+    def report(self) -> str:
+        """The report, as `topple derive --for-all=count` prints it."""
+        return written(lib.tp_report_family, struct_of(self))
+
+    def to_json(self) -> str:
+        """The same as JSON."""
+        return written(lib.tp_report_family_json, struct_of(self))

@@ -8,14 +8,19 @@ and the owner of its memory, and turns a field into Python when it is first read
 is told by type hints and metadata:
 
     Bounded, enumerations, records, str, bool, int, float   the field of that name
-    X | None          None where the field `when` is false, or the pointer is NULL
-    tuple[X, ...]     as many as the field `count` says, or as the array of C has"""
+    X | None             None where `when` is false, a field or a function of the struct, or the pointer is NULL
+    tuple[X, ...]        as many as the field `count` says, or as the array of C has; of a list (`items`), which is a struct
+                         of items and count, those, and None where its field of that name is false; of a set (`bits`), the
+                         words whose bits are set
+    dict[Word, X]        an array of C with one for each word, those that are there: `where` is true of them, or a pointer
+                         is not NULL"""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
 import math
+import operator
 import typing
 from typing import Any, Callable
 
@@ -64,11 +69,9 @@ def text(c) -> str | None:
     return ffi.string(c).decode("utf-8", "replace") if c else None
 
 
-def field(when: str | Callable[[Any], bool] | None = None, count: str | None = None,
-          name: str | None = None, read: Callable[[Any, Any], Any] | None = None) -> Any:
-    """A field that is read only `when` a field of C is true, has `count` items, is called otherwise
-    in C (`name`), or is read by a function of its own, of struct and owner."""
-    return dataclasses.field(metadata={"when": when, "count": count, "name": name, "read": read})
+def field(**how: Any) -> Any:
+    """A field that is read as `when`, `count`, `items`, `bits` and `where` say, or by a function (`read`) of struct and owner."""
+    return dataclasses.field(metadata=how)
 
 
 class Record:
@@ -115,37 +118,60 @@ def readers_of(kind: type) -> dict[str, Callable[[Any, Any], Any]]:
 
 def reader(own: dataclasses.Field, hint) -> Callable[[Any, Any], Any]:
     """The function that reads one field."""
-    told = own.metadata
-    name = told.get("name") or own.name
+    told, name = own.metadata, own.name
     if type(None) in typing.get_args(hint):
         (hint,) = [part for part in typing.get_args(hint) if part is not type(None)]
-    read = told.get("read")
-    if read is None and typing.get_origin(hint) is tuple:
-        read = list_reader(name, told.get("count"), item_reader(typing.get_args(hint)[0]))
-    elif read is None:
-        convert = item_reader(hint)
-
-        def read(c, owner):
-            return convert(getattr(c, name), owner)
-
+    read = told.get("read") or value_reader(name, told, hint)
     when = told.get("when")
     if when is None:
         return read
-    if isinstance(when, str):
-        flag = when
-        return lambda c, owner: read(c, owner) if getattr(c, flag) else None
-    return lambda c, owner: read(c, owner) if when(c) else None
+    there = operator.attrgetter(when) if isinstance(when, str) else when
+    return lambda c, owner: read(c, owner) if there(c) else None
 
 
-def list_reader(name: str, count: str | None, convert):
+def value_reader(name: str, told, hint) -> Callable[[Any, Any], Any]:
+    """Reads a field that is there."""
+    parts = typing.get_args(hint)
+    if typing.get_origin(hint) is dict:
+        return dict_reader(name, told, *parts)
+    if told.get("bits"):
+        return lambda c, owner: tuple(word for k, word in enumerate(parts[0]) if getattr(c, name) >> k & 1)
+    if "items" in told:
+        return items_reader(name, told["items"], item_reader(parts[0]))
+    if typing.get_origin(hint) is tuple:
+        read = list_reader(told.get("count"), item_reader(parts[0]))
+        return lambda c, owner: read(getattr(c, name), c, owner)
+    convert = item_reader(hint)
+    return lambda c, owner: convert(getattr(c, name), owner)
+
+
+def list_reader(count: str | None, convert):
     """Reads an array of so many items, or of a fixed number."""
+    return lambda items, c, owner: tuple([convert(items[k], owner)
+                                          for k in range(getattr(c, count) if count else len(items))])
+
+
+def items_reader(name: str, there: str | bool, convert):
+    """Reads a struct of items and count."""
 
     def read(c, owner):
-        items = getattr(c, name)
-        number = getattr(c, count) if count else len(items)
-        return tuple([convert(items[k], owner) for k in range(number)])
+        own = getattr(c, name)
+        if there is not True and not getattr(own, there):
+            return None
+        return tuple([convert(own.items[k], owner) for k in range(own.count)])
 
     return read
+
+
+def dict_reader(name: str, told, word: type[Word], kind):
+    """Reads an array with one item, or one pointer to some, for each word."""
+    lists = typing.get_origin(kind) is tuple
+    where = told.get("where") or (bool if lists else lambda item: True)
+    if isinstance(where, str):
+        where = operator.attrgetter(where)
+    convert = item_reader(typing.get_args(kind)[0] if lists else kind)
+    read = list_reader(told.get("count"), convert) if lists else lambda item, c, owner: convert(item, owner)
+    return lambda c, owner: {key: read(item, c, owner) for key, item in zip(word, getattr(c, name)) if where(item)}
 
 
 def item_reader(kind):

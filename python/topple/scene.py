@@ -13,13 +13,12 @@ from typing import Any, Iterable, Sequence
 
 from ._library import ffi, lib
 from .builder import Along, Builder, SeismicDirection, Towards
-from .contact import Note
 from .errors import BadInput, Caution, checked
 from .given import Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record
+from .records import Note, Solution
 from .report import taken, written
-from .solution import Solution
 from .words import Level, NoteKind, PivotsListed, number_of
 
 RECEIVES_SCENE = ffi.typeof("tp_scene **")

@@ -1,70 +1,43 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""A solved scene."""
+"""What a solution, a case and a factor of safety do; records.py has what they are."""
 
 from __future__ import annotations
 
-import dataclasses
 import os
 from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
-from .case import Case
-from .contact import (Block, Contact, Earthquake, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
-                      Teeth, Within, notes_of, settings_of)
 from .given import c_path
-from .record import Bounded, Record, field, record, struct_of
-from .poses import Poses
+from .record import struct_of
 from .report import drawing, drawn, sheet_options, taken, written
-from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
+from .words import Design, Direction, Mechanism, PivotsListed, number_of
 
 if TYPE_CHECKING:
+    from .records import Case, Pivot, Solution
     from .scene import Scene
 
 
-def _cases(c, owner) -> tuple[Case, ...]:
-    return tuple([record(Case, c.cases[k], owner) for k in range(c.case_count)])
+class FosMethods:
+    def __float__(self) -> float:
+        if self.value is None:
+            raise ValueError(f"the factor of safety is not a number: {self.state}")
+        return self.value.value
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
-class Solution(Record):
-    """What a scene says, solved: the block, its contact, and a case for each direction of tilt.
+class CaseMethods:
+    @property
+    def governing_pivot(self) -> Pivot | None:
+        """The governing pivot."""
+        return None if self.governing is None else self.pivots[self.governing]
 
-    Every computed number is a `Bounded`. What is not asked for or does not exist is None."""
+    def meets(self, design_fos: float) -> Design:
+        """Is the governing factor of safety certainly as much, at a tilt at which the block
+        stands?"""
+        return tuple(Design)[lib.tp_case_meets(struct_of(self), design_fos)]
 
-    title: str | None
-    length_unit: str  #: that reports print in
-    metres_per_unit: float
-    result_units: ResultUnits
-    tilt_angle_deg: Bounded | None = field(when="has_tilt_angle")
-    friction_angle_deg: Bounded | None = field(when="has_friction")
-    friction_is_residual: bool  #: Barton's law: the angle at a stress is above it
-    friction_is_patton: bool  #: Patton's law: phi_b + i of the scene
-    #: facets that have a friction of their own, in the order of the scene
-    friction_facets: tuple[FacetFriction, ...] = field(count="friction_facet_count")
-    block: Block
-    teeth: Teeth | None = field(when=lambda c: c.teeth.known)
-    frame: Frame
-    #: where several were looked at; the cases are of the first, which governs
-    earthquakes: tuple[Earthquake, ...] = field(count="earthquake_count")
-    contact: Contact
-    rest: Rest | None = field(when=lambda c: c.rest.known)
-    poses: Poses | None = field(when=lambda c: c.poses.known)
-    joint: Joint | None = field(when=lambda c: c.joint.known)
-    within: Within | None = field(when=lambda c: c.within.known)
-    loaded: bool  #: the scene calls for loads besides the weight
-    cases: tuple[Case, ...] = field(read=_cases)
-    notes: tuple[Note, ...] = field(read=notes_of)
-    effects: tuple[Effect, ...] = field(count="effect_count")
-    level: Level  #: the arithmetic that certified the numbers
-    bits: int
-    digits: int
-    #: one is not certain to the digits asked, and is given with its actual bound
-    open_number: bool
-    #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
-    zero_bits: int
-    settings: tuple[Setting, ...] = field(read=settings_of)  #: what was set in the scene
 
+class SolutionMethods:
     def __repr__(self) -> str:
         return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"
 

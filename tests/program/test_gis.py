@@ -64,9 +64,9 @@ class Gis(unittest.TestCase):
         write_shapefile(self.shp, 3, [((layer, ""), [[*numbers(p), numbers(p)[0]]]) for layer, p in closed]
                         + [(("Base", "ground"), [numbers(base)])], **more)
 
-    def refused(self, name, *words, options=()):
+    def refused(self, name, *words, options=(), exit_status=3):
         status, out, err = run("solve", *options, name, folder=self.folder)
-        self.assertEqual((status, out), (3, ""), err)
+        self.assertEqual((status, out), (exit_status, ""), err)
         self.assertEqual(err.count("\n"), 1, err)
         for word in words:
             self.assertIn(word, err)
@@ -233,9 +233,9 @@ class Refused(Gis):
         """What GDAL could read besides stays unread, whatever its name."""
         (self.folder / "section.shp").write_text('{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}')
         self.refused("section.shp")
-        for name in ("/vsicurl/http://127.0.0.1:9/a.shp", "/vsizip/a.zip/a.gpkg", "."):
+        for name, exit_status in (("/vsicurl/http://127.0.0.1:9/a.shp", 5), ("/vsizip/a.zip/a.gpkg", 5), (".", 3)):
             (self.folder / "scene.yaml").write_text(f"topple: 1\nlength_unit: m\ndrawing: {{file: {name}}}\n")
-            self.refused("scene.yaml")
+            self.refused("scene.yaml", exit_status=exit_status)
 
 
 class Absent(Gis):

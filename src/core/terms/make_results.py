@@ -1,136 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What is made of the tables of results, results/*.csv, in which each result that JSON has stands once:
+"""The C that writes the records of the tables of results (result_tables.py) as JSON, member by member, and the rows of tables as
+CSV.
 
-    make_results.py c CODE,HEADER TABLE…    the C that writes a record as JSON, member by member
-    make_results.py schema OUTPUT TABLE…    the JSON Schema of what a command prints, that of the first table
+    make_results.py CODE,HEADER TABLE…"""
 
-A table has a row for each key, in the order in which they are printed: the record that it belongs to, the key, its
-type, its value in C, when it is there, how it stands on the page, and its meaning. A row without a key heads its
-record: value is the type in C, `when` a call on entering it, `layout` how it is printed; of the first record, which is
-what the command prints, the type is the command.
-
-Types: bounded (a number with a proven error), factor (a tp_fos: null unless it is a number), number, fixed:N and
-significant:N (so many decimals, so many digits), `number or word` (always, never: it is infinite), count (from 0; count:1
-from 1), integer and integer:LEAST, truth, text, tie (bits that do not tell two results apart), range (its two ends),
-fraction (of polynomials), point and ends (one point and two, of coordinates), `numbers by name` (told in a
-text), `of case` and `text of case` (a number or words that a function finds of a case), a set of words.csv (with words
-after a colon: these alone; after a leading comma: these besides), `one of` words, a record, and []TYPE, a list. A type
-that ends in ? may be null. A key that stands twice has one type or the other.
-
-Values: a C expression, in which .member is one of the record, *r the record, x what the report is of; for a list items
-(or what is printed of item [k]) and their number, and, where some are left out, which item k stays. Empty: .key, and of
-a list .key_count. After `by` the call that writes it. A dash: another file writes it.
-
-When: a condition, else the key is absent; after a question mark a condition, else the key is null; `given`: absent where
-the value is NULL.
-
-Layout: of lists and records line, lines, list, block, aligned, flush (output/json.h); before it / for a new line, + for
-the same one; of a record that is a row of a table in CSV too, csv. A key * takes in the keys of another record."""
-
-import csv
-import json
 import pathlib
 import re
 import sys
 
-import make_words
+from result_tables import Records
 
-NUMBER = {
-    "description": "A computed number: the truth lies within `error` of `value`. null where it lies outside the range of a double, or "
-                   "does not exist, as the key says.",
-    "type": ["object", "null"], "additionalProperties": False, "required": ["value", "error"],
-    "properties": {
-        "value": {"description": "The number, as the nearest double.", "type": "number"},
-        "error": {"description": "Proven bound of its distance from the truth.", "type": "number", "minimum": 0},
-        "digits": {"description": "Where more than 15 digits were asked for (`--digits`): the truth in decimals, every digit certain.",
-                   "type": "string", "pattern": r"^-?[0-9]+(\.[0-9]+)?(e[+-]?[0-9]+)?$"}}}
-POINT = {
-    "description": "A point.", "type": "object", "additionalProperties": False, "required": ["x_m", "y_m"],
-    "properties": {"x_m": {"description": "Along the mean plane.", "$ref": "#/$defs/number"},
-                   "y_m": {"description": "Normal to it.", "$ref": "#/$defs/number"}}}
-FRACTION = {
-    "description": "A rational function.", "type": "object", "additionalProperties": False, "required": ["numerator", "denominator"],
-    "properties": {"numerator": {"description": "A polynomial in the symbols.", "type": "string"},
-                   "denominator": {"description": "Likewise; 1 where there is none.", "type": "string"}}}
-RANGE = {
-    "description": "A range.", "type": "object", "additionalProperties": False, "required": ["least", "most"],
-    "properties": {"least": {"description": "Its lower end.", "type": "number"},
-                   "most": {"description": "Its upper end.", "type": "number"}}}
-SHARED = {"number": NUMBER, "range": RANGE, "point": POINT, "fraction": FRACTION}
-VERSION = {"description": "Version of the program that wrote this.", "type": "string"}
-
-
-def read(path):
-    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
-
-
-class Words:
-    """The sets of words: the function of C that names them, and themselves."""
-
-    def __init__(self):
-        self.sets = {own.name: (own.named, [word.word for word in own.words]) for own in make_words.sets().values()}
-
-    def of(self, kind):
-        """(set, words) of a type; None of another one."""
-        if kind.startswith("one of "):
-            return None, [word.replace("\\,", ",") for word in re.split(r"(?<!\\), ", kind.removeprefix("one of "))]
-        name, _, some = kind.partition(":")
-        if name not in self.sets:
-            return None
-        function, words = self.sets[name]
-        if some.startswith(" ,"):
-            words = words + some[2:].strip().split(", ")
-        elif some:
-            words = some.strip().split(", ")
-        return function, words
-
-
-class Row:
-    def __init__(self, row):
-        self.record, self.key, self.kind = row["record"], row["key"], row["type"]
-        self.value, self.meaning, self.layout = row["value"] or f".{row['key']}", row["meaning"], row["layout"].lstrip("/+")
-        self.mark = row["layout"][:1] if row["layout"][:1] in ("/", "+") else ""
-        self.absent, _, self.null = (part.strip() for part in row["when"].partition("?"))
-        self.when = row["when"]
-        self.given = self.absent == "given"
-        self.is_list = self.kind.startswith("[]")
-        self.item = self.kind.removeprefix("[]")
-
-
-class Records:
-    """The records of some tables: a head and rows for each."""
-
-    def __init__(self, tables):
-        self.heads, self.rows, self.first = {}, {}, None
-        for table in tables:
-            for row in map(Row, read(table)):
-                if row.key:
-                    self.rows[row.record].append(row)
-                    continue
-                if row.record in self.heads:
-                    sys.exit(f"{table}: the record {row.record} stands twice")
-                self.heads[row.record], self.rows[row.record] = row, []
-                self.first = self.first or row.record
-        self.words = Words()
-        for name in self.heads.keys() & self.words.sets.keys():
-            sys.exit(f"the record {name} is called as a set of words")
-
-    def is_written(self, name):
-        return self.heads[name].value != "-"
-
-    def all_rows(self, name):
-        """With those that it takes in."""
-        for row in self.rows[name]:
-            if row.key == "*":
-                yield from self.all_rows(row.kind)
-            else:
-                yield row
-
-
-# ---- C ----------------------------------------------------------------------------------------------------------------
 
 def c(expression):
     """A member of the record is one of *r."""
@@ -314,85 +195,7 @@ def write_c(sources, tables):
     declarations.write_text(f"{MADE}#ifndef {guard}\n#define {guard}\n\n#include \"report/row.h\"\n\n{declared}\n#endif\n", encoding="utf-8")
 
 
-# ---- JSON Schema ------------------------------------------------------------------------------------------------------
-
-class Schema:
-    def __init__(self, records):
-        self.records, self.used = records, []
-
-    def of(self, kind, null):
-        """The schema of a type, which may be null."""
-        if kind in ("bounded", "factor"):
-            self.use("number")
-            return {"$ref": "#/$defs/number"}
-        if kind in ("point", "fraction", "range"):
-            self.use(kind)
-            own = {"$ref": f"#/$defs/{kind}"}
-            return {"oneOf": [own, {"type": "null"}]} if null else own
-        if kind == "of case":
-            return self.of("bounded", True)
-        if kind == "number or word":
-            return {"anyOf": [{"type": "number"}, {"enum": ["always", "never"]}]}
-        if kind == "numbers by name":
-            return {"type": "object", "additionalProperties": {"type": "number"}, "minProperties": 1}
-        if kind == "ends":
-            return {"type": "array", "items": self.of("point", False), "minItems": 2, "maxItems": 2}
-        if kind.startswith("[]"):
-            return {"type": ["array", "null"] if null else "array", "items": self.of(kind[2:], False)}
-        words = self.records.words.of(kind)
-        if words is not None:
-            return {"enum": words[1] + ([None] if null else [])}
-        if kind in self.records.heads:
-            self.use(kind)
-            own = {"$ref": f"#/$defs/{kind}"}
-            return {"oneOf": [own, {"type": "null"}]} if null else own
-        name, _, more = kind.partition(":")
-        if name == "tie":
-            return {"type": "string", "pattern": "^(exact|not distinguished by [1-9][0-9]* bits)$"}
-        null = null or name.endswith("?") or name == "text of case"
-        name = name.removesuffix("?")
-        kinds = {"text": "string", "text of case": "string", "truth": "boolean", "count": "integer", "integer": "integer",
-                 "number": "number", "fixed": "number", "significant": "number"}
-        own = {"type": [kinds[name], "null"] if null else kinds[name]}
-        if name == "count" or more and name == "integer":
-            own["minimum"] = int(more or 0)
-        return own
-
-    def use(self, name):
-        if name not in self.used:
-            self.used.append(name)
-
-    def object(self, name, head=()):
-        properties, required = dict(head), [key for key, _ in head]
-        keys = [row.key for row in self.records.all_rows(name)]
-        for row in self.records.all_rows(name):
-            own = self.of(row.kind, bool(row.null))
-            if row.key in properties:
-                first = {key: value for key, value in properties[row.key].items() if key != "description"}
-                own = {"anyOf": [first, own]}
-            properties[row.key] = {"description": row.meaning, **own}
-            if (not row.absent or keys.count(row.key) > 1) and row.key not in required:
-                required.append(row.key)
-        return {"description": self.records.heads[name].meaning, "type": "object", "additionalProperties": False, "required": required,
-                "properties": properties}
-
-    def whole(self):
-        name = self.records.first
-        command = self.records.heads[name].kind
-        schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": f"topple-{name}.json", "title": command,
-                  **self.object(name, [("topple", VERSION)]), "$defs": {}}
-        for used in self.used:  # grows while it is walked
-            schema["$defs"][used] = SHARED.get(used) or self.object(used)
-        return schema
-
-
-def write_schema(output, tables):
-    text = json.dumps(Schema(Records(tables)).whole(), indent=1, ensure_ascii=False)
-    pathlib.Path(output).write_text(text + "\n", encoding="utf-8")
-
-
 if __name__ == "__main__":
-    if len(sys.argv) > 3 and sys.argv[1] in ("c", "schema"):
-        {"c": write_c, "schema": write_schema}[sys.argv[1]](sys.argv[2], list(dict.fromkeys(sys.argv[3:])))
-    else:
-        sys.exit("usage: results.py c|schema OUTPUT TABLE…")
+    if len(sys.argv) < 3:
+        sys.exit("usage: make_results.py CODE,HEADER TABLE…")
+    write_c(sys.argv[1], sys.argv[2:])

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""What the results of studies, tests and analyses do; records.py has what they are."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Any
+
+from ._library import ffi, lib
+from .chart import Chart, made
+from .errors import checked
+from .given import c_path
+from .record import Record, field, struct_of
+from .report import drawing, sheet_options, written
+from .words import (FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
+                    StudyQuantity)
+
+if TYPE_CHECKING:
+    import numpy
+
+    from .records import Solution, StudyShare, StudySpread
+    from .scene import Scene
+
+
+class FoundMethods:
+    def report(self) -> str:
+        """What was found, as `topple solve --find` prints it."""
+        return written(lib.tp_report_found, struct_of(self), self.__dict__["_options"])
+
+    def to_json(self, solution: Solution) -> str:
+        """JSON, with a solution of the scene as it is."""
+        return written(lib.tp_report_found_json, struct_of(self), struct_of(solution))
+
+
+class AccuracyMethods:
+    def report(self) -> str:
+        """The report, as `topple accuracy` prints it."""
+        return written(lib.tp_report_accuracy, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_accuracy_json, struct_of(self))
+
+    def chart(self) -> Chart:
+        """Time against digits; or of a sweep, time and bound against size."""
+        return made(lib.tp_chart_accuracy, struct_of(self))
+
+    def _repr_svg_(self) -> str:
+        return self.chart().svg()
+
+
+class ConvergenceMethods:
+    def report(self) -> str:
+        """The page, as `topple tilt --converge` prints it."""
+        return written(lib.tp_report_tilt_convergence, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_tilt_convergence_json, struct_of(self))
+
+    def chart(self) -> Chart:
+        """The answer against what it costs."""
+        return made(lib.tp_chart_tilt_convergence, struct_of(self))
+
+    def _repr_svg_(self) -> str:
+        return self.chart().svg()
+
+
+def _options(c, owner) -> dict[str, Any]:
+    own = c.options
+    return {"step": own.step, "resampling": tuple(ProfileResampling)[own.resampling],
+            "detrend": tuple(ProfileDetrend)[own.detrend],
+            "window": tuple(ProfileWindow)[own.window], "mirrored": own.mirrored,
+            "scale": own.scale}
+
+
+@dataclasses.dataclass(frozen=True)
+class ProfileMethods(Record):
+    options: dict[str, Any] = field(read=_options)  #: as they were taken
+
+    def report(self) -> str:
+        """The report, as `topple profile` prints it."""
+        return written(lib.tp_report_profile, struct_of(self))
+
+    def to_json(self, every: bool = False) -> str:
+        """JSON (docs/json.md); with every facet and ordinate of the spectrum."""
+        return written(lib.tp_report_profile_json, struct_of(self), every)
+
+    def csv(self) -> str:
+        """A row for every facet."""
+        return written(lib.tp_report_profile_csv, struct_of(self))
+
+    def chart(self) -> Chart:
+        """The profile, the rose of its slopes, its structure function and spectrum."""
+        return made(lib.tp_chart_profile, struct_of(self))
+
+    def _repr_svg_(self) -> str:
+        return self.chart().svg()
+
+
+class StudyTiltMethods:
+    def __getitem__(self, outcome: StudyOutcome | str) -> StudyShare:
+        return self.outcomes[list(StudyOutcome).index(StudyOutcome(outcome))]
+
+
+def _columns(c, owner) -> dict[str, numpy.ndarray]:
+    """All columns by their names."""
+    import numpy
+
+    outcomes = numpy.array(list(StudyOutcome), dtype=object)
+    definitions = numpy.array([*FosDefinition, None], dtype=object)  # the last where there is none
+    columns = {}
+    for k in range(c.column_count if c.kept else 0):
+        own = c.columns[k]
+        values = numpy.frombuffer(ffi.buffer(own.values, 8 * c.kept), dtype="f8").copy()
+        name = ffi.string(own.header).decode("utf-8", "replace")
+        outcome = c.variable_count + len(StudyQuantity)
+        if outcome <= k <= outcome + c.tilt_count - 1:
+            columns[name] = outcomes[values.astype(int)]
+        elif k == outcome + c.tilt_count:
+            columns[name] = definitions[numpy.where(numpy.isnan(values), -1, values).astype(int)]
+        else:
+            columns[name] = values
+    return columns
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyResultMethods(Record):
+    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
+    #: definitions `FosDefinition` or None
+    columns: dict = field(read=_columns)
+
+    def spread(self, quantity: StudyQuantity | str) -> StudySpread:
+        """Of one quantity."""
+        return self.spreads[list(StudyQuantity).index(StudyQuantity(quantity))]
+
+    def report(self) -> str:
+        """The summary, as `topple study` prints it."""
+        return written(lib.tp_report_study, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_study_json, struct_of(self))
+
+    def write_report(self, path: str | os.PathLike, study: str | os.PathLike,
+                     date: str | None = None, times: bool = True, lines: int = 400) -> None:
+        """Write a calculation sheet into a file: .html, .md or .pdf (Solution.write_report). `study`
+        is the file that was run, of which it names all that it rests on."""
+        receives = ffi.new("tp_study **")
+        checked(lib.tp_study_read, receives, c_path(study))
+        own = ffi.gc(receives[0], lib.tp_study_free)
+        options, _held = sheet_options(date, times, lines)
+        checked(drawing().lib.tp_report_sheet_study, c_path(path), own, struct_of(self), options)
+
+
+class TiltTestMethods:
+    def report(self) -> str:
+        """The page, as `topple tilt` prints it."""
+        return written(lib.tp_report_tilt, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_tilt_json, struct_of(self))
+
+    def csv(self) -> str:
+        """The moments of the motion."""
+        return written(lib.tp_report_tilt_csv, struct_of(self))
+
+    def frames(self) -> str:
+        """SVG of the block at some moments."""
+        return written(lib.tp_report_tilt_frames, struct_of(self))
+
+    def animation(self) -> str:
+        """SVG in which the block moves."""
+        return written(lib.tp_report_tilt_animation, struct_of(self))
+
+    def draw(self, path: str | os.PathLike, moving: bool = False) -> None:
+        """Frames, or where `moving` the one that moves, into an .svg."""
+        checked(lib.tp_report_tilt_file, struct_of(self), c_path(path), moving)
+
+    def write_report(self, path: str | os.PathLike, scene: Scene, date: str | None = None,
+                     times: bool = True, lines: int = 400) -> None:
+        """Write a calculation sheet of the test of that scene into a file: .html, .md or .pdf
+        (Solution.write_report)."""
+        options, _held = sheet_options(date, times, lines)
+        scene._use(drawing().lib.tp_report_sheet_tilt, c_path(path), scene._c, struct_of(self),
+                   options)
+
+
+class VerificationMethods:
+    @property
+    def objects(self) -> bool:
+        """Is any claim refuted, or in disagreement?"""
+        return lib.tp_verification_objects(struct_of(self))
+
+    def report(self) -> str:
+        """The report, as `topple verify` prints it."""
+        return written(lib.tp_report_verification, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_verification_json, struct_of(self))
+
+    def markdown(self) -> str:
+        """A page in Markdown."""
+        return written(lib.tp_report_verification_markdown, struct_of(self))
