@@ -54,6 +54,8 @@ void say_built(sayings *s) {
   SAY(tp_scene_add_hole(scene, tp_coordinates_of(hole, 4), &message));
   SAY(tp_scene_add_part(scene, tp_coordinates_text(part, 3), T("20.25"), &message));
   SAY(tp_scene_set_thickness(scene, E(0.7), &message));
+  SAY(tp_scene_set_number(scene, "block.thickness", T("0.75"), &message));
+  SAY(tp_scene_set_number(scene, "block.thicknes", T("0.75"), &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_friction_patton(scene, E(25.1), T("10.2"), &message));
   say_scene_built(s, scene);

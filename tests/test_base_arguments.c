@@ -57,7 +57,7 @@ START_TEST(loads) {
   char *before = solve();
   REFUSED(tp_scene_set_water(scene, E(-1), E(10), false, false, &message), "height must not be");
   REFUSED(tp_scene_set_water(scene, E(1), E(-10), false, false, &message), "unit_weight_kn_m3");
-  REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "coefficient");
+  REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "horizontal");
   REFUSED(tp_scene_set_seismic_direction(scene, (tp_seismic_direction)3, &message), "direction");
   REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");
   REFUSED(tp_scene_add_surcharge(scene, E(0), E(0), E(0), E(1), E(-1), &message), "kpa");

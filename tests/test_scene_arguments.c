@@ -45,6 +45,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_repair(own, true, &message), why);
   REFUSED(tp_scene_set_result_unit(own, "kN", &message), why);
   REFUSED(tp_scene_set_thickness(own, E(1), &message), why);
+  REFUSED(tp_scene_set_number(own, "block.thickness", E(1), &message), why);
   REFUSED(tp_scene_set_unit_weight_kn_m3(own, E(20), &message), why);
   REFUSED(tp_scene_set_base_mated(own, true, &message), why);
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
@@ -119,6 +120,11 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_tilt_angle_deg(scene, T("90.01"), &message),
           "tp_scene_set_tilt_angle_deg: angle_deg must lie in [0°, 90°]");
   REFUSED(tp_scene_set_thickness(scene, E(0), &message), "thickness must be above zero, not 0");
+  REFUSED(tp_scene_set_number(scene, "block.thickness", E(0), &message),
+          "thickness must be above zero, not 0");
+  REFUSED(tp_scene_set_number(scene, "block.slab.width", E(1), &message),
+          "'block.slab.width' is no key of a number that stands by itself");
+  REFUSED(tp_scene_set_number(scene, NULL, E(1), &message), "'key' must not be NULL");
   REFUSED(tp_scene_set_unit_weight_kn_m3(scene, E(0), &message),
           "unit_weight_kn_m3 must be above zero; a void is a hole");
   REFUSED(tp_scene_set_friction_patton(scene, E(50), E(40), &message), "must lie below 90°");

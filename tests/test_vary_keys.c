@@ -125,7 +125,8 @@ START_TEST(every_key) {
 END_TEST
 
 START_TEST(whole_table) {
-  bool seen[TP_SLOT_ROWS] = {false};
+  bool seen[200] = {false};
+  ck_assert_uint_le(tp_slot_row_count, sizeof seen);
   for (size_t k = 0; k < ALL_ROWS; k++) {
     tp_scene *scene = build(row_of(k)->scene, row_of(k)->scene->numbers);
     tp_slot slot;
@@ -133,7 +134,7 @@ START_TEST(whole_table) {
     seen[slot.row - tp_slot_rows] = true;
     tp_scene_free(scene);
   }
-  for (size_t k = 0; k < TP_SLOT_ROWS; k++) {
+  for (size_t k = 0; k < tp_slot_row_count; k++) {
     ck_assert_msg(seen[k], "no test varies %s", tp_slot_rows[k].key);
   }
 }

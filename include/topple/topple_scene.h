@@ -87,6 +87,14 @@ typedef struct tp_coordinates {
 tp_coordinates tp_coordinates_of(const double *xy, size_t count);
 tp_coordinates tp_coordinates_text(const char *const *xy, size_t count);
 
+/* A number by its key in a scene file (docs/scene.md), as "joint.closure" or
+ * "loads.seismic.horizontal", in the unit and range of that key: of those that stand by themselves,
+ * in no list and no form of the block, of the base or of a law of friction. What must be said
+ * besides is missed when the scene is solved, as of a file. The calls for one number below do the
+ * same. */
+TP_MUST_USE tp_status tp_scene_set_number(tp_scene *scene, const char *key, tp_exact value,
+                                          tp_message *message);
+
 /* The title by which reports and figures are headed: any UTF-8. */
 TP_MUST_USE tp_status tp_scene_set_title(tp_scene *scene, const char *title, tp_message *message);
 

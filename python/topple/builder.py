@@ -61,6 +61,11 @@ class Builder(TiltBuilder):
         end."""
         self._change_points(lib.tp_scene_set_outline, outline)
 
+    def set_number(self, key: str, value: Number) -> None:
+        """A number by its key in a scene file, as "joint.closure", of those that stand by themselves, in
+        no list and no form."""
+        self._change(lib.tp_scene_set_number, c_text(key), c_number(value))
+
     def set_slab(self, width: Number, height: Number) -> None:
         """A rectangle on the origin."""
         self._change_numbers(lib.tp_scene_set_slab, width, height)

@@ -6,6 +6,11 @@
 
 #include "scene_building/build.h"
 
+#include "common/host.h"
+#include "common/outside.h"
+#include "scene/members.h"
+#include "scene_keys.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,16 +46,72 @@ void tp_build_put(tp_build *build, tp_quantity *quantity, long index) {
   quantity->place = build->place;
 }
 
-tp_status tp_build_set(tp_scene *scene, const char *call, tp_given given, size_t offset,
+/* The numbers that stand by themselves: of no list, no form and no law, and nothing follows from
+ * them but what is computed when the scene is solved. */
+typedef struct own_number {
+  const char *key;
+  size_t offset;
+  tp_rule rule;
+  bool alone;
+} own_number;
+
+#define ROW(key, kind, list, offset, rule, has, settle)                                            \
+  {key, offset, TP_RULE_##rule,                                                                    \
+   #kind[0] == 'Q' && (list) == TP_LISTS && #has[0] == 'N' && #settle[0] == 'N'},
+
+static const own_number *find_number(const char *key) {
+  static const own_number rows[] = {TP_SCENE_KEYS(ROW)};
+  for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+    if (rows[k].alone && strcmp(rows[k].key, key) == 0) return rows + k;
+  }
+  return NULL;
+}
+
+static bool is_under(const char *key, const char *map) {
+  return strncmp(key, map, strlen(map)) == 0;
+}
+
+static void note_call(tp_place *place, tp_build *build) {
+  if (place->file == NULL) *place = build->place;
+}
+
+/* The maps that the key is in are given by the call, where nothing gave them before. */
+static void note_maps(tp_build *build, const char *key) {
+  tp_scene *scene = build->scene;
+  if (is_under(key, "loads.")) tp_build_note_load(build);
+  if (is_under(key, "loads.seismic.")) scene->loads.seismic_place = build->place;
+  if (is_under(key, "tilt_test.")) note_call(&scene->tilt_test.place, build);
+  if (is_under(key, "base.")) note_call(&scene->base.place, build);
+}
+
+tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_exact value,
                        tp_message *message) {
+  const own_number *own = find_number(key);
+  const char *dot = strrchr(key, '.');
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, call, message);
-  if (status == TP_OK) status = tp_build_read(&build, &given, 1);
+  if (status != TP_OK) return status;
+  if (own == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, build.place,
+                   "'%s' is no key of a number that stands by itself in a scene",
+                   tp_quote_all(key).text);
+  }
+  const tp_given given = {dot != NULL ? dot + 1 : key, value, own->rule};
+  status = tp_build_read(&build, &given, 1);
   if (status == TP_OK) {
-    tp_build_put(&build, (tp_quantity *)(void *)((char *)scene + offset), 0);
+    tp_build_put(&build, (tp_quantity *)(void *)((char *)scene + own->offset), 0);
+    note_maps(&build, key);
   }
   tp_build_end(&build);
   return status;
+}
+
+tp_status tp_scene_set_number(tp_scene *scene, const char *key, tp_exact value,
+                              tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, key);
+  return tp_build_set(scene, __func__, key, value, message);
 }
 
 tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size) {

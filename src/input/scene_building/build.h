@@ -43,9 +43,9 @@ void tp_build_end(tp_build *build);
 /* Put number `index` into the scene; it is taken out of the build. */
 void tp_build_put(tp_build *build, tp_quantity *quantity, long index);
 
-/* A call of one number: `offset` is that of its tp_quantity in the scene. */
-TP_MUST_USE tp_status tp_build_set(tp_scene *scene, const char *call, tp_given given, size_t offset,
-                                   tp_message *message);
+/* A call of one number, by its key in a scene file. */
+TP_MUST_USE tp_status tp_build_set(tp_scene *scene, const char *call, const char *key,
+                                   tp_exact value, tp_message *message);
 
 /* Make room for one more of `count` items, and name its place, which counts from 1. */
 TP_MUST_USE tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size);

@@ -82,22 +82,19 @@ tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_message *message
 tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, (tp_given){"within", within, TP_RULE_ABOVE_ZERO},
-                      offsetof(tp_scene, base.within), message);
+  return tp_build_set(scene, __func__, "contact.within", within, message);
 }
 
 tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, (tp_given){"width", width, TP_RULE_ABOVE_ZERO},
-                      offsetof(tp_scene, friction.contact_width), message);
+  return tp_build_set(scene, __func__, "contact.width", width, message);
 }
 
 tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_status status = tp_build_set(scene, __func__, (tp_given){"shift", shift, TP_RULE_ANY},
-                                        offsetof(tp_scene, base.shift), message);
+  const tp_status status = tp_build_set(scene, __func__, "joint.shift", shift, message);
   if (status == TP_OK) scene->base.matching.given = false;
   return status;
 }
@@ -106,9 +103,7 @@ tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching, bool l
                                       tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_status status =
-      tp_build_set(scene, __func__, (tp_given){"matching", matching, TP_RULE_SHARE},
-                   offsetof(tp_scene, base.matching), message);
+  const tp_status status = tp_build_set(scene, __func__, "joint.matching", matching, message);
   if (status == TP_OK) {
     scene->base.shift.given = false;
     scene->base.shift_left = leftwards;
@@ -119,8 +114,7 @@ tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching, bool l
 tp_status tp_scene_set_joint_closure(tp_scene *scene, tp_exact closure, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, (tp_given){"closure", closure, TP_RULE_ABOVE_ZERO},
-                      offsetof(tp_scene, base.closure), message);
+  return tp_build_set(scene, __func__, "joint.closure", closure, message);
 }
 
 /* The base of a scene that says more of it than that it is mated. */

@@ -191,17 +191,14 @@ tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline, tp_exact un
 tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, (tp_given){"thickness", thickness, TP_RULE_ABOVE_ZERO},
-                      offsetof(tp_scene, block.thickness), message);
+  return tp_build_set(scene, __func__, "block.thickness", thickness, message);
 }
 
 tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact unit_weight_kn_m3,
                                          tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__,
-                      (tp_given){"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_UNIT_WEIGHT},
-                      offsetof(tp_scene, block.unit_weight_kn_m3), message);
+  return tp_build_set(scene, __func__, "block.unit_weight_kn_m3", unit_weight_kn_m3, message);
 }
 
 tp_status tp_scene_set_repair(tp_scene *scene, bool repair, tp_message *message) {

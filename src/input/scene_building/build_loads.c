@@ -7,36 +7,18 @@
 #include "common/host.h"
 #include "scene_building/build.h"
 
-/* A load of one number. */
-static tp_status set_load(tp_scene *scene, const char *call, tp_given given, size_t offset,
-                          tp_message *message) {
-  tp_build build;
-  tp_status status = tp_build_begin(&build, scene, call, message);
-  if (status == TP_OK) status = tp_build_set(scene, call, given, offset, message);
-  if (status == TP_OK) tp_build_note_load(&build);
-  return status;
-}
-
-static tp_status set_seismic(tp_scene *scene, const char *call, tp_exact coefficient, size_t offset,
-                             tp_message *message) {
-  const tp_status status =
-      set_load(scene, call, (tp_given){"coefficient", coefficient, TP_RULE_ANY}, offset, message);
-  if (status == TP_OK) scene->loads.seismic_place = (tp_place){call, 0, 0};
-  return status;
-}
-
 tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,
                                           tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_seismic(scene, __func__, coefficient, offsetof(tp_scene, loads.horizontal), message);
+  return tp_build_set(scene, __func__, "loads.seismic.horizontal", coefficient, message);
 }
 
 tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
                                         tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_seismic(scene, __func__, coefficient, offsetof(tp_scene, loads.vertical), message);
+  return tp_build_set(scene, __func__, "loads.seismic.vertical", coefficient, message);
 }
 
 tp_status tp_scene_set_seismic_direction(tp_scene *scene, tp_seismic_direction direction,
@@ -164,13 +146,11 @@ tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact 
 tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_load(scene, __func__, (tp_given){"bond_kpa", bond_kpa, TP_RULE_NOT_NEGATIVE},
-                  offsetof(tp_scene, loads.bond_kpa), message);
+  return tp_build_set(scene, __func__, "loads.bond_kpa", bond_kpa, message);
 }
 
 tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_load(scene, __func__, (tp_given){"cohesion_kpa", cohesion_kpa, TP_RULE_NOT_NEGATIVE},
-                  offsetof(tp_scene, loads.cohesion_kpa), message);
+  return tp_build_set(scene, __func__, "loads.cohesion_kpa", cohesion_kpa, message);
 }

@@ -58,8 +58,7 @@ tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right, tp_m
 tp_status tp_scene_set_tilt_angle_deg(tp_scene *scene, tp_exact angle_deg, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, (tp_given){"angle_deg", angle_deg, TP_RULE_ANGLE_TO_90},
-                      offsetof(tp_scene, tilt_angle_deg), message);
+  return tp_build_set(scene, __func__, "tilt.angle_deg", angle_deg, message);
 }
 
 static void set_frame(tp_build *build, tp_frame frame, tp_polyline plane) {

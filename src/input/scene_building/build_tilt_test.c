@@ -6,16 +6,6 @@
 #include "common/host.h"
 #include "scene_building/build.h"
 
-/* A scene that has a number of a test calls for one. */
-static tp_status set_number(tp_scene *scene, const char *call, tp_given given, size_t offset,
-                            tp_message *message) {
-  const tp_status status = tp_build_set(scene, call, given, offset, message);
-  if (status == TP_OK && scene->tilt_test.place.file == NULL) {
-    scene->tilt_test.place = (tp_place){call, 0, 0};
-  }
-  return status;
-}
-
 tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine, tp_tilt_protocol protocol,
                                  bool set_down, tp_message *message) {
   TP_GUARD_HOST;
@@ -42,62 +32,54 @@ tp_status tp_scene_set_tilt_test_speed_deg_min(tp_scene *scene, tp_exact speed_d
                                                tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"speed_deg_min", speed_deg_min, TP_RULE_ABOVE_ZERO},
-                    offsetof(tp_scene, tilt_test.speed_deg_min), message);
+  return tp_build_set(scene, __func__, "tilt_test.speed_deg_min", speed_deg_min, message);
 }
 
 tp_status tp_scene_set_tilt_test_until_deg(tp_scene *scene, tp_exact until_deg,
                                            tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"until_deg", until_deg, TP_RULE_ANGLE_TO_90},
-                    offsetof(tp_scene, tilt_test.until_deg), message);
+  return tp_build_set(scene, __func__, "tilt_test.until_deg", until_deg, message);
 }
 
 tp_status tp_scene_set_tilt_test_tolerance_deg(tp_scene *scene, tp_exact tolerance_deg,
                                                tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"tolerance_deg", tolerance_deg, TP_RULE_ABOVE_ZERO},
-                    offsetof(tp_scene, tilt_test.tolerance_deg), message);
+  return tp_build_set(scene, __func__, "tilt_test.tolerance_deg", tolerance_deg, message);
 }
 
 tp_status tp_scene_set_tilt_test_duration_s(tp_scene *scene, tp_exact duration_s,
                                             tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"duration_s", duration_s, TP_RULE_ABOVE_ZERO},
-                    offsetof(tp_scene, tilt_test.duration_s), message);
+  return tp_build_set(scene, __func__, "tilt_test.duration_s", duration_s, message);
 }
 
 tp_status tp_scene_set_tilt_test_damping(tp_scene *scene, tp_exact damping, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"damping", damping, TP_RULE_SHARE},
-                    offsetof(tp_scene, tilt_test.damping), message);
+  return tp_build_set(scene, __func__, "tilt_test.damping", damping, message);
 }
 
 tp_status tp_scene_set_tilt_test_rounding(tp_scene *scene, tp_exact rounding, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"rounding", rounding, TP_RULE_ABOVE_ZERO},
-                    offsetof(tp_scene, tilt_test.rounding), message);
+  return tp_build_set(scene, __func__, "tilt_test.rounding", rounding, message);
 }
 
 tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exact time_step_s,
                                              tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"time_step_s", time_step_s, TP_RULE_ABOVE_ZERO},
-                    offsetof(tp_scene, tilt_test.time_step_s), message);
+  return tp_build_set(scene, __func__, "tilt_test.time_step_s", time_step_s, message);
 }
 
 tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
                                              tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  return set_number(scene, __func__, (tp_given){"restitution", restitution, TP_RULE_SHARE},
-                    offsetof(tp_scene, tilt_test.restitution), message);
+  return tp_build_set(scene, __func__, "tilt_test.restitution", restitution, message);
 }
 
 tp_status tp_scene_set_tilt_test_stiffness_gpa_m(tp_scene *scene, tp_exact normal_gpa_m,

@@ -9,6 +9,7 @@
 #include "scene/check.h"
 #include "scene/node.h"
 #include "scene/scene.h"
+#include "scene_keys.h"
 
 /* How far the reading of a file is. */
 typedef struct tp_reading {
@@ -37,6 +38,13 @@ TP_MUST_USE tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *qua
                                        const tp_node *node, const char *name, tp_rule rule);
 TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
                                    const char *name);
+
+/* Has a map no keys but its own? `what` it is called in messages. And the numbers
+ * among them that it gives, into the scene or the item `of`. */
+TP_MUST_USE tp_status tp_read_keys(const tp_reader *reader, const tp_node *node,
+                                   const tp_key_map *map, const char *what);
+TP_MUST_USE tp_status tp_read_numbers(const tp_reader *reader, void *of, const tp_node *node,
+                                      const tp_key_map *map);
 
 /* A point, [x, y]. */
 TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,

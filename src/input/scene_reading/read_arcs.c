@@ -9,11 +9,9 @@
 #include <stdlib.h>
 
 static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, const tp_node *node) {
-  static const char *const keys[] = {"from", "through", "bulge", NULL};
   const tp_node *from = NULL;
   arc->place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "an arc", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_arcs, "an arc");
   if (status == TP_OK) status = tp_read_required(reader, &from, node, "from", "from: [0, 0]");
   if (status != TP_OK) return status;
   const tp_node *through = tp_node_get(node, "through"), *bulge = tp_node_get(node, "bulge");

@@ -9,25 +9,19 @@
 #include <string.h>
 
 static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"left", "right", NULL};
-  tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "beyond", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_base_beyond, "beyond");
   for (int side = 0; side < 2 && status == TP_OK; side++) {
     const tp_node *value = NULL;
-    tp_quantity *quantity = side == 0 ? &base->beyond_left : &base->beyond_right;
-    status = tp_read_required(reader, &value, node, keys[side], "beyond: {left: 0, right: 0}");
-    if (status == TP_OK) {
-      status = tp_read_quantity(reader, quantity, value, keys[side], TP_RULE_BEYOND);
-    }
+    status = tp_read_required(reader, &value, node, tp_key_map_base_beyond.keys[side],
+                              "beyond: {left: 0, right: 0}");
   }
-  return status;
+  return status == TP_OK ? tp_read_numbers(reader, reader->scene, node, &tp_key_map_base_beyond)
+                         : status;
 }
 
 /* Two vertices by their coordinates, or what bounds them. */
 static tp_status read_between(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"below", "left_of", "right_of", NULL};
   tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
   base->between_place = tp_node_place(node, reader->scene->path);
@@ -41,13 +35,9 @@ static tp_status read_between(const tp_reader *reader, const tp_node *node) {
         "[[x, y], [x, y]], the left one first, or what all its vertices lie within, as "
         "{below: y} or {right_of: x, left_of: x}");
   }
-  tp_status status =
-      tp_node_expect_keys(node, keys, "between", reader->scene->path, reader->message);
-  tp_quantity *const bounds[] = {&base->below, &base->left_of, &base->right_of};
-  for (int k = 0; keys[k] != NULL && status == TP_OK; k++) {
-    status = tp_read_quantity(reader, bounds[k], tp_node_get(node, keys[k]), keys[k], TP_RULE_ANY);
-  }
-  return status;
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_base_between, "between");
+  return status == TP_OK ? tp_read_numbers(reader, reader->scene, node, &tp_key_map_base_between)
+                         : status;
 }
 
 /* true, false, or whole. */
@@ -109,16 +99,13 @@ static bool has_drawn_base(const tp_reader *reader) {
 /* The profile is the drawing's: what is said beside it is how the block is set down on it. */
 static tp_status read_drawn_base(const tp_reader *reader, const tp_node *node) {
   static const char *const others[] = {"mated", "profile", "beyond", "between"};
-  static const char *const keys[] = {"place",  "shift",   "mated", "profile",
-                                     "beyond", "between", NULL};
   tp_base_description *base = &reader->scene->base;
   const tp_drawn *drawn = reader->scene->drawn;
   base->mated = false;
   base->place = (tp_place){drawn->path, drawn->base.mark.line, drawn->base.mark.column};
   base->profile = tp_polyline_share(&drawn->base);
   if (node == NULL) return TP_OK;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "the base", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_base, "the base");
   for (size_t k = 0; k < sizeof others / sizeof others[0] && status == TP_OK; k++) {
     const tp_node *odd = tp_node_get(node, others[k]);
     if (odd == NULL) continue;
@@ -132,14 +119,11 @@ static tp_status read_drawn_base(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"mated", "beyond", "between", "profile",
-                                     "place", "shift",  NULL};
   tp_base_description *base = &reader->scene->base;
   if (has_drawn_base(reader)) return read_drawn_base(reader, node);
   if (node == NULL) return TP_OK;
   base->place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "the base", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_base, "the base");
   if (status != TP_OK) return status;
   const tp_node *mated = tp_node_get(node, "mated"), *profile = tp_node_get(node, "profile");
   base->mated = profile == NULL;
@@ -179,21 +163,14 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_contact(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"within", "width", NULL};
   if (node == NULL) return TP_OK;
-  tp_scene *scene = reader->scene;
-  tp_status status = tp_node_expect_keys(node, keys, "contact", scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_contact, "contact");
   if (status != TP_OK) return status;
   const tp_node *within = tp_node_get(node, "within"), *width = tp_node_get(node, "width");
   if (within == NULL && width == NULL) {
     return tp_read_required(reader, &within, node, "within", "contact: {within: 0.2}");
   }
-  if (within != NULL) {
-    status = tp_read_quantity(reader, &scene->base.within, within, "within", TP_RULE_ABOVE_ZERO);
-  }
-  if (width == NULL || status != TP_OK) return status;
-  return tp_read_quantity(reader, &scene->friction.contact_width, width, "width",
-                          TP_RULE_ABOVE_ZERO);
+  return tp_read_numbers(reader, reader->scene, node, &tp_key_map_contact);
 }
 
 /* To which side the block is shifted until it matches no more. */
@@ -212,15 +189,9 @@ static tp_status read_side(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_joint(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"shift", "matching", "closure", "towards", NULL};
-  static const tp_rule rules[] = {TP_RULE_ANY, TP_RULE_SHARE, TP_RULE_ABOVE_ZERO};
-  tp_base_description *base = &reader->scene->base;
-  tp_quantity *const quantities[] = {&base->shift, &base->matching, &base->closure};
   if (node == NULL) return TP_OK;
-  tp_status status = tp_node_expect_keys(node, keys, "joint", reader->scene->path, reader->message);
-  for (int k = 0; k < 3 && status == TP_OK; k++) {
-    status = tp_read_quantity(reader, quantities[k], tp_node_get(node, keys[k]), keys[k], rules[k]);
-  }
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_joint, "joint");
+  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_joint);
   if (status == TP_OK) status = read_side(reader, tp_node_get(node, "towards"));
   if (status != TP_OK) return status;
   return tp_check_joint(reader->scene, tp_read_place(reader, node), reader->message);

@@ -107,12 +107,11 @@ static tp_status read_teeth(const tp_reader *reader, const tp_node *node) {
 }
 
 static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"width", "height", NULL};
   tp_block_description *block = &reader->scene->block;
   const tp_node *width = NULL, *height = NULL;
   block->form = TP_OUTLINE_SLAB;
   block->teeth.count = 1;
-  tp_status status = tp_node_expect_keys(node, keys, "slab", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_slab, "slab");
   if (status == TP_OK) status = tp_read_required(reader, &width, node, "width", "width: 50");
   if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 100");
   if (status == TP_OK)
@@ -122,22 +121,18 @@ static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-static tp_status read_length(const tp_reader *reader, tp_quantity *length, const tp_node *map,
-                             const char *key, const char *example) {
-  const tp_node *node = NULL;
-  const tp_status status = tp_read_required(reader, &node, map, key, example);
-  return status == TP_OK ? tp_read_quantity(reader, length, node, key, TP_RULE_ABOVE_ZERO) : status;
-}
-
 static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, const tp_node *node) {
-  static const char *const keys[] = {"width", "height", "flat", NULL};
   tp_ellipse *e = &reader->scene->block.ellipse;
   reader->scene->block.form = TP_OUTLINE_ELLIPSE;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "ellipse", reader->scene->path, reader->message);
-  if (status == TP_OK) status = read_length(reader, &e->width, node, "width", "width: 8");
-  if (status == TP_OK) status = read_length(reader, &e->height, node, "height", "height: 3");
-  if (status == TP_OK) status = read_length(reader, &e->flat, node, "flat", "flat: 0.6");
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_ellipse, "ellipse");
+  static const char *const examples[] = {"width: 8", "height: 3", "flat: 0.6"};
+  for (size_t k = 0; k < 3 && status == TP_OK; k++) {
+    const tp_node *length = NULL;
+    status = tp_read_required(reader, &length, node, tp_key_map_block_ellipse.keys[k], examples[k]);
+  }
+  if (status == TP_OK) {
+    status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_block_ellipse);
+  }
   if (status == TP_OK) {
     status = tp_check_flat(e->flat.value, e->width.value,
                            tp_read_place(reader, tp_node_get(node, "flat")), reader->message);
@@ -196,10 +191,8 @@ static tp_status read_unit_weight(const tp_reader *reader, tp_quantity *quantity
 }
 
 static tp_status read_part(const tp_reader *reader, tp_part *part, const tp_node *node) {
-  static const char *const keys[] = {"outline", "unit_weight_kn_m3", NULL};
   const tp_node *outline = NULL, *weight = NULL;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "a part", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_parts, "a part");
   if (status == TP_OK)
     status =
         tp_read_required(reader, &outline, node, "outline", "outline: [[0, 0], [1, 0], [1, 1]]");
@@ -239,24 +232,16 @@ static tp_status read_repair(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"teeth",  "slab",  "outline", "ellipse",   "arcs",
-                                     "holes",  "parts", "rounded", "thickness", "unit_weight_kn_m3",
-                                     "repair", NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
   const tp_node *drawing = tp_node_get(node->parent, "drawing");
   if (node == drawing) node = NULL; /* which is all that says what the block is */
   tp_status status = TP_OK;
   if (node != NULL) {
-    status = tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
+    status = tp_read_keys(reader, node, &tp_key_map_block, "the block");
   }
   if (status == TP_OK) status = read_form(reader, node);
-  if (status == TP_OK)
-    status = tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"),
-                              "thickness", TP_RULE_ABOVE_ZERO);
-  if (status == TP_OK)
-    status =
-        read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));
+  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_block);
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = tp_read_drawn_holes(reader);
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));

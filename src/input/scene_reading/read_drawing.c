@@ -41,11 +41,9 @@ static tp_status read_length(const tp_reader *reader, fmpq_t value, const tp_nod
 }
 
 static tp_status read_reference(const tp_reader *reader, drawing_keys *k, const tp_node *node) {
-  static const char *const keys[] = {"id", "length", NULL};
   const tp_node *id = NULL, *length = NULL;
   if (node == NULL) return TP_OK;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "reference", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_drawing_reference, "reference");
   if (status == TP_OK) status = tp_read_required(reader, &id, node, "id", "id: scale_bar");
   if (status == TP_OK) status = tp_read_required(reader, &length, node, "length", "length: 2");
   if (status == TP_OK) status = read_word(reader, &k->options.reference, id, "id");

@@ -21,13 +21,12 @@ static tp_status read_mean_plane(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_frame(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"mean_plane", NULL};
   tp_scene *scene = reader->scene;
   if (node == NULL) return TP_OK;
   scene->frame_place = tp_node_place(node, scene->path);
   if (node->kind == TP_NODE_MAPPING) {
     const tp_node *plane = NULL;
-    tp_status status = tp_node_expect_keys(node, keys, "frame", scene->path, reader->message);
+    tp_status status = tp_read_keys(reader, node, &tp_key_map_frame, "frame");
     if (status == TP_OK) {
       status = tp_read_required(reader, &plane, node, "mean_plane",
                                 "frame: {mean_plane: [[0, 0], [2, 1]]}");

@@ -39,7 +39,6 @@ static tp_status read_patton(const tp_reader *reader, const tp_node *node) {
 
 /* JRC by itself, from a tilt test by Eq. (9), or from the roughness angle by Eq. (10). */
 static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
-  static const char *const test_keys[] = {"angle_deg", "normal_stress_kpa", NULL};
   tp_friction_description *f = &reader->scene->friction;
   const tp_node *jrc = tp_node_get(node, "jrc"), *test = tp_node_get(node, "tilt_test");
   const tp_node *roughness = tp_node_get(node, "roughness_angle_deg");
@@ -55,15 +54,16 @@ static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
   if (jrc != NULL) {
     return tp_read_quantity(reader, &f->jrc, jrc, "jrc", TP_RULE_JRC);
   }
-  tp_status status =
-      tp_node_expect_keys(test, test_keys, "tilt_test", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, test, &tp_key_map_friction_tilt_test, "tilt_test");
+  const tp_node *node_of = NULL;
+  if (status == TP_OK)
+    status = tp_read_required(reader, &node_of, test, "angle_deg", "angle_deg: 55");
   if (status == TP_OK) {
-    status = read_required(reader, &f->test_angle_deg, test, "angle_deg", "angle_deg: 55",
-                           TP_RULE_ANGLE_BELOW_90);
+    status =
+        tp_read_required(reader, &node_of, test, "normal_stress_kpa", "normal_stress_kpa: 2.3");
   }
   if (status == TP_OK) {
-    status = read_required(reader, &f->test_stress_kpa, test, "normal_stress_kpa",
-                           "normal_stress_kpa: 2.3", TP_RULE_ABOVE_ZERO);
+    status = tp_read_numbers(reader, reader->scene, test, &tp_key_map_friction_tilt_test);
   }
   if (status != TP_OK) return status;
   return tp_check_tilt_test(f->test_angle_deg.value, f->test_stress_kpa.value,
@@ -116,10 +116,8 @@ static tp_status read_numbers(const tp_reader *reader, tp_facet_friction_descrip
 
 static tp_status read_own(const tp_reader *reader, tp_facet_friction_description *facets,
                           const tp_node *node) {
-  static const char *const keys[] = {"facet", "x", "angle_deg", NULL};
   facets->place = tp_read_place(reader, node);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "facets", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_friction_facets, "facets");
   if (status != TP_OK) return status;
   const tp_node *numbers = tp_node_get(node, "facet"), *x = tp_node_get(node, "x");
   if ((numbers != NULL) == (x != NULL)) {

@@ -24,19 +24,12 @@ static tp_status read_direction(const tp_reader *reader, const tp_node *node) {
 }
 
 static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"horizontal", "vertical", "direction", NULL};
   tp_loads_description *loads = &reader->scene->loads;
   if (node == NULL) return TP_OK;
   loads->seismic_place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "seismic", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_seismic, "seismic");
   if (status == TP_OK) {
-    status = tp_read_quantity(reader, &loads->horizontal, tp_node_get(node, "horizontal"),
-                              "horizontal", TP_RULE_ANY);
-  }
-  if (status == TP_OK) {
-    status = tp_read_quantity(reader, &loads->vertical, tp_node_get(node, "vertical"), "vertical",
-                              TP_RULE_ANY);
+    status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_loads_seismic);
   }
   if (status == TP_OK) status = read_direction(reader, tp_node_get(node, "direction"));
   if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
@@ -51,14 +44,13 @@ static tp_status read_truth(const tp_reader *reader, bool *value, const tp_node 
 }
 
 static tp_status read_water(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"height", "unit_weight_kn_m3", "stays_level", "uplift", NULL};
   tp_water_description *water = &reader->scene->loads.water;
   const tp_node *height = NULL;
   if (node == NULL) return TP_OK;
   water->given = true;
   water->place = tp_node_place(node, reader->scene->path);
   fmpq_set_si(water->unit_weight_kn_m3.value, 981, 100);
-  tp_status status = tp_node_expect_keys(node, keys, "water", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_water, "water");
   if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 50");
   if (status == TP_OK)
     status = tp_read_quantity(reader, &water->height, height, "the height of water",
@@ -107,7 +99,6 @@ static tp_status read_kpa(const tp_reader *reader, tp_line_load *load, const tp_
 
 static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long *count,
                             const tp_node *node, const char *what, bool two) {
-  static const char *const keys[] = {"from", "to", "kpa", NULL};
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, node, "%s are a list of {from: [x, y], to: [x, y], kpa: 10}", what);
@@ -119,7 +110,7 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
     tp_line_load *load = *loads + (*count)++;
     tp_line_load_init(load);
     load->place = tp_node_place(n, reader->scene->path);
-    status = tp_node_expect_keys(n, keys, what, reader->scene->path, reader->message);
+    status = tp_read_keys(reader, n, &tp_key_map_loads_pressures, what);
     if (status == TP_OK) status = read_required_point(reader, &load->x0, &load->y0, n, "from");
     if (status == TP_OK) status = read_required_point(reader, &load->x1, &load->y1, n, "to");
     if (status == TP_OK) status = read_kpa(reader, load, n, two);
@@ -129,11 +120,9 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
 
 static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anchor,
                              const tp_node *node) {
-  static const char *const keys[] = {"at", "direction_deg", "force_kn", "passive", NULL};
   const tp_node *direction = NULL, *force = NULL;
   anchor->place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "an anchor", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_anchors, "an anchor");
   if (status == TP_OK) status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
   if (status == TP_OK) {
     status = tp_read_required(reader, &direction, node, "direction_deg", "direction_deg: -30");
@@ -171,13 +160,11 @@ static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"seismic", "water",    "pressures",    "surcharges",
-                                     "anchors", "bond_kpa", "cohesion_kpa", NULL};
   tp_scene *scene = reader->scene;
   tp_loads_description *loads = &scene->loads;
   if (node == NULL) return TP_OK;
   loads->place = tp_node_place(node, scene->path);
-  tp_status status = tp_node_expect_keys(node, keys, "loads", scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads, "loads");
   if (status == TP_OK) status = tp_check_loads_weighed(scene, loads->place, reader->message);
   if (status == TP_OK) status = read_seismic(reader, tp_node_get(node, "seismic"));
   if (status == TP_OK) status = read_water(reader, tp_node_get(node, "water"));
@@ -190,13 +177,5 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
                         tp_node_get(node, "surcharges"), "surcharges", false);
   }
   if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
-  if (status == TP_OK) {
-    status = tp_read_quantity(reader, &loads->bond_kpa, tp_node_get(node, "bond_kpa"), "bond_kpa",
-                              TP_RULE_NOT_NEGATIVE);
-  }
-  if (status == TP_OK) {
-    status = tp_read_quantity(reader, &loads->cohesion_kpa, tp_node_get(node, "cohesion_kpa"),
-                              "cohesion_kpa", TP_RULE_NOT_NEGATIVE);
-  }
-  return status;
+  return status == TP_OK ? tp_read_numbers(reader, scene, node, &tp_key_map_loads) : status;
 }

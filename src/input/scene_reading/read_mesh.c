@@ -81,14 +81,13 @@ static tp_status read_up(const tp_reader *reader, bool *y_is_up, const tp_node *
 
 /* In lengths of the mesh. */
 static tp_status read_plane(const tp_reader *reader, tp_section_plane *plane, const fmpq_t factor) {
-  static const char *const keys[] = {"from", "to", "at", "azimuth_deg", "up", NULL};
   const tp_scene *scene = reader->scene;
   const tp_node *node = NULL;
   fmpq point[2], other[2];
   tp_status status = tp_read_required(reader, &node, scene->source, "section",
                                       "section: {from: [0, 0], to: [10, 0]}");
   if (status == TP_OK) {
-    status = tp_node_expect_keys(node, keys, "a section", scene->path, reader->message);
+    status = tp_read_keys(reader, node, &tp_key_map_section, "a section");
   }
   if (status == TP_OK) status = read_up(reader, &plane->y_is_up, tp_node_get(node, "up"));
   if (status != TP_OK) return status;
@@ -206,10 +205,8 @@ static tp_status cut(const tp_reader *reader, tp_mesh_section *section, const tp
 }
 
 static tp_status read_wish(const tp_reader *reader, tp_section_wish *wish, const tp_node *node) {
-  static const char *const keys[] = {"mesh", "object", "unit", "gap", "take", NULL};
   const tp_node *gap = tp_node_get(node, "gap");
-  tp_status status =
-      tp_node_expect_keys(node, keys, "a mesh", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_outline, "a mesh");
   if (status == TP_OK) status = read_unit(reader, wish->factor, tp_node_get(node, "unit"));
   if (status == TP_OK) status = read_taking(reader, &wish->largest, tp_node_get(node, "take"));
   return status == TP_OK && gap != NULL

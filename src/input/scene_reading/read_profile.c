@@ -95,12 +95,10 @@ static tp_status read_roughness(const tp_reader *reader, tp_quantity *by, const 
 
 static tp_status read_self_affine(const tp_reader *reader, tp_profile_rule *rule,
                                   const tp_node *node) {
-  static const char *const keys[] = {"length",   "step",    "hurst", "rms_height", "z2", "jrc",
-                                     "shortest", "longest", "start", "seed",       NULL};
   static const char example[] =
       "self_affine: {length: 100, step: 0.5, hurst: 0.8, rms_height: 1, seed: 1}";
   tp_status status =
-      tp_node_expect_keys(node, keys, "self_affine", reader->scene->path, reader->message);
+      tp_read_keys(reader, node, &tp_key_map_base_profile_self_affine, "self_affine");
   if (status == TP_OK) status = read_required(reader, &rule->length, node, "length", example);
   if (status == TP_OK) status = read_required(reader, &rule->step, node, "step", example);
   if (status == TP_OK) status = read_own(reader, &rule->shortest, node, "shortest");
@@ -117,12 +115,11 @@ static tp_status read_self_affine(const tp_reader *reader, tp_profile_rule *rule
  */
 
 static tp_status read_noise(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
-  static const char *const keys[] = {"deviation", "seed", NULL};
   if (node == NULL) return TP_OK;
-  tp_status status = tp_node_expect_keys(node, keys, "noise", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_base_profile_noise, "noise");
   if (status == TP_OK) {
-    status =
-        read_required(reader, &rule->deviation, node, keys[0], "noise: {deviation: 0.1, seed: 1}");
+    status = read_required(reader, &rule->deviation, node, "deviation",
+                           "noise: {deviation: 0.1, seed: 1}");
   }
   return status == TP_OK ? read_seed(reader, &rule->noise_seed, node) : status;
 }

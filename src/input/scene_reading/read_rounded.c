@@ -29,11 +29,9 @@ static tp_status read_at(const tp_reader *reader, tp_corner_description *corner,
 
 static tp_status read_corner(const tp_reader *reader, tp_corner_description *corner,
                              const tp_node *node) {
-  static const char *const keys[] = {"at", "radius", NULL};
   const tp_node *at = NULL, *radius = NULL;
   corner->place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "a corner", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_rounded_corners, "a corner");
   if (status == TP_OK) status = tp_read_required(reader, &at, node, "at", "at: left_end");
   if (status == TP_OK) status = tp_read_required(reader, &radius, node, "radius", "radius: 3");
   if (status == TP_OK) status = read_at(reader, corner, at);
@@ -43,12 +41,10 @@ static tp_status read_corner(const tp_reader *reader, tp_corner_description *cor
 }
 
 tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"model", "corners", NULL};
   tp_rounded_description *rounded = &reader->scene->block.rounded;
   if (node == NULL) return TP_OK;
   rounded->place = tp_node_place(node, reader->scene->path);
-  const tp_status status =
-      tp_node_expect_keys(node, keys, "rounded", reader->scene->path, reader->message);
+  const tp_status status = tp_read_keys(reader, node, &tp_key_map_block_rounded, "rounded");
   if (status != TP_OK) return status;
   const tp_node *model = tp_node_get(node, "model"), *corners = tp_node_get(node, "corners");
   const char *name = model == NULL ? "exact" : model->kind == TP_NODE_SCALAR ? model->text : "";

@@ -58,11 +58,10 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
 }
 
 static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"towards", "angle_deg", NULL};
   tp_scene *scene = reader->scene;
   if (node == NULL) return TP_OK;
   scene->tilt_place = tp_node_place(node, scene->path);
-  const tp_status status = tp_node_expect_keys(node, keys, "tilt", scene->path, reader->message);
+  const tp_status status = tp_read_keys(reader, node, &tp_key_map_tilt, "tilt");
   if (status != TP_OK) return status;
   const tp_node *towards = tp_node_get(node, "towards");
   if (towards != NULL) {
@@ -73,8 +72,7 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
       return tp_read_fail(reader, towards, "towards must be left, right or both");
     }
   }
-  return tp_read_quantity(reader, &scene->tilt_angle_deg, tp_node_get(node, "angle_deg"),
-                          "angle_deg", TP_RULE_ANGLE_TO_90);
+  return tp_read_numbers(reader, scene, node, &tp_key_map_tilt);
 }
 
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
@@ -109,32 +107,12 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
 }
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"topple",
-                                     "title",
-                                     "length_unit",
-                                     "parameters",
-                                     "block",
-                                     "base",
-                                     "loads",
-                                     "tilt",
-                                     "friction_angle_deg",
-                                     "friction",
-                                     "frame",
-                                     "contact",
-                                     "joint",
-                                     "tilt_test",
-                                     "shaking",
-                                     "result_units",
-                                     "section",
-                                     "drawing",
-                                     NULL};
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
     return tp_read_fail(reader, root, "this is not a scene: it does not begin with 'topple: 1'");
   }
   tp_status status = read_version(reader, root);
-  if (status == TP_OK)
-    status = tp_node_expect_keys(root, keys, "the scene", scene->path, reader->message);
+  if (status == TP_OK) status = tp_read_keys(reader, root, &tp_key_map_scene, "the scene");
   if (status == TP_OK) status = read_title(reader, tp_node_get(root, "title"));
   if (status == TP_OK) status = read_length_unit(reader, root);
   if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));

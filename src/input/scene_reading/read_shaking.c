@@ -9,9 +9,8 @@
 
 static tp_status read_pulse(const tp_reader *reader, tp_shaking_component *own, const tp_node *node,
                             const char *name) {
-  static const char *const keys[] = {"peak_g", "frequency_hz", NULL};
   const tp_node *peak = NULL, *frequency = NULL;
-  tp_status status = tp_node_expect_keys(node, keys, name, reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking_horizontal_half_sine, name);
   if (status == TP_OK) status = tp_read_required(reader, &peak, node, "peak_g", "peak_g: 0.4");
   if (status == TP_OK) {
     status = tp_read_required(reader, &frequency, node, "frequency_hz", "frequency_hz: 2");
@@ -66,11 +65,9 @@ static tp_status read_file(const tp_reader *reader, tp_shaking_component *own, c
 
 static tp_status read_record(const tp_reader *reader, tp_shaking_component *own,
                              const tp_node *node) {
-  static const char *const keys[] = {"file", "column", "scale", NULL};
   const tp_node *file = NULL;
   long column = 0;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "record", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking_horizontal_record, "record");
   if (status == TP_OK) {
     status = tp_read_required(reader, &file, node, "file", "file: record.at2");
   }
@@ -87,11 +84,9 @@ static tp_status read_record(const tp_reader *reader, tp_shaking_component *own,
 
 static tp_status read_component(const tp_reader *reader, tp_shaking_component *own,
                                 const tp_node *node, const char *name) {
-  static const char *const keys[] = {"half_sine", "full_sine", "record", NULL};
   if (node == NULL) return TP_OK;
   own->place = tp_node_place(node, reader->scene->path);
-  const tp_status status =
-      tp_node_expect_keys(node, keys, name, reader->scene->path, reader->message);
+  const tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking_horizontal, name);
   if (status != TP_OK) return status;
   if (node->count != 1) {
     return tp_read_fail(reader, node,
@@ -108,17 +103,16 @@ static tp_status read_component(const tp_reader *reader, tp_shaking_component *o
 }
 
 tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"horizontal", "vertical", NULL};
   tp_scene *scene = reader->scene;
   if (node == NULL) return TP_OK;
   scene->shaking_place = tp_node_place(node, scene->path);
-  tp_status status = tp_node_expect_keys(node, keys, "shaking", scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking, "shaking");
   if (status == TP_OK && node->count == 0) {
     status = tp_read_fail(reader, node, "shaking needs 'horizontal' or 'vertical'");
   }
   for (int axis = 0; axis < TP_SHAKING_AXES && status == TP_OK; axis++) {
-    status =
-        read_component(reader, scene->shaking + axis, tp_node_get(node, keys[axis]), keys[axis]);
+    const char *key = tp_key_map_shaking.keys[axis];
+    status = read_component(reader, scene->shaking + axis, tp_node_get(node, key), key);
   }
   return status;
 }

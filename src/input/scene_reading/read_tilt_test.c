@@ -64,10 +64,8 @@ static tp_status read_protocol(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_traction(const tp_reader *reader, tp_traction_description *own,
                                const tp_node *node) {
-  static const char *const keys[] = {"facet", "normal_kpa", "shear_kpa", NULL};
   own->place = tp_read_place(reader, node);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "tractions", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_tilt_test_tractions, "tractions");
   if (status != TP_OK) return status;
   const tp_node *facet = tp_node_get(node, "facet"), *normal = tp_node_get(node, "normal_kpa");
   const tp_node *shear = tp_node_get(node, "shear_kpa");
@@ -105,46 +103,12 @@ static tp_status read_tractions(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"engine",
-                                     "method",
-                                     "protocol",
-                                     "start",
-                                     "speed_deg_min",
-                                     "until_deg",
-                                     "tolerance_deg",
-                                     "duration_s",
-                                     "normal_stiffness_gpa_m",
-                                     "shear_stiffness_gpa_m",
-                                     "damping",
-                                     "rounding",
-                                     "time_step_s",
-                                     "restitution",
-                                     "tractions",
-                                     NULL};
   tp_tilt_test_description *test = &reader->scene->tilt_test;
   if (node == NULL) return TP_OK;
   test->place = tp_node_place(node, reader->scene->path);
-  const struct {
-    tp_quantity *quantity;
-    const char *key;
-    tp_rule rule;
-  } numbers[] = {{&test->speed_deg_min, "speed_deg_min", TP_RULE_ABOVE_ZERO},
-                 {&test->until_deg, "until_deg", TP_RULE_ANGLE_TO_90},
-                 {&test->tolerance_deg, "tolerance_deg", TP_RULE_ABOVE_ZERO},
-                 {&test->duration_s, "duration_s", TP_RULE_ABOVE_ZERO},
-                 {&test->normal_stiffness_gpa_m, "normal_stiffness_gpa_m", TP_RULE_ABOVE_ZERO},
-                 {&test->shear_stiffness_gpa_m, "shear_stiffness_gpa_m", TP_RULE_ABOVE_ZERO},
-                 {&test->damping, "damping", TP_RULE_SHARE},
-                 {&test->rounding, "rounding", TP_RULE_ABOVE_ZERO},
-                 {&test->time_step_s, "time_step_s", TP_RULE_ABOVE_ZERO},
-                 {&test->restitution, "restitution", TP_RULE_SHARE}};
-  tp_status status =
-      tp_node_expect_keys(node, keys, "tilt_test", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_tilt_test, "tilt_test");
   if (status == TP_OK) status = read_engine(reader, node);
   if (status == TP_OK) status = read_protocol(reader, node);
-  for (size_t k = 0; k < sizeof numbers / sizeof numbers[0] && status == TP_OK; k++) {
-    status = tp_read_quantity(reader, numbers[k].quantity, tp_node_get(node, numbers[k].key),
-                              numbers[k].key, numbers[k].rule);
-  }
+  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_tilt_test);
   return status == TP_OK ? read_tractions(reader, tp_node_get(node, "tractions")) : status;
 }

@@ -85,6 +85,22 @@ tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *quantity, const
   return status;
 }
 
+tp_status tp_read_keys(const tp_reader *reader, const tp_node *node, const tp_key_map *map,
+                       const char *what) {
+  return tp_node_expect_keys(node, map->keys, what, reader->scene->path, reader->message);
+}
+
+tp_status tp_read_numbers(const tp_reader *reader, void *of, const tp_node *node,
+                          const tp_key_map *map) {
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < map->count && status == TP_OK; k++) {
+    const tp_key_number *own = map->numbers + k;
+    tp_quantity *quantity = (tp_quantity *)(void *)((char *)of + own->offset);
+    status = tp_read_quantity(reader, quantity, tp_node_get(node, own->key), own->key, own->rule);
+  }
+  return status;
+}
+
 tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
                        const char *name) {
   if (node->kind == TP_NODE_SCALAR && strcmp(node->text, "true") == 0) {

@@ -57,12 +57,10 @@ tp_result_units tp_result_units_of(const tp_scene *scene) {
 }
 
 tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"length", "force", "moment", "stress", NULL};
   if (node == NULL) return TP_OK;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "result_units", reader->scene->path, reader->message);
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_result_units, "result_units");
   for (int kind = 0; kind < TP_UNIT_KINDS && status == TP_OK; kind++) {
-    const tp_node *own = tp_node_get(node, keys[kind]);
+    const tp_node *own = tp_node_get(node, tp_key_map_result_units.keys[kind]);
     if (own == NULL) continue;
     const char *name = own->kind == TP_NODE_SCALAR ? own->text : "";
     const tp_unit *unit = tp_result_unit_find((tp_unit_kind)kind, name);
@@ -71,7 +69,7 @@ tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node) {
     char list[200];
     tp_result_unit_names(list, sizeof list, false, (tp_unit_kind)kind);
     status = tp_read_fail(reader, own, "'%s' is not a unit of %s for reports; known are: %s",
-                          tp_quote_all(name).text, keys[kind], list);
+                          tp_quote_all(name).text, tp_key_map_result_units.keys[kind], list);
   }
   return status;
 }

@@ -27,7 +27,7 @@ typedef struct tp_slot_row {
   tp_status (*settle)(tp_scene *scene, void *holder, tp_message *message);
 } tp_slot_row;
 
-enum { TP_SLOT_ROWS = 126 };
 extern const tp_slot_row *const tp_slot_rows;
+extern const size_t tp_slot_row_count;
 
 #endif

@@ -8,10 +8,14 @@
 
 #include "common/outside.h"
 #include "scene/members.h"
+#include "scene_keys.h"
 #include "scene_varying/slot_table.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+#define COUNT_ROW(key, kind, list, offset, rule, has, settle) +1
+enum { ROWS = TP_SCENE_KEYS(COUNT_ROW) };
 
 /* The scene, or the item of its list. */
 static char *holder(const tp_slot *slot, const tp_scene *scene) {
@@ -94,7 +98,7 @@ static bool take_word(way *w, const tp_scene *scene, const char *word, size_t le
 /* `nearest` of the words by which the ways go on. */
 static tp_status fail(const way *ways, size_t count, const char *word, size_t length,
                       const tp_scene *scene, tp_message *message) {
-  char *key = strndup(word, length), *words[TP_SLOT_ROWS + 1] = {NULL};
+  char *key = strndup(word, length), *words[ROWS + 1] = {NULL};
   bool done = key != NULL;
   for (size_t k = 0; k < count && done; k++) {
     words[k] = strndup(ways[k].rest, strcspn(ways[k].rest, "."));
@@ -113,15 +117,15 @@ static tp_status fail(const way *ways, size_t count, const char *word, size_t le
 }
 
 tp_status tp_slot_find(tp_slot *slot, const tp_scene *scene, const char *key, tp_message *message) {
-  way ways[TP_SLOT_ROWS];
+  way ways[ROWS];
   size_t count = 0;
-  for (size_t k = 0; k < TP_SLOT_ROWS; k++) {
+  for (size_t k = 0; k < ROWS; k++) {
     const way w = {.slot = {.row = tp_slot_rows + k, .key = key}, .rest = tp_slot_rows[k].key};
     if (is_given(&w, scene)) ways[count++] = w;
   }
   for (const char *word = key; word != NULL;) {
     const size_t length = strcspn(word, ".");
-    way next[TP_SLOT_ROWS];
+    way next[ROWS];
     size_t left = 0;
     for (size_t k = 0; k < count; k++) {
       next[left] = ways[k];

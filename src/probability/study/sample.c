@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static tp_study_outcome outcome_of(tp_mechanism mechanism) {
+tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism) {
   switch (mechanism) {
   case TP_STANDS:
     return TP_STUDY_STANDS;
@@ -69,14 +69,14 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
     row->pivot_y_m = c->pivots[c->governing].y_m.value;
   }
   if (solution->has_tilt_angle) row->tilt_deg = solution->tilt_angle_deg.value;
-  row->first = tp_study_outcome_name(outcome_of(c->first));
+  row->first = tp_study_outcome_name(tp_study_outcome_of(c->first));
   if (c->limit.kind != TP_LIMIT_NOT_ASKED) {
     row->limit_mechanism = c->limit.kind == TP_LIMIT_NOWHERE
                                ? "holds nowhere"
-                               : tp_study_outcome_name(outcome_of(c->limit.mechanism));
+                               : tp_study_outcome_name(tp_study_outcome_of(c->limit.mechanism));
   }
   if (factor != NULL) {
-    row->fos_mechanism = tp_study_outcome_name(outcome_of(factor->mechanism));
+    row->fos_mechanism = tp_study_outcome_name(tp_study_outcome_of(factor->mechanism));
     row->fos_definition = (int)factor->definition;
   }
 }
@@ -176,7 +176,7 @@ static tp_status take_status(tp_study_row *row, tp_study_at *at, tp_status statu
 }
 
 static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) {
-  row->at[k].outcome = outcome_of(solution->cases[0].mechanism);
+  row->at[k].outcome = tp_study_outcome_of(solution->cases[0].mechanism);
   row->at[k].fos = number(tp_case_fos, solution->cases);
   row->open = row->open || tp_solution_is_undecided(solution);
 }

@@ -7,6 +7,7 @@
 #include "study/sample_filter.h"
 
 #include "number/near_angle.h"
+#include "study/sample.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -136,23 +137,6 @@ static bool take_values(numbers *n, const tp_sample_filter *f, const tp_study_ro
   return n->friction_deg.value < 89 && n->tilt_deg.value < 89;
 }
 
-static tp_study_outcome outcome_of(tp_mechanism mechanism) {
-  switch (mechanism) {
-  case TP_STANDS:
-    return TP_STUDY_STANDS;
-  case TP_SLIDES:
-    return TP_STUDY_SLIDES;
-  case TP_TOPPLES:
-    return TP_STUDY_TOPPLES;
-  case TP_SLIDES_AND_TOPPLES:
-    return TP_STUDY_SLIDES_AND_TOPPLES;
-  case TP_LEAVES_BASE:
-    return TP_STUDY_LEAVES_BASE;
-  default:
-    return TP_STUDY_MAY_MOVE;
-  }
-}
-
 /* A number as a row shows it, where all of its digits are certain: that of solve, which is as close
  * to the truth as this, has the same. */
 static bool take_number(double *number, tp_near told) {
@@ -164,7 +148,7 @@ static bool take_number(double *number, tp_near told) {
 
 static bool take_case(tp_study_row *row, const tp_case_told *told) {
   double *q = row->quantities;
-  row->first = row->limit_mechanism = tp_study_outcome_name(outcome_of(told->limit));
+  row->first = row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(told->limit));
   q[TP_STUDY_ONSET_DEG] = INFINITY;
   return take_number(&row->pivot_x_m, told->pivot_x_m) &&
          take_number(&row->pivot_y_m, told->pivot_y_m) &&
@@ -181,7 +165,7 @@ static bool take_factor(double *number, tp_fos_told told) {
 static bool take_at(tp_study_at *at, tp_case_told_at *of, const tp_case_told *told,
                     tp_near tilt_deg) {
   if (!tp_case_filter_tell_at(of, told, tilt_deg)) return false;
-  at->outcome = outcome_of(of->mechanism);
+  at->outcome = tp_study_outcome_of(of->mechanism);
   return take_factor(&at->fos, of->fos);
 }
 
@@ -192,12 +176,12 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
   row->fos_mechanism = "";
   row->fos_definition = -1;
   row->quantities[TP_STUDY_FOS] = row->fos_moments = row->fos_sliding = NAN;
-  row->at[0] = (tp_study_at){outcome_of(told->limit), NAN};
+  row->at[0] = (tp_study_at){tp_study_outcome_of(told->limit), NAN};
   if (!has_tilt) return true;
   if (!take_at(row->at, &own, told, tilt_deg)) return false;
   row->tilt_deg = tilt_deg.value;
   row->quantities[TP_STUDY_FOS] = row->at[0].fos;
-  row->fos_mechanism = tp_study_outcome_name(outcome_of(own.fos_mechanism));
+  row->fos_mechanism = tp_study_outcome_name(tp_study_outcome_of(own.fos_mechanism));
   row->fos_definition = (int)own.fos_definition;
   return take_factor(&row->fos_moments, own.by_moments) &&
          take_factor(&row->fos_sliding, own.by_shear);
