@@ -20,7 +20,4 @@ TP_MUST_USE tp_status tp_study_solve_with(tp_study_row *row, const tp_study *stu
                                           const tp_scene_key *key, double value,
                                           tp_message *message);
 
-/* What becomes of a sample whose block does that. */
-tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism);
-
 #endif

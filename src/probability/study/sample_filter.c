@@ -7,7 +7,7 @@
 #include "study/sample_filter.h"
 
 #include "number/near_angle.h"
-#include "study/sample.h"
+#include "study/tally.h"
 
 #include <math.h>
 #include <stdlib.h>
