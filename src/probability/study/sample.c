@@ -9,8 +9,8 @@
 #include "evaluation/case_numbers.h"
 #include "number/ratio.h"
 #include "stability/tilts.h"
+#include "study/outcome.h"
 #include "study/sample_filter.h"
-#include "study/tally.h"
 
 #include <math.h>
 #include <stdlib.h>

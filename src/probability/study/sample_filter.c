@@ -7,7 +7,7 @@
 #include "study/sample_filter.h"
 
 #include "number/near_angle.h"
-#include "study/tally.h"
+#include "study/outcome.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -178,24 +178,3 @@ tp_status tp_tally_add(tp_tally *tally, const tp_study_row *row, tp_message *mes
   const bool taken = keep(tally, row) && note_bad(tally, row) && (!step || note_step(tally));
   return taken ? TP_OK : tp_fail_memory(message, "the summary of a study");
 }
-
-tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism) {
-  switch (mechanism) {
-  case TP_STANDS:
-    return TP_STUDY_STANDS;
-  case TP_SLIDES:
-    return TP_STUDY_SLIDES;
-  case TP_TOPPLES:
-    return TP_STUDY_TOPPLES;
-  case TP_SLIDES_AND_TOPPLES:
-    return TP_STUDY_SLIDES_AND_TOPPLES;
-  case TP_LEAVES_BASE:
-    return TP_STUDY_LEAVES_BASE;
-  case TP_INTERLOCKED:
-    return TP_STUDY_INTERLOCKED;
-  case TP_MAY_MOVE:
-    return TP_STUDY_MAY_MOVE;
-  default:
-    return TP_STUDY_UNDECIDED;
-  }
-}

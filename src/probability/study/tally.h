@@ -68,7 +68,4 @@ static inline size_t tp_tally_measures(const tp_study *study) {
 TP_MUST_USE tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally,
                                       tp_message *message);
 
-/* What becomes of a sample whose block does that. */
-tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism);
-
 #endif
