@@ -72,7 +72,10 @@ def targets() -> dict[str, list[str]]:
         if (target["name"], target["type"]) in wanted:
             parts = target["target_sources"]
             sources[f"{target['name']} {target['type']}"] = sorted(
-                file for part in parts for file in part["sources"] + part["generated_sources"]
+                file
+                for part in parts
+                for file in part["sources"] + part["generated_sources"]
+                if not file.endswith(".h")
             )
     if len(sources) != len(wanted):
         raise SystemExit(f"{NATIVE} lacks targets of the core; run ./run --setup")
@@ -99,7 +102,8 @@ rule link
 
 def write_ninja(libraries: Path) -> None:
     """BUILD/build.ninja, with the libraries of a folder."""
-    include = [f"-I{TOP}/include/topple", *(f"-I{wing}" for wing in sorted((TOP / "src").iterdir())), f"-isystem{libraries}/include"]
+    wings = sorted((TOP / "src").iterdir()) + sorted((NATIVE / "src").iterdir())  # and what is made in them
+    include = [f"-I{TOP}/include/topple", *(f"-I{wing}" for wing in wings), f"-isystem{libraries}/include"]
     own = [*DEFINED, *include, "-Wall", "-Wno-unknown-pragmas"]
     lines = [RULES.format(c=shlex.join(toolchain.C), cxx=shlex.join(toolchain.CXX))]
     lines.append(f"flags_c = {shlex.join([*own, '-include', f'{HERE}/c_library/sort.h', '-std=gnu17'])}")
