@@ -322,5 +322,16 @@ class Calls(unittest.TestCase):
             self.assertFalse(NEVER_CALLED & {name for name, kind, _ in all_of if kind == "U"}, source)
 
 
+class Scripts(unittest.TestCase):
+    def test_files_that_scripts_name_are_there(self):
+        """What ./run, ./check and CI call has not moved away from them."""
+        found = 0
+        for script in ("run", "check", ".ci/run"):
+            for name in re.findall(r'(?:\$top/|\./)((?:src|tests|python)/[\w./-]*\w)', (ROOT / script).read_text(encoding="utf-8")):
+                found += 1
+                self.assertTrue((ROOT / name).exists(), f"{script}: {name}")
+        self.assertGreaterEqual(found, 2)
+
+
 if __name__ == "__main__":
     main()
