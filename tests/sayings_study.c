@@ -76,6 +76,7 @@ void say_studies(sayings *s) {
   tp_study_result *result = NULL;
   tp_study_options options = tp_study_options_default();
   SAY(tp_study_read(&study, TP_EXAMPLES "/studies/none.yaml", &message));
+  SAY(tp_study_read_text(&study, "topple_study: 2\n", "two.yaml", &message));
   SAY(tp_study_read(&study, TP_EXAMPLES "/studies/slab_study.yaml", &message));
   if (study == NULL) return;
   options.threads = 2;

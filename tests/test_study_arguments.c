@@ -16,6 +16,10 @@ START_TEST(read) {
   tp_study *study = UNTOUCHED(tp_study);
   REFUSED(tp_study_read(NULL, EXAMPLE("studies/slab_study.yaml"), &message), "'study'");
   REFUSED(tp_study_read(&study, NULL, &message), "'path'");
+  REFUSED(tp_study_read_text(NULL, "topple_study: 1", "a", &message), "'study'");
+  REFUSED(tp_study_read_text(&study, NULL, "a", &message), "'text'");
+  REFUSED(tp_study_read_text(&study, "topple_study: 1", NULL, &message), "'name'");
+  REFUSED(tp_study_read_text(&study, "scene: a.yaml", "a", &message), "not a study");
   ck_assert_int_eq(tp_study_read(&study, EXAMPLE("studies/none.yaml"), &message), TP_SYSTEM_FAILED);
   ck_assert_ptr_nonnull(strstr(message.text, "opened"));
   REFUSED(tp_study_read(&study, EXAMPLE("slab.yaml"), &message), "not a study");

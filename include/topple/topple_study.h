@@ -25,6 +25,12 @@ typedef struct tp_study tp_study;
  * beside it. */
 TP_MUST_USE tp_status tp_study_read(tp_study **study, const char *path, tp_message *message);
 
+/* The same from text in memory; `name` is what messages call it, and the files that it names are
+ * looked for beside a file of that name. Its rows go on by an interrupted study of a file with the
+ * same text. */
+TP_MUST_USE tp_status tp_study_read_text(tp_study **study, const char *text, const char *name,
+                                         tp_message *message);
+
 /* Free it with all that it holds; NULL is allowed. */
 void tp_study_free(tp_study *study);
 

@@ -30,7 +30,7 @@ from .record import Bounded
 from .records import *  # noqa: F403
 from .scene import Scene
 from .solution import csv, table
-from .study import study
+from .study import study, study_text
 from .sweep import Sweep, sweep, write_sweep
 from .tilt import tilt_test
 from .verify import verify, verify_text

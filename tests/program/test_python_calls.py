@@ -361,6 +361,14 @@ class Study(unittest.TestCase):
         self.assertAlmostEqual(result.spread("limit_deg").quantiles[3].value, 30, delta=0.1)
         self.assertTrue(numpy.array_equal(pickle.loads(pickle.dumps(result)).columns["limit_deg"], result.columns["limit_deg"]))
         self.assertRaises(topple.BadInput, topple.study, BLOCK)
+        text = path.read_text(encoding="utf-8")
+        self.assertEqual(topple.study_text(text, path).report(), result.report())
+        with tempfile.TemporaryDirectory() as folder:  # the same study: its rows are taken as they are
+            rows = pathlib.Path(folder) / "rows.csv"
+            topple.study(path, rows=rows)
+            self.assertEqual(topple.study_text(text, path, rows=rows).report(), result.report())
+        with self.assertRaisesRegex(topple.BadInput, "^here/study:1:1: this is not a study"):
+            topple.study_text("scene: slab.yaml", "here/study")
         self.check_columns(path)
         with tempfile.TemporaryDirectory() as folder:
             parts = [pathlib.Path(folder) / f"{k}.csv" for k in (1, 2)]

@@ -7,11 +7,18 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 uint64_t tp_hash_bytes(uint64_t hash, const void *bytes, size_t length) {
   const unsigned char *byte = bytes;
   for (size_t k = 0; k < length; k++) hash = (hash ^ byte[k]) * UINT64_C(0x100000001b3);
   return hash;
+}
+
+void tp_hash_text(uint64_t *hash, const char *text) {
+  const uint64_t total = strlen(text);
+  *hash = tp_hash_bytes(*hash, text, total);
+  *hash = tp_hash_bytes(*hash, &total, sizeof total);
 }
 
 tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message) {

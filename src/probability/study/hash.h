@@ -19,4 +19,7 @@ uint64_t tp_hash_bytes(uint64_t hash, const void *bytes, size_t length);
 /* And the bytes of a file, with their number. */
 TP_MUST_USE tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message);
 
+/* The same of a text: that of a file which holds it. */
+void tp_hash_text(uint64_t *hash, const char *text);
+
 #endif

@@ -212,10 +212,19 @@ static size_t chunk_unasked(const tp_study *study) {
   return share < CHUNK_LARGE ? (size_t)share : CHUNK_LARGE;
 }
 
-tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, study);
-  TP_REFUSE_NULL(message, path);
+/* The nodes of a file, or of a text, and the hash of its bytes. */
+static tp_status read_nodes(tp_study *study, const char *text, tp_message *message) {
+  tp_status status = text == NULL ? tp_node_read(&study->root, study->path, message)
+                                  : tp_node_read_text(&study->root, text, study->path, message);
+  if (status == TP_OK && text == NULL) status = tp_hash_file(&study->hash, study->path, message);
+  if (text != NULL) tp_hash_text(&study->hash, text);
+  study->hash_of_file = study->hash;
+  return status;
+}
+
+/* Of the file, or of the text, which is called so. */
+static tp_status read_study(tp_study **study, const char *path, const char *text,
+                            tp_message *message) {
   tp_study *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the study");
   *own = (tp_study){.path = strdup(path),
@@ -224,10 +233,8 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
                     .cells = 1,
                     .hash = TP_HASH_START};
   const tp_study_reader reader = {own, message};
-  tp_status status = own->path != NULL ? tp_node_read(&own->root, own->path, message)
-                                       : tp_fail_memory(message, "the study");
-  if (status == TP_OK) status = tp_hash_file(&own->hash, own->path, message);
-  own->hash_of_file = own->hash;
+  tp_status status =
+      own->path != NULL ? read_nodes(own, text, message) : tp_fail_memory(message, "the study");
   if (status == TP_OK) status = read_root(&reader, own->root);
   if (status == TP_OK) {
     if (own->chunk == 0) own->chunk = chunk_unasked(own);
@@ -236,6 +243,22 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
     tp_study_free(own);
   }
   return status;
+}
+
+tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, study);
+  TP_REFUSE_NULL(message, path);
+  return read_study(study, path, NULL, message);
+}
+
+tp_status tp_study_read_text(tp_study **study, const char *text, const char *name,
+                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, study);
+  TP_REFUSE_NULL(message, text);
+  TP_REFUSE_NULL(message, name);
+  return read_study(study, name, text, message);
 }
 
 void tp_study_free(tp_study *study) {
