@@ -9,8 +9,8 @@
 #ifndef TP_ROUGHNESS_COURSE_H
 #define TP_ROUGHNESS_COURSE_H
 
+#include "number/bounded.h"
 #include "plane/polyline.h"
-#include "roughness/bounded.h"
 #include "topple_profile.h"
 
 /* The least and the largest distance along x; bounds of the sizes of all slopes and heights. */

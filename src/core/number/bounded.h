@@ -5,8 +5,8 @@
  * the errors of its terms, and u times each partial sum for the addition itself; what the
  * collecting rounds, n u of it for n terms, is covered by the last factor for any n below 10^9. */
 
-#ifndef TP_ROUGHNESS_BOUNDED_H
-#define TP_ROUGHNESS_BOUNDED_H
+#ifndef TP_NUMBER_BOUNDED_H
+#define TP_NUMBER_BOUNDED_H
 
 #include "topple_basics.h"
 
