@@ -68,12 +68,15 @@ enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
 
 /* The factor that governs, and those that it is the least of. */
 typedef struct tp_governing_fos {
-  tp_fos fos;          /* TP_FOS_UNDEFINED: it does not stand at all */
-  bool has_factor;     /* it is that of ... */
-  size_t factor;       /* if has_factor: this one of the factors */
-  bool tie;            /* one against another mechanism is the same, as far as their bounds tell */
-  bool up_dip;         /* none: at this tilt it fails up-dip */
-  bool beyond;         /* none: it fails at a lower tilt, though forces would hold it at this one */
+  tp_fos fos;           /* TP_FOS_UNDEFINED: it does not stand at all */
+  bool has_factor;      /* it is that of ... */
+  size_t factor;        /* if has_factor: this one of the factors */
+  bool has_utilisation; /* `fos` is a number certainly above 0, and complete: */
+  tp_bounded
+      utilisation; /* 1 / FoS, the share of the resistance that is used; above 1 the block moves */
+  bool tie;        /* one against another mechanism is the same, as far as their bounds tell */
+  bool up_dip;     /* none: at this tilt it fails up-dip */
+  bool beyond;     /* none: it fails at a lower tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */

@@ -5,6 +5,7 @@
 import csv
 import io
 import json
+import math
 import random
 from fractions import Fraction
 
@@ -36,6 +37,23 @@ class GoverningReports(GoverningCase):
             cells = [cell.strip() for cell in line.split("|")]
             self.assertEqual(cells[3:6], ["20.000°", case["mechanism"], f"{case['governing_fos']['fos']['value']:.3f}"])
         self.assertEqual(run("solve", "--table", wrong)[:2], (3, ""))
+
+    def test_utilisation(self):
+        """The share of the resistance that is used: a slab of width b and height h at the tilt α uses h tan α / b of its moment
+        (Eq. 2), as a rational at tan α = 3/4, and the bound holds it. Where the factor is an upper bound alone, as without
+        friction, none is told."""
+        tilt = math.degrees(math.atan2(3, 4))
+        for b, h in ((3, 2), (8, 5), (2, 7)):
+            text = slab(b, h, 80, repr(tilt))
+            own = json.loads(run("solve", "--json", self.scene(text))[1])["cases"][0]["governing_fos"]
+            if h * 3 > b * 4:  # it topples: the factor is below 1
+                self.assertGreater(own["utilisation"]["value"], 1)
+            told, truth = own["utilisation"], Fraction(3 * h, 4 * b)
+            # the tilt is the double next to atan(3/4): off by 1e-14 degrees at most, of which tan makes 3e-16
+            self.assertLessEqual(abs(Fraction(told["value"]) - truth), Fraction(told["error"]) + truth * Fraction(1, 10**15))
+            self.assertLess(told["error"], 1e-12)
+        free = json.loads(run("solve", "--json", self.scene(slab(3, 2, None, 20)))[1])["cases"][0]["governing_fos"]
+        self.assertNotIn("utilisation", free)
 
     def test_fail_below(self):
         """Exit status 1 where the factor is certainly below, or there is none to compare; 0 only where it is certainly

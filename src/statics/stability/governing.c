@@ -17,6 +17,7 @@
 
 #include "stability/governing.h"
 #include "common/host.h"
+#include "number/bounded.h"
 #include "stability/governing_factors.h"
 
 #include <math.h>
@@ -127,6 +128,13 @@ static void judge_beyond(tp_governing_fos *g, bool moves) {
   g->has_factor = false;
 }
 
+static void add_utilisation(tp_governing_fos *g) {
+  const tp_bounded one = {.value = 1};
+  const bool is_number = g->fos.state == TP_FOS_NUMBER && g->fos.value.value > g->fos.value.error;
+  g->has_utilisation = is_number && g->complete;
+  if (g->has_utilisation) g->utilisation = tp_bounded_over(one, g->fos.value);
+}
+
 static void govern(tp_case *c, const tp_solution *solution) {
   tp_governing_fos *g = &c->governing_fos;
   *g = (tp_governing_fos){.fos = {.state = TP_FOS_NO_TILT},
@@ -155,6 +163,7 @@ static void govern(tp_case *c, const tp_solution *solution) {
     g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
   g->up_dip = c->falls_backwards && g->fos.state == TP_FOS_UNDEFINED;
   judge_beyond(g, at.moves);
+  add_utilisation(g);
 }
 
 void tp_solution_govern(tp_solution *solution) {
