@@ -175,13 +175,7 @@ tp_status tp_read_friction(const tp_reader *reader, const tp_node *root) {
   if (law && angle != NULL) {
     return tp_read_fail(reader, node, "give friction_angle_deg or friction, not both");
   }
-  tp_status status = TP_OK;
-  if (law) {
-    status = read_law(reader, node);
-  } else {
-    status = tp_read_quantity(reader, &reader->scene->friction_angle_deg, angle,
-                              "friction_angle_deg", TP_RULE_ANGLE_BELOW_90);
-  }
+  tp_status status = law ? read_law(reader, node) : TP_OK;
   if (status == TP_OK && facets != NULL && !law) {
     status = tp_node_expect_keys(node, keys, "friction", reader->scene->path, reader->message);
   }

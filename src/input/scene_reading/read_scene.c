@@ -123,6 +123,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
   if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
+  if (status == TP_OK) status = tp_read_numbers(reader, scene, root, &tp_key_map_scene);
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = tp_check_contact_width(reader->scene, reader->message);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
