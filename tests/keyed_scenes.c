@@ -24,6 +24,7 @@ static void build_rings(tp_scene *scene, const double *n) {
 static void build_slab(tp_scene *scene, const double *n) {
   DO(tp_scene_set_slab(scene, E(n[0]), E(n[1]), &message));
   DO(tp_scene_set_tilt_angle_deg(scene, E(n[2]), &message));
+  DO(tp_scene_set_number(scene, "required_fos", E(n[3]), &message));
 }
 
 static void build_teeth(tp_scene *scene, const double *n) {
@@ -146,8 +147,9 @@ static const keyed_scene kinds[] = {
                {0, 0,   4,   0,   4,   6,   0, 6,  1,    4, 2,    4, 2,
                 5, 2.5, 0.5, 3.5, 0.5, 3.5, 5, 20, 25.5, 2, 31.5, 1, 2}},
     [SLAB] = {build_slab,
-              HEAD "block: {slab: {width: @a, height: @b}}\ntilt: {angle_deg: @c}\n",
-              {1, 3, 10}},
+              HEAD
+              "block: {slab: {width: @a, height: @b}}\ntilt: {angle_deg: @c}\nrequired_fos: @d\n",
+              {1, 3, 10, 1.5}},
     [TEETH] = {build_teeth,
                HEAD "friction_angle_deg: 30\nblock:\n  teeth: {count: @a, width: @b, height: @c, "
                     "depth: @d, left_end: valley}\n",
@@ -222,6 +224,7 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + SLAB, "block.slab.width", 'a', 2},
     {kinds + SLAB, "block.slab.height", 'b', 2.5},
     {kinds + SLAB, "tilt.angle_deg", 'c', 12.5},
+    {kinds + SLAB, "required_fos", 'd', 1.25},
     {kinds + TEETH, "block.teeth.count", 'a', 5},
     {kinds + TEETH, "block.teeth.width", 'b', 1.25},
     {kinds + TEETH, "block.teeth.height", 'c', 5},

@@ -66,6 +66,9 @@ typedef struct tp_factor {
 /* One by each definition, at most, and one by moments that does not count. */
 enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
 
+/* Has a case the factor of safety that is required? Open: undecided. */
+typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
+
 /* The factor that governs, and those that it is the least of. */
 typedef struct tp_governing_fos {
   tp_fos fos;           /* TP_FOS_UNDEFINED: it does not stand at all */
@@ -74,9 +77,12 @@ typedef struct tp_governing_fos {
   bool has_utilisation; /* `fos` is a number certainly above 0, and complete: */
   tp_bounded
       utilisation; /* 1 / FoS, the share of the resistance that is used; above 1 the block moves */
-  bool tie;        /* one against another mechanism is the same, as far as their bounds tell */
-  bool up_dip;     /* none: at this tilt it fails up-dip */
-  bool beyond;     /* none: it fails at a lower tilt, though forces would hold it at this one */
+  bool has_required_fos;    /* the scene gives one: */
+  tp_bounded required_fos;  /* that it asks of every case */
+  tp_design meets_required; /* if has_required_fos: has the case it certainly (tp_case_meets)? */
+  bool tie;            /* one against another mechanism is the same, as far as their bounds tell */
+  bool up_dip;         /* none: at this tilt it fails up-dip */
+  bool beyond;         /* none: it fails at a lower tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */

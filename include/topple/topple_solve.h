@@ -83,7 +83,6 @@ bool tp_solution_is_undecided(const tp_solution *solution);
  * at a tilt at which the block stands? Cautious: without a tilt or a friction angle, and where a
  * motion can begin, it is not met; what is not decided, or as near to the factor as its bound, is
  * open. */
-typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
 tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
 
 /* The same of one case. */

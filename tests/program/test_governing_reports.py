@@ -78,6 +78,28 @@ class GoverningReports(GoverningCase):
                       ["--fail-below", "1.3", "--find", "friction_angle_deg", "--for", "fos=1"]):
             self.assertEqual(run("solve", *words, self.scene(good))[0], 2, words)
 
+    def test_required_fos(self):
+        """A scene says which factor it requires: page, sheet, JSON and exit status tell whether it is met, as --fail-below does,
+        which comes before it; without a tilt or friction it is not met."""
+        for required, status, words, met in (("1.3", 0, "the required 1.3 is met", "met"),
+                                             ("1.84", 1, "the required 1.84 is not met", "not met"),
+                                             ("3/2 + 0.5", 1, "the required 2 is not met", "not met")):
+            scene = self.scene(slab(2, 3, 45, 20) + f"required_fos: {required}\n")
+            done, out, err = run("solve", scene)
+            self.assertEqual((done, err == ""), (status, status == 0))
+            self.assertIn(words, out)
+            case = json.loads(run("solve", "--json", scene)[1])["cases"][0]
+            self.assertEqual(case["governing_fos"]["meets_required"], met)
+            self.assertEqual(case["governing_fos"]["required_fos"]["value"], float(Fraction(3, 2) + Fraction(1, 2)) if "/" in required else float(required))
+            sheet = self.folder / "sheet.md"
+            self.assertEqual(run("solve", "--report", sheet, scene)[0], status)
+            self.assertIn(words, sheet.read_text(encoding="utf-8"))
+            self.assertEqual(run("solve", "--fail-below", "1.5", scene)[0], 0)
+            self.assertEqual(run("solve", "--csv", scene)[0], status)
+        for text in (slab(2, 3, 45, None), slab(2, 3, None, 20), slab(2, 3, 15, 20)):
+            self.assertEqual(run("solve", self.scene(text + "required_fos: 0.1\n"))[0], 1, text)
+        self.assertEqual(run("solve", self.scene(slab(2, 3, 45, 20) + "required_fos: 0\n"))[0], 3)
+
     def test_fail_below_at_the_factor(self):
         """A slab as wide as high at 45 degrees has exactly 1 by moments: it does not pass as more, and what its bound
         leaves open is undecided rather than passed."""

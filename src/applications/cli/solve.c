@@ -49,7 +49,7 @@ static void print_open(const tp_case *c, const tp_solution *solution, const char
 }
 
 /* Why a case does not meet the design factor. */
-static void print_short_of(const tp_case *c, const tp_solution *solution, const tp_solve_words *a,
+static void print_short_of(const tp_case *c, const tp_solution *solution, double design_fos,
                            const char *scene) {
   const tp_governing_fos *g = &c->governing_fos;
   const char *why =
@@ -60,21 +60,24 @@ static void print_short_of(const tp_case *c, const tp_solution *solution, const 
           ? "at this tilt it is not certain to stand"
           : "its governing factor is below";
   tp_cli_complain("%s: %s towards the %s, the design factor of safety %g is not met: %s", scene,
-                  stance(solution), direction(c), a->design_fos, why);
+                  stance(solution), direction(c), design_fos, why);
 }
 
+/* By the factor that is asked for, else by that of the scene. */
 static int judge(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
-  if (!a->has_design_fos) return 0;
-  const tp_design all = tp_solution_meets(solution, a->design_fos);
+  const tp_governing_fos *g = &solution->cases[0].governing_fos;
+  if (!a->has_design_fos && !g->has_required_fos) return 0;
+  const double design_fos = a->has_design_fos ? a->design_fos : g->required_fos.value;
+  const tp_design all = tp_solution_meets(solution, design_fos);
   if (all == TP_DESIGN_MET) return 0;
   if (all == TP_DESIGN_OPEN) {
     tp_cli_complain("%s: whether the design factor of safety %g is met is undecided", scene,
-                    a->design_fos);
+                    design_fos);
     return tp_status_exit(TP_UNDECIDED);
   }
   for (size_t k = 0; k < solution->case_count; k++) {
-    if (tp_case_meets(solution->cases + k, a->design_fos) == TP_DESIGN_NOT_MET) {
-      print_short_of(solution->cases + k, solution, a, scene);
+    if (tp_case_meets(solution->cases + k, design_fos) == TP_DESIGN_NOT_MET) {
+      print_short_of(solution->cases + k, solution, design_fos, scene);
     }
   }
   return TP_EXIT_REFUTED;

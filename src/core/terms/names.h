@@ -13,6 +13,7 @@
 const char *tp_check_verdict_name(tp_check_verdict verdict);
 const char *tp_contact_end_name(tp_contact_end end);
 const char *tp_contact_state_name(tp_contact_state state);
+const char *tp_design_name(tp_design design);
 const char *tp_direction_name(tp_direction direction);
 const char *tp_element_kind_name(tp_element_kind kind);
 const char *tp_limit_kind_name(tp_limit_kind kind);

@@ -219,6 +219,7 @@ struct tp_scene {
   tp_polyline mean_plane; /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
   tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
+  tp_quantity required_fos;       /* that the governing factor is held against */
   tp_friction_description friction;
   bool towards_left, towards_right;
   tp_place tilt_place;

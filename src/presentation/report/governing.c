@@ -65,12 +65,21 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   }
 }
 
+static void add_required(tp_text *t, const tp_governing_fos *g) {
+  static const char *const words[] = {"is met", "is not met", "may not be met: undecided"};
+  char n[TP_NUMBER_SIZE];
+  if (!g->has_required_fos) return;
+  tp_text_add(t, "; the required %s %s", tp_text_significant(n, g->required_fos, 6),
+              words[g->meets_required]);
+}
+
 void tp_text_governing(tp_text *t, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   if (g->fos.state == TP_FOS_NO_TILT) return;
   tp_text_factor(t, g);
   if (!g->sliding_judged) tp_text_add(t, "; sliding is not judged");
   if (g->tie) tp_text_add(t, "; a tie");
+  add_required(t, g);
 }
 
 static const char *long_definition(const tp_factor *factor, bool loaded) {

@@ -17,6 +17,7 @@
 
 #include "stability/governing.h"
 #include "common/host.h"
+#include "evaluation/certainty.h"
 #include "number/bounded.h"
 #include "stability/governing_factors.h"
 
@@ -166,8 +167,14 @@ static void govern(tp_case *c, const tp_solution *solution) {
   add_utilisation(g);
 }
 
-void tp_solution_govern(tp_solution *solution) {
-  for (size_t k = 0; k < solution->case_count; k++) govern(solution->cases + k, solution);
+void tp_solution_govern(tp_solution *solution, const tp_scene *scene) {
+  for (size_t k = 0; k < solution->case_count; k++) {
+    tp_governing_fos *g = &solution->cases[k].governing_fos;
+    govern(solution->cases + k, solution);
+    g->has_required_fos = scene->required_fos.given;
+    g->required_fos = tp_result_rational(scene->required_fos.value);
+    g->meets_required = tp_case_meets(solution->cases + k, g->required_fos.value);
+  }
 }
 
 /* Of a factor alone, whatever the mechanism. */

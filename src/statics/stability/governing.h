@@ -10,6 +10,6 @@
 #include "topple.h"
 
 /* The factor of safety that governs each case, from what the solution holds. */
-void tp_solution_govern(tp_solution *solution);
+void tp_solution_govern(tp_solution *solution, const tp_scene *scene);
 
 #endif

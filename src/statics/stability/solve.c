@@ -15,9 +15,9 @@ tp_status tp_solve_problem_tilts(tp_solution *solution, tp_tilts *tilts, const t
   tp_status status = tp_solution_describe(solution, problem, options, message);
   if (status == TP_OK) status = tp_climb(solution, problem, options, tilts, message);
   if (status != TP_OK) return status;
-  tp_solution_govern(solution);
+  tp_solution_govern(solution, problem->scene);
   for (size_t k = 0; tilts != NULL && k < tilts->count; k++) {
-    if (tilts->solutions[k] != NULL) tp_solution_govern(tilts->solutions[k]);
+    if (tilts->solutions[k] != NULL) tp_solution_govern(tilts->solutions[k], problem->scene);
   }
   return TP_OK;
 }
