@@ -32,6 +32,7 @@ SCENES = {
              "joint: {matching: 0.6, closure: 0.3}\n",
     "barton": "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
               "friction: {law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: 50}\ntilt: {angle_deg: 20}\n",
+    "required": "block: {slab: {width: 1, height: 2}}\nfriction_angle_deg: 40\ntilt: {angle_deg: 10}\nrequired_fos: 1.2\n",
     "rolls": "block: {slab: {width: 10, height: 20}, rounded: {corners: [{at: left_end, radius: 2}]}}\n"
              "tilt: {towards: left, angle_deg: 22}\n",
     "cautions": "block: {slab: {width: 1000, height: 2000}, unit_weight_kn_m3: 2600}\ntilt: {towards: left}\n",
