@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COUNT_ROW(key, kind, list, offset, rule, has, settle) +1
-enum { ROWS = TP_SCENE_KEYS(COUNT_ROW) };
+#define A_ROW(key, kind, list, offset, rule, has, settle) 0,
+enum { ROWS = sizeof((const char[]){TP_SCENE_KEYS(A_ROW)}) };
 
 /* The scene, or the item of its list. */
 static char *holder(const tp_slot *slot, const tp_scene *scene) {
