@@ -39,19 +39,20 @@ typedef struct tp_frame_result {
 
 /* The contact as a whole. */
 typedef struct tp_contact_result {
-  bool mated;         /* the base is the counterpart of the underside; else a separate profile, */
-  bool shifted;       /* or it was, before the block was shifted along it ('joint') */
+  bool mated;         /* the base is the counterpart of the underside; else a separate profile */
+  bool shifted;       /* it was mated, before the block was shifted along it ('joint') */
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
   tp_bounded beyond_left_m, beyond_right_m;            /* how far the base goes on past the block */
-  tp_contact_end left_end, right_end;                  /* why it begins, and ends, */
-  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* and where */
-  bool steep;              /* some facet lies at more than 45 degrees from the mean plane, ... */
-  tp_bounded steepest_deg; /* ... the steepest of all at this, 0 to 180: beyond 90 it overhangs */
-  tp_bounded reach;        /* the highest contact over the lowest, a share of the block's height */
-  bool reaches_far;        /* above a half */
-  size_t facets, points;   /* facets of positive length; contacts in a single point */
-  size_t corner_points;    /* of the points: a corner on a corner, which gives no restraint */
-  tp_bounded length_m;     /* along the facets */
+  tp_contact_end left_end, right_end;                  /* why the contact begins, and ends, there */
+  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* its ends */
+  bool steep; /* some facet lies at more than 45 degrees from the mean plane */
+  tp_bounded
+      steepest_deg; /* of the steepest facet to the mean plane, 0 to 180: beyond 90 it overhangs */
+  tp_bounded reach; /* the highest contact over the lowest, a share of the block's height */
+  bool reaches_far; /* above a half */
+  size_t facets, points;       /* facets of positive length; contacts in a single point */
+  size_t corner_points;        /* of the points: a corner on a corner, which gives no restraint */
+  tp_bounded length_m;         /* along the facets */
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   bool has_contact_ratio;      /* on a profile, if the block has an underside there: */
   tp_bounded contact_ratio;    /* that length over that of the underside */
@@ -90,14 +91,15 @@ typedef struct tp_joint_result {
   tp_bounded largest_gap_m; /* there */
   tp_bounded mean_gap_m;    /* the area of the gap over that length */
   bool has_closure;         /* the scene says up to which gap */
-  tp_bounded closure_m;     /* the joint counts as closed: */
+  tp_bounded closure_m;     /* gaps up to this count as closed */
   tp_bounded
       matching; /* if has_closure: the share of all of the underside that is closed, 0 to 1 */
   bool has_matching_sought;   /* the scene says how much, and the shift was searched: */
-  tp_bounded matching_sought; /* that much at most; */
-  tp_bounded shift_before_m;  /* if has_matching_sought: at this shift, the last before it that was
-                                 looked at, */
-  tp_bounded matching_before; /* if has_matching_sought: it is still this, above what is sought */
+  tp_bounded matching_sought; /* the most of the underside that the scene wants closed, 0 to 1 */
+  tp_bounded shift_before_m;  /* if has_matching_sought: the last shift before this one that was
+                                 looked at */
+  tp_bounded
+      matching_before; /* if has_matching_sought: `matching` at that shift, above what is sought */
 } tp_joint_result;
 
 /* The parts near its contact that were moved there ('contact: {within: ...}'). All of a solution is

@@ -161,8 +161,9 @@ typedef struct tp_derivation {
   tp_derived_pivot *pivots;        /* by direction, and along the contact */
   size_t element_count;            /* 0 unless asked for */
   tp_derived_element *elements[2]; /* by direction: about the governing pivot; NULL where none */
-  tp_derived_rounding rounded[2];  /* by direction: where asked for */
-  tp_derived_limit limit[2];       /* by direction: likewise */
+  tp_derived_rounding
+      rounded[2];            /* by direction: the corner at the governing pivot, where asked for */
+  tp_derived_limit limit[2]; /* by direction: the static limit, where asked for */
   tp_derived_onset onset[2]; /* by direction where kind != TP_ONSET_NOT_ASKED: with the limit */
   tp_notes notes;            /* of the scene's reading, and on its problem */
 } tp_derivation;
@@ -219,8 +220,8 @@ typedef struct tp_family {
   char *count;                        /* what N is: a symbol, or 2 dx / lambda */
   bool count_is_symbol;               /* of its own, besides the scene's */
   size_t symbol_count;                /* of both: */
-  TP_OUTSIDE char **symbols;          /* as in a derivation */
-  TP_OUTSIDE char **parameters;       /* symbol_count of them: likewise */
+  TP_OUTSIDE char **symbols;          /* as the formulas write them */
+  TP_OUTSIDE char **parameters;       /* symbol_count of them: as the scene calls them */
   long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
   long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
   tp_family_formula formulas[4];      /* odd left, odd right, even left, even right */

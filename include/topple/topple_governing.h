@@ -72,8 +72,8 @@ typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_d
 /* The factor that governs, and those that it is the least of. */
 typedef struct tp_governing_fos {
   tp_fos fos;           /* TP_FOS_UNDEFINED: it does not stand at all */
-  bool has_factor;      /* it is that of ... */
-  size_t factor;        /* if has_factor: this one of the factors */
+  bool has_factor;      /* it is that of one of the factors */
+  size_t factor;        /* if has_factor: the index of that one */
   bool has_utilisation; /* `fos` is a number certainly above 0, and complete: */
   tp_bounded
       utilisation; /* 1 / FoS, the share of the resistance that is used; above 1 the block moves */

@@ -46,8 +46,8 @@ typedef struct tp_window {
 /* Tilts from one to another throughout which the same motions can begin. */
 typedef struct tp_motion_range {
   bool from_below, to_above; /* as of a window */
-  tp_bounded from_deg;       /* if !from_below: likewise */
-  tp_bounded to_deg;         /* if !to_above: likewise */
+  tp_bounded from_deg;       /* if !from_below: its lower end */
+  tp_bounded to_deg;         /* if !to_above: its upper end */
   unsigned motions; /* set of mechanism: the bit 1u << mechanism for each of slides, topples, slides
                        and topples, leaves its base; never 0 */
 } tp_motion_range;
@@ -85,10 +85,10 @@ typedef struct tp_motion {
   tp_bounded acceleration_x_g, acceleration_y_g; /* of the centroid, in units of gravity, along x
                                                     and y of the scene */
   tp_bounded angular_g_per_m; /* angular acceleration over gravity, 1 / m; counter-clockwise > 0 */
-  bool accelerations_fixed;   /* false: a range of them is possible; the least is given, */
-  bool greatest;              /* or, of a slide that bonds pull on, the greatest: with no more pull
-                                 than balance needs */
-  bool has_strength;          /* under cohesion or bonds: */
+  bool accelerations_fixed;   /* false: a range of them is possible, of which one end is given */
+  bool greatest;     /* that end is the greatest, of a slide that bonds pull on: with no more pull
+                        than balance needs */
+  bool has_strength; /* under cohesion or bonds: */
   tp_motion_resistance cohesion,
       bond; /* if has_strength: of lines that slip, of facets that open; the cohesion of a line that
                sticks is part of its contact's force */

@@ -40,10 +40,10 @@ typedef struct tp_basin {
 /* Does a block stand in a pose, when the table is tilted in one direction? */
 typedef struct tp_pose_verdict {
   tp_direction towards;       /* which */
-  tp_mechanism mechanism;     /* as tp_case tells them */
-  tp_mechanism first;         /* ... */
-  bool has_first_angle;       /* ... */
-  tp_bounded first_angle_deg; /* ... */
+  tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as it is tilted */
+  tp_mechanism first;         /* what happens first as the table is tilted from level */
+  bool has_first_angle;       /* that is at an angle */
+  tp_bounded first_angle_deg; /* where it happens */
   tp_fos fos;                 /* the governing one, at the scene's tilt */
   bool least; /* of all poses this one begins to move first as the table is tilted */
 } tp_pose_verdict;
@@ -51,9 +51,9 @@ typedef struct tp_pose_verdict {
 /* A resting pose: what touches, vertices and edges. Over a basin the pose shifts and turns with the
  * starting position; its numbers here are those from the middle of its widest basin. */
 typedef struct tp_resting_pose {
-  size_t basins;           /* that lead to it, */
-  size_t widest;           /* the widest of them, */
-  tp_bounded share;        /* and the share of all starting positions that they are */
+  size_t basins;           /* how many basins lead to it */
+  size_t widest;           /* index of the widest of them */
+  tp_bounded share;        /* of these basins, of all starting positions */
   tp_bounded shift_m;      /* the starting position that its numbers are of */
   tp_rest_result rest;     /* turn, shift of its centroid, margins */
   tp_bounded centroid_y_m; /* how high it lies: its energy over its weight */
@@ -69,12 +69,12 @@ typedef struct tp_poses_result {
   tp_bounded spacing_m;    /* no basin wider than that is missed; a narrower one may be */
   tp_bounded border_m;     /* borders were narrowed to that, but where their errors say otherwise */
   size_t settlings;        /* starting positions that were tried */
-  bool has_given;          /* the block of the scene, at shift 0, comes to rest ... */
-  size_t given;            /* ... in this pose; of a position between two basins this is unknown */
-  size_t pose_count;       /* of the poses */
-  tp_resting_pose *poses;  /* owned by the solution */
-  size_t basin_count;      /* of the basins */
-  tp_basin *basins;        /* from left to right; owned by the solution */
+  bool has_given;          /* the block of the scene, at shift 0, comes to rest in a known pose */
+  size_t given;           /* index of that pose; of a position between two basins this is unknown */
+  size_t pose_count;      /* of the poses */
+  tp_resting_pose *poses; /* owned by the solution */
+  size_t basin_count;     /* of the basins */
+  tp_basin *basins;       /* from left to right; owned by the solution */
 } tp_poses_result;
 
 #ifdef __cplusplus

@@ -177,8 +177,8 @@ typedef struct tp_profile {
   tp_profile_estimate correlation_length; /* at which the autocorrelation has fallen to 1 / e */
   size_t density_count;                   /* of the densities */
   tp_profile_density *densities;          /* from frequency 0 on, evenly */
-  tp_profile_estimate hurst_by_structure; /* the exponent of a self-affine profile, */
-  tp_profile_estimate hurst_by_spectrum;  /* by two ways */
+  tp_profile_estimate hurst_by_structure; /* Hurst exponent, by the structure function */
+  tp_profile_estimate hurst_by_spectrum;  /* Hurst exponent, by the spectrum */
   double structure_fit[2];                /* the least and the largest distance of the first fit */
   double spectrum_fit[2];                 /* the least and the largest frequency of the second */
 

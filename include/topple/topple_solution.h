@@ -30,13 +30,14 @@ typedef enum tp_pivot_kind {
 
 /* A point of the contact about which the block might turn. */
 typedef struct tp_pivot {
-  tp_pivot_kind kind;  /* where it lies */
-  bool rounded;        /* the corner is: (x, y) is where the axis then lies */
-  bool admissible;     /* to first order: turning about it opens every contact facet */
-  bool told;           /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
-  bool never;          /* loads keep it from toppling about this pivot at any tilt, ... */
-  bool always;         /* ... or from standing on it at any: there is no critical angle */
-  tp_bounded x_m, y_m; /* if told: the point, or the axis */
+  tp_pivot_kind kind; /* where it lies */
+  bool rounded;       /* the corner is: (x, y) is where the axis then lies */
+  bool admissible;    /* to first order: turning about it opens every contact facet */
+  bool told;          /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
+  bool never;         /* loads keep it from toppling about this pivot at any tilt */
+  bool always; /* loads keep it from standing on this pivot at any tilt: there is no critical angle
+                */
+  tp_bounded x_m, y_m;           /* if told: the point, or the axis */
   tp_bounded critical_angle_deg; /* if told && !never && !always: -180 to 180; above 90 it never
                                     topples, below 0 not even level */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it fails, or is held again */
@@ -127,8 +128,8 @@ typedef struct tp_case {
   bool governing_tie;      /* another admissible pivot has the same critical angle: */
   long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
   tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
-  bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
-  tp_bounded rest_turn_deg; /* if rests: turned by this on its base */
+  bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest */
+  tp_bounded rest_turn_deg; /* if rests: by what it turns on its base */
   tp_sliding sliding;       /* by angles, without statics */
   tp_toe toe;               /* can it bear what moments put on it? */
   tp_limit limit;           /* with the base of the scene */

@@ -129,8 +129,8 @@ typedef struct tp_study_index {
 /* A probability by samples drawn where it fails: around the design points (importance), or step by
  * step towards where it fails (subset). */
 typedef struct tp_study_rare {
-  bool asked;                    /* for this one, */
-  bool known;                    /* and it has an answer */
+  bool asked;                    /* the study asks for it */
+  bool known;                    /* it has an answer */
   double probability, low, high; /* if known: with its interval of 95 % */
   double variation;              /* if known: its deviation over itself */
   size_t calls;                  /* if known: scenes solved for it */
@@ -140,8 +140,8 @@ typedef struct tp_study_rare {
 /* A design point: of the points at which an angle is the tilt, or a factor of safety 1, one that is
  * more likely than all around it. Each way to fail has one of its own, or several. */
 typedef struct tp_study_design_point {
-  double beta;        /* its distance in deviations, below 0 where the means fail, */
-  double probability; /* and Phi(-beta) */
+  double beta;        /* its distance in deviations, below 0 where the means fail */
+  double probability; /* Phi(-beta) */
   size_t value_count; /* as many as variables */
   double *values;     /* the number of each variable there */
 } tp_study_design_point;
@@ -150,8 +150,8 @@ typedef struct tp_study_design_point {
 typedef struct tp_study_reliability {
   bool known;                 /* it was asked for */
   tp_study_quantity quantity; /* if known: of which */
-  bool converged;             /* if known: a design point was found; else there is no number, */
-  const char *state;          /* if known: and why, in words; a static string */
+  bool converged;             /* if known: a design point was found; else there is no number */
+  const char *state;          /* if known: how the search ended, in words; a static string */
   double beta;        /* if known: the index: the distance of the design point in deviations */
   double probability; /* if known: of first order, Phi(-beta), that the quantity is not above; both
                          NaN where there is no design point */
@@ -188,8 +188,8 @@ typedef struct tp_study_variable {
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
-  double design_value; /* where reliability is known: at the nearest design point, NaN: none, */
-  double importance;   /* and its share of the variance there, as if all were independent */
+  double design_value; /* where reliability is known: at the nearest design point; NaN: none */
+  double importance;   /* its share of the variance there, as if all were independent */
 } tp_study_variable;
 
 /* Two numbers that are drawn with a correlation of their normal scores. */
