@@ -10,9 +10,9 @@ rule, a tp_rule without its beginning; has, the function that says whether a sce
 given, or - of a key that is read from files alone; settle, the function of what follows from it (scene_varying/slot_table.c).
 Members: a tp_quantity; two with a comma between, of a pair; number and an fmpq_t; points and a tp_polyline; teeth, their number.
 
-The header has TP_SCENE_KEYS(ROW), a row for each number that can vary in memory; TP_SCENE_NUMBERS(MEMBER) and
-TP_NUMBERS_OF_…(MEMBER), the numbers of a scene and of an item; and tp_key_map_NAME for each map of a scene: its keys, and its
-numbers (scene/key_map.h)."""
+The header has TP_SCENE_KEYS(ROW), a row for each number that can vary in memory; TP_SCENE_LONE_NUMBERS, those that stand
+alone; TP_SCENE_NUMBERS(MEMBER) and TP_NUMBERS_OF_…(MEMBER), the numbers of a scene and of an item; and tp_key_map_NAME for each
+map of a scene: its keys, and its numbers (scene/key_map.h)."""
 
 import csv
 import pathlib
@@ -43,6 +43,13 @@ class Key:
     def offset(self, member):
         return "0" if self.kind == "TEETH" or member == "item" else f"offsetof({self.type}, {member})"
 
+    def is_number(self):
+        return self.kind == "QUANTITY" and len(self.members) == 1
+
+    def stands_alone(self):
+        """Of no list, with no condition but that it is given, and with nothing that follows from it."""
+        return self.is_number() and not (self.list or self.has or self.settle)
+
     def rows(self):
         """Those of the numbers that can vary."""
         path = self.path.replace("[]", ".#")
@@ -71,6 +78,11 @@ def maps(own):
     return {re.sub(r"\W", "_", name) or "scene": inside for name, inside in found.items()}
 
 
+def number(key, name=None):
+    """Its tp_key_number."""
+    return f'{{"{name or key.path}", {key.offset(key.members[0])}, TP_RULE_{key.rule}}}'
+
+
 def header(own):
     numbers = dict.fromkeys(f"{member}.value" if key.kind == "QUANTITY" else member for key in own
                             if key.list is None and key.kind in ("QUANTITY", "NUMBER") for member in key.members)
@@ -80,12 +92,13 @@ def header(own):
         inside = dict.fromkeys(f"{member}.value" for key in own if key.type == kind and key.kind == "QUANTITY" for member in key.members)
         if inside:
             text += macro(f"TP_NUMBERS_OF_{kind.removeprefix('tp_').upper()}", "MEMBER", [f"MEMBER({kind}, {member})" for member in inside])
+    lone = ", ".join(map(number, filter(Key.stands_alone, own)))
+    text += f"#define TP_SCENE_LONE_NUMBERS {{{lone}}}\n\n"
     return text + "".join(f"extern const tp_key_map tp_key_map_{name};\n" for name in maps(own))
 
 
 def map_of(name, inside):
-    numbers = [f'{{"{key.name}", {key.offset(key.members[0])}, TP_RULE_{key.rule}}}' for key in inside
-               if key.kind == "QUANTITY" and len(key.members) == 1]
+    numbers = [number(key, key.name) for key in inside if key.is_number()]
     names = ", ".join(f'"{key.name}"' for key in inside)
     text = f"static const char *const keys_of_{name}[] = {{{names}, NULL}};\n"
     if numbers:

@@ -8,7 +8,6 @@
 
 #include "common/host.h"
 #include "common/outside.h"
-#include "scene/members.h"
 #include "scene_keys.h"
 
 #include <stdlib.h>
@@ -46,23 +45,12 @@ void tp_build_put(tp_build *build, tp_quantity *quantity, long index) {
   quantity->place = build->place;
 }
 
-/* The numbers that stand by themselves: of no list, no form and no law, and nothing follows from
- * them but what is computed when the scene is solved. */
-typedef struct own_number {
-  const char *key;
-  size_t offset;
-  tp_rule rule;
-  bool alone;
-} own_number;
-
-#define ROW(key, kind, list, offset, rule, has, settle)                                            \
-  {key, offset, TP_RULE_##rule,                                                                    \
-   #kind[0] == 'Q' && (list) == TP_LISTS && #has[0] == 'N' && #settle[0] == 'N'},
-
-static const own_number *find_number(const char *key) {
-  static const own_number rows[] = {TP_SCENE_KEYS(ROW)};
-  for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
-    if (rows[k].alone && strcmp(rows[k].key, key) == 0) return rows + k;
+/* A number that stands by itself: of no list, no form and no law, and nothing follows from it but
+ * what is computed when the scene is solved. NULL: there is none of that key. */
+static const tp_key_number *find_number(const char *key) {
+  static const tp_key_number numbers[] = TP_SCENE_LONE_NUMBERS;
+  for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+    if (strcmp(numbers[k].key, key) == 0) return numbers + k;
   }
   return NULL;
 }
@@ -71,22 +59,17 @@ static bool is_under(const char *key, const char *map) {
   return strncmp(key, map, strlen(map)) == 0;
 }
 
-static void note_call(tp_place *place, tp_build *build) {
-  if (place->file == NULL) *place = build->place;
-}
-
 /* The maps that the key is in are given by the call, where nothing gave them before. */
 static void note_maps(tp_build *build, const char *key) {
-  tp_scene *scene = build->scene;
+  tp_place *test = &build->scene->tilt_test.place;
   if (is_under(key, "loads.")) tp_build_note_load(build);
-  if (is_under(key, "loads.seismic.")) scene->loads.seismic_place = build->place;
-  if (is_under(key, "tilt_test.")) note_call(&scene->tilt_test.place, build);
-  if (is_under(key, "base.")) note_call(&scene->base.place, build);
+  if (is_under(key, "loads.seismic.")) build->scene->loads.seismic_place = build->place;
+  if (is_under(key, "tilt_test.") && test->file == NULL) *test = build->place;
 }
 
 tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_exact value,
                        tp_message *message) {
-  const own_number *own = find_number(key);
+  const tp_key_number *own = find_number(key);
   const char *dot = strrchr(key, '.');
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, call, message);
