@@ -23,6 +23,7 @@ static void say_enumerations(sayings *s) {
     note_text(s, tp_status_meaning((tp_status)k));
     note_number(s, tp_status_exit((tp_status)k));
   }
+  for (int k = 0; k <= TP_FAULT_ARGUMENT + 1; k++) note_text(s, tp_fault_name((tp_fault)k));
   for (int k = 0; k <= TP_LEVELS; k++) note_text(s, tp_level_name((tp_level)k));
   for (int k = 0; k <= TP_CAUTION + 1; k++) note_text(s, tp_note_kind_name((tp_note_kind)k));
   for (int k = 0; k <= TP_VERDICTS; k++) note_text(s, tp_verdict_name((tp_verdict)k));

@@ -82,6 +82,43 @@ START_TEST(the_place_of_a_complaint) {
 }
 END_TEST
 
+/* Which kind of input is wrong, for a program that reacts to it; none where something else is. */
+START_TEST(the_kind_of_wrong_input) {
+  static const struct {
+    const char *text;
+    tp_fault fault;
+  } cases[] = {
+      {"topple: [1\n", TP_FAULT_FORMAT},
+      {"topple: 1\nlength_unit: m\nfrictoin: 30\n", TP_FAULT_KEY},
+      {"topple: 1\nlength_unit: furlong\n", TP_FAULT_UNIT},
+      {"topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\nfriction_angle_deg: 95\n",
+       TP_FAULT_RANGE},
+      {"topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [1, 1], [1, 0], [0, 1]]}\n",
+       TP_FAULT_GEOMETRY},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    tp_scene *scene = NULL;
+    tp_solution *solution = NULL;
+    tp_message message = {.fault = TP_FAULT_NONE};
+    const tp_solve_options options = tp_solve_options_default();
+    tp_status status = tp_scene_read_text(&scene, cases[k].text, "scene.yaml", &message);
+    if (status == TP_OK) status = tp_solve(&solution, scene, &options, &message);
+    ck_assert_int_eq(status, TP_BAD_INPUT);
+    ck_assert_msg(message.fault == cases[k].fault, "%s: %s", tp_fault_name(message.fault),
+                  message.text);
+    tp_scene_free(scene);
+  }
+  tp_message message;
+  ck_assert_int_eq(tp_scene_read_text(NULL, "", "scene.yaml", &message), TP_BAD_INPUT);
+  ck_assert_int_eq(message.fault, TP_FAULT_ARGUMENT);
+  tp_scene *scene = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, "/no/such/scene.yaml", &message), TP_SYSTEM_FAILED);
+  ck_assert_int_eq(message.fault, TP_FAULT_NONE);
+  ck_assert_str_eq(tp_fault_name(TP_FAULT_GEOMETRY), "geometry");
+  ck_assert_str_eq(tp_fault_name((tp_fault)-1), "unknown");
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("status");
   TCase *statuses = tcase_create("status");
@@ -89,6 +126,7 @@ int main(void) {
   tcase_add_test(statuses, what_is_no_status);
   tcase_add_test(statuses, the_version);
   tcase_add_test(statuses, the_place_of_a_complaint);
+  tcase_add_test(statuses, the_kind_of_wrong_input);
   suite_add_tcase(suite, statuses);
   return run_suite(suite);
 }

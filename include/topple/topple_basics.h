@@ -63,6 +63,28 @@ typedef enum tp_status {
 const char *tp_status_meaning(tp_status status);
 int tp_status_exit(tp_status status);
 
+/* The kinds of wrong input: name, number, word, meaning. */
+#define TP_FAULT_LIST(X)                                                                           \
+  X(TP_FAULT_NONE, 0, "none", "the input is not what went wrong")                                  \
+  X(TP_FAULT_FORMAT, 1, "format", "a file or a text is not what its format says")                  \
+  X(TP_FAULT_KEY, 2, "key",                                                                        \
+    "a key, a name, a word or an option is unknown, missing, or excluded by another")              \
+  X(TP_FAULT_UNIT, 3, "unit", "a unit is missing or unknown")                                      \
+  X(TP_FAULT_RANGE, 4, "range", "a number is outside its range")                                   \
+  X(TP_FAULT_GEOMETRY, 5, "geometry", "the shapes are no block on a base")                         \
+  X(TP_FAULT_ARGUMENT, 6, "argument", "an argument of the call is wrong: the caller's mistake")
+
+/* Which kind of input is wrong, beside TP_BAD_INPUT. */
+typedef enum tp_fault {
+/* An item of the list. */
+#define TP_FAULT_ENUM(name, number, word, meaning) name = (number),
+  TP_FAULT_LIST(TP_FAULT_ENUM)
+#undef TP_FAULT_ENUM
+} tp_fault;
+
+/* The word of a kind of wrong input; "unknown" of a number that is none of the list. */
+const char *tp_fault_name(tp_fault fault);
+
 /* A chart: curves and borders (topple_chart.h). */
 typedef struct tp_chart tp_chart;
 
@@ -73,6 +95,7 @@ typedef struct tp_message {
   char file[512];   /* where, plain; of a longer path its end; empty where it is of no file */
   int line, column; /* in the file, counted from 1; 0: not known */
   int system_error; /* errno, where the system refused a file, else 0 */
+  tp_fault fault;   /* the kind of input that is wrong, else TP_FAULT_NONE */
 } tp_message;
 
 /* Frees a text that a call of the library made (a report, an explanation); NULL is allowed. */

@@ -27,7 +27,15 @@ class ToppleError(Exception):
 
 
 class BadInput(ToppleError, ValueError):
-    """The input is wrong."""
+    """The input is wrong. `fault` is the kind of input that is: "format", "key", "unit", "range", "geometry",
+    "argument", or "none" where it is not known."""
+
+    def __init__(self, text="", file=None, line=None, column=None, fault: str = "none"):
+        super().__init__(text, file, line, column)
+        self.fault = fault
+
+    def __reduce__(self):
+        return type(self), (self.text, self.file, self.line, self.column, self.fault)
 
 
 class NoAnswer(ToppleError):
@@ -92,6 +100,8 @@ def failure(status: int, message=None) -> ToppleError:
     place = [_text(message.file) or None, message.line or None, message.column or None]
     if kind is SystemFailed and message.system_error:
         return REFUSALS.get(message.system_error, kind)(_text(message.text), *place, message.system_error)
+    if kind is BadInput:
+        place.append(_text(lib.tp_fault_name(message.fault)))
     return kind(_text(message.text), *place)
 
 

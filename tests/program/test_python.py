@@ -113,6 +113,19 @@ class Errors(unittest.TestCase):
         self.assertIsInstance(refused, PermissionError)
         self.assertIsNone(topple.SystemFailed("gnuplot, which draws charts, is not installed").errno)
 
+    def test_kinds_of_wrong_input(self):
+        """Every wrong scene says which kind of input is wrong; none of them is the caller's mistake."""
+        faults = {}
+        for path in sorted((ROOT / "tests/bad").glob("*.yaml")):
+            try:
+                topple.Scene.read(path).solve()
+            except topple.BadInput as error:
+                faults.setdefault(error.fault, []).append(path.name)
+                self.assertEqual(pickle.loads(pickle.dumps(error)).fault, error.fault)
+            except topple.ToppleError:
+                pass
+        self.assertEqual(set(faults), {"format", "key", "unit", "range", "geometry"}, faults)
+
     def test_messages(self):
         """What, where and what to do; the scene stays as it was."""
         scene = topple.Scene("mm", outline=SQUARE, friction_angle_deg=30)

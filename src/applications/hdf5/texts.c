@@ -59,9 +59,9 @@ static tp_status note_all(const tp_hdf5_file *file, hid_t *group, const tp_study
     tp_text_drop(&text);
   }
   if (status != TP_OK || hash == study->hash) return status;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){study->path, 0, 0},
-                 "the study, its scene or a file that they name has changed since it was read; "
-                 "restart, or name another file");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){study->path, 0, 0},
+                   "the study, its scene or a file that they name has changed since it was read; "
+                   "restart, or name another file");
 }
 
 tp_status tp_hdf5_note_texts(const tp_hdf5_file *file, const tp_study *study, tp_message *message) {

@@ -36,9 +36,10 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
   bool there = false;
   /* nobody named the CSV */
   if (lstat(csv, &own) == 0 && S_ISLNK(own.st_mode)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0},
-                   "this is a link, into which the rows would go first; remove it, or name another "
-                   "file");
+    return tp_refuse(
+        message, TP_FAULT_FORMAT, (tp_place){csv, 0, 0},
+        "this is a link, into which the rows would go first; remove it, or name another "
+        "file");
   }
   if (stat(path, &own) != 0) {
     if (lstat(path, &own) != 0) return TP_OK;
@@ -46,22 +47,24 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
                    "cannot be written: it is a link that leads nowhere");
   }
   if (!S_ISREG(own.st_mode)) {
-    return tp_fail(message, TP_BAD_INPUT, place, "HDF5 needs a file of its own; name another one");
+    return tp_refuse(message, TP_FAULT_FORMAT, place,
+                     "HDF5 needs a file of its own; name another one");
   }
   if (tp_study_reads(study, &own)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "this is a file that the study reads, and would be lost; write to another name");
+    return tp_refuse(
+        message, TP_FAULT_FORMAT, place,
+        "this is a file that the study reads, and would be lost; write to another name");
   }
   if (restart) {
     if (tp_hdf5_file_is_ours(path)) return TP_OK;
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "this file is there, and is not the rows of a study, the only files that are "
-                   "written over; remove it, or name another file");
+    return tp_refuse(message, TP_FAULT_FORMAT, place,
+                     "this file is there, and is not the rows of a study, the only files that are "
+                     "written over; remove it, or name another file");
   }
   const tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK || there) return status;
-  return tp_fail(
-      message, TP_BAD_INPUT, place,
+  return tp_refuse(
+      message, TP_FAULT_FORMAT, place,
       "this file is there, and no '%.300s' to continue from; restart to write over it, or "
       "name another file",
       csv);
@@ -84,8 +87,8 @@ static tp_status write_block(writing *w, tp_message *message) {
 static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_message *message) {
   writing *w = context;
   if (row->sample != w->done + w->filled || row->sample >= w->rows) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){w->file.csv, 0, 0},
-                   "the rows are out of order; the file was changed since it was written");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){w->file.csv, 0, 0},
+                     "the rows are out of order; the file was changed since it was written");
   }
   for (size_t k = 0; k < w->count; k++) {
     tp_hdf5_column *column = w->columns + k;
@@ -141,8 +144,8 @@ tp_status tp_hdf5_write(const char *path, const tp_study *study, const char *csv
   tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK) return status;
   if (!there || progress.shards != 1) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0},
-                   "these are not rows of a whole study");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){csv, 0, 0},
+                     "these are not rows of a whole study");
   }
   const uint64_t most = progress.chunks * study->chunk;
   writing w = {.study = study, .stop = stop, .rows = most < study->samples ? most : study->samples};

@@ -15,8 +15,8 @@ enum { MOST_CLICKS = 200 };
 
 static tp_status take_line(tp_trace_ring *ring, const tp_polyline *line, tp_message *message) {
   if (line->count < 3 || line->count > MOST_CLICKS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){line->file, 0, 0},
-                   "an outline that is clicked has from 3 to 200 points");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){line->file, 0, 0},
+                     "an outline that is clicked has from 3 to 200 points");
   }
   for (long k = 0; k < line->count; k++) {
     const tp_trace_point own = {fmpq_get_d(line->x + k), fmpq_get_d(line->y + k)};
@@ -32,10 +32,10 @@ tp_status tp_trace_read_clicks(tp_trace_options *options, tp_message *message) {
   if (path == NULL) return TP_OK;
   tp_status status = tp_csv_read(&line, &unit, path, true, &notes, message);
   if (status == TP_OK && unit != NULL && strcmp(unit, "px") != 0) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
-                     "the header says that lengths are in %s; points of a picture are in pixels "
-                     "from its upper left corner",
-                     unit);
+    status = tp_refuse(message, TP_FAULT_UNIT, (tp_place){path, 1, 1},
+                       "the header says that lengths are in %s; points of a picture are in pixels "
+                       "from its upper left corner",
+                       unit);
   }
   if (status == TP_OK) status = take_line(&options->outline, &line, message);
   tp_polyline_clear(&line);

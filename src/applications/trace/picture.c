@@ -19,7 +19,7 @@ void tp_picture_clear(tp_trace_picture *picture) {
 }
 
 static tp_status fail(const char *name, const char *what, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0}, "%s", what);
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){name, 0, 0}, "%s", what);
 }
 
 /* ---- PNG ---------------------------------------------------------------------------------------
@@ -30,8 +30,8 @@ static tp_status read_png(tp_trace_picture *picture, const unsigned char *bytes,
   png_image image = {.version = PNG_IMAGE_VERSION};
   const png_color white = {255, 255, 255};
   if (png_image_begin_read_from_memory(&image, bytes, length) == 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0}, "a broken PNG: %s",
-                   image.message);
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){name, 0, 0}, "a broken PNG: %s",
+                     image.message);
   }
   tp_status status = tp_picture_check_size(image.width, image.height, name, message);
   image.format = PNG_FORMAT_RGB;
@@ -41,8 +41,8 @@ static tp_status read_png(tp_trace_picture *picture, const unsigned char *bytes,
   }
   if (status == TP_OK && (png_image_finish_read(&image, &white, picture->rgb, 0, NULL) == 0 ||
                           PNG_IMAGE_FAILED(image))) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
-                     "a broken PNG: %s; save it again from where it comes", image.message);
+    status = tp_refuse(message, TP_FAULT_FORMAT, (tp_place){name, 0, 0},
+                       "a broken PNG: %s; save it again from where it comes", image.message);
   }
   picture->width = (int)image.width;
   picture->height = (int)image.height;

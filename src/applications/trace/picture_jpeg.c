@@ -45,8 +45,8 @@ static void count_scans(j_common_ptr info) {
 }
 
 static tp_status refuse(const reader *r, const char *name, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
-                 "a broken JPEG: %s; save it again from where it comes", r->text);
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){name, 0, 0},
+                   "a broken JPEG: %s; save it again from where it comes", r->text);
 }
 
 /* What libjpeg has taken is given back by its caller, whichever way this ends. */

@@ -219,10 +219,10 @@ static tp_status segment(tp_picture_region *region, work *w, const char *name,
   for (int k = 0; k < count; k++) rough += w->rough[k] != 0;
   memcpy(w->mask, w->rough, (size_t)count);
   if (rough < LEAST_PIXELS || rough == count) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){name, 0, 0},
-                   rough == count ? "the rough polygon fills the picture; something of what lies "
-                                    "around the block must be seen"
-                                  : "the rough polygon holds too few pixels of the picture");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){name, 0, 0},
+                     rough == count ? "the rough polygon fills the picture; something of what lies "
+                                      "around the block must be seen"
+                                    : "the rough polygon holds too few pixels of the picture");
   }
   const tp_segment_status done = tp_segment(w->mask, w->rgb, w->width, w->height, ROUNDS);
   if (done == TP_SEGMENT_NO_MEMORY) return tp_fail_memory(message, "a picture");

@@ -38,8 +38,8 @@ static tp_status check(const tp_trace_options *options, const tp_trace_picture *
     within = within && is_in_picture(picture, options->outline.points[k]);
   }
   if (within) return TP_OK;
-  return tp_fail(
-      message, TP_BAD_INPUT, place,
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, place,
       "a point that is given lies outside of the picture, which is %d pixels wide and %d "
       "high; points are X,Y in pixels from its upper left corner",
       picture->width, picture->height);
@@ -146,10 +146,11 @@ static tp_status thin_out(tp_trace *trace, const tp_trace_options *options, tp_m
     return tp_fail_memory(message, "an outline");
   }
   if (trace->ring.count >= 3 && fabs(tp_trace_ring_area(&trace->ring)) > 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
-                 clicked ? "the outline that is given has no area"
-                         : "the outline has no area left; a smaller --tolerance keeps more of its "
-                           "points");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){options->image, 0, 0},
+                   clicked
+                       ? "the outline that is given has no area"
+                       : "the outline has no area left; a smaller --tolerance keeps more of its "
+                         "points");
 }
 
 static tp_status find_outline(tp_trace *trace, const tp_trace_picture *picture,
@@ -165,9 +166,9 @@ static tp_status find_outline(tp_trace *trace, const tp_trace_picture *picture,
   tp_trace_moves(trace->moves, &trace->ring);
   tp_trace_place(trace, options);
   if (tp_trace_find_between(trace, options)) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
-                 "both ends of the contact are nearest to one point of the outline; take them "
-                 "farther apart, or a smaller --tolerance, which keeps more of its points");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){options->image, 0, 0},
+                   "both ends of the contact are nearest to one point of the outline; take them "
+                   "farther apart, or a smaller --tolerance, which keeps more of its points");
 }
 
 /* ---- results -----------------------------------------------------------------------------------

@@ -37,8 +37,8 @@ void tp_host_bring_back(const tp_host *host);
 #define TP_REFUSE_NULL(message, pointer)                                                           \
   do {                                                                                             \
     if ((pointer) == NULL) {                                                                       \
-      return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: '%s' must not be NULL", __func__,  \
-                     #pointer);                                                                    \
+      return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "%s: '%s' must not be NULL",     \
+                       __func__, #pointer);                                                        \
     }                                                                                              \
   } while (false)
 

@@ -48,25 +48,40 @@ static void set_place(tp_message *message, tp_place place) {
   message->line = place.file != NULL ? place.line : 0;
   message->column = message->line > 0 ? place.column : 0;
   message->system_error = 0;
+  message->fault = TP_FAULT_NONE;
 }
 
 /* The whole message is made plain, so that nothing of what it quotes acts on a terminal. */
-tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {
-  if (message == NULL) return status;
+static void write_text(tp_message *message, tp_place place, const char *format, va_list arguments) {
   set_place(message, place);
   char text[2 * sizeof message->text];
   tp_place_text(text, sizeof message->text / 2, place);
   size_t head = strlen(text);
   if (head > 0) head += (size_t)snprintf(text + head, sizeof text - head, ": ");
-  va_list arguments;
-  va_start(arguments, format);
   const int length = vsnprintf(text + head, sizeof text - head, format, arguments);
-  va_end(arguments);
   if (length >= 0 && head + (size_t)length >= sizeof text) { /* plain, the rest might fit */
     strcpy(text + tp_whole_characters(text, sizeof text - sizeof "…"), "…");
   }
   tp_plain_text(message->text, sizeof message->text, text);
+}
+
+tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {
+  if (message == NULL) return status;
+  va_list arguments;
+  va_start(arguments, format);
+  write_text(message, place, format, arguments);
+  va_end(arguments);
   return status;
+}
+
+tp_status tp_refuse(tp_message *message, tp_fault fault, tp_place place, const char *format, ...) {
+  if (message == NULL) return TP_BAD_INPUT;
+  va_list arguments;
+  va_start(arguments, format);
+  write_text(message, place, format, arguments);
+  va_end(arguments);
+  message->fault = fault;
+  return TP_BAD_INPUT;
 }
 
 tp_status tp_fail_because(tp_message *message, tp_status status, int why) {

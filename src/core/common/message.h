@@ -20,6 +20,10 @@ typedef struct tp_place {
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* As tp_fail for TP_BAD_INPUT, with its kind. */
+tp_status tp_refuse(tp_message *message, tp_fault fault, tp_place place, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
 /* As tp_fail for TP_OUT_OF_MEMORY, naming what was being built. */
 tp_status tp_fail_memory(tp_message *message, const char *what);
 

@@ -26,10 +26,11 @@ tp_status tp_options_take(void *own, const void *given, const char *entry, tp_me
   const size_t known = size_of(own), size = size_of(given);
   /* Of another multiple a field might be cut. */
   if (size == 0 || size > known || size % sizeof size != 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s: the size of 'options' is %zu, and this library knows up to %zu; begin with "
-                   "the defaults, which have it",
-                   entry, size, known);
+    return tp_refuse(
+        message, TP_FAULT_ARGUMENT, (tp_place){0},
+        "%s: the size of 'options' is %zu, and this library knows up to %zu; begin with "
+        "the defaults, which have it",
+        entry, size, known);
   }
   memcpy(own, given, size);
   memcpy(own, &known, sizeof known);

@@ -23,9 +23,9 @@ tp_place tp_formula_place(const tp_formula *formula, int at) {
 
 tp_status tp_formula_fail(const tp_formula *formula, const tp_formula_node *node,
                           tp_message *message, const char *problem) {
-  return tp_fail(message, TP_BAD_INPUT,
-                 tp_formula_place(formula, node->length > 0 ? node->at : node->begin), "%s",
-                 problem);
+  return tp_refuse(message, TP_FAULT_FORMAT,
+                   tp_formula_place(formula, node->length > 0 ? node->at : node->begin), "%s",
+                   problem);
 }
 
 /* Room for more nodes; out of the room that was lent when that is full. */

@@ -20,7 +20,7 @@ long tp_parser_fail(tp_parser *p, int at, const char *format, ...) {
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  p->status = tp_fail(p->message, TP_BAD_INPUT, tp_formula_place(p->formula, at), "%s", text);
+  p->status = tp_refuse(p->message, TP_FAULT_FORMAT, tp_formula_place(p->formula, at), "%s", text);
   return -1;
 }
 

@@ -207,8 +207,8 @@ static tp_status check_sources(const output *o, tp_file_sources sources) {
   if (stat(o->path, &own) != 0 || !S_ISREG(own.st_mode)) return TP_OK;
   for (size_t k = 0; k < sources.count; k++) {
     if (stat(sources.paths[k], &other) != 0 || !is_same(&own, &other)) continue;
-    return tp_fail(
-        o->message, TP_BAD_INPUT, (tp_place){o->path, 0, 0},
+    return tp_refuse(
+        o->message, TP_FAULT_ARGUMENT, (tp_place){o->path, 0, 0},
         "this is a file that is read here ('%.300s') and would be lost; write to another "
         "name",
         sources.paths[k]);

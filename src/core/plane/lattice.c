@@ -46,11 +46,11 @@ static tp_status common_denominator(fmpz_t denominator, const tp_polyline *const
       fmpz_lcm(denominator, denominator, fmpq_denref(value));
       const double bits = (double)fmpz_bits(denominator), integers = 2 * (double)point_count;
       if (bits * integers > most_bits || bits * sqrt(bits) * integers > most_work) {
-        return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chains[c], k / 2),
-                       "up to here the denominators of the coordinates have a common multiple of "
-                       "%.0f digits, too many to compute with exactly; write the coordinates as "
-                       "decimals, or round the fractions",
-                       bits * log10(2));
+        return tp_refuse(message, TP_FAULT_RANGE, tp_polyline_place(chains[c], k / 2),
+                         "up to here the denominators of the coordinates have a common multiple of "
+                         "%.0f digits, too many to compute with exactly; write the coordinates as "
+                         "decimals, or round the fractions",
+                         bits * log10(2));
       }
     }
   }

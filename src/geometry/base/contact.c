@@ -157,9 +157,10 @@ static tp_status fail_apart(bool cut, const tp_section *section, const tp_base *
                             const tp_lattice *lattice, tp_message *message) {
   const tp_place place = tp_polyline_place(&base->ring, -1);
   if (cut) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the block would touch its base with only corners that are rounded off; let it "
-                   "rest on what rounding leaves of its edges");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, place,
+        "the block would touch its base with only corners that are rounded off; let it "
+        "rest on what rounding leaves of its edges");
   }
   tp_closeness near;
   tp_near_miss miss = {.count = 0};
@@ -167,11 +168,11 @@ static tp_status fail_apart(bool cut, const tp_section *section, const tp_base *
   tp_closeness_init(&near, section, base, lattice);
   if (!tp_near_miss_find(&miss, &near, true)) return tp_fail_memory(message, "the contact");
   if (miss.count > 0) tp_near_miss_text(nearest, sizeof nearest, &miss, &near);
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "the block does not touch its base anywhere%s%s; both are given in the same "
-                 "coordinates, and contact is exact: give them the same vertices, or say 'place: "
-                 "rest', or 'contact: {within: …}'",
-                 miss.count > 0 ? ": at the nearest " : "", nearest);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, place,
+                   "the block does not touch its base anywhere%s%s; both are given in the same "
+                   "coordinates, and contact is exact: give them the same vertices, or say 'place: "
+                   "rest', or 'contact: {within: …}'",
+                   miss.count > 0 ? ": at the nearest " : "", nearest);
 }
 
 /* Neighbouring facets share their ends: about half of the room for points is left. */

@@ -125,16 +125,16 @@ static tp_status fail_cut(const search *s, tp_message *message) {
   tp_rings_edge_text(one, sizeof one, outline, edge_a);
   tp_rings_edge_text(other, sizeof other, ring, edge_b);
   if (edge_b >= s->base->edge_count) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(outline, edge_a),
-                   "the base ends below the block: its upright end face cuts into %s; let the "
-                   "profile go on, or end it where the block ends",
-                   one);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(outline, edge_a),
+                     "the base ends below the block: its upright end face cuts into %s; let the "
+                     "profile go on, or end it where the block ends",
+                     one);
   }
   char slight[200];
   slight_cut(slight, sizeof slight, s, edge_a, edge_b);
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, edge_b),
-                 "the base cuts into the block: of the profile, %s crosses %s of the outline%s",
-                 other, one, slight);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, edge_b),
+                   "the base cuts into the block: of the profile, %s crosses %s of the outline%s",
+                   other, one, slight);
 }
 
 /* Order along the base: the edge, then the distance from the edge's beginning. */
@@ -278,8 +278,8 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
   }
   if (status == TP_OK && s.cuts) status = fail_cut(&s, message);
   if (status == TP_OK && tp_overlap_is(&s.overlap)) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
-                     "the base cuts into the block: a part of the block lies below the profile");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(&base->ring, -1),
+                       "the base cuts into the block: a part of the block lies below the profile");
   }
   if (status == TP_OK) {
     sort(&s, facets);

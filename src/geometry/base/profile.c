@@ -132,8 +132,8 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
     bool piece = false;
     const long count = whole_teeth(beyond->value, &scene->block.teeth, &piece);
     if (count < 0) {
-      return tp_fail(message, TP_BAD_INPUT, beyond->place,
-                     "the base goes on for more than a million teeth");
+      return tp_refuse(message, TP_FAULT_GEOMETRY, beyond->place,
+                       "the base goes on for more than a million teeth");
     }
     done = add_teeth(base, &scene->block.teeth, count, piece, beyond->value, side);
   } else {
@@ -182,29 +182,29 @@ static tp_status check_end(const tp_polyline *profile, bool left, tp_message *me
   const long end = left ? 0 : profile->count - 1;
   for (long k = end; fmpq_equal(profile->x + k, profile->x + end); k += left ? 1 : -1) {
     if (fmpq_cmp(profile->y + k, profile->y + end) >= 0) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, end),
-                   "the base profile %s with an upright step up to its %s point: rock without "
-                   "thickness; let it go on past the step, or leave the step out",
-                   left ? "begins" : "ends", left ? "first" : "last");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(profile, end),
+                     "the base profile %s with an upright step up to its %s point: rock without "
+                     "thickness; let it go on past the step, or leave the step out",
+                     left ? "begins" : "ends", left ? "first" : "last");
   }
   return TP_OK;
 }
 
 static tp_status set_profile(tp_base *base, const tp_polyline *profile, tp_message *message) {
   if (profile->count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
-                   "a base profile needs at least two points");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(profile, -1),
+                     "a base profile needs at least two points");
   }
   for (long k = 1; k < profile->count; k++) {
     if (fmpq_cmp(profile->x + k, profile->x + k - 1) < 0) {
-      return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, k),
-                     "a base profile runs from left to right: point %ld lies left of point %ld",
-                     k + 1, k);
+      return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(profile, k),
+                       "a base profile runs from left to right: point %ld lies left of point %ld",
+                       k + 1, k);
     }
   }
   if (fmpq_equal(profile->x, profile->x + profile->count - 1)) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
-                   "the base profile has no width: all its points lie on one upright line");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(profile, -1),
+                     "the base profile has no width: all its points lie on one upright line");
   }
   for (int side = 0; side < 2; side++) {
     const tp_status status = check_end(profile, side == 0, message);

@@ -134,8 +134,8 @@ static void cut(tp_underside *u, const tp_polyline *line) {
 
 tp_status tp_underside_fail(const char *none, const tp_scene *scene, tp_message *message) {
   const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
-  return tp_fail(
-      message, TP_BAD_INPUT, place,
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, place,
       "the underside %s, and the scene does not say where on it the block rests: say "
       "'base: {mated: true, between: [[x, y], [x, y]]}' with the first and the last "
       "vertex of the contact, 'mated: whole' for all of the underside, or 'frame: world' "
@@ -172,9 +172,9 @@ static tp_status limit(tp_underside *u, const tp_base_description *base, const t
     last = next_vertex(line, last);
   }
   if (first == last) {
-    return tp_fail(message, TP_BAD_INPUT, base->between_place,
-                   "no edge of the underside lies within 'between': its ends are vertices, and "
-                   "'below', 'left_of' and 'right_of' must leave two of them next to each other");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, base->between_place,
+                     "no edge of the underside lies within 'between': its ends are vertices, and "
+                     "'below', 'left_of' and 'right_of' must leave two of them next to each other");
   }
   if (left) u->left = first != whole.first ? TP_END_STATED : TP_END_WHOLE;
   if (right) u->right = last != whole.last ? TP_END_STATED : TP_END_WHOLE;
@@ -192,8 +192,8 @@ static tp_status find_vertex(long *vertex, const tp_polyline *outline, const tp_
       return TP_OK;
     }
   }
-  return tp_fail(
-      message, TP_BAD_INPUT, tp_polyline_place(between, k),
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, tp_polyline_place(between, k),
       "this is not a vertex of the outline; 'between' names two of its vertices exactly");
 }
 
@@ -203,12 +203,12 @@ static tp_status find_named(tp_underside *u, const tp_polyline *line, const tp_p
   tp_status status = find_vertex(&u->first, line, between, 0, message);
   if (status == TP_OK) status = find_vertex(&u->last, line, between, 1, message);
   if (status == TP_OK && u->first == u->last) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 1),
-                     "the contact begins and ends in the same vertex");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(between, 1),
+                       "the contact begins and ends in the same vertex");
   }
   if (status == TP_OK && fmpq_cmp(line->x + u->first, line->x + u->last) > 0) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 0),
-                     "'between' names the left end of the contact first");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(between, 0),
+                       "'between' names the left end of the contact first");
   }
   return status;
 }

@@ -162,7 +162,7 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
     arc = tp_circle_arc_set_centre(&a, &m);
   }
   if (!arc) {
-    status = tp_fail(message, TP_BAD_INPUT, d->place, "this arc is straight; leave it out");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, d->place, "this arc is straight; leave it out");
   } else if (!done || !add_arc(tips, ring, &a, inwards, fineness, mark)) {
     status = tp_fail_memory(message, "the arcs");
   }
@@ -191,8 +191,8 @@ static tp_status build(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *
     status = add_edge(tips, ring, outline, k, d, fineness, message);
   }
   if (status == TP_OK && found != block->arc_count) {
-    status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                     "an arc begins in no vertex of the outline, or two begin in the same");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, block->arcs[0].place,
+                       "an arc begins in no vertex of the outline, or two begin in the same");
   }
   tp_arc_begins_clear(&begins);
   if (status != TP_OK) {
@@ -220,8 +220,8 @@ static tp_status check_ring(const tp_polyline *ring, const char *name, tp_messag
 static tp_status check_rings(const tp_arc_tips *tips, const tp_polyline *ring,
                              const tp_block_description *block, tp_message *message) {
   if (tp_polyline_orientation(ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0) {
-    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "the outline with its arcs is turned inside out");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, block->arcs[0].place,
+                     "the outline with its arcs is turned inside out");
   }
   const tp_status status = check_ring(ring, "the outline", message);
   if (status != TP_OK) return status;
@@ -254,9 +254,10 @@ tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_
   memset(tips, 0, sizeof *tips);
   if (block->arc_count == 0) return TP_OK;
   if (!tp_polyline_orient_by_area(outline)) {
-    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "with chords for its arcs the outline has no area, so the outward direction is "
-                   "undetermined; give it a vertex more, on an arc");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, block->arcs[0].place,
+        "with chords for its arcs the outline has no area, so the outward direction is "
+        "undetermined; give it a vertex more, on an arc");
   }
   tp_polyline ring;
   tp_status status = build_apart(tips, &ring, outline, block, message);

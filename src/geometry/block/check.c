@@ -59,9 +59,10 @@ static tp_status check_crossings(const section_view *view, tp_message *message) 
   const char *advice = first.meeting.kind == TP_GEOM_CROSS ? "move its vertices"
                        : ring_a == 0                       ? "a notch belongs to the outline itself"
                                      : "nothing stands between them: give them as one hole";
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(b, edge_b), "%s %s %s: %s %s %s; %s",
-                 name_b, first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with",
-                 name_a, one, tp_rings_verb(first.meeting.kind), other, advice);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(b, edge_b),
+                   "%s %s %s: %s %s %s; %s", name_b,
+                   first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with", name_a,
+                   one, tp_rings_verb(first.meeting.kind), other, advice);
 }
 
 static tp_status fail_pair(const tp_section *section, long ring, const char *relation, long other,
@@ -69,8 +70,8 @@ static tp_status fail_pair(const tp_section *section, long ring, const char *rel
   char name[40], other_name[40];
   tp_section_ring_name(name, sizeof name, section, ring);
   tp_section_ring_name(other_name, sizeof other_name, section, other);
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(section->rings + ring, -1),
-                 "%s %s %s; %s", name, relation, other_name, advice);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(section->rings + ring, -1),
+                   "%s %s %s; %s", name, relation, other_name, advice);
 }
 
 /* Which of the rings of every triangle exclude each other? */

@@ -55,8 +55,8 @@ static tp_status fail_pieces(const tp_section *section, int hole, long pieces,
                              tp_message *message) {
   char name[40];
   tp_section_ring_name(name, sizeof name, section, hole);
-  return tp_fail(
-      message, TP_BAD_INPUT, tp_polyline_place(section->rings + hole, -1),
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, tp_polyline_place(section->rings + hole, -1),
       "%s%s the block into %ld pieces that meet in points at most; leave rock beside it, "
       "or give each piece a scene of its own",
       name, section->hole_count > 1 ? ", alone or with others, cuts" : " cuts", pieces);

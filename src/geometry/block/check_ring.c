@@ -21,13 +21,13 @@ static tp_status fail_repeated(const tp_polyline *ring, long k, long next, const
   char x[64], y[64];
   tp_ratio_text(x, sizeof x, ring->x + twin);
   tp_ratio_text(y, sizeof y, ring->y + twin);
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, twin),
-                 "%s: vertex %ld repeats vertex %ld at (%s, %s); delete one of them%s", name,
-                 tp_polyline_number(ring, twin), tp_polyline_number(ring, original), x, y,
-                 tp_polyline_number(ring, original) == 1 &&
-                         tp_polyline_number(ring, twin) == ring->count
-                     ? " (an outline closes itself)"
-                     : "");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, twin),
+                   "%s: vertex %ld repeats vertex %ld at (%s, %s); delete one of them%s", name,
+                   tp_polyline_number(ring, twin), tp_polyline_number(ring, original), x, y,
+                   tp_polyline_number(ring, original) == 1 &&
+                           tp_polyline_number(ring, twin) == ring->count
+                       ? " (an outline closes itself)"
+                       : "");
 }
 
 static bool collinear(const tp_lattice *l, long first, long count) {
@@ -45,7 +45,8 @@ static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *r
                                      "a crossing outline", message);
   if (status != TP_OK) return status;
   if (!first.found) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1), "%s crosses itself", name);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, -1), "%s crosses itself",
+                     name);
   }
   char advice[300];
   status = tp_repair_advice(advice, sizeof advice, ring, repairable, message);
@@ -55,10 +56,10 @@ static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *r
   tp_rings_edge_text(one, sizeof one, ring, a);
   tp_rings_edge_text(other, sizeof other, ring, b);
   tp_place_text(where, sizeof where, tp_polyline_place(ring, b));
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, a),
-                 "%s %s itself: %s %s %s (%s); %s", name,
-                 first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "touches", one,
-                 tp_rings_verb(first.meeting.kind), other, where, advice);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, a),
+                   "%s %s itself: %s %s %s (%s); %s", name,
+                   first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "touches", one,
+                   tp_rings_verb(first.meeting.kind), other, where, advice);
 }
 
 /* Does an upright step up or down to vertex k go on as it began? The first goes up, the last down.
@@ -102,8 +103,8 @@ tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long
     }
   }
   if (collinear(lattice, first, count)) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1),
-                   "%s has no area: all its vertices lie on one line", name);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, -1),
+                     "%s has no area: all its vertices lie on one line", name);
   }
   if (is_ground(lattice, first, count)) return TP_OK;
   size_t start[2];

@@ -53,7 +53,8 @@ static tp_status locate(tp_corner *corner, const tp_corner_description *c, const
     corner->vertex = ends != NULL ? ends[left ? 0 : 1] : find_end(l, count, left);
   }
   if (corner->vertex < 0) {
-    return tp_fail(message, TP_BAD_INPUT, c->place, "the outline has no such vertex to round");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, c->place,
+                     "the outline has no such vertex to round");
   }
   corner->before = (corner->vertex + count - 1) % count;
   corner->after = (corner->vertex + 1) % count;
@@ -62,9 +63,9 @@ static tp_status locate(tp_corner *corner, const tp_corner_description *c, const
   if (turns > 0) return TP_OK;
   char name[100];
   name_corner(name, sizeof name, section, corner->vertex);
-  return tp_fail(message, TP_BAD_INPUT, c->place,
-                 "the corner at %s is %s; only convex corners are rounded", name,
-                 turns < 0 ? "reflex" : "straight");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, c->place,
+                   "the corner at %s is %s; only convex corners are rounded", name,
+                   turns < 0 ? "reflex" : "straight");
 }
 
 /* Does a corner, with the one at the end `to` of its edge where that is rounded too, take up more
@@ -85,11 +86,11 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
     char name[100], edge[200];
     name_corner(name, sizeof name, section, corner->vertex);
     tp_rings_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
-    return tp_fail(message, TP_BAD_INPUT, corner->radius_place,
-                   "the radius at %s is too large: rounding %s take up more than %s", name,
-                   tp_corners_at(corners, ends[k]) != NULL ? "it and the next corner would"
-                                                           : "it would",
-                   edge);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, corner->radius_place,
+                     "the radius at %s is too large: rounding %s take up more than %s", name,
+                     tp_corners_at(corners, ends[k]) != NULL ? "it and the next corner would"
+                                                             : "it would",
+                     edge);
   }
   return TP_OK;
 }
@@ -129,8 +130,8 @@ static tp_status check_reach(const tp_corner_ball *c, const tp_corner *corner, l
               in_tip(c, l, k, BITS);
   }
   if (!reaches) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, corner->radius_place, "%s reaches across this arc",
-                 first == 0 ? "a hole, or another part of the outline," : "a hole");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, corner->radius_place, "%s reaches across this arc",
+                   first == 0 ? "a hole, or another part of the outline," : "a hole");
 }
 
 static tp_status check_corner_reach(const tp_corner *corner, const tp_section *section,
@@ -147,8 +148,9 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
                         const tp_block_description *block, const fmpq_t metres_per_unit,
                         tp_message *message) {
   if (block->part_count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "a block with parts takes no arcs: it is not determined which part they bound");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, block->arcs[0].place,
+        "a block with parts takes no arcs: it is not determined which part they bound");
   }
   tp_status status = TP_OK;
   tp_corner_ball c;
@@ -156,8 +158,8 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
   for (long k = 0; k < section->arc_tips.count && status == TP_OK; k++) {
     const tp_arc_tip *tip = section->arc_tips.items + k;
     if (tip->inwards && block->hole_count > 0) {
-      status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                       "a block with holes takes arcs outwards alone");
+      status = tp_refuse(message, TP_FAULT_GEOMETRY, block->arcs[0].place,
+                         "a block with holes takes arcs outwards alone");
       break;
     }
     if (tip->inwards) continue;
@@ -182,12 +184,12 @@ static tp_status add(tp_corners *corners, const tp_corner_description *descripti
   if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
   for (long k = 0; k < corners->count; k++) {
     if (corners->items[k].vertex == corner.vertex) {
-      return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
+      return tp_refuse(message, TP_FAULT_KEY, description->place, "this corner is rounded twice");
     }
   }
   if (tp_section_is_arc(section, corner.before) || tp_section_is_arc(section, corner.vertex)) {
-    return tp_fail(message, TP_BAD_INPUT, description->place,
-                   "a corner where an arc ends is not rounded: let the arc run into the edge");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, description->place,
+                     "a corner where an arc ends is not rounded: let the arc run into the edge");
   }
   tp_corner *own = corners->items + corners->count++;
   *own = corner;
@@ -221,9 +223,10 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
     if (status == TP_OK) status = check_corner_reach(corners->items + k, section, lattice, message);
   }
   if (status == TP_OK && corners->count > 0 && !corners->keeps_mass && block->part_count > 0) {
-    status = tp_fail(message, TP_BAD_INPUT, rounded->place,
-                     "corners of a block with parts are rounded by 'model: paper' alone: it is not "
-                     "determined which part would lose mass");
+    status =
+        tp_refuse(message, TP_FAULT_GEOMETRY, rounded->place,
+                  "corners of a block with parts are rounded by 'model: paper' alone: it is not "
+                  "determined which part would lose mass");
   }
   if (status != TP_OK) tp_corners_clear(corners);
   return status;

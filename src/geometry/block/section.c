@@ -111,9 +111,9 @@ static tp_status check_counts(const tp_section *section, tp_message *message) {
     if (ring->count >= 3) continue;
     char name[40];
     tp_section_ring_name(name, sizeof name, section, r);
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1),
-                   "%s has %ld %s; it needs at least three", name, ring->count,
-                   ring->count == 1 ? "vertex" : "vertices");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(ring, -1),
+                     "%s has %ld %s; it needs at least three", name, ring->count,
+                     ring->count == 1 ? "vertex" : "vertices");
   }
   return TP_OK;
 }

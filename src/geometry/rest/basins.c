@@ -59,8 +59,8 @@ static tp_status settle_at(settled_shift *shift, tracer *t, tp_message *message)
     return tp_settle_fail_blind(t->settling->asked, message);
   }
   if (t->settling->how == TP_SETTLED_TOO_DEAR) {
-    return tp_fail(
-        message, TP_BAD_INPUT, t->settling->asked,
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, t->settling->asked,
         "to set the block down %ld times takes too long, on a profile of %ld points with "
         "%ld vertices of its own: give the profile fewer points, a longer 'step', or set "
         "the block down once, by 'place: rest'",

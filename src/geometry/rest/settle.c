@@ -164,12 +164,13 @@ tp_status tp_settle(tp_settling *settling, const tp_polyline *outline, const tp_
 }
 
 tp_status tp_settle_fail_blind(tp_place place, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "block and profile have lengths too far apart to set the one down on the other: "
-                 "16 digits do not tell of any of %d pairs of corners and edges when they touch; "
-                 "check the lengths of both, or let the block lie where its coordinates put it, by "
-                 "'place: as_given'",
-                 TP_BUDGET_REST_BLIND);
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, place,
+      "block and profile have lengths too far apart to set the one down on the other: "
+      "16 digits do not tell of any of %d pairs of corners and edges when they touch; "
+      "check the lengths of both, or let the block lie where its coordinates put it, by "
+      "'place: as_given'",
+      TP_BUDGET_REST_BLIND);
 }
 
 tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x, tp_message *message) {

@@ -32,19 +32,19 @@ bool tp_course_init(tp_course *course, size_t count) {
 
 static tp_status check_chain(const tp_polyline *chain, tp_message *message) {
   if (chain->count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, -1),
-                   "a profile needs at least two points");
+    return tp_refuse(message, TP_FAULT_RANGE, tp_polyline_place(chain, -1),
+                     "a profile needs at least two points");
   }
   for (long k = 1; k < chain->count; k++) {
     const int order = fmpq_cmp(chain->x + k, chain->x + k - 1);
     if (order > 0) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, k),
-                   order < 0 ? "the profile folds back: point %ld lies left of point %ld; its "
-                               "points run from left to right, with one height at each x"
-                             : "the profile steps upright: point %ld lies above or below point "
-                               "%ld, and the slope between them has no value; leave one of them "
-                               "out",
-                   k + 1, k);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(chain, k),
+                     order < 0 ? "the profile folds back: point %ld lies left of point %ld; its "
+                                 "points run from left to right, with one height at each x"
+                               : "the profile steps upright: point %ld lies above or below point "
+                                 "%ld, and the slope between them has no value; leave one of them "
+                                 "out",
+                     k + 1, k);
   }
   return TP_OK;
 }
@@ -85,10 +85,10 @@ static tp_status check_distances(const tp_course *course, const tp_polyline *cha
   for (size_t k = 0; k < course->count; k++) {
     const bool apart = k == 0 || course->x[k] - course->x[k - 1] > 4 * course->x_error;
     if (apart && isfinite(course->x[k]) && isfinite(course->y[k])) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, (long)k),
-                   "point %zu lies too far from the first one, or too near to the one before it, "
-                   "for the slope there to be computed in doubles",
-                   k + 1);
+    return tp_refuse(message, TP_FAULT_RANGE, tp_polyline_place(chain, (long)k),
+                     "point %zu lies too far from the first one, or too near to the one before it, "
+                     "for the slope there to be computed in doubles",
+                     k + 1);
   }
   return TP_OK;
 }

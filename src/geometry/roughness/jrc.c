@@ -194,9 +194,9 @@ tp_status tp_jrc_by_equation_10(tp_profile *p, double jcs_mpa, double normal_str
                                 tp_message *message) {
   const double ratio = jcs_mpa * 1e3 / normal_stress_kpa, decades = log10(ratio);
   if (!(ratio > 1)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "Eq. (10) needs a normal stress below JCS: %.6g kPa against %.6g MPa",
-                   normal_stress_kpa, jcs_mpa);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "Eq. (10) needs a normal stress below JCS: %.6g kPa against %.6g MPa",
+                     normal_stress_kpa, jcs_mpa);
   }
   p->has_eq_10 = true;
   p->jcs_mpa = jcs_mpa;

@@ -17,7 +17,7 @@ void tp_profile_options_init(tp_profile_options *options, size_t size) {
 }
 
 static tp_status refuse(tp_message *message, const char *what) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s", what);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){0}, "%s", what);
 }
 
 tp_status tp_profile_check_options(const tp_profile_options *o, tp_message *message) {

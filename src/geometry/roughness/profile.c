@@ -189,10 +189,10 @@ static tp_status measure(tp_profile *p, const tp_profile_subject *subject, tp_me
 tp_status tp_profile_measure(tp_profile **profile, const tp_profile_subject *subject,
                              const tp_profile_options *options, tp_message *message) {
   if ((options->jcs_mpa > 0) != (options->normal_stress_kpa > 0)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "Eq. (10) needs %s; a scene with a unit weight and Barton's law has both",
-                   options->jcs_mpa > 0 ? "a normal stress beside JCS"
-                                        : "JCS beside the normal stress");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){0},
+                     "Eq. (10) needs %s; a scene with a unit weight and Barton's law has both",
+                     options->jcs_mpa > 0 ? "a normal stress beside JCS"
+                                          : "JCS beside the normal stress");
   }
   tp_profile *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the profile");

@@ -78,15 +78,16 @@ tp_status tp_course_resample(tp_course *sampled, const tp_course *course, double
   const double steps = floor((length + slack + 2 * course->x_error) / step);
   *sampled = (tp_course){0};
   if (!(steps >= 2)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a step of %.6g is too coarse for a profile of length %.6g: at least two must "
-                   "fit",
-                   step, length);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "a step of %.6g is too coarse for a profile of length %.6g: at least two must "
+                     "fit",
+                     step, length);
   }
   if (steps > most_samples) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a step of %.6g is too fine for a profile of length %.6g: more than 50 million",
-                   step, length);
+    return tp_refuse(
+        message, TP_FAULT_RANGE, (tp_place){0},
+        "a step of %.6g is too fine for a profile of length %.6g: more than 50 million", step,
+        length);
   }
   if (!tp_course_init(sampled, (size_t)steps + 1)) return tp_fail_memory(message, "the samples");
   tp_status status = TP_OK;

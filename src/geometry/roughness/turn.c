@@ -60,10 +60,11 @@ static tp_status check(const tp_course *p, const tp_polyline *chain, double angl
                        tp_message *message) {
   for (size_t k = 1; k < p->count; k++) {
     if (p->x[k] - p->x[k - 1] > 4 * p->x_error) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, (long)k),
-                   "turned onto its mean plane, by %.4g°, the profile folds back or steps upright: "
-                   "point %zu does not lie right of point %zu along it",
-                   angle_deg, k + 1, k);
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, tp_polyline_place(chain, (long)k),
+        "turned onto its mean plane, by %.4g°, the profile folds back or steps upright: "
+        "point %zu does not lie right of point %zu along it",
+        angle_deg, k + 1, k);
   }
   return TP_OK;
 }
@@ -72,8 +73,8 @@ tp_status tp_course_turned(tp_course *course, tp_bounded *turned_deg, const tp_p
                            double scale, tp_message *message) {
   *course = (tp_course){0};
   if (chain->count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, -1),
-                   "a profile needs at least two points");
+    return tp_refuse(message, TP_FAULT_RANGE, tp_polyline_place(chain, -1),
+                     "a profile needs at least two points");
   }
   if (!tp_course_init(course, (size_t)chain->count)) return tp_fail_memory(message, "the profile");
   tp_course_convert(course, chain, scale);
@@ -81,9 +82,9 @@ tp_status tp_course_turned(tp_course *course, tp_bounded *turned_deg, const tp_p
   find_direction(&u, &v, course);
   tp_status status = TP_OK;
   if (!(u > 0) || !isfinite(v / u) || !turn(course, u, v)) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chain, -1),
-                     "the profile has no mean plane that runs from left to right, or is out of "
-                     "the range of doubles");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(chain, -1),
+                       "the profile has no mean plane that runs from left to right, or is out of "
+                       "the range of doubles");
   } else {
     *turned_deg = tp_bounded_atan_deg(tp_bounded_of(v / u, tp_roundoff * fabs(v / u)));
     status = check(course, chain, turned_deg->value, message);

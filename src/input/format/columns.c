@@ -147,7 +147,7 @@ static tp_place place_of(const choosing *c, int column) {
 }
 
 static tp_status refuse(const choosing *c, int column, const char *what) {
-  return tp_fail(c->message, TP_BAD_INPUT, place_of(c, column), "%s", what);
+  return tp_refuse(c->message, TP_FAULT_FORMAT, place_of(c, column), "%s", what);
 }
 
 static bool has(const choosing *c, kind k) {
@@ -161,12 +161,12 @@ static const char *word_at(const choosing *c, int column) {
 static tp_status check_twice(const choosing *c, kind k) {
   if (k == NONE || c->twice[k] < 0) return TP_OK;
   if (k <= Z) {
-    return tp_fail(c->message, TP_BAD_INPUT, place_of(c, c->twice[k]),
-                   "the header names two columns %s", word_at(c, c->at[k]));
+    return tp_refuse(c->message, TP_FAULT_KEY, place_of(c, c->twice[k]),
+                     "the header names two columns %s", word_at(c, c->at[k]));
   }
-  return tp_fail(c->message, TP_BAD_INPUT, place_of(c, c->twice[k]),
-                 "the header names two columns alike, '%s' and '%s'; name one of them otherwise",
-                 word_at(c, c->at[k]), word_at(c, c->twice[k]));
+  return tp_refuse(c->message, TP_FAULT_KEY, place_of(c, c->twice[k]),
+                   "the header names two columns alike, '%s' and '%s'; name one of them otherwise",
+                   word_at(c, c->at[k]), word_at(c, c->twice[k]));
 }
 
 static kind height_of(const choosing *c) {
@@ -217,10 +217,10 @@ static tp_status refuse_half(const choosing *c, kind x) {
                       : given == Y                    ? "x"
                       : given == HEIGHT || given == Z ? "of distances along the section"
                                                       : "of heights";
-  return tp_fail(c->message, TP_BAD_INPUT, place_of(c, own),
-                 "the header names a column %s, but none %s; name both, as 'x,y' or "
-                 "'distance,elevation'",
-                 word_at(c, own), other);
+  return tp_refuse(c->message, TP_FAULT_FORMAT, place_of(c, own),
+                   "the header names a column %s, but none %s; name both, as 'x,y' or "
+                   "'distance,elevation'",
+                   word_at(c, own), other);
 }
 
 static tp_status check_unit(const choosing *c, tp_columns *columns) {

@@ -28,8 +28,8 @@ typedef struct reader {
 } reader;
 
 static tp_status fail(const reader *r, size_t column, const char *what) {
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->drawing->path, r->line, (int)column + 1},
-                 "%s", what);
+  return tp_refuse(r->message, TP_FAULT_FORMAT,
+                   (tp_place){r->drawing->path, r->line, (int)column + 1}, "%s", what);
 }
 
 /* ---- the header --------------------------------------------------------------------------------

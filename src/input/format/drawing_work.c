@@ -16,11 +16,11 @@ tp_status tp_drawing_count(tp_drawing *drawing, const tp_drawing_object *object,
   enum { OF_ITSELF = 4 }; /* points that an object without any is as dear as */
   drawing->points_made += OF_ITSELF + (double)object->line.count;
   if (drawing->points_made <= drawing->points_allowed) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(object),
-                 "with this %s, curves and inserted blocks of the drawing come to more than %.0f "
-                 "points; give a larger 'drawing: {tolerance: …}', name the layer of the block "
-                 "with 'drawing: {block: …}', or export the layers of block and base alone",
-                 object->kind, drawing->points_allowed);
+  return tp_refuse(message, TP_FAULT_RANGE, tp_drawing_place(object),
+                   "with this %s, curves and inserted blocks of the drawing come to more than %.0f "
+                   "points; give a larger 'drawing: {tolerance: …}', name the layer of the block "
+                   "with 'drawing: {block: …}', or export the layers of block and base alone",
+                   object->kind, drawing->points_allowed);
 }
 
 const char *tp_drawing_map_problem(const tp_affine_map *map) {

@@ -13,8 +13,8 @@
 #include <string.h>
 
 static tp_status fail(const tp_drawing *drawing, tp_message *message, int line, const char *what) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, line, line > 0 ? 1 : 0}, "%s",
-                 what);
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){drawing->path, line, line > 0 ? 1 : 0},
+                   "%s", what);
 }
 
 /* ---- groups ------------------------------------------------------------------------------------

@@ -24,8 +24,8 @@ bool tp_dxf_says(const tp_dxf_group *group, const char *word) {
 }
 
 bool tp_dxf_fail(tp_dxf_reader *reader, const tp_dxf_group *group, const char *what) {
-  reader->status = tp_fail(reader->message, TP_BAD_INPUT,
-                           (tp_place){reader->drawing->path, group->line, 1}, "%s", what);
+  reader->status = tp_refuse(reader->message, TP_FAULT_FORMAT,
+                             (tp_place){reader->drawing->path, group->line, 1}, "%s", what);
   return false;
 }
 

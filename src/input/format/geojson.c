@@ -56,8 +56,8 @@ static tp_mark mark_at(reader *r, size_t at) {
 
 static bool fail(reader *r, size_t at, const char *what) {
   const tp_mark mark = mark_at(r, at);
-  r->status = tp_fail(r->message, TP_BAD_INPUT,
-                      (tp_place){r->drawing->path, mark.line, mark.column}, "%s", what);
+  r->status = tp_refuse(r->message, TP_FAULT_FORMAT,
+                        (tp_place){r->drawing->path, mark.line, mark.column}, "%s", what);
   return false;
 }
 
@@ -286,12 +286,12 @@ tp_status tp_geojson_read(tp_drawing *drawing, const tp_text_file *file,
   (void)options; /* no curves */
   const tp_place whole = {drawing->path, 0, 0};
   if (!tp_json_events_are_there()) {
-    return tp_fail(message, TP_BAD_INPUT, whole,
-                   "this Topple was built without RapidJSON, which GeoJSON is read with: install "
-                   "rapidjson-dev and build it again, or save the drawing as WKT");
+    return tp_refuse(message, TP_FAULT_FORMAT, whole,
+                     "this Topple was built without RapidJSON, which GeoJSON is read with: install "
+                     "rapidjson-dev and build it again, or save the drawing as WKT");
   }
   if (memchr(file->text, '\0', file->length) != NULL) {
-    return tp_fail(message, TP_BAD_INPUT, whole, "not a text: it has zero bytes");
+    return tp_refuse(message, TP_FAULT_FORMAT, whole, "not a text: it has zero bytes");
   }
   reader r = {.drawing = drawing,
               .text = file->text,

@@ -32,9 +32,9 @@ typedef struct taking {
 } taking;
 
 static bool fail(taking *t, const tp_gis_part *part, const char *what) {
-  t->status = tp_fail(t->message, TP_BAD_INPUT, (tp_place){t->drawing->path, 0, 0},
-                      "feature %ld of the layer '%s' %s", part->feature,
-                      tp_quote_all(part->layer).text, what);
+  t->status = tp_refuse(t->message, TP_FAULT_FORMAT, (tp_place){t->drawing->path, 0, 0},
+                        "feature %ld of the layer '%s' %s", part->feature,
+                        tp_quote_all(part->layer).text, what);
   return false;
 }
 
@@ -152,7 +152,7 @@ static tp_status check_file(const char *path, tp_message *message) {
   struct stat own;
   if (stat(path, &own) != 0) return tp_fail_file(message, path, "opened", errno);
   if (S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is not a regular file");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0}, "is not a regular file");
 }
 
 static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {
@@ -160,13 +160,14 @@ static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {
   if (outcome == TP_GIS_ENDED) return t->status;
   if (outcome == TP_GIS_NO_MEMORY) return tp_fail_memory(t->message, "a drawing");
   if (outcome == TP_GIS_FAILED) {
-    return tp_fail(t->message, TP_BAD_INPUT, whole,
-                   "not a Shapefile (with its .shx beside it) or GeoPackage that GDAL can read: %s",
-                   tp_quote_all(why).text);
+    return tp_refuse(
+        t->message, TP_FAULT_FORMAT, whole,
+        "not a Shapefile (with its .shx beside it) or GeoPackage that GDAL can read: %s",
+        tp_quote_all(why).text);
   }
   if (t->degrees && !t->plane) {
-    return tp_fail(t->message, TP_BAD_INPUT, whole, "all that it holds %s",
-                   problem_of(&(tp_gis_part){.system = TP_GIS_DEGREES}));
+    return tp_refuse(t->message, TP_FAULT_FORMAT, whole, "all that it holds %s",
+                     problem_of(&(tp_gis_part){.system = TP_GIS_DEGREES}));
   }
   if (!t->feet) return TP_OK;
   return tp_notes_add(&t->drawing->notes, t->message, TP_NOTE, whole,

@@ -146,8 +146,8 @@ static void find_mates(joining *j) {
 static tp_status check_mates(const joining *j) {
   for (long k = 0; k < 2 * j->count; k++) {
     if (j->ends[k].meets < 2) continue;
-    return tp_fail(
-        j->message, TP_BAD_INPUT, place_of(j->ends + k),
+    return tp_refuse(
+        j->message, TP_FAULT_KEY, place_of(j->ends + k),
         "more than two ends of %s on layer '%s' meet here, so it is unclear which "
         "belong together; draw the outline as one polyline, or put on the layer nothing else",
         j->ends[k].piece->kind, tp_quote_all(j->ends[k].piece->layer).text);

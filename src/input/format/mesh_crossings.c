@@ -24,7 +24,7 @@ void tp_crossings_clear(tp_crossings *crossings) {
 
 static tp_status fail_face(const tp_crossings *c, const tp_mesh_face *face, const char *what) {
   const tp_place place = {c->mesh->file, face->line, 0};
-  return tp_fail(c->message, TP_BAD_INPUT, place, "face %d %s", face->number, what);
+  return tp_refuse(c->message, TP_FAULT_GEOMETRY, place, "face %d %s", face->number, what);
 }
 
 /* ---- one crossing ------------------------------------------------------------------------------

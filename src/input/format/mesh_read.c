@@ -38,12 +38,12 @@ static tp_status read_all(char **bytes, size_t *length, FILE *file, const char *
   struct stat about;
   if (fstat(fileno(file), &about) != 0) return tp_fail_file(message, path, "read", errno);
   if (!S_ISREG(about.st_mode)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is not a regular file");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0}, "is not a regular file");
   }
   if (about.st_size > TP_MESH_BYTES) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                   "is larger than 1 GiB; thin the mesh out, or cut away what lies far from the "
-                   "section");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+                     "is larger than 1 GiB; thin the mesh out, or cut away what lies far from the "
+                     "section");
   }
   const size_t room = (size_t)about.st_size;
   *bytes = malloc(room + 1);
@@ -58,8 +58,8 @@ tp_status tp_mesh_read(tp_mesh *mesh, const char *path, tp_message *message) {
   size_t length = 0;
   *mesh = (tp_mesh){.file = path};
   if (format == TP_MESH_NONE) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                   "a mesh is a file whose name ends in .stl, .ply or .obj");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
+                     "a mesh is a file whose name ends in .stl, .ply or .obj");
   }
   FILE *file = fopen(path, "rb");
   if (file == NULL) return tp_fail_file(message, path, "opened", errno);

@@ -89,8 +89,8 @@ bool tp_mesh_word_is(tp_mesh_word word, const char *text) {
  */
 
 tp_status tp_mesh_fail_word(const tp_mesh_source *source, tp_mesh_word word, const char *what) {
-  return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, word.line, word.column},
-                 "%s", what);
+  return tp_refuse(source->message, TP_FAULT_FORMAT,
+                   (tp_place){source->path, word.line, word.column}, "%s", what);
 }
 
 tp_status tp_mesh_fail_line(const tp_mesh_source *source, const char *what) {
@@ -103,7 +103,7 @@ tp_status tp_mesh_fail_file(const tp_mesh_source *source, const char *format, ..
   va_start(arguments, format);
   vsnprintf(what, sizeof what, format, arguments);
   va_end(arguments);
-  return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 0, 0}, "%s", what);
+  return tp_refuse(source->message, TP_FAULT_FORMAT, (tp_place){source->path, 0, 0}, "%s", what);
 }
 
 /* ---- numbers -----------------------------------------------------------------------------------

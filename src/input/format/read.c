@@ -53,9 +53,10 @@ tp_status tp_drawing_read(tp_drawing *drawing, const tp_drawing_options *options
                           tp_message *message) {
   const int format = format_of(drawing->path);
   if (format < 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
-                   "not a drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json, "
-                   ".csv, .shp or .gpkg");
+    return tp_refuse(
+        message, TP_FAULT_FORMAT, (tp_place){drawing->path, 0, 0},
+        "not a drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json, "
+        ".csv, .shp or .gpkg");
   }
   if (formats[format].read == NULL) return tp_gis_drawing_read(drawing, message);
   tp_text_file file;

@@ -66,11 +66,11 @@ tp_status tp_drawing_scale(tp_drawing *drawing, const tp_drawing_options *option
   long count = 0;
   tp_drawing_object *object = find(drawing, options->reference, &count);
   if (object == NULL || object->line.count == 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
-                   count == 0 ? "nothing of the drawing is called '%s', the id of the reference"
-                              : "several objects of the drawing are called '%s', the id of the "
-                                "reference; it must be one",
-                   tp_quote_all(options->reference).text);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){drawing->path, 0, 0},
+                     count == 0 ? "nothing of the drawing is called '%s', the id of the reference"
+                                : "several objects of the drawing are called '%s', the id of the "
+                                  "reference; it must be one",
+                     tp_quote_all(options->reference).text);
   }
   tp_affine_map map;
   fmpq_t factor;
@@ -87,7 +87,8 @@ tp_status tp_drawing_scale(tp_drawing *drawing, const tp_drawing_options *option
   }
   tp_affine_map_clear(&map);
   fmpq_clear(factor);
-  return measured ? TP_OK
-                  : tp_fail(message, TP_BAD_INPUT, place,
-                            "the reference is no longer than zero, so it cannot scale the drawing");
+  return measured
+             ? TP_OK
+             : tp_refuse(message, TP_FAULT_GEOMETRY, place,
+                         "the reference is no longer than zero, so it cannot scale the drawing");
 }

@@ -35,10 +35,10 @@ static tp_status fail_open(const tp_drawing *chains, const tp_drawing_object *ch
   }
   char there[64];
   tp_place_text(there, sizeof there, (tp_place){"", other.line, other.column});
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(line, last),
-                 "%s is open: from its end here to the nearest other end, at line %s, %.6g are "
-                 "missing; close it in the drawing, or say drawing: {gap: …}, not less than that",
-                 what, there + 1, nearest);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(line, last),
+                   "%s is open: from its end here to the nearest other end, at line %s, %.6g are "
+                   "missing; close it in the drawing, or say drawing: {gap: …}, not less than that",
+                   what, there + 1, nearest);
 }
 
 tp_status tp_role_check(const tp_drawing *chains, const tp_drawing_object *chain,
@@ -47,17 +47,17 @@ tp_status tp_role_check(const tp_drawing *chains, const tp_drawing_object *chain
                      : role == TP_DRAWING_HOLE ? "a hole"
                                                : "a part";
   if (chain->problem != NULL) {
-    return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain), "this %s %s", chain->kind,
-                   chain->problem);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_drawing_place(chain), "this %s %s", chain->kind,
+                     chain->problem);
   }
   if (chain->line.count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain),
-                   "this %s has fewer than two points", chain->kind);
+    return tp_refuse(message, TP_FAULT_RANGE, tp_drawing_place(chain),
+                     "this %s has fewer than two points", chain->kind);
   }
   if (role == TP_DRAWING_BASE) {
     if (chain->closure != TP_DRAWING_CLOSED) return TP_OK;
-    return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain),
-                   "the base is a closed outline; it must be an open line from left to right");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_drawing_place(chain),
+                     "the base is a closed outline; it must be an open line from left to right");
   }
   return chain->closure == TP_DRAWING_OPEN ? fail_open(chains, chain, what, message) : TP_OK;
 }
@@ -75,13 +75,14 @@ tp_status tp_role_check_only(const tp_drawing *chains, const tp_drawing_role *ro
     char there[64];
     tp_place_text(there, sizeof there,
                   (tp_place){"", first->line.mark.line, first->line.mark.column});
-    return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(own),
-                   role == TP_DRAWING_BLOCK
-                       ? "a second outline of the block, besides the one at line %s; put holes on "
-                         "the layer of holes, and other blocks on layers of their own"
-                       : "a second line of the base, which does not meet the one at line %s; join "
-                         "them, or say drawing: {gap: …}",
-                   there + 1);
+    return tp_refuse(
+        message, TP_FAULT_KEY, tp_drawing_place(own),
+        role == TP_DRAWING_BLOCK
+            ? "a second outline of the block, besides the one at line %s; put holes on "
+              "the layer of holes, and other blocks on layers of their own"
+            : "a second line of the base, which does not meet the one at line %s; join "
+              "them, or say drawing: {gap: …}",
+        there + 1);
   }
   return TP_OK;
 }

@@ -98,13 +98,13 @@ static tp_status fail_no_block(const choosing *c) {
              c->drawing->hidden);
   }
   if (c->drawing->count == 0) {
-    return tp_fail(c->message, TP_BAD_INPUT, (tp_place){c->drawing->path, 0, 0},
-                   "the drawing has no lines, arcs or curves that could be an outline%s", hidden);
+    return tp_refuse(c->message, TP_FAULT_GEOMETRY, (tp_place){c->drawing->path, 0, 0},
+                     "the drawing has no lines, arcs or curves that could be an outline%s", hidden);
   }
-  return tp_fail(c->message, TP_BAD_INPUT, (tp_place){c->drawing->path, 0, 0},
-                 "nothing is on layer '%s', so there is no block; the drawing has %s; say which "
-                 "it is: drawing: {block: LAYER}%s",
-                 tp_quote_all(c->words->block).text, layers, hidden);
+  return tp_refuse(c->message, TP_FAULT_KEY, (tp_place){c->drawing->path, 0, 0},
+                   "nothing is on layer '%s', so there is no block; the drawing has %s; say which "
+                   "it is: drawing: {block: LAYER}%s",
+                   tp_quote_all(c->words->block).text, layers, hidden);
 }
 
 /* ---- where no layer is named -------------------------------------------------------------------
@@ -236,8 +236,8 @@ static tp_status check_named(const choosing *c) {
                {c->words->hole_chosen, c->words->hole, TP_DRAWING_HOLE}};
   for (int k = 0; k < 2; k++) {
     if (!named[k].chosen || count_role(c, named[k].role) > 0) continue;
-    return tp_fail(c->message, TP_BAD_INPUT, c->place, "nothing of the drawing is on layer '%s'",
-                   tp_quote_all(named[k].word).text);
+    return tp_refuse(c->message, TP_FAULT_KEY, c->place, "nothing of the drawing is on layer '%s'",
+                     tp_quote_all(named[k].word).text);
   }
   for (long k = 0; k < c->words->part_count; k++) {
     bool found = false;
@@ -247,8 +247,8 @@ static tp_status check_named(const choosing *c) {
                         part_by(c->words, own->layer, own->name) == k);
     }
     if (found) continue;
-    return tp_fail(c->message, TP_BAD_INPUT, c->place, "nothing of the drawing is on layer '%s'",
-                   tp_quote_all(c->words->parts[k]).text);
+    return tp_refuse(c->message, TP_FAULT_KEY, c->place, "nothing of the drawing is on layer '%s'",
+                     tp_quote_all(c->words->parts[k]).text);
   }
   return TP_OK;
 }

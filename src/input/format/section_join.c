@@ -94,12 +94,13 @@ static tp_status fail_open(const tp_mesh_section *section, const tp_section_wish
   const tp_polyline *b = &section->chains[own->other].points;
   const long p = end_of(section->chains + own->one, own->one_first);
   const long q = end_of(section->chains + own->other, own->other_first);
-  return tp_fail(message, TP_BAD_INPUT, wish->place,
-                 "the outline of the section is open from (%.6g, %.6g) to (%.6g, %.6g), over %.3g "
-                 "%s: the mesh has a hole there; fill it, or close gaps of a stated width by "
-                 "'gap: …'",
-                 fmpq_get_d(a->x + p), fmpq_get_d(a->y + p), fmpq_get_d(b->x + q),
-                 fmpq_get_d(b->y + q), own->distance, wish->unit);
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, wish->place,
+      "the outline of the section is open from (%.6g, %.6g) to (%.6g, %.6g), over %.3g "
+      "%s: the mesh has a hole there; fill it, or close gaps of a stated width by "
+      "'gap: …'",
+      fmpq_get_d(a->x + p), fmpq_get_d(a->y + p), fmpq_get_d(b->x + q), fmpq_get_d(b->y + q),
+      own->distance, wish->unit);
 }
 
 /* What stays open is left out beside an outline that may be the largest. */
@@ -114,9 +115,10 @@ tp_status tp_section_join(tp_mesh_section *section, const tp_section_wish *wish,
   long open = 0;
   for (long k = 0; k < section->count; k++) open += !section->chains[k].closed;
   if (open > MOST_OPEN) {
-    return tp_fail(message, TP_BAD_INPUT, wish->place,
-                   "the section is in more than 1000 open pieces; join the faces of the mesh where "
-                   "they meet, and fill its holes");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, wish->place,
+        "the section is in more than 1000 open pieces; join the faces of the mesh where "
+        "they meet, and fill its holes");
   }
   for (;;) {
     const meeting nearest = find_nearest(section, wish->closed);

@@ -56,8 +56,8 @@ static tp_status fail_several(const tp_mesh_section *section, long count,
     fmpq_clear(w);
     fmpq_clear(h);
   }
-  return tp_fail(
-      message, TP_BAD_INPUT, wish->place,
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, wish->place,
       "the plane cuts %ld %s where one is expected, the first two %.4g and %.4g %s wide; "
       "name one 'object' of the mesh, or say 'take: largest'",
       count, wish->closed ? "outlines" : "separate lines", width[0], width[1], wish->unit);
@@ -94,15 +94,16 @@ static tp_status check_cavities(const choice *c, const tp_polylines *holes,
                                 tp_message *message) {
   if (!wish->closed || c->cavities == 0) return TP_OK;
   if (holes == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, wish->place,
-                   "the plane cuts a cavity within this outline, and only the outline of the block "
-                   "may have holes; name one 'object' of the mesh");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, wish->place,
+        "the plane cuts a cavity within this outline, and only the outline of the block "
+        "may have holes; name one 'object' of the mesh");
   }
   for (long k = 0; k < section->count; k++) {
     if (c->within[k] <= 0) continue;
-    return tp_fail(message, TP_BAD_INPUT, wish->place,
-                   "the plane cuts an outline that lies within a cavity of the solid, a loose "
-                   "piece; name one 'object' of the mesh, or mend the mesh");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, wish->place,
+                     "the plane cuts an outline that lies within a cavity of the solid, a loose "
+                     "piece; name one 'object' of the mesh, or mend the mesh");
   }
   return TP_OK;
 }
@@ -232,9 +233,10 @@ static tp_status take_chosen(tp_polyline *line, tp_polylines *holes, tp_mesh_sec
                              const choice *c, const tp_section_wish *wish, tp_message *message) {
   tp_status status = take(line, section->chains + c->chosen, wish, message);
   if (status == TP_OK && line->count < (wish->closed ? 3 : 2)) {
-    status = tp_fail(message, TP_BAD_INPUT, wish->place,
-                     "what the plane cuts of this mesh is narrower than a billionth of its height; "
-                     "turn the plane");
+    status =
+        tp_refuse(message, TP_FAULT_GEOMETRY, wish->place,
+                  "what the plane cuts of this mesh is narrower than a billionth of its height; "
+                  "turn the plane");
   }
   return status == TP_OK && wish->closed ? take_holes(holes, section, c, message) : status;
 }
@@ -247,10 +249,10 @@ tp_status tp_section_take(tp_polyline *line, tp_polylines *holes, tp_mesh_sectio
   fmpq_t resolution;
   *line = (tp_polyline){0};
   if (section->count == 0) {
-    return tp_fail(message, TP_BAD_INPUT, wish->place,
-                   "the plane of the section does not cut this mesh, which lies to the %s of it, "
-                   "seen along the section; shift the plane",
-                   section->is_left ? "left" : "right");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, wish->place,
+                     "the plane of the section does not cut this mesh, which lies to the %s of it, "
+                     "seen along the section; shift the plane",
+                     section->is_left ? "left" : "right");
   }
   fmpq_init(resolution);
   tp_section_round(section, wish->factor, resolution);

@@ -58,7 +58,7 @@ static void stop(reader *r, tp_status status) {
 
 static void fail(reader *r, const char *what) {
   if (r->status != TP_OK) return;
-  stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r), "%s", what));
+  stop(r, tp_refuse(r->message, TP_FAULT_FORMAT, place_here(r), "%s", what));
 }
 
 static void fail_memory(reader *r) {
@@ -143,10 +143,11 @@ static bool check_moved(reader *r, bool shape, const tp_svg_value values[TP_SVG_
     const bool idle = values[k].text == NULL || tp_svg_value_is(values[k], "none") ||
                       tp_svg_value_is(values[k], "auto");
     if (idle || r->status != TP_OK) continue;
-    stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r),
-                    "CSS moves or shapes this element by its '%s', which is not read; write it as "
-                    "an attribute of SVG, or let the drawing program apply it to the points",
-                    tp_svg_property_name(k)));
+    stop(r,
+         tp_refuse(r->message, TP_FAULT_FORMAT, place_here(r),
+                   "CSS moves or shapes this element by its '%s', which is not read; write it as "
+                   "an attribute of SVG, or let the drawing program apply it to the points",
+                   tp_svg_property_name(k)));
   }
   return r->status == TP_OK;
 }
@@ -185,7 +186,7 @@ static void take_shape(reader *r, const char *kind, const frame *own,
   } else if (problem == NULL || target.no_memory) {
     fail_memory(r);
   } else if (r->status == TP_OK) {
-    stop(r, tp_fail(r->message, TP_BAD_INPUT, place, "this %s %s", kind, problem));
+    stop(r, tp_refuse(r->message, TP_FAULT_FORMAT, place, "this %s %s", kind, problem));
   }
 }
 
@@ -254,8 +255,8 @@ static void begin(void *context, const XML_Char *qualified, const XML_Char **giv
   if (r->depth == 1) r->drawing->page_unit_m = tp_svg_page_unit(attributes);
   tp_svg_style(values, &r->sheets, name, attributes);
   if (!tp_svg_seen_within(&own->seen, name, values, &bad)) {
-    stop(r, tp_fail(r->message, TP_BAD_INPUT, place_here(r), "its '%s' is not a value of CSS",
-                    tp_svg_property_name(bad)));
+    stop(r, tp_refuse(r->message, TP_FAULT_FORMAT, place_here(r), "its '%s' is not a value of CSS",
+                      tp_svg_property_name(bad)));
     return;
   }
   if (strcmp(name, "g") == 0 && label_of(attributes) != NULL) {
@@ -327,8 +328,8 @@ static tp_status parse(reader *r) {
   if (parsed == XML_STATUS_OK) return TP_OK;
   const enum XML_Error error = XML_GetErrorCode(r->parser);
   if (error == XML_ERROR_NO_MEMORY) return tp_fail_memory(r->message, "a drawing");
-  return tp_fail(r->message, TP_BAD_INPUT, place_here(r), "not well-formed XML: %s",
-                 XML_ErrorString(error));
+  return tp_refuse(r->message, TP_FAULT_FORMAT, place_here(r), "not well-formed XML: %s",
+                   XML_ErrorString(error));
 }
 
 tp_status tp_svg_read(tp_drawing *drawing, const tp_text_file *file,

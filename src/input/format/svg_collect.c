@@ -58,8 +58,8 @@ static void begin(void *context, const XML_Char *name, const XML_Char **given) {
   const char *medium = tp_svg_attribute(attributes, "media");
   if (type != NULL && strcmp(type, "text/css") != 0) return;
   if (medium != NULL && strcmp(medium, "all") != 0 && strcmp(medium, "screen") != 0) {
-    stop(c, tp_fail(c->message, TP_BAD_INPUT, place_here(c),
-                    "a style sheet for one medium alone is not read; save as plain SVG"));
+    stop(c, tp_refuse(c->message, TP_FAULT_FORMAT, place_here(c),
+                      "a style sheet for one medium alone is not read; save as plain SVG"));
   }
   c->within = true;
   c->begin = (tp_place){c->path, 0, 0};
@@ -86,7 +86,7 @@ static void end(void *context, const XML_Char *name) {
   }
   if (outcome == TP_SVG_SHEET_NO_MEMORY) stop(c, tp_fail_memory(c->message, "a drawing"));
   if (outcome == TP_SVG_SHEET_REFUSED) {
-    stop(c, tp_fail(c->message, TP_BAD_INPUT, place_in(c, at), "%s", problem));
+    stop(c, tp_refuse(c->message, TP_FAULT_FORMAT, place_in(c, at), "%s", problem));
   }
   tp_text_drop(&c->text);
 }
@@ -106,9 +106,9 @@ static void take_instruction(void *context, const XML_Char *target, const XML_Ch
   collector *c = context;
   (void)data;
   if (strcmp(target, "xml-stylesheet") != 0 || c->status != TP_OK) return;
-  stop(c, tp_fail(c->message, TP_BAD_INPUT, place_here(c),
-                  "a style sheet in another file is not opened, and might hide or move shapes; "
-                  "save as plain SVG"));
+  stop(c, tp_refuse(c->message, TP_FAULT_FORMAT, place_here(c),
+                    "a style sheet in another file is not opened, and might hide or move shapes; "
+                    "save as plain SVG"));
 }
 
 tp_status tp_svg_collect(tp_svg_sheets *sheets, const char *path, const tp_text_file *file,

@@ -22,8 +22,8 @@ static tp_status read_bytes(tp_text_file *file, FILE *in, const char *path, tp_m
     length += got;
     if (length > MOST) {
       free(text);
-      return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                     "a drawing of more than 128 MiB; export the layers of block and base alone");
+      return tp_refuse(message, TP_FAULT_RANGE, (tp_place){path, 0, 0},
+                       "a drawing of more than 128 MiB; export the layers of block and base alone");
     }
     if (length < room - 1) continue;
     grown = realloc(text, 2 * room);

@@ -42,8 +42,8 @@ static tp_mark mark_here(const reader *r) {
 
 static tp_status fail(const reader *r, const char *what) {
   const tp_mark mark = mark_here(r);
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->drawing->path, mark.line, mark.column},
-                 "%s", what);
+  return tp_refuse(r->message, TP_FAULT_FORMAT,
+                   (tp_place){r->drawing->path, mark.line, mark.column}, "%s", what);
 }
 
 static void skip_blanks(reader *r) {

@@ -33,8 +33,8 @@ bool tp_scene_tilt_set_down(const tp_scene *scene) {
 static tp_status check_own(const tp_quantity *quantity, bool own, const char *key,
                            const char *whose, tp_message *message) {
   if (!quantity->given || own) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, quantity->place,
-                 "'%s' belongs to %s; leave it out, or choose that", key, whose);
+  return tp_refuse(message, TP_FAULT_KEY, quantity->place,
+                   "'%s' belongs to %s; leave it out, or choose that", key, whose);
 }
 
 static tp_status check_settings(const tp_scene *scene, tp_tilt_engine engine,
@@ -74,24 +74,25 @@ static tp_status check_stiffness(const tp_tilt_test_description *t, tp_tilt_engi
                                  tp_message *message) {
   const bool normal = t->normal_stiffness_gpa_m.given, shear = t->shear_stiffness_gpa_m.given;
   if (normal == shear && (normal || engine != TP_TILT_SPRINGS)) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, t->place,
-                 "the springs of the contact need both 'normal_stiffness_gpa_m' and "
-                 "'shear_stiffness_gpa_m'; no stiffness is assumed; the paper's tests have "
-                 "1000 and 10");
+  return tp_refuse(message, TP_FAULT_KEY, t->place,
+                   "the springs of the contact need both 'normal_stiffness_gpa_m' and "
+                   "'shear_stiffness_gpa_m'; no stiffness is assumed; the paper's tests have "
+                   "1000 and 10");
 }
 
 static tp_status check_tractions(const tp_tilt_test_description *t, tp_tilt_engine engine,
                                  tp_message *message) {
   if (t->traction_count > 0 && engine != TP_TILT_PATH) {
-    return tp_fail(message, TP_BAD_INPUT, t->tractions[0].place,
-                   "stress locked in before the start belongs to 'engine: path'; leave 'tractions' "
-                   "out, or choose that");
+    return tp_refuse(
+        message, TP_FAULT_KEY, t->tractions[0].place,
+        "stress locked in before the start belongs to 'engine: path'; leave 'tractions' "
+        "out, or choose that");
   }
   for (long k = 0; k < t->traction_count; k++) {
     for (long j = 0; j < k; j++) {
       if (t->tractions[j].facet != t->tractions[k].facet) continue;
-      return tp_fail(message, TP_BAD_INPUT, t->tractions[k].place,
-                     "the stress locked in on facet %ld is given twice", t->tractions[k].facet);
+      return tp_refuse(message, TP_FAULT_KEY, t->tractions[k].place,
+                       "the stress locked in on facet %ld is given twice", t->tractions[k].facet);
     }
   }
   return TP_OK;
@@ -103,43 +104,46 @@ static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
   const tp_place place = t->protocol_place.file != NULL ? t->protocol_place : t->place;
   if (tp_scene_is_shaken(scene)) {
     if (engine == TP_TILT_PATH) {
-      return tp_fail(message, TP_BAD_INPUT, t->engine_place,
-                     "the path is quasi-static and does not model shaking; say 'engine: dynamics'");
+      return tp_refuse(
+          message, TP_FAULT_KEY, t->engine_place,
+          "the path is quasi-static and does not model shaking; say 'engine: dynamics'");
     }
     if (protocol != TP_TILT_RELEASE) {
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "the table is held at its tilt while its base shakes: say 'protocol: "
-                     "release', with 'tilt: {angle_deg: …}' where it is not level");
+      return tp_refuse(message, TP_FAULT_KEY, place,
+                       "the table is held at its tilt while its base shakes: say 'protocol: "
+                       "release', with 'tilt: {angle_deg: …}' where it is not level");
     }
     return TP_OK;
   }
   if (protocol == TP_TILT_RELEASE) {
     if (engine == TP_TILT_PATH) {
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "a released block moves in time: a release needs 'engine: dynamics'");
+      return tp_refuse(message, TP_FAULT_KEY, place,
+                       "a released block moves in time: a release needs 'engine: dynamics'");
     }
     if (!scene->tilt_angle_deg.given) {
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "a release needs the tilt at which the block is released: 'tilt: {angle_deg: "
-                     "…}'");
+      return tp_refuse(
+          message, TP_FAULT_KEY, place,
+          "a release needs the tilt at which the block is released: 'tilt: {angle_deg: "
+          "…}'");
     }
   }
   const bool set_down = tp_scene_tilt_set_down(scene);
   if (protocol == TP_TILT_STEPS && engine == TP_TILT_PATH && !set_down) {
-    return tp_fail(message, TP_BAD_INPUT, t->start_place,
-                   "the path of a block that is placed level is one ramp to all angles: say "
-                   "'protocol: ramp', or 'start: set_down'");
+    return tp_refuse(message, TP_FAULT_KEY, t->start_place,
+                     "the path of a block that is placed level is one ramp to all angles: say "
+                     "'protocol: ramp', or 'start: set_down'");
   }
   if (protocol == TP_TILT_RAMP && set_down) {
     if (engine == TP_TILT_PATH && scene->tilt_angle_deg.given) return TP_OK;
-    return tp_fail(message, TP_BAD_INPUT, t->start_place,
-                   "a ramp starts level, or by 'engine: path' set down at the scene's 'tilt: "
-                   "{angle_deg: …}'; a block that is set down at each angle goes with 'protocol: "
-                   "steps'");
+    return tp_refuse(message, TP_FAULT_KEY, t->start_place,
+                     "a ramp starts level, or by 'engine: path' set down at the scene's 'tilt: "
+                     "{angle_deg: …}'; a block that is set down at each angle goes with 'protocol: "
+                     "steps'");
   }
   if (protocol == TP_TILT_RELEASE && !set_down) {
-    return tp_fail(message, TP_BAD_INPUT, t->start_place,
-                   "a release begins at its tilt, where the block is set down; leave 'start' out");
+    return tp_refuse(
+        message, TP_FAULT_KEY, t->start_place,
+        "a release begins at its tilt, where the block is set down; leave 'start' out");
   }
   return TP_OK;
 }

@@ -114,7 +114,7 @@ static tp_status flatten(tp_drawing *chains, tp_drawing_object *chain,
   fmpq_clear(tolerance);
   if (outcome == TP_CURVE_DONE) return tp_drawing_count(chains, chain, message);
   if (outcome == TP_CURVE_NO_MEMORY) return tp_fail_memory(message, "a drawing");
-  return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain), TP_CURVE_TOO_FINE_TEXT);
+  return tp_refuse(message, TP_FAULT_FORMAT, tp_drawing_place(chain), TP_CURVE_TOO_FINE_TEXT);
 }
 
 /* Numbers that are written are no larger; transforms and scales multiply them. */
@@ -126,9 +126,9 @@ static tp_status check_size(const tp_drawing_object *chain, tp_message *message)
       const slong bits =
           (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value));
       if (bits < DBL_MAX_EXP) continue;
-      return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain),
-                     "lies beyond 1e308, the largest number that Topple takes, as its transforms "
-                     "and the drawing's unit or reference have it");
+      return tp_refuse(message, TP_FAULT_RANGE, tp_drawing_place(chain),
+                       "lies beyond 1e308, the largest number that Topple takes, as its transforms "
+                       "and the drawing's unit or reference have it");
     }
   }
   return TP_OK;

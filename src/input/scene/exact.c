@@ -59,18 +59,18 @@ static tp_status read_text(fmpq_t value, const char *text, const char *name, tp_
   if (tp_ratio_read_field(value, text, strlen(text), &problem)) {
     return tp_check_range(value, name, place, message);
   }
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "%s: '%s' %s; write a decimal, as 0.1, or a fraction, as 1/3", name,
-                 tp_quote_all(text).text, problem);
+  return tp_refuse(message, TP_FAULT_FORMAT, place,
+                   "%s: '%s' %s; write a decimal, as 0.1, or a fraction, as 1/3", name,
+                   tp_quote_all(text).text, problem);
 }
 
 static tp_status read_double(fmpq_t value, double given, const char *name, tp_place place,
                              tp_message *message) {
   if (!isfinite(given)) {
-    return tp_fail(message, TP_BAD_INPUT, place, "%s must be a finite number, not %s", name,
-                   isnan(given) ? "nan"
-                   : given > 0  ? "inf"
-                                : "-inf");
+    return tp_refuse(message, TP_FAULT_RANGE, place, "%s must be a finite number, not %s", name,
+                     isnan(given) ? "nan"
+                     : given > 0  ? "inf"
+                                  : "-inf");
   }
   set_double(value, given);
   return tp_check_range(value, name, place, message);
@@ -88,11 +88,12 @@ enum { MOST_POINTS = 100000000 };
 static tp_status check_points(tp_coordinates given, const char *name, tp_place place,
                               tp_message *message) {
   if (given.xy == NULL && given.texts == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, place, "the coordinates of '%s' must not be NULL", name);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place, "the coordinates of '%s' must not be NULL",
+                     name);
   }
   if (given.count > MOST_POINTS) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "'%s' has %zu points; at most 100 million are taken", name, given.count);
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "'%s' has %zu points; at most 100 million are taken", name, given.count);
   }
   return TP_OK;
 }
@@ -111,7 +112,7 @@ static tp_status read_coordinate(fmpq_t value, tp_coordinates given, size_t k, c
   snprintf(text, sizeof text, "%s of point %zu of %s", k % 2 == 0 ? "x" : "y", k / 2 + 1, name);
   if (given.texts == NULL) return read_double(value, given.xy[k], text, place, message);
   if (given.texts[k] == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, place, "%s must not be NULL", text);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place, "%s must not be NULL", text);
   }
   return read_text(value, given.texts[k], text, place, message);
 }

@@ -116,16 +116,17 @@ static tp_status take_key(builder *b, const char *text, tp_mark mark) {
   const tp_node *mapping = b->within[b->depth - 1];
   const tp_node *twin = tp_node_get(mapping, text);
   if (twin != NULL && !is_ours(b)) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "a key is given twice, first in line %d; keep one of them", twin->key_mark.line);
+    return tp_refuse(b->message, TP_FAULT_KEY, at(b, mark),
+                     "a key is given twice, first in line %d; keep one of them",
+                     twin->key_mark.line);
   }
   if (twin != NULL) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "the key '%s' is given twice, first in line %d; keep one of them",
-                   tp_quote_all(text).text, twin->key_mark.line);
+    return tp_refuse(b->message, TP_FAULT_KEY, at(b, mark),
+                     "the key '%s' is given twice, first in line %d; keep one of them",
+                     tp_quote_all(text).text, twin->key_mark.line);
   }
   if (mapping->count >= MOST_KEYS) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "more than 1000 keys in one place");
+    return tp_refuse(b->message, TP_FAULT_KEY, at(b, mark), "more than 1000 keys in one place");
   }
   b->key = strdup(text);
   b->key_mark = mark;
@@ -138,8 +139,8 @@ static bool wants_key(const builder *b) {
 
 static tp_status attach(builder *b, tp_node_kind kind, tp_mark mark, tp_node **attached) {
   if (wants_key(b)) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "a key must be a plain word, not a list or a map");
+    return tp_refuse(b->message, TP_FAULT_KEY, at(b, mark),
+                     "a key must be a plain word, not a list or a map");
   }
   tp_node *node = calloc(1, sizeof *node);
   if (node == NULL) return tp_fail_memory(b->message, "the scene");
@@ -169,7 +170,7 @@ static tp_status take_scalar(builder *b, const yaml_event_t *event) {
   const tp_mark mark = mark_of(event->start_mark);
   const char *text = (const char *)event->data.scalar.value;
   if (strlen(text) != event->data.scalar.length) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "a zero byte stands in the text");
+    return tp_refuse(b->message, TP_FAULT_FORMAT, at(b, mark), "a zero byte stands in the text");
   }
   if (wants_key(b)) return take_key(b, text, mark);
   tp_node *node = NULL;
@@ -183,8 +184,8 @@ static tp_status take_scalar(builder *b, const yaml_event_t *event) {
 static tp_status enter_collection(builder *b, tp_node_kind kind, tp_mark mark) {
   tp_node *node = NULL;
   if (b->depth == MOST_DEPTH) {
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "nested deeper than %d levels",
-                   MOST_DEPTH);
+    return tp_refuse(b->message, TP_FAULT_RANGE, at(b, mark), "nested deeper than %d levels",
+                     MOST_DEPTH);
   }
   const tp_status status = attach(b, kind, mark, &node);
   if (status == TP_OK && node != NULL) b->within[b->depth++] = node;
@@ -195,8 +196,8 @@ static tp_status take_event(builder *b, const yaml_event_t *event) {
   const tp_mark mark = mark_of(event->start_mark);
   switch (event->type) {
   case YAML_ALIAS_EVENT:
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "aliases are not taken; use a named parameter instead");
+    return tp_refuse(b->message, TP_FAULT_FORMAT, at(b, mark),
+                     "aliases are not taken; use a named parameter instead");
   case YAML_SCALAR_EVENT:
     return take_scalar(b, event);
   case YAML_SEQUENCE_START_EVENT:
@@ -209,8 +210,8 @@ static tp_status take_event(builder *b, const yaml_event_t *event) {
     return TP_OK;
   case YAML_DOCUMENT_START_EVENT:
     if (b->root == NULL) return TP_OK;
-    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "a second document begins here; a file holds one scene");
+    return tp_refuse(b->message, TP_FAULT_FORMAT, at(b, mark),
+                     "a second document begins here; a file holds one scene");
   default:
     return TP_OK;
   }
@@ -220,15 +221,15 @@ static tp_status parser_failed(builder *b, const yaml_parser_t *parser, const so
   tp_mark mark = mark_of(parser->problem_mark);
   if (from->failed) return tp_fail_file(b->message, b->path, "read", errno);
   if (from->too_large) {
-    return tp_fail(b->message, TP_BAD_INPUT, (tp_place){b->path, 0, 0},
-                   "larger than 256 MiB; give long outlines as CSV files");
+    return tp_refuse(b->message, TP_FAULT_FORMAT, (tp_place){b->path, 0, 0},
+                     "larger than 256 MiB; give long outlines as CSV files");
   }
   if (parser->error == YAML_MEMORY_ERROR) return tp_fail_memory(b->message, "the scene");
   if (parser->error == YAML_READER_ERROR) mark = mark_of(parser->mark);
-  return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "not YAML: %s%s%s",
-                 parser->context != NULL ? parser->context : "",
-                 parser->context != NULL ? ", " : "",
-                 parser->problem != NULL ? parser->problem : "malformed");
+  return tp_refuse(b->message, TP_FAULT_FORMAT, at(b, mark), "not YAML: %s%s%s",
+                   parser->context != NULL ? parser->context : "",
+                   parser->context != NULL ? ", " : "",
+                   parser->problem != NULL ? parser->problem : "malformed");
 }
 
 static tp_status build(builder *b, yaml_parser_t *parser, const source *from) {
@@ -259,8 +260,8 @@ static tp_status read_file(tp_node **root, FILE *file, const char *path, tp_mess
   fclose(from.file);
   free(b.key);
   if (status == TP_OK && b.root == NULL) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
-                     "the file is empty; a scene begins with 'topple: 1'");
+    status = tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 1, 1},
+                       "the file is empty; a scene begins with 'topple: 1'");
   }
   if (status == TP_OK) {
     *root = b.root;

@@ -38,14 +38,14 @@ static tp_status scale(tp_polyline *line, const tp_profile_rule *rule, tp_messag
   if (status == TP_OK &&
       !tp_roughness_of(&own, line, is_height ? TP_TARGET_RMS_HEIGHT : TP_TARGET_Z2)) {
     status =
-        tp_fail(message, TP_BAD_INPUT, place,
-                "the profile folds back or steps upright, and has no %s to be scaled: it needs "
-                "one height at each x",
-                is_height ? "RMS height" : "Z2");
+        tp_refuse(message, TP_FAULT_GEOMETRY, place,
+                  "the profile folds back or steps upright, and has no %s to be scaled: it needs "
+                  "one height at each x",
+                  is_height ? "RMS height" : "Z2");
   } else if (status == TP_OK && own.size == 0) {
-    status = tp_fail(message, TP_BAD_INPUT, place,
-                     "the profile is level, and stays so by any factor; give it points or noise "
-                     "that are rough");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, place,
+                       "the profile is level, and stays so by any factor; give it points or noise "
+                       "that are rough");
   }
   if (status == TP_OK) tp_scale_heights(line, size, &own);
   fmpq_clear(size);
@@ -64,10 +64,10 @@ static tp_status check_depth(const tp_polyline *line, tp_wear wear, const tp_qua
     char text[80];
     tp_ratio_text(text, sizeof text, most);
     status =
-        tp_fail(message, TP_BAD_INPUT, depth->place,
-                "'%s' removes all of the roughness: the highest point stands %s above the "
-                "%s; take less",
-                tp_wear_keys[wear], text, wear == TP_WEAR_CUT ? "lowest" : "mean of all points");
+        tp_refuse(message, TP_FAULT_GEOMETRY, depth->place,
+                  "'%s' removes all of the roughness: the highest point stands %s above the "
+                  "%s; take less",
+                  tp_wear_keys[wear], text, wear == TP_WEAR_CUT ? "lowest" : "mean of all points");
   }
   fmpq_clear(most);
   return status;
@@ -91,8 +91,8 @@ static tp_status wear_off(tp_polyline *line, const tp_profile_rule *rule, tp_mes
 static tp_status take_measured(tp_polyline *line, const tp_profile_rule *rule,
                                tp_message *message) {
   if (rule->measured.count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, rule->first_place,
-                   "a base profile needs at least two points");
+    return tp_refuse(message, TP_FAULT_RANGE, rule->first_place,
+                     "a base profile needs at least two points");
   }
   return tp_polyline_copy(line, &rule->measured) ? TP_OK : tp_fail_memory(message, "the profile");
 }

@@ -30,28 +30,29 @@ static double step_at(const tp_polyline *record, long k) {
 
 tp_status tp_record_check(const tp_polyline *record, tp_place place, tp_message *message) {
   if (record->count < 2) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "an accelerogram needs two samples at least; this one has %ld", record->count);
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "an accelerogram needs two samples at least; this one has %ld", record->count);
   }
   const double first = step_at(record, 1);
   for (long k = 1; k < record->count; k++) {
     const double step = step_at(record, k), time = fmpq_get_d(record->x + k - 1);
     const tp_place at = tp_polyline_place(record, k);
     if (!(step > 0)) {
-      return tp_fail(message, TP_BAD_INPUT, at,
-                     "time does not go on: a step of %.6g s after %.6g s", step, time);
+      return tp_refuse(message, TP_FAULT_FORMAT, at,
+                       "time does not go on: a step of %.6g s after %.6g s", step, time);
     }
     if (step > gap * first) {
-      return tp_fail(message, TP_BAD_INPUT, at,
-                     "a gap in the accelerogram: %.6g s without a sample after %.6g s, where its "
-                     "first step is %.6g s; fill it, or cut the record there",
-                     step, time, first);
+      return tp_refuse(message, TP_FAULT_FORMAT, at,
+                       "a gap in the accelerogram: %.6g s without a sample after %.6g s, where its "
+                       "first step is %.6g s; fill it, or cut the record there",
+                       step, time, first);
     }
     if (step < (1 - evenly) * first || step > (1 + evenly) * first) {
-      return tp_fail(message, TP_BAD_INPUT, at,
-                     "an uneven step: %.6g s after %.6g s, where the first one is %.6g s; resample "
-                     "the accelerogram at even steps",
-                     step, time, first);
+      return tp_refuse(
+          message, TP_FAULT_FORMAT, at,
+          "an uneven step: %.6g s after %.6g s, where the first one is %.6g s; resample "
+          "the accelerogram at even steps",
+          step, time, first);
     }
   }
   return TP_OK;
@@ -76,8 +77,8 @@ static tp_status read_as(tp_polyline *record, tp_record_source *source, long col
     return tp_record_read_csv(record, source, column > 0 ? column : 2);
   }
   if (column > 0) {
-    return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 0, 0},
-                   "an .at2 has no columns to choose from: drop 'column'");
+    return tp_refuse(source->message, TP_FAULT_KEY, (tp_place){source->path, 0, 0},
+                     "an .at2 has no columns to choose from: drop 'column'");
   }
   return tp_record_read_at2(record, source);
 }

@@ -124,8 +124,9 @@ static tp_status read_numbers(tp_polyline *record, const header *h, tp_record_so
     if (status == TP_OK && more) status = read_line(record, h, source);
   }
   if (status != TP_OK || record->count == h->count) return status;
-  return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, source->number, 0},
-                 "the file ends after %ld numbers, of %ld that NPTS says", record->count, h->count);
+  return tp_refuse(source->message, TP_FAULT_FORMAT, (tp_place){source->path, source->number, 0},
+                   "the file ends after %ld numbers, of %ld that NPTS says", record->count,
+                   h->count);
 }
 
 tp_status tp_record_read_at2(tp_polyline *record, tp_record_source *source) {

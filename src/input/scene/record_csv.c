@@ -81,8 +81,8 @@ static tp_status read_header(const unit **found, const tp_record_source *source,
                           "'time_s,acceleration_m_s2'");
   }
   if (column > row->count) {
-    return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, source->number, 1},
-                   "the header names %d columns; there is no column %ld", row->count, column);
+    return tp_refuse(source->message, TP_FAULT_FORMAT, (tp_place){source->path, source->number, 1},
+                     "the header names %d columns; there is no column %ld", row->count, column);
   }
   const tp_status status = check_time(source, row);
   return status == TP_OK ? find_unit(found, source, row, (int)column - 1) : status;
@@ -131,7 +131,7 @@ tp_status tp_record_read_csv(tp_polyline *record, tp_record_source *source, long
     }
   }
   if (status != TP_OK || found != NULL) return status;
-  return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 1, 1},
-                 "the file is empty; an accelerogram in CSV begins with a header such as "
-                 "'time_s,acceleration_m_s2'");
+  return tp_refuse(source->message, TP_FAULT_FORMAT, (tp_place){source->path, 1, 1},
+                   "the file is empty; an accelerogram in CSV begins with a header such as "
+                   "'time_s,acceleration_m_s2'");
 }

@@ -12,8 +12,8 @@
 #include <string.h>
 
 tp_status tp_record_fail(const tp_record_source *source, size_t column, const char *what) {
-  return tp_fail(source->message, TP_BAD_INPUT,
-                 (tp_place){source->path, source->number, (int)column + 1}, "%s", what);
+  return tp_refuse(source->message, TP_FAULT_FORMAT,
+                   (tp_place){source->path, source->number, (int)column + 1}, "%s", what);
 }
 
 tp_status tp_record_next(tp_record_source *source, bool *more) {

@@ -30,8 +30,8 @@ tp_status tp_check_within(const tp_quantity *quantity, const char *name, const c
   if (within) return TP_OK;
   char text[80];
   tp_ratio_text(text, sizeof text, quantity->value);
-  return tp_fail(message, TP_BAD_INPUT, quantity->place, "%s must lie %s %s and %s; it is %s", name,
-                 strictly ? "strictly between" : "between", low, high, text);
+  return tp_refuse(message, TP_FAULT_RANGE, quantity->place, "%s must lie %s %s and %s; it is %s",
+                   name, strictly ? "strictly between" : "between", low, high, text);
 }
 
 tp_status tp_check_seed(uint64_t *seed, const tp_quantity *quantity, tp_message *message) {
@@ -41,8 +41,8 @@ tp_status tp_check_seed(uint64_t *seed, const tp_quantity *quantity, tp_message 
       tp_check_rule(TP_RULE_NOT_NEGATIVE, quantity->value, "seed", quantity->place, message);
   if (status != TP_OK) return status;
   if (!fmpz_is_one(fmpq_denref(value)) || fmpz_bits(fmpq_numref(value)) > 63) {
-    return tp_fail(message, TP_BAD_INPUT, quantity->place,
-                   "a seed is a whole number from 0 to 9223372036854775807");
+    return tp_refuse(message, TP_FAULT_RANGE, quantity->place,
+                     "a seed is a whole number from 0 to 9223372036854775807");
   }
   *seed = (uint64_t)tp_word_get(fmpq_numref(value));
   return TP_OK;

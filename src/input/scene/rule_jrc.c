@@ -55,9 +55,9 @@ static tp_status check_number(long *number, const tp_quantity *standard, tp_mess
   }
   char text[80];
   tp_ratio_text(text, sizeof text, standard->value);
-  return tp_fail(message, TP_BAD_INPUT, standard->place,
-                 "jrc_profile is the number of a standard profile, 1 to %d; it is %s", STANDARDS,
-                 text);
+  return tp_refuse(message, TP_FAULT_RANGE, standard->place,
+                   "jrc_profile is the number of a standard profile, 1 to %d; it is %s", STANDARDS,
+                   text);
 }
 
 /* Self-affine with the exponent 0.8 that fracture surfaces of most rocks have, in steps of 0.5 mm;

@@ -26,9 +26,9 @@ static tp_status check_length(tp_self_affine_options *o, const tp_profile_rule *
       fmpq_cmp_si(steps, TP_SELF_AFFINE_MOST) >= 0) {
     char text[80];
     tp_ratio_text(text, sizeof text, steps);
-    status = tp_fail(message, TP_BAD_INPUT, rule->step.place,
-                     "the length must be a whole number of steps, from %d to %d; it is %s",
-                     TP_SELF_AFFINE_LEAST, TP_SELF_AFFINE_MOST - 1, text);
+    status = tp_refuse(message, TP_FAULT_RANGE, rule->step.place,
+                       "the length must be a whole number of steps, from %d to %d; it is %s",
+                       TP_SELF_AFFINE_LEAST, TP_SELF_AFFINE_MOST - 1, text);
   } else {
     o->steps = fmpz_get_si(fmpq_numref(steps));
     fmpq_set(o->step, rule->step.value);
@@ -51,12 +51,12 @@ static tp_status check_band(tp_self_affine_options *o, const tp_profile_rule *ru
                         fmpq_cmp(o->longest, rule->length.value) <= 0;
   fmpq_clear(twice);
   if (in_order) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT,
-                 shortest->given  ? shortest->place
-                 : longest->given ? longest->place
-                                  : rule->first_place,
-                 "wavelengths go from 'shortest', at least two steps, to 'longest', above it and "
-                 "at most the length");
+  return tp_refuse(message, TP_FAULT_RANGE,
+                   shortest->given  ? shortest->place
+                   : longest->given ? longest->place
+                                    : rule->first_place,
+                   "wavelengths go from 'shortest', at least two steps, to 'longest', above it and "
+                   "at most the length");
 }
 
 static tp_status check(tp_self_affine_options *o, const tp_profile_rule *rule,
@@ -84,9 +84,9 @@ tp_status tp_rule_make_self_affine(tp_polyline *line, const tp_profile_rule *rul
     status = tp_fail_memory(message, "the profile");
   }
   if (status == TP_OK && no_wave) {
-    status = tp_fail(message, TP_BAD_INPUT, rule->first_place,
-                     "no wave of the profile's period lies between 'shortest' and 'longest'; set "
-                     "them farther apart");
+    status = tp_refuse(message, TP_FAULT_RANGE, rule->first_place,
+                       "no wave of the profile's period lies between 'shortest' and 'longest'; set "
+                       "them farther apart");
   }
   tp_self_affine_options_clear(&o);
   return status;

@@ -21,9 +21,10 @@ static tp_status check_skew(const tp_profile_rule *rule, tp_message *message) {
   fmpq_clear(most);
   fmpq_clear(limit);
   if (fits) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, rule->first_place,
-                 "the skew and its scatter are together at most 0.9 in size: each facet of a tooth "
-                 "keeps a part of its wavelength");
+  return tp_refuse(
+      message, TP_FAULT_RANGE, rule->first_place,
+      "the skew and its scatter are together at most 0.9 in size: each facet of a tooth "
+      "keeps a part of its wavelength");
 }
 
 /* What is scattered is drawn by a seed. */
@@ -31,8 +32,8 @@ static tp_status check_seed(uint64_t *seed, const tp_profile_rule *rule, tp_mess
   bool draws = false;
   for (int k = 0; k < 3; k++) draws = draws || !fmpq_is_zero(rule->scatter[k].value);
   if (!draws || rule->seed.given) return tp_check_seed(seed, &rule->seed, message);
-  return tp_fail(message, TP_BAD_INPUT, rule->first_place,
-                 "'seed' is missing here, for example 'seed: 1'");
+  return tp_refuse(message, TP_FAULT_KEY, rule->first_place,
+                   "'seed' is missing here, for example 'seed: 1'");
 }
 
 static tp_status check(tp_teeth_options *o, const tp_profile_rule *rule, tp_message *message) {

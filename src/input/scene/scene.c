@@ -31,7 +31,8 @@ tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place p
     scene->length_unit = length_unit;
     return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, place, "length_unit must be one of mm, cm, m, km, in, ft");
+  return tp_refuse(message, TP_FAULT_UNIT, place,
+                   "length_unit must be one of mm, cm, m, km, in, ft");
 }
 
 bool tp_scene_is_shifted(const tp_scene *scene) {

@@ -16,9 +16,9 @@
 tp_status tp_build_begin(tp_build *build, tp_scene *scene, const char *call, tp_message *message) {
   *build = (tp_build){.scene = scene, .place = {call, 0, 0}, .message = message};
   if (scene->source == NULL) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, build->place,
-                 "this scene was read from a file; change what it says there, or build one by "
-                 "tp_scene_new");
+  return tp_refuse(message, TP_FAULT_ARGUMENT, build->place,
+                   "this scene was read from a file; change what it says there, or build one by "
+                   "tp_scene_new");
 }
 
 tp_status tp_build_read(tp_build *build, const tp_given *given, long count) {
@@ -75,9 +75,9 @@ tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_ex
   tp_status status = tp_build_begin(&build, scene, call, message);
   if (status != TP_OK) return status;
   if (own == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, build.place,
-                   "'%s' is no key of a number that stands by itself in a scene",
-                   tp_quote_all(key).text);
+    return tp_refuse(message, TP_FAULT_KEY, build.place,
+                     "'%s' is no key of a number that stands by itself in a scene",
+                     tp_quote_all(key).text);
   }
   const tp_given given = {dot != NULL ? dot + 1 : key, value, own->rule};
   status = tp_build_read(&build, &given, 1);
@@ -100,7 +100,7 @@ tp_status tp_scene_set_number(tp_scene *scene, const char *key, tp_exact value,
 tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size) {
   enum { MOST_ITEMS = 10000000 };
   if (count >= MOST_ITEMS) {
-    return tp_fail(build->message, TP_BAD_INPUT, build->place, "at most 10 million are taken");
+    return tp_refuse(build->message, TP_FAULT_RANGE, build->place, "at most 10 million are taken");
   }
   /* room for 1, 2, 4, 8, ... */
   if ((count & (count - 1)) == 0) {

@@ -157,9 +157,9 @@ tp_status tp_scene_set_base_between(tp_scene *scene, tp_coordinates two_vertices
   tp_polyline line = {0};
   tp_status status = begin_between(&build, scene, __func__, message);
   if (status == TP_OK && two_vertices.count != 2) {
-    status =
-        tp_fail(message, TP_BAD_INPUT, build.place,
-                "the contact ends in two vertices of the outline, not in %zu", two_vertices.count);
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                       "the contact ends in two vertices of the outline, not in %zu",
+                       two_vertices.count);
   }
   if (status == TP_OK) {
     status = tp_coordinates_read(&line, two_vertices, false, "two_vertices", __func__, 0, message);
@@ -180,8 +180,8 @@ tp_status tp_scene_set_base_bound(tp_scene *scene, tp_base_bound bound, tp_exact
   tp_build build;
   tp_status status = begin_between(&build, scene, __func__, message);
   if (status == TP_OK && ((int)bound < TP_BASE_BELOW || (int)bound > TP_BASE_RIGHT_OF)) {
-    status =
-        tp_fail(message, TP_BAD_INPUT, build.place, "'bound' must be below, left_of or right_of");
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                       "'bound' must be below, left_of or right_of");
   }
   if (status == TP_OK) status = tp_build_read(&build, &given, 1);
   if (status == TP_OK) {

@@ -66,7 +66,8 @@ static tp_status check_teeth(tp_build *build, long count, tp_left_end left_end) 
       tp_check_tooth_count(&own, number, "count", build->place, build->message);
   fmpq_clear(number);
   if (status == TP_OK && left_end != TP_LEFT_END_VALLEY && left_end != TP_LEFT_END_PEAK) {
-    return tp_fail(build->message, TP_BAD_INPUT, build->place, "left_end must be valley or peak");
+    return tp_refuse(build->message, TP_FAULT_ARGUMENT, build->place,
+                     "left_end must be valley or peak");
   }
   return status;
 }

@@ -85,8 +85,8 @@ tp_status tp_scene_add_rounded_end(tp_scene *scene, tp_underside_end at, tp_exac
   tp_corner_description *corner = NULL;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK && at != TP_UNDERSIDE_LEFT_END && at != TP_UNDERSIDE_RIGHT_END) {
-    status = tp_fail(message, TP_BAD_INPUT, build.place,
-                     "'at' must be the left or the right end of the underside");
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                       "'at' must be the left or the right end of the underside");
   }
   if (status == TP_OK) status = tp_build_read(&build, &given, 1);
   if (status == TP_OK) status = add_corner(&build, &corner);

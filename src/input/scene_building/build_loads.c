@@ -28,7 +28,7 @@ tp_status tp_scene_set_seismic_direction(tp_scene *scene, tp_seismic_direction d
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK && ((int)direction < 0 || direction > TP_SEISMIC_UP_DIP)) {
-    status = tp_fail(message, TP_BAD_INPUT, build.place, "there is no such direction");
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place, "there is no such direction");
   }
   if (status == TP_OK) {
     scene->loads.direction_given = true;

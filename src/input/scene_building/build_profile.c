@@ -85,8 +85,8 @@ static tp_status put_start(change *c, tp_exact x, tp_exact y) {
 
 static tp_status put_roughness(change *c, tp_quantity *by, tp_roughness_by kind, tp_exact value) {
   if ((int)kind < TP_ROUGHNESS_RMS_HEIGHT || (int)kind > TP_ROUGHNESS_JRC) {
-    return tp_fail(c->build.message, TP_BAD_INPUT, c->build.place,
-                   "'by' must be the RMS height, Z2 or JRC");
+    return tp_refuse(c->build.message, TP_FAULT_ARGUMENT, c->build.place,
+                     "'by' must be the RMS height, Z2 or JRC");
   }
   return put(c, by + kind, value, "roughness");
 }
@@ -107,8 +107,8 @@ tp_status tp_build_profile(tp_scene *scene, tp_message *message) {
 static tp_status put_teeth(change *c, const tp_base_teeth_options *o) {
   tp_profile_rule *rule = c->rule;
   if (o->left_end != TP_LEFT_END_VALLEY && o->left_end != TP_LEFT_END_PEAK) {
-    return tp_fail(c->build.message, TP_BAD_INPUT, c->build.place,
-                   "left_end must be valley or peak");
+    return tp_refuse(c->build.message, TP_FAULT_ARGUMENT, c->build.place,
+                     "left_end must be valley or peak");
   }
   const struct {
     tp_quantity *quantity;
@@ -203,8 +203,8 @@ static tp_status begin_change(change *c, tp_scene *scene, const char *call, cons
   const tp_status status = begin(c, scene, call, message);
   if (status != TP_OK) return status;
   if (c->base->mated) {
-    return tp_fail(message, TP_BAD_INPUT, c->build.place,
-                   "%s is of a base profile, and the base is mated; set its profile first", what);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, c->build.place,
+                     "%s is of a base profile, and the base is mated; set its profile first", what);
   }
   if (c->rule->made != TP_MADE_OF_POINTS) return TP_OK;
   c->rule->made = TP_MADE_OF_MEASURED;
@@ -246,8 +246,8 @@ tp_status tp_scene_set_base_worn(tp_scene *scene, tp_wear wear, tp_exact depth,
   change c;
   tp_status status = begin_change(&c, scene, __func__, "wear", message);
   if (status == TP_OK && ((int)wear < TP_WEAR_CUT || (int)wear > TP_WEAR_ABRADED)) {
-    status =
-        tp_fail(message, TP_BAD_INPUT, c.build.place, "'wear' must be cut, rounded or abraded");
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, c.build.place,
+                       "'wear' must be cut, rounded or abraded");
   }
   if (status == TP_OK) {
     for (int k = 0; k < TP_WEAR_KINDS; k++) c.rule->worn[k].given = false;

@@ -46,8 +46,8 @@ tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right, tp_m
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
   if (!left && !right) {
-    return tp_fail(message, TP_BAD_INPUT, build.place,
-                   "one of 'left' and 'right' must be true: the block tilts some way");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                     "one of 'left' and 'right' must be true: the block tilts some way");
   }
   scene->towards_left = left;
   scene->towards_right = right;
@@ -93,8 +93,8 @@ tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points, tp
   tp_polyline plane = {0};
   tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK && two_points.count != 2) {
-    status = tp_fail(message, TP_BAD_INPUT, build.place,
-                     "the mean plane is named by two points on it, not by %zu", two_points.count);
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                       "the mean plane is named by two points on it, not by %zu", two_points.count);
   }
   if (status == TP_OK) {
     status =

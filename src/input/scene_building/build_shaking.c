@@ -13,7 +13,8 @@ static tp_status begin(tp_build *build, tp_scene *scene, const char *call, tp_sh
   if (status != TP_OK || axis == TP_SHAKES_HORIZONTALLY || axis == TP_SHAKES_VERTICALLY) {
     return status;
   }
-  return tp_fail(message, TP_BAD_INPUT, build->place, "'axis' must be one of tp_shaking_axis");
+  return tp_refuse(message, TP_FAULT_ARGUMENT, build->place,
+                   "'axis' must be one of tp_shaking_axis");
 }
 
 /* Nothing is left of what the axis had. */
@@ -35,7 +36,8 @@ tp_status tp_scene_set_shaking_pulse(tp_scene *scene, tp_shaking_axis axis, tp_p
   tp_build build;
   tp_status status = begin(&build, scene, __func__, axis, message);
   if (status == TP_OK && shape != TP_PULSE_HALF_SINE && shape != TP_PULSE_FULL_SINE) {
-    status = tp_fail(message, TP_BAD_INPUT, build.place, "'shape' must be one of tp_pulse_shape");
+    status =
+        tp_refuse(message, TP_FAULT_ARGUMENT, build.place, "'shape' must be one of tp_pulse_shape");
   }
   if (status != TP_OK) return status;
   status = tp_build_read(&build, given, 2);

@@ -14,11 +14,12 @@ tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine, tp_tilt
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
   if ((int)engine < TP_TILT_PATH || (int)engine > TP_TILT_SPRINGS) {
-    return tp_fail(message, TP_BAD_INPUT, build.place, "'engine' must be one of tp_tilt_engine");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                     "'engine' must be one of tp_tilt_engine");
   }
   if ((int)protocol < TP_TILT_RAMP || (int)protocol > TP_TILT_RELEASE) {
-    return tp_fail(message, TP_BAD_INPUT, build.place,
-                   "'protocol' must be one of tp_tilt_protocol");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, build.place,
+                     "'protocol' must be one of tp_tilt_protocol");
   }
   tp_tilt_test_description *test = &scene->tilt_test;
   test->place = test->engine_place = test->protocol_place = test->start_place = build.place;

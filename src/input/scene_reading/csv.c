@@ -46,8 +46,8 @@ typedef struct reader {
 } reader;
 
 static tp_status fail(const reader *r, size_t column, const char *what) {
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->line, (int)column + 1}, "%s",
-                 what);
+  return tp_refuse(r->message, TP_FAULT_FORMAT, (tp_place){r->path, r->line, (int)column + 1}, "%s",
+                   what);
 }
 
 /* The next line into `*text`, `*length`; false at the end of the file, or with r->message set. */
@@ -136,9 +136,9 @@ static tp_status check_title(const reader *r, const tp_csv_row *row) {
       r->title.count < 2 || r->title.separator != row->separator) {
     return TP_OK;
   }
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->title.line, 1},
-                 "the header names no column that is known: call them 'x,y' or "
-                 "'distance,elevation'; a title begins with '#'");
+  return tp_refuse(r->message, TP_FAULT_FORMAT, (tp_place){r->path, r->title.line, 1},
+                   "the header names no column that is known: call them 'x,y' or "
+                   "'distance,elevation'; a title begins with '#'");
 }
 
 static tp_status fail_comma(const reader *r, size_t at) {
@@ -266,8 +266,8 @@ static tp_status read_file(tp_polyline *line, const char **unit, FILE *file, con
   tp_column_level_init(&r.level);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
-    status =
-        tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1}, "no points; each line holds x, y");
+    status = tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 1, 1},
+                       "no points; each line holds x, y");
   }
   fclose(r.file);
   free(r.buffer);
@@ -284,10 +284,10 @@ static tp_status read_file(tp_polyline *line, const char **unit, FILE *file, con
 tp_status tp_csv_check_unit(const char *said, const char *unit, const char *path, const char *meant,
                             tp_message *message) {
   if (said == NULL || unit == NULL || strcmp(said, unit) == 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
-                 "the header says that lengths are in %s, %s is %s; convert one to the other, or "
-                 "correct which is wrong",
-                 said, meant, unit);
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 1, 1},
+                   "the header says that lengths are in %s, %s is %s; convert one to the other, or "
+                   "correct which is wrong",
+                   said, meant, unit);
 }
 
 tp_status tp_csv_read(tp_polyline *line, const char **unit, const char *path, bool closed,

@@ -97,9 +97,9 @@ static tp_status add_setting(tp_override *overrides, long *count, tp_node *root,
                              const char *setting, tp_message *message) {
   const size_t whole = tp_setting_key_length(setting);
   if (whole == 0 || setting[whole] != '=' || setting[whole + 1] == '\0') {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "'%s' sets no number; write KEY=VALUE, as friction_angle_deg=30",
-                   tp_quote_all(setting).text);
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "'%s' sets no number; write KEY=VALUE, as friction_angle_deg=30",
+                     tp_quote_all(setting).text);
   }
   tp_node *at = root;
   bool made = false, possible = true;
@@ -107,17 +107,17 @@ static tp_status add_setting(tp_override *overrides, long *count, tp_node *root,
     const size_t length = strcspn(key, ".=");
     at = step(at, key, length, setting + whole + 1, &made, &possible);
     if (!possible) {
-      return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                     "'%s' sets no number of a scene; entries of a list come in their order",
-                     tp_quote_all(setting).text);
+      return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                       "'%s' sets no number of a scene; entries of a list come in their order",
+                       tp_quote_all(setting).text);
     }
     if (at == NULL) return tp_fail_memory(message, "the scene");
     if (key[length] == '=') break;
     key += length + 1;
   }
   if (!made) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "'%s' is set twice; leave out one of them",
-                   tp_quote_of(setting, whole).text);
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "'%s' is set twice; leave out one of them", tp_quote_of(setting, whole).text);
   }
   if (is_word(setting + whole + 1)) return TP_OK;
   return tp_overrides_put(overrides, count, at, NULL, setting)
@@ -128,10 +128,10 @@ static tp_status add_setting(tp_override *overrides, long *count, tp_node *root,
 tp_status tp_scene_read_drawing(tp_scene **scene, const char *path, const char *unit,
                                 const char *const *settings, size_t count, tp_message *message) {
   if (is_mesh(path) && unit[0] == '\0') {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                   "a mesh does not say what the unit of its lengths is; say --unit m, and lay a "
-                   "section through it, as by --set section.at.1=0 --set section.at.2=0 --set "
-                   "section.azimuth_deg=90");
+    return tp_refuse(message, TP_FAULT_UNIT, (tp_place){path, 0, 0},
+                     "a mesh does not say what the unit of its lengths is; say --unit m, and lay a "
+                     "section through it, as by --set section.at.1=0 --set section.at.2=0 --set "
+                     "section.azimuth_deg=90");
   }
   tp_override *overrides = calloc(count + 1, sizeof *overrides);
   tp_node *root = overrides != NULL ? make_root(path, unit) : NULL;

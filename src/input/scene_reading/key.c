@@ -51,9 +51,9 @@ static tp_status fail(const tp_node *at, const tp_node *other, const char *way, 
   free(known);
   const tp_quote quoted = tp_quote_all(key);
   free(key);
-  return tp_fail(message, TP_BAD_INPUT, tp_node_place(at, file), "there is no '%s' here%s%s%s",
-                 quoted.text, nearest != NULL ? "; did you mean '" : "",
-                 nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
+  return tp_refuse(message, TP_FAULT_KEY, tp_node_place(at, file), "there is no '%s' here%s%s%s",
+                   quoted.text, nearest != NULL ? "; did you mean '" : "",
+                   nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
 }
 
 tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key, const char *file,
@@ -79,8 +79,8 @@ tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key
     key = is_last ? NULL : key + length + 1;
   }
   if (at->kind != TP_NODE_SCALAR) {
-    return tp_fail(message, TP_BAD_INPUT, tp_node_place(at, file),
-                   "this is a list or a map; a single number can be found");
+    return tp_refuse(message, TP_FAULT_KEY, tp_node_place(at, file),
+                     "this is a list or a map; a single number can be found");
   }
   *node = at;
   return TP_OK;

@@ -34,8 +34,8 @@ static bool lacks_unit(const char *given, const char *known) {
 tp_status tp_node_expect_keys(const tp_node *node, const char *const *keys, const char *what,
                               const char *file, tp_message *message) {
   if (node->kind != TP_NODE_MAPPING) {
-    return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, file),
-                   "%s must be a map of keys such as '%s: …'", what, keys[0]);
+    return tp_refuse(message, TP_FAULT_KEY, tp_node_place(node, file),
+                     "%s must be a map of keys such as '%s: …'", what, keys[0]);
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
     const tp_place place = {file, child->key_mark.line, child->key_mark.column};
@@ -44,22 +44,22 @@ tp_status tp_node_expect_keys(const tp_node *node, const char *const *keys, cons
     if (keys[k] != NULL) continue;
     const char *nearest = tp_nearest(child->key, keys);
     if (nearest != NULL && lacks_unit(child->key, nearest)) {
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "'%s' lacks its unit: write '%s' (a key that holds a quantity ends in its "
-                     "unit)",
-                     tp_quote_all(child->key).text, nearest);
+      return tp_refuse(message, TP_FAULT_UNIT, place,
+                       "'%s' lacks its unit: write '%s' (a key that holds a quantity ends in its "
+                       "unit)",
+                       tp_quote_all(child->key).text, nearest);
     }
     if (nearest != NULL) {
-      return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%s' in %s; did you mean '%s'?",
-                     tp_quote_all(child->key).text, what, nearest);
+      return tp_refuse(message, TP_FAULT_KEY, place, "unknown key '%s' in %s; did you mean '%s'?",
+                       tp_quote_all(child->key).text, what, nearest);
     }
     char list[400] = "";
     for (k = 0; keys[k] != NULL; k++) {
       const size_t used = strlen(list);
       snprintf(list + used, sizeof list - used, "%s%s", k > 0 ? ", " : "", keys[k]);
     }
-    return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%s' in %s; known are: %s",
-                   tp_quote_all(child->key).text, what, list);
+    return tp_refuse(message, TP_FAULT_KEY, place, "unknown key '%s' in %s; known are: %s",
+                     tp_quote_all(child->key).text, what, list);
   }
   return TP_OK;
 }

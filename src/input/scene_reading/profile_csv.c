@@ -23,8 +23,8 @@ static bool add(tp_text *text, const fmpq_t value, const char *after) {
 static tp_status make(char **csv, const tp_scene *scene, tp_message *message) {
   const tp_polyline *profile = &scene->base.profile;
   if (scene->base.mated || profile->count == 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.place,
-                   "the base has no profile of its own: it is mated with the block");
+    return tp_refuse(message, TP_FAULT_KEY, scene->base.place,
+                     "the base has no profile of its own: it is mated with the block");
   }
   tp_text text = {0};
   tp_text_add(&text, "x,y\n");

@@ -114,8 +114,8 @@ TP_MUST_USE tp_status tp_read_shaking(const tp_reader *reader, const tp_node *no
 /* Where a node stands. */
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node);
 
-/* Fail at a node. */
-tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/* Refuse what stands at a node. */
+tp_status tp_read_fail(const tp_reader *reader, tp_fault fault, const tp_node *node,
+                       const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 #endif

@@ -16,7 +16,8 @@ static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, cons
   if (status != TP_OK) return status;
   const tp_node *through = tp_node_get(node, "through"), *bulge = tp_node_get(node, "bulge");
   if ((through == NULL) == (bulge == NULL)) {
-    return tp_read_fail(reader, node, "an arc goes 'through' a point, or has a 'bulge'");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "an arc goes 'through' a point, or has a 'bulge'");
   }
   status = tp_read_point(reader, &arc->x, &arc->y, from, "from");
   if (status == TP_OK && through != NULL) {
@@ -30,7 +31,8 @@ tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, node, "arcs are a list of {from: [x, y], through: [x, y]}");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "arcs are a list of {from: [x, y], through: [x, y]}");
   }
   tp_status status =
       tp_check_arcs_on_outline(reader->scene, tp_read_place(reader, node), reader->message);

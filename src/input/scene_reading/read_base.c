@@ -30,7 +30,7 @@ static tp_status read_between(const tp_reader *reader, const tp_node *node) {
   }
   if (node->kind != TP_NODE_MAPPING || node->count == 0) {
     return tp_read_fail(
-        reader, node,
+        reader, TP_FAULT_FORMAT, node,
         "between says where the contact begins and ends: two vertices of the outline, "
         "[[x, y], [x, y]], the left one first, or what all its vertices lie within, as "
         "{below: y} or {right_of: x, left_of: x}");
@@ -47,7 +47,7 @@ static tp_status read_mated(const tp_reader *reader, const tp_node *node) {
   base->whole = node->kind == TP_NODE_SCALAR && strcmp(node->text, "whole") == 0;
   if (!base->whole && node->kind == TP_NODE_SCALAR && strcmp(node->text, "true") != 0 &&
       strcmp(node->text, "false") != 0) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "mated must be true, false, or 'whole' for all of the underside from its "
                         "leftmost to its rightmost vertex, however steep");
   }
@@ -67,7 +67,7 @@ static tp_status read_placing(const tp_reader *reader, const tp_node *node) {
   base->rests = base->all_poses || strcmp(text, "rest") == 0;
   base->rests_place = tp_read_place(reader, node);
   if (base->rests || strcmp(text, "as_given") == 0) return TP_OK;
-  return tp_read_fail(reader, node,
+  return tp_read_fail(reader, TP_FAULT_KEY, node,
                       "place must be 'rest', to set the block down on the profile until it rests, "
                       "'all', to list all its resting poses besides, or 'as_given'");
 }
@@ -77,12 +77,12 @@ static tp_status read_start(const tp_reader *reader, const tp_node *node) {
   const tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
   if (base->mated) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "'shift' belongs to a 'profile' with 'place: rest'; along the mated base "
                         "that it fits a block is shifted by 'joint: {shift: …}'");
   }
   if (!base->rests || base->all_poses) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         base->all_poses ? "'place: all' takes all shifts along the profile; leave "
                                           "out 'shift', or say 'place: rest'"
                                         : "a block is shifted and set down again by 'place: rest' "
@@ -109,7 +109,7 @@ static tp_status read_drawn_base(const tp_reader *reader, const tp_node *node) {
   for (size_t k = 0; k < sizeof others / sizeof others[0] && status == TP_OK; k++) {
     const tp_node *odd = tp_node_get(node, others[k]);
     if (odd == NULL) continue;
-    status = tp_read_fail(reader, odd,
+    status = tp_read_fail(reader, TP_FAULT_KEY, odd,
                           "the base comes from the drawing; leave out '%s' here, or what is on "
                           "the drawing's layer of the base",
                           others[k]);
@@ -136,11 +136,11 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
     if (status != TP_OK) return status;
   }
   if (base->mated && profile != NULL) {
-    return tp_read_fail(reader, profile,
+    return tp_read_fail(reader, TP_FAULT_KEY, profile,
                         "a base is either mated or has a separate profile; drop one of them");
   }
   if (!base->mated && profile == NULL) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "a base that is not mated needs a profile: 'profile: [[x, y], …]'");
   }
   status = read_placing(reader, tp_node_get(node, "place"));
@@ -180,10 +180,10 @@ static tp_status read_side(const tp_reader *reader, const tp_node *node) {
   const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
   base->shift_left = strcmp(text, "left") == 0;
   if (!base->shift_left && strcmp(text, "right") != 0) {
-    return tp_read_fail(reader, node, "towards must be left or right");
+    return tp_read_fail(reader, TP_FAULT_KEY, node, "towards must be left or right");
   }
   if (base->matching.given) return TP_OK;
-  return tp_read_fail(reader, node,
+  return tp_read_fail(reader, TP_FAULT_KEY, node,
                       "'towards' belongs to 'matching'; a 'shift' goes to the right above 0, and "
                       "to the left below");
 }

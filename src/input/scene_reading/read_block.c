@@ -19,7 +19,7 @@ static tp_status read_left_end(const tp_reader *reader, tp_teeth *teeth, const t
   } else if (end->kind == TP_NODE_SCALAR && strcmp(end->text, "peak") == 0) {
     teeth->left_end_valley = false;
   } else {
-    return tp_read_fail(reader, end, "left_end must be valley or peak");
+    return tp_read_fail(reader, TP_FAULT_KEY, end, "left_end must be valley or peak");
   }
   return TP_OK;
 }
@@ -94,7 +94,7 @@ static tp_status read_teeth(const tp_reader *reader, const tp_node *node) {
   tp_teeth *teeth = &reader->scene->block.teeth;
   reader->scene->block.form = TP_OUTLINE_TEETH;
   if (node->kind != TP_NODE_MAPPING) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "teeth must be a map: {count, width, height, depth, left_end} or "
                         "{block_width, mean_height, amplitude, wavelength, left_end}");
   }
@@ -154,12 +154,12 @@ static tp_status read_form(const tp_reader *reader, const tp_node *node) {
     return TP_OK;
   }
   if (drawn != NULL) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "the outline of the block comes from the drawing; leave out 'outline', "
                         "'teeth', 'slab' or 'ellipse' here, or 'drawing'");
   }
   if (forms != 1) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "the block needs exactly one of 'outline', 'teeth', 'slab' and 'ellipse'");
   }
   if (ellipse != NULL) return read_ellipse(reader, node, ellipse);
@@ -173,7 +173,7 @@ static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, node, "holes must be a list of outlines");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "holes must be a list of outlines");
   }
   if (!tp_scene_hole_room(reader->scene, node->count))
     return tp_fail_memory(reader->message, "the holes");
@@ -207,7 +207,8 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, node, "parts must be a list of {outline, unit_weight_kn_m3}");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "parts must be a list of {outline, unit_weight_kn_m3}");
   }
   tp_status status =
       tp_check_parts_weighed(reader->scene, tp_read_place(reader, node), reader->message);

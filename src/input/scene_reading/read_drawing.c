@@ -28,7 +28,7 @@ static tp_status read_word(const tp_reader *reader, const char **word, const tp_
                            const char *name) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SCALAR || node->text[0] == '\0') {
-    return tp_read_fail(reader, node, "'%s' is a word, not a list or a map", name);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "'%s' is a word, not a list or a map", name);
   }
   *word = node->text;
   return TP_OK;
@@ -150,12 +150,13 @@ static tp_status choose_unit(const tp_reader *reader, const drawing_keys *k, tp_
   if (status == TP_OK && said != NULL) {
     if (tp_unit_find(metres, &said) && drawing->unit != NULL && strcmp(said, drawing->unit) != 0 &&
         k->options.reference == NULL) {
-      status = tp_read_fail(reader, k->unit,
+      status = tp_read_fail(reader, TP_FAULT_UNIT, k->unit,
                             "the drawing states that its lengths are in %s, not %s: leave 'unit' "
                             "out, or correct the drawing (%s)",
                             drawing->unit, said, drawing->unit_from);
     } else if (!tp_unit_find(metres, &said)) {
-      status = tp_read_fail(reader, k->unit, "unit must be one of mm, cm, m, km, in, ft");
+      status =
+          tp_read_fail(reader, TP_FAULT_UNIT, k->unit, "unit must be one of mm, cm, m, km, in, ft");
     }
     if (status == TP_OK) status = check_page(reader, k, drawing, said, metres);
     drawing->unit = said;
@@ -164,7 +165,7 @@ static tp_status choose_unit(const tp_reader *reader, const drawing_keys *k, tp_
   }
   fmpq_clear(metres);
   if (status != TP_OK || drawing->unit != NULL) return status;
-  return tp_read_fail(reader, k->file,
+  return tp_read_fail(reader, TP_FAULT_UNIT, k->file,
                       k->options.reference != NULL
                           ? "in which unit is the length of the reference? Say 'length_unit: m' "
                             "or drawing: {unit: m}"
@@ -195,8 +196,8 @@ static tp_status check_part_layer(const tp_reader *reader, const drawing_keys *k
   for (long i = 0; i < drawing->count && k->parts == NULL; i++) {
     const tp_drawing_object *object = drawing->objects + i;
     if (strcasecmp(object->layer, "PART") != 0) continue;
-    return tp_fail(
-        reader->message, TP_BAD_INPUT, tp_drawing_place(object),
+    return tp_refuse(
+        reader->message, TP_FAULT_UNIT, tp_drawing_place(object),
         "an object on layer 'PART', a part of the block with another unit weight: which? "
         "Say drawing: {part: {layer: PART, unit_weight_kn_m3: 20}}");
   }

@@ -11,7 +11,7 @@
 static tp_status read_mean_plane(const tp_reader *reader, const tp_node *node) {
   tp_polyline *plane = &reader->scene->mean_plane;
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "the mean plane is named by two points on it, the left one first: "
                         "'mean_plane: [[x, y], [x, y]]'");
   }
@@ -40,7 +40,7 @@ tp_status tp_read_frame(const tp_reader *reader, const tp_node *node) {
   } else if (scalar && strcmp(node->text, "world") == 0) {
     scene->frame = TP_FRAME_WORLD;
   } else {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "frame must be 'base' (x runs along the mean plane of the base), 'world' "
                         "(y runs up, the block lies as it lies) or {mean_plane: [[x, y], [x, y]]} "
                         "(as world, with two points on the mean plane)");

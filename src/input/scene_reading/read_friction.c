@@ -43,7 +43,7 @@ static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
   const tp_node *jrc = tp_node_get(node, "jrc"), *test = tp_node_get(node, "tilt_test");
   const tp_node *roughness = tp_node_get(node, "roughness_angle_deg");
   if ((jrc != NULL) + (test != NULL) + (roughness != NULL) != 1) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "the law barton needs one of jrc, tilt_test (Eq. 9) and "
                         "roughness_angle_deg (Eq. 10): 'jrc: 8'");
   }
@@ -121,7 +121,7 @@ static tp_status read_own(const tp_reader *reader, tp_facet_friction_description
   if (status != TP_OK) return status;
   const tp_node *numbers = tp_node_get(node, "facet"), *x = tp_node_get(node, "x");
   if ((numbers != NULL) == (x != NULL)) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "say which facets of the base: 'facet: 3', 'facet: [3, 7]' from one number "
                         "to another, or 'x: [10, 20]'");
   }
@@ -137,7 +137,8 @@ static tp_status read_facets(const tp_reader *reader, const tp_node *node) {
   tp_friction_description *f = &reader->scene->friction;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE || node->count == 0) {
-    return tp_read_fail(reader, node, "facets are a list of {facet: 3, angle_deg: 20}");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "facets are a list of {facet: 3, angle_deg: 20}");
   }
   f->facets = calloc((size_t)node->count, sizeof *f->facets);
   if (f->facets == NULL) return tp_fail_memory(reader->message, "the friction of facets");
@@ -158,7 +159,7 @@ static tp_status read_law(const tp_reader *reader, const tp_node *node) {
   const char *name = law->kind == TP_NODE_SCALAR ? law->text : "";
   if (strcmp(name, "patton") == 0) return read_patton(reader, node);
   if (strcmp(name, "barton") == 0) return read_barton(reader, node);
-  return tp_read_fail(reader, law, "law must be patton (Eq. 6) or barton (Eq. 8)");
+  return tp_read_fail(reader, TP_FAULT_KEY, law, "law must be patton (Eq. 6) or barton (Eq. 8)");
 }
 
 tp_status tp_read_friction(const tp_reader *reader, const tp_node *root) {
@@ -166,14 +167,15 @@ tp_status tp_read_friction(const tp_reader *reader, const tp_node *root) {
   const tp_node *angle = tp_node_get(root, "friction_angle_deg");
   const tp_node *node = tp_node_get(root, "friction");
   if (node != NULL && node->kind != TP_NODE_MAPPING) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "friction must be a law, as {law: barton, residual_angle_deg: 28, jrc: 8, "
                         "jcs_mpa: 120}; a plain angle is friction_angle_deg");
   }
   const tp_node *facets = node != NULL ? tp_node_get(node, "facets") : NULL;
   const bool law = node != NULL && (facets == NULL || tp_node_get(node, "law") != NULL);
   if (law && angle != NULL) {
-    return tp_read_fail(reader, node, "give friction_angle_deg or friction, not both");
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "give friction_angle_deg or friction, not both");
   }
   tp_status status = law ? read_law(reader, node) : TP_OK;
   if (status == TP_OK && facets != NULL && !law) {

@@ -18,9 +18,9 @@ static tp_status read_direction(const tp_reader *reader, const tp_node *node) {
     loads->direction_given = node->kind == TP_NODE_SCALAR && strcmp(node->text, words[k]) == 0;
     loads->direction = (tp_seismic_direction)k;
   }
-  return loads->direction_given
-             ? TP_OK
-             : tp_read_fail(reader, node, "direction must be both, down_dip or up_dip");
+  return loads->direction_given ? TP_OK
+                                : tp_read_fail(reader, TP_FAULT_KEY, node,
+                                               "direction must be both, down_dip or up_dip");
 }
 
 static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
@@ -33,7 +33,8 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   }
   if (status == TP_OK) status = read_direction(reader, tp_node_get(node, "direction"));
   if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
-    status = tp_read_fail(reader, node, "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)");
+    status = tp_read_fail(reader, TP_FAULT_KEY, node,
+                          "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)");
   }
   return status;
 }
@@ -101,7 +102,8 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
                             const tp_node *node, const char *what, bool two) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, node, "%s are a list of {from: [x, y], to: [x, y], kpa: 10}", what);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "%s are a list of {from: [x, y], to: [x, y], kpa: 10}", what);
   }
   *loads = calloc((size_t)node->count + 1, sizeof **loads);
   if (*loads == NULL) return tp_fail_memory(reader->message, "the loads");
@@ -145,7 +147,7 @@ static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
   tp_loads_description *loads = &reader->scene->loads;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "anchors are a list of {at: [x, y], direction_deg: -30, force_kn: 50}");
   }
   loads->anchors = calloc((size_t)node->count + 1, sizeof *loads->anchors);

@@ -18,7 +18,8 @@
 static tp_status read_map_point(const tp_reader *reader, fmpq point[2], const tp_node *node,
                                 const char *name) {
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node, "'%s' is a point of the map, written [x, y]", name);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "'%s' is a point of the map, written [x, y]",
+                        name);
   }
   const tp_status status = tp_read_number(reader, point, node->first, "x");
   return status == TP_OK ? tp_read_number(reader, point + 1, node->last, "y") : status;
@@ -33,7 +34,7 @@ static tp_status read_line(const tp_reader *reader, const tp_node *node, fmpq po
   const bool points = from != NULL && to != NULL && at == NULL && azimuth == NULL;
   *by_azimuth = from == NULL && to == NULL && at != NULL && azimuth != NULL;
   if (!points && !*by_azimuth) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "a section goes from one point of the map to another, {from: [x, y], to: "
                         "[x, y]}, or through one at an azimuth, clockwise from y, {at: [x, y], "
                         "azimuth_deg: 40}");
@@ -50,7 +51,8 @@ static tp_status read_line(const tp_reader *reader, const tp_node *node, fmpq po
   const bool within = fmpq_cmp(other + 1, turn) <= 0;
   fmpq_clear(turn);
   return within ? TP_OK
-                : tp_read_fail(reader, azimuth, "azimuth_deg must lie between -360 and 360");
+                : tp_read_fail(reader, TP_FAULT_RANGE, azimuth,
+                               "azimuth_deg must lie between -360 and 360");
 }
 
 static tp_status set_plane(const tp_reader *reader, tp_section_plane *plane, const tp_node *node,
@@ -68,7 +70,8 @@ static tp_status set_plane(const tp_reader *reader, tp_section_plane *plane, con
   fmpq_div(other + 1, other + 1, factor);
   return tp_section_plane_through(plane, point, point + 1, other, other + 1)
              ? TP_OK
-             : tp_read_fail(reader, node, "'from' and 'to' are one point, which gives no section");
+             : tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                            "'from' and 'to' are one point, which gives no section");
 }
 
 static tp_status read_up(const tp_reader *reader, bool *y_is_up, const tp_node *node) {
@@ -76,7 +79,8 @@ static tp_status read_up(const tp_reader *reader, bool *y_is_up, const tp_node *
   const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
   *y_is_up = strcmp(text, "y") == 0;
   if (*y_is_up || strcmp(text, "z") == 0) return TP_OK;
-  return tp_read_fail(reader, node, "up must be z, or y where the mesh has its heights there");
+  return tp_read_fail(reader, TP_FAULT_KEY, node,
+                      "up must be z, or y where the mesh has its heights there");
 }
 
 /* In lengths of the mesh. */
@@ -106,7 +110,7 @@ static tp_status read_plane(const tp_reader *reader, tp_section_plane *plane, co
 tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node) {
   return node == NULL || reader->reading->cut
              ? TP_OK
-             : tp_read_fail(reader, node,
+             : tp_read_fail(reader, TP_FAULT_KEY, node,
                             "this section cuts nothing; it is for an outline or a profile that is "
                             "given as {mesh: FILE}");
 }
@@ -120,7 +124,7 @@ static tp_status read_unit(const tp_reader *reader, fmpq_t factor, const tp_node
   if (node == NULL) return TP_OK;
   const char *name = node->kind == TP_NODE_SCALAR ? node->text : "";
   if (!tp_unit_find(factor, &name)) {
-    return tp_read_fail(reader, node, "unit must be one of mm, cm, m, km, in, ft");
+    return tp_read_fail(reader, TP_FAULT_UNIT, node, "unit must be one of mm, cm, m, km, in, ft");
   }
   fmpq_div(factor, factor, scene->metres_per_unit);
   return TP_OK;
@@ -139,7 +143,7 @@ static tp_status read_taking(const tp_reader *reader, bool *largest, const tp_no
   if (node == NULL) return TP_OK;
   *largest = node->kind == TP_NODE_SCALAR && strcmp(node->text, "largest") == 0;
   return *largest ? TP_OK
-                  : tp_read_fail(reader, node,
+                  : tp_read_fail(reader, TP_FAULT_KEY, node,
                                  "take must be 'largest', of several outlines that the plane cuts");
 }
 
@@ -152,8 +156,8 @@ static tp_status fail_object(const tp_reader *reader, const tp_node *node, const
     length += (size_t)snprintf(names + length, sizeof names - length, "%s'%.60s'",
                                length > 0 ? ", " : "", quote.text);
   }
-  return tp_read_fail(reader, node, "the mesh has no object of this name with faces; it has %s",
-                      names);
+  return tp_read_fail(reader, TP_FAULT_KEY, node,
+                      "the mesh has no object of this name with faces; it has %s", names);
 }
 
 /* Below zero: all of the mesh. */
@@ -188,7 +192,8 @@ static tp_status cut(const tp_reader *reader, tp_mesh_section *section, const tp
   tp_section_plane plane;
   long object = -1;
   if (name->kind != TP_NODE_SCALAR) {
-    return tp_read_fail(reader, name, "mesh must be the name of an STL, PLY or OBJ file");
+    return tp_read_fail(reader, TP_FAULT_KEY, name,
+                        "mesh must be the name of an STL, PLY or OBJ file");
   }
   tp_section_plane_init(&plane);
   tp_status status = read_plane(reader, &plane, wish->factor);

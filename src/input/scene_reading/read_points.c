@@ -11,7 +11,7 @@
 static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const tp_node *node,
                              const char *name) {
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node, "a vertex of %s is written [x, y]", name);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "a vertex of %s is written [x, y]", name);
   }
   fmpq_t x, y;
   fmpq_init(x);
@@ -58,8 +58,9 @@ static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, chain
     status = tp_read_mesh(reader, line, kind.holed ? &chain->holes : NULL, node, kind.closed,
                           &chain->notes);
   } else {
-    status = tp_read_fail(
-        reader, node, "%s must be a list of [x, y], the name of a CSV file, or {mesh: FILE}", name);
+    status =
+        tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                     "%s must be a list of [x, y], the name of a CSV file, or {mesh: FILE}", name);
   }
   bool shared = status != TP_OK || tp_polyline_make_shared(line);
   for (long k = 0; k < chain->holes.count && shared; k++) {

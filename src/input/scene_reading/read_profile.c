@@ -44,7 +44,7 @@ static tp_status read_left_end(const tp_reader *reader, bool *valley, const tp_n
   const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
   *valley = strcmp(text, "valley") == 0;
   if (*valley || strcmp(text, "peak") == 0) return TP_OK;
-  return tp_read_fail(reader, node, "left_end must be valley or peak");
+  return tp_read_fail(reader, TP_FAULT_KEY, node, "left_end must be valley or peak");
 }
 
 static tp_status read_scatter(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
@@ -84,7 +84,8 @@ static tp_status read_roughness(const tp_reader *reader, tp_quantity *by, const 
     given += tp_node_get(map, tp_roughness_keys[k]) != NULL ? 1 : 0;
   }
   if (given != 1) {
-    return tp_read_fail(reader, map, "how rough %s is, one of rms_height, z2 and jrc says", what);
+    return tp_read_fail(reader, TP_FAULT_KEY, map,
+                        "how rough %s is, one of rms_height, z2 and jrc says", what);
   }
   tp_status status = TP_OK;
   for (int k = 0; k < TP_ROUGHNESS_KINDS && status == TP_OK; k++) {
@@ -137,7 +138,7 @@ static tp_status read_worn(const tp_reader *reader, tp_profile_rule *rule, const
       tp_node_expect_keys(node, tp_wear_keys, "worn", reader->scene->path, reader->message);
   if (status != TP_OK) return status;
   if (node->count != 1) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "worn says one of cut, rounded and abraded, with its depth: 'worn: {cut: "
                         "0.5}'");
   }
@@ -200,7 +201,7 @@ tp_status tp_read_generated(const tp_reader *reader, const tp_node *node) {
     begins++;
   }
   if (begins != 1) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "a profile made by rule begins with one of teeth, self_affine, jrc_profile "
                         "and measured: 'profile: {self_affine: {…}, noise: {…}, worn: {…}}'");
   }

@@ -20,7 +20,7 @@ static tp_status read_at(const tp_reader *reader, tp_corner_description *corner,
     return TP_OK;
   }
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "'at' must be left_end or right_end of the underside, or a vertex [x, y]");
   }
   corner->at = TP_CORNER_VERTEX;
@@ -50,12 +50,12 @@ tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node) {
   const char *name = model == NULL ? "exact" : model->kind == TP_NODE_SCALAR ? model->text : "";
   rounded->keeps_mass = strcmp(name, "paper") == 0;
   if (!rounded->keeps_mass && strcmp(name, "exact") != 0) {
-    return tp_read_fail(reader, model,
+    return tp_read_fail(reader, TP_FAULT_KEY, model,
                         "model must be exact (the corner's tip is taken off) or paper (the axis "
                         "moves, the mass is kept)");
   }
   if (corners == NULL || corners->kind != TP_NODE_SEQUENCE) {
-    return tp_read_fail(reader, corners != NULL ? corners : node,
+    return tp_read_fail(reader, TP_FAULT_KEY, corners != NULL ? corners : node,
                         "rounded needs a list: 'corners: [{at: left_end, radius: 3}]'");
   }
   rounded->corners = calloc((size_t)corners->count + 1, sizeof *rounded->corners);

@@ -17,7 +17,7 @@ static tp_status read_length_unit(const tp_reader *reader, const tp_node *root) 
   const tp_node *node = tp_node_get(root, "length_unit");
   if (node == NULL && tp_node_get(root, "drawing") != NULL) return TP_OK; /* the drawing's */
   if (node == NULL) {
-    return tp_read_fail(reader, root,
+    return tp_read_fail(reader, TP_FAULT_UNIT, root,
                         "'length_unit' is missing; say one of mm, cm, m, km, in, ft, for example "
                         "'length_unit: mm'");
   }
@@ -29,7 +29,8 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
   tp_parameters *parameters = &reader->scene->parameters;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_MAPPING) {
-    return tp_read_fail(reader, node, "parameters must be a map of names to numbers: {a: 30}");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "parameters must be a map of names to numbers: {a: 30}");
   }
   parameters->names = calloc((size_t)node->count + 1, sizeof *parameters->names);
   parameters->values = calloc((size_t)node->count + 1, sizeof *parameters->values);
@@ -38,7 +39,7 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
     if (!tp_expression_is_name(child->key) || tp_ratio_is_not_finite(child->key)) {
-      return tp_read_fail(reader, child,
+      return tp_read_fail(reader, TP_FAULT_KEY, child,
                           "'%s' cannot name a parameter; a name is made of letters, digits and _",
                           tp_quote_all(child->key).text);
     }
@@ -69,7 +70,7 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
     scene->towards_left = strcmp(text, "left") == 0 || strcmp(text, "both") == 0;
     scene->towards_right = strcmp(text, "right") == 0 || strcmp(text, "both") == 0;
     if (!scene->towards_left && !scene->towards_right) {
-      return tp_read_fail(reader, towards, "towards must be left, right or both");
+      return tp_read_fail(reader, TP_FAULT_KEY, towards, "towards must be left, right or both");
     }
   }
   return tp_read_numbers(reader, scene, node, &tp_key_map_tilt);
@@ -78,17 +79,19 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "topple");
   if (node == NULL) {
-    return tp_read_fail(reader, root, "this is not a scene: 'topple: 1' is missing");
+    return tp_read_fail(reader, TP_FAULT_KEY, root, "this is not a scene: 'topple: 1' is missing");
   }
   if (node->kind != TP_NODE_SCALAR || strcmp(node->text, "1") != 0) {
-    return tp_read_fail(reader, node, "this program reads scenes of version 1: 'topple: 1'");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "this program reads scenes of version 1: 'topple: 1'");
   }
   return TP_OK;
 }
 
 static tp_status read_title(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
-  if (node->kind != TP_NODE_SCALAR) return tp_read_fail(reader, node, "title must be text");
+  if (node->kind != TP_NODE_SCALAR)
+    return tp_read_fail(reader, TP_FAULT_KEY, node, "title must be text");
   reader->scene->title = strdup(node->text);
   return reader->scene->title != NULL ? TP_OK : tp_fail_memory(reader->message, "the scene");
 }
@@ -109,7 +112,8 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
-    return tp_read_fail(reader, root, "this is not a scene: it does not begin with 'topple: 1'");
+    return tp_read_fail(reader, TP_FAULT_FORMAT, root,
+                        "this is not a scene: it does not begin with 'topple: 1'");
   }
   tp_status status = read_version(reader, root);
   if (status == TP_OK) status = tp_read_keys(reader, root, &tp_key_map_scene, "the scene");
@@ -139,8 +143,8 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
 static tp_status check_used(const tp_scene *scene, tp_message *message) {
   for (long k = 0; k < scene->override_count; k++) {
     if (scene->overrides[k].used) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_node_place(scene->overrides[k].node, scene->path),
-                   "this is not a number of the scene");
+    return tp_refuse(message, TP_FAULT_KEY, tp_node_place(scene->overrides[k].node, scene->path),
+                     "this is not a number of the scene");
   }
   return TP_OK;
 }

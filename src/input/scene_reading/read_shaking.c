@@ -35,7 +35,7 @@ static tp_status read_column(const tp_reader *reader, tp_shaking_component *own,
   const fmpq *value = own->column.value;
   if (!fmpz_is_one(fmpq_denref(value)) || fmpq_cmp_ui(value, 2) < 0 ||
       fmpq_cmp_ui(value, TP_CSV_FIELDS) > 0) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_RANGE, node,
                         "columns are counted from 1; the first is the time, so one of 2 to %d",
                         TP_CSV_FIELDS);
   }
@@ -52,7 +52,8 @@ static tp_status read_file(const tp_reader *reader, tp_shaking_component *own, c
     return TP_OK;
   }
   if (file->kind != TP_NODE_SCALAR) {
-    return tp_read_fail(reader, file, "file must be the name of a file: record.at2, or a .csv");
+    return tp_read_fail(reader, TP_FAULT_KEY, file,
+                        "file must be the name of a file: record.at2, or a .csv");
   }
   const char *path = tp_scene_file_name(reader->scene->file, file->text);
   if (path == NULL) return tp_fail_memory(reader->message, "an accelerogram");
@@ -89,7 +90,7 @@ static tp_status read_component(const tp_reader *reader, tp_shaking_component *o
   const tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking_horizontal, name);
   if (status != TP_OK) return status;
   if (node->count != 1) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "%s is one of half_sine, full_sine and record, for example '%s: "
                         "{half_sine: {peak_g: 0.4, frequency_hz: 2}}'",
                         name, name);
@@ -108,7 +109,7 @@ tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node) {
   scene->shaking_place = tp_node_place(node, scene->path);
   tp_status status = tp_read_keys(reader, node, &tp_key_map_shaking, "shaking");
   if (status == TP_OK && node->count == 0) {
-    status = tp_read_fail(reader, node, "shaking needs 'horizontal' or 'vertical'");
+    status = tp_read_fail(reader, TP_FAULT_KEY, node, "shaking needs 'horizontal' or 'vertical'");
   }
   for (int axis = 0; axis < TP_SHAKING_AXES && status == TP_OK; axis++) {
     const char *key = tp_key_map_shaking.keys[axis];

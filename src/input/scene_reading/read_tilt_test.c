@@ -23,15 +23,15 @@ static tp_status read_engine(const tp_reader *reader, const tp_node *node) {
   const bool events = strcmp(text_of(method), "events") == 0,
              springs = strcmp(text_of(method), "springs") == 0;
   if (engine != NULL && !path && !dynamics) {
-    return tp_read_fail(reader, engine,
+    return tp_read_fail(reader, TP_FAULT_KEY, engine,
                         "engine must be path (quasi-static, from event to event) or dynamics");
   }
   if (method != NULL && !events && !springs) {
-    return tp_read_fail(reader, method,
+    return tp_read_fail(reader, TP_FAULT_KEY, method,
                         "method must be events (a rigid block on rigid contacts) or springs");
   }
   if (method != NULL && !dynamics) {
-    return tp_read_fail(reader, method, "a method belongs to 'engine: dynamics'");
+    return tp_read_fail(reader, TP_FAULT_KEY, method, "a method belongs to 'engine: dynamics'");
   }
   if (engine == NULL) return TP_OK;
   test->engine = path ? TP_TILT_PATH : springs ? TP_TILT_SPRINGS : TP_TILT_RIGID;
@@ -47,7 +47,7 @@ static tp_status read_protocol(const tp_reader *reader, const tp_node *node) {
     int found = 0;
     while (found < 3 && strcmp(text_of(protocol), names[found]) != 0) found++;
     if (found == 3) {
-      return tp_read_fail(reader, protocol,
+      return tp_read_fail(reader, TP_FAULT_KEY, protocol,
                           "protocol must be ramp (at a speed), steps (a fresh start at each angle) "
                           "or release (held at the tilt, then released)");
     }
@@ -58,7 +58,7 @@ static tp_status read_protocol(const tp_reader *reader, const tp_node *node) {
   test->set_down = strcmp(text_of(start), "set_down") == 0;
   test->start_place = tp_node_place(start, reader->scene->path);
   if (test->set_down || strcmp(text_of(start), "level") == 0) return TP_OK;
-  return tp_read_fail(reader, start,
+  return tp_read_fail(reader, TP_FAULT_KEY, start,
                       "start must be level (placed level, and tilted) or set_down (at the angle)");
 }
 
@@ -70,7 +70,7 @@ static tp_status read_traction(const tp_reader *reader, tp_traction_description 
   const tp_node *facet = tp_node_get(node, "facet"), *normal = tp_node_get(node, "normal_kpa");
   const tp_node *shear = tp_node_get(node, "shear_kpa");
   if (facet == NULL || normal == NULL || shear == NULL) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "stress locked in on a facet is {facet: 1, normal_kpa: [20, 10], "
                         "shear_kpa: 5}: normal at its left end and its right one, shear above 0 "
                         "where it pushes the block to the right");
@@ -88,7 +88,7 @@ static tp_status read_tractions(const tp_reader *reader, const tp_node *node) {
   tp_tilt_test_description *test = &reader->scene->tilt_test;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE || node->count == 0) {
-    return tp_read_fail(reader, node,
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "tractions are a list of {facet: 1, normal_kpa: [20, 10], shear_kpa: 5}");
   }
   test->tractions = calloc((size_t)node->count, sizeof *test->tractions);

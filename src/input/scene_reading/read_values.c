@@ -13,14 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char *format, ...) {
+tp_status tp_read_fail(const tp_reader *reader, tp_fault fault, const tp_node *node,
+                       const char *format, ...) {
   char text[800];
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return tp_fail(reader->message, TP_BAD_INPUT, tp_node_place(node, reader->scene->path), "%s",
-                 text);
+  return tp_refuse(reader->message, fault, tp_node_place(node, reader->scene->path), "%s", text);
 }
 
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node) {
@@ -59,7 +59,7 @@ static tp_status read_text(const tp_reader *reader, fmpq_t value, const tp_node 
 tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
                          const char *name) {
   if (node->kind != TP_NODE_SCALAR) {
-    return tp_read_fail(reader, node, "%s must be a number, not a list or a map",
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "%s must be a number, not a list or a map",
                         tp_quote_all(name).text);
   }
   const tp_status status = read_text(reader, value, node);
@@ -108,7 +108,7 @@ tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node
   } else if (node->kind == TP_NODE_SCALAR && strcmp(node->text, "false") == 0) {
     *value = false;
   } else {
-    return tp_read_fail(reader, node, "%s must be true or false", name);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "%s must be true or false", name);
   }
   return TP_OK;
 }
@@ -117,13 +117,14 @@ tp_status tp_read_required(const tp_reader *reader, const tp_node **child, const
                            const char *key, const char *example) {
   *child = tp_node_get(mapping, key);
   if (*child != NULL) return TP_OK;
-  return tp_read_fail(reader, mapping, "'%s' is missing here, for example '%s'", key, example);
+  return tp_read_fail(reader, TP_FAULT_KEY, mapping, "'%s' is missing here, for example '%s'", key,
+                      example);
 }
 
 tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
                         const tp_node *node, const char *name) {
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node, "'%s' is a point, written [x, y]", name);
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node, "'%s' is a point, written [x, y]", name);
   }
   const tp_status status = tp_read_quantity(reader, x, node->first, "x", TP_RULE_ANY);
   return status == TP_OK ? tp_read_quantity(reader, y, node->last, "y", TP_RULE_ANY) : status;

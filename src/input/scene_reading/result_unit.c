@@ -68,7 +68,8 @@ tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node) {
     if (unit != NULL) continue;
     char list[200];
     tp_result_unit_names(list, sizeof list, false, (tp_unit_kind)kind);
-    status = tp_read_fail(reader, own, "'%s' is not a unit of %s for reports; known are: %s",
+    status = tp_read_fail(reader, TP_FAULT_UNIT, own,
+                          "'%s' is not a unit of %s for reports; known are: %s",
                           tp_quote_all(name).text, tp_key_map_result_units.keys[kind], list);
   }
   return status;
@@ -88,6 +89,6 @@ tp_status tp_scene_set_result_unit(tp_scene *scene, const char *name, tp_message
   }
   char list[300];
   tp_result_unit_names(list, sizeof list, true, TP_UNIT_LENGTH);
-  return tp_fail(message, TP_BAD_INPUT, build.place,
-                 "'%s' is not a unit for reports; known are: %s", tp_quote_all(name).text, list);
+  return tp_refuse(message, TP_FAULT_UNIT, build.place,
+                   "'%s' is not a unit for reports; known are: %s", tp_quote_all(name).text, list);
 }

@@ -47,13 +47,13 @@ tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *uni
   if (count > 0) TP_REFUSE_NULL(message, settings);
   for (size_t k = 0; k < count; k++) {
     if (settings[k] != NULL) continue;
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "tp_scene_read_with: setting %zu must not be NULL", k + 1);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                     "tp_scene_read_with: setting %zu must not be NULL", k + 1);
   }
   if (unit[0] != '\0' && is_scene_by_name(path)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                   "the unit is of a drawing in place of a scene; a scene says its own "
-                   "length_unit");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
+                     "the unit is of a drawing in place of a scene; a scene says its own "
+                     "length_unit");
   }
   if (unit[0] != '\0' || tp_scene_is_drawing(path)) {
     return tp_scene_read_drawing(scene, path, unit, settings, count, message);

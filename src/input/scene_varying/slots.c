@@ -107,9 +107,9 @@ static tp_status fail(const way *ways, size_t count, const char *word, size_t le
   const char *nearest = done ? tp_nearest(key, (const char *const *)words) : NULL;
   const bool tells = nearest != NULL && *nearest != '#';
   const tp_status status =
-      done ? tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                     "there is no '%s' here%s%s%s", tp_quote_all(key).text,
-                     tells ? "; did you mean '" : "", tells ? nearest : "", tells ? "'?" : "")
+      done ? tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                       "there is no '%s' here%s%s%s", tp_quote_all(key).text,
+                       tells ? "; did you mean '" : "", tells ? nearest : "", tells ? "'?" : "")
            : tp_fail_memory(message, "a key");
   for (size_t k = 0; k < count; k++) free(words[k]);
   free(key);
@@ -141,8 +141,8 @@ tp_status tp_slot_find(tp_slot *slot, const tp_scene *scene, const char *key, tp
     *slot = ways[k].slot;
     return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                 "'%s' is a list or a map; a single number can be found", tp_quote_all(key).text);
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                   "'%s' is a list or a map; a single number can be found", tp_quote_all(key).text);
 }
 
 /* ---- the number --------------------------------------------------------------------------------

@@ -29,8 +29,8 @@ tp_status tp_scene_key_find(tp_scene_key *key, const tp_scene *scene, const char
   if (scene->source == NULL) return tp_slot_find(&key->slot, scene, text, message);
   const tp_status status = tp_key_find(&key->node, scene->source, text, scene->path, message);
   if (status != TP_OK || !is_header(key->node, scene)) return status;
-  return tp_fail(message, TP_BAD_INPUT, tp_node_place(key->node, scene->path),
-                 "this is not a number of the scene");
+  return tp_refuse(message, TP_FAULT_KEY, tp_node_place(key->node, scene->path),
+                   "this is not a number of the scene");
 }
 
 tp_place tp_scene_key_place(const tp_scene_key *key, const tp_scene *scene) {

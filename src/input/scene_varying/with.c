@@ -69,14 +69,14 @@ static tp_status read_all(tp_scene_key *found, fmpq *numbers, const tp_scene *sc
   tp_status status = TP_OK;
   for (size_t k = 0; k < count && status == TP_OK; k++) {
     if (keys[k] == NULL) {
-      return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: key %zu must not be NULL", call,
-                     k + 1);
+      return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "%s: key %zu must not be NULL",
+                       call, k + 1);
     }
     status = tp_scene_key_find(found + k, scene, keys[k], message);
     for (size_t j = 0; j < k && status == TP_OK; j++) {
       if (!tp_scene_key_same(found + j, found + k)) continue;
-      status = tp_fail(message, TP_BAD_INPUT, (tp_place){call, 0, 0},
-                       "'%s' is given twice; leave out one of them", tp_quote_all(keys[k]).text);
+      status = tp_refuse(message, TP_FAULT_KEY, (tp_place){call, 0, 0},
+                         "'%s' is given twice; leave out one of them", tp_quote_all(keys[k]).text);
     }
     if (status == TP_OK) {
       status = tp_exact_read(numbers + k, values[k], tp_quote_all(keys[k]).text, call, message);
@@ -89,8 +89,8 @@ static tp_status vary(tp_scene **varied, const tp_scene *scene, const char *cons
                       const tp_exact *values, size_t count, const char *call, tp_message *message) {
   enum { MOST = 10000 }; /* of which each is compared with all others */
   if (count > MOST) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){call, 0, 0},
-                   "at most %d numbers are varied at once", MOST);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){call, 0, 0},
+                     "at most %d numbers are varied at once", MOST);
   }
   tp_scene_key *found = calloc(count + 1, sizeof *found);
   fmpq *numbers = calloc(count + 1, sizeof *numbers);

@@ -148,8 +148,8 @@ tp_status tp_accuracy_sweep(tp_accuracy **accuracy, size_t least, size_t most,
   TP_REFUSE_NULL(message, accuracy);
   enum { LEAST = 10, MOST = 10000000 };
   if (least < LEAST || most > MOST || least > most) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a sweep goes from 10 vertices at the least to 10000000 at the most");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "a sweep goes from 10 vertices at the least to 10000000 at the most");
   }
   tp_accuracy *own = tp_accuracy_new();
   tp_status status = own != NULL ? TP_OK : TP_OUT_OF_MEMORY;

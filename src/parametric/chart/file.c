@@ -78,7 +78,7 @@ tp_status tp_report_chart_file(const tp_chart *chart, const char *path, tp_chart
   TP_REFUSE_NULL(message, chart);
   TP_REFUSE_NULL(message, path);
   if ((int)format < TP_CHART_SVG || (int)format > TP_CHART_CSV) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "there is no such format");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){path, 0, 0}, "there is no such format");
   }
   char *data = NULL;
   size_t size = 0;

@@ -26,13 +26,13 @@ static bool is_tilt(const tp_chart_axis *axis) {
 static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
   const double from = axis->range.from, to = axis->range.to;
   if (!(from < to && isfinite(to - from))) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s goes from %g to %g; the range must rise, and end",
-                   tp_quote_all(axis->key).text, from, to);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "%s goes from %g to %g; the range must rise, and end",
+                     tp_quote_all(axis->key).text, from, to);
   }
   if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "the tilt goes from %g to %g; it must lie between 0 and 90 degrees", from, to);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "the tilt goes from %g to %g; it must lie between 0 and 90 degrees", from, to);
   }
   return TP_OK;
 }
@@ -43,15 +43,16 @@ static bool has_tilt(const tp_scene *scene) {
 
 static tp_status check_levels(const tp_chart_list *levels, tp_message *message) {
   if (levels->count > TP_CHART_LIST_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there are %zu levels; %d are the most",
-                   levels->count, (int)TP_CHART_LIST_MAX);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "there are %zu levels; %d are the most", levels->count,
+                     (int)TP_CHART_LIST_MAX);
   }
   if (levels->count > 0) TP_REFUSE_NULL(message, levels->values);
   for (size_t k = 0; k < levels->count; k++) {
     const double own = levels->values[k];
     if (own > 0 && isfinite(own)) continue;
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a contour is asked for at %g; levels are above 0", own);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "a contour is asked for at %g; levels are above 0", own);
   }
   return TP_OK;
 }
@@ -60,18 +61,18 @@ static tp_status check_contours(const tp_chart_map_options *o, tp_message *messa
   const tp_place place = {o->scene->path, 0, 0};
   const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
   if (along_one && (o->governing_fos || o->levels.count > 0)) {
-    return tp_fail(
-        message, TP_BAD_INPUT, place,
+    return tp_refuse(
+        message, TP_FAULT_KEY, place,
         "a map against the tilt has no contours; give two numbers of the scene, of which "
         "one may be tilt.angle_deg");
   }
   if (o->governing_fos && o->any_tilt) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the factor of safety is that at the scene's tilt; drop any tilt");
+    return tp_refuse(message, TP_FAULT_KEY, place,
+                     "the factor of safety is that at the scene's tilt; drop any tilt");
   }
   if (o->governing_fos && !has_tilt(o->scene)) {
-    return tp_fail(
-        message, TP_BAD_INPUT, place,
+    return tp_refuse(
+        message, TP_FAULT_KEY, place,
         "the factor of safety is that at a tilt; give the scene a 'tilt: {angle_deg: …}'");
   }
   return check_levels(&o->levels, message);
@@ -81,9 +82,9 @@ static tp_status check(const tp_chart_map_options *o, tp_message *message) {
   tp_status status = check_axis(&o->x, message);
   if (status == TP_OK) status = check_axis(&o->y, message);
   if (status == TP_OK && strcmp(o->x.key, o->y.key) == 0) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                     "both axes are %s; give a number of the scene for one of them",
-                     tp_quote_all(o->x.key).text);
+    status = tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                       "both axes are %s; give a number of the scene for one of them",
+                       tp_quote_all(o->x.key).text);
   }
   if (status == TP_OK) status = check_contours(o, message);
   return status;
@@ -104,8 +105,8 @@ static tp_status find_numbers(tp_map *map) {
   if (status == TP_OK) status = tp_varied_check(&own, &map->varied, map->message);
   if (status == TP_OK && !scene->friction_angle_deg.given) {
     status =
-        tp_fail(map->message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
+        tp_refuse(map->message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                  "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
   }
   return status;
 }

@@ -188,7 +188,7 @@ static tp_status draw(tp_chart **chart, const tp_overturning_spectrum *spectrum,
  */
 
 static tp_status refuse(tp_message *message, tp_place place, const char *what) {
-  return tp_fail(message, TP_BAD_INPUT, place, "%s", what);
+  return tp_refuse(message, TP_FAULT_RANGE, place, "%s", what);
 }
 
 static tp_status check(const tp_scene *scene, const tp_overturning_options *o,
@@ -199,8 +199,8 @@ static tp_status check(const tp_scene *scene, const tp_overturning_options *o,
                   "frequencies of an overturning spectrum go from one above 0 to a larger one");
   }
   if (o->count < 2 || o->count > TP_FREQUENCIES_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "an overturning spectrum has 2 to %d frequencies", (int)TP_FREQUENCIES_MAX);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "an overturning spectrum has 2 to %d frequencies", (int)TP_FREQUENCIES_MAX);
   }
   if (!(o->tolerance >= 1e-6 && o->tolerance <= 0.1)) {
     return refuse(message, (tp_place){0},

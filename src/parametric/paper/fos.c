@@ -47,24 +47,25 @@ typedef struct drawing {
 static tp_status check_list(const tp_chart_list *list, const char *name, double least, double most,
                             tp_message *message) {
   if (list->count > TP_CHART_LIST_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: %zu of them; a list holds at most %d",
-                   name, list->count, (int)TP_CHART_LIST_MAX);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "%s: %zu of them; a list holds at most %d", name, list->count,
+                     (int)TP_CHART_LIST_MAX);
   }
   if (list->count > 0 && list->values == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: the list is NULL", name);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "%s: the list is NULL", name);
   }
   for (size_t k = 0; k < list->count; k++) {
     if (list->values[k] >= least && list->values[k] <= most) continue;
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s of %g: it must lie between %g and %g",
-                   name, list->values[k], least, most);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "%s of %g: it must lie between %g and %g", name, list->values[k], least, most);
   }
   return TP_OK;
 }
 
 static tp_status check(const tp_chart_fos_options *o, tp_message *message) {
   if (o->inverse_slenderness.count == 0 || o->amplitude.count == 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "give an inverse slenderness and a relative amplitude at least");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "give an inverse slenderness and a relative amplitude at least");
   }
   tp_status status =
       check_list(&o->inverse_slenderness, "an inverse slenderness", 1e-3, 10, message);
@@ -73,22 +74,23 @@ static tp_status check(const tp_chart_fos_options *o, tp_message *message) {
     status = check_list(&o->sub_blocks, "a number of sub-blocks", 2, 1000, message);
   for (size_t k = 0; k < o->sub_blocks.count && status == TP_OK; k++) {
     if (o->sub_blocks.values[k] == floor(o->sub_blocks.values[k])) continue;
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                     "a number of sub-blocks of %g: it must be whole", o->sub_blocks.values[k]);
+    status = tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                       "a number of sub-blocks of %g: it must be whole", o->sub_blocks.values[k]);
   }
   if (status != TP_OK) return status;
   const tp_chart_range *tilt = &o->tilt_deg;
   if (!(tilt->from > 0 && tilt->from < tilt->to && tilt->to < 90)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "the tilt goes from %g to %g; it must rise, and lie between 0 and 90 degrees",
-                   tilt->from, tilt->to);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "the tilt goes from %g to %g; it must rise, and lie between 0 and 90 degrees",
+                     tilt->from, tilt->to);
   }
   const size_t rows = o->sub_blocks.count > 0 ? o->sub_blocks.count : 1;
   if (rows * o->amplitude.count > PANELS_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%zu panels; at most %d can be read on a page: give fewer amplitudes or numbers "
-                   "of sub-blocks",
-                   rows * o->amplitude.count, PANELS_MAX);
+    return tp_refuse(
+        message, TP_FAULT_RANGE, (tp_place){0},
+        "%zu panels; at most %d can be read on a page: give fewer amplitudes or numbers "
+        "of sub-blocks",
+        rows * o->amplitude.count, PANELS_MAX);
   }
   return TP_OK;
 }

@@ -41,15 +41,15 @@ static const tp_chart_style dots = {TP_MARK_POINTS, TP_COLOUR_BLACK, TP_DASH_SOL
 static tp_status check(const tp_chart_mechanisms_options *o, tp_message *message) {
   if (!(o->friction_deg > 0 && o->roughness_angle_deg >= 0 &&
         o->friction_deg + o->roughness_angle_deg <= 80)) {
-    return tp_fail(
-        message, TP_BAD_INPUT, (tp_place){0},
+    return tp_refuse(
+        message, TP_FAULT_RANGE, (tp_place){0},
         "friction of %g° and a roughness angle of %g°: the friction must be above 0, the "
         "roughness angle not below, and their sum at most 80°",
         o->friction_deg, o->roughness_angle_deg);
   }
   if (!(o->amplitude >= 0 && o->amplitude <= 0.5)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a relative amplitude of %g: it must lie between 0 and 0.5", o->amplitude);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "a relative amplitude of %g: it must lie between 0 and 0.5", o->amplitude);
   }
   return TP_OK;
 }

@@ -15,7 +15,7 @@
 #include <string.h>
 
 static tp_status fail(const char *text, tp_message *message, const char *why) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){text, 0, 0}, "%s", why);
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){text, 0, 0}, "%s", why);
 }
 
 /* The formula of so many bytes. */
@@ -96,10 +96,10 @@ tp_status tp_axis_read(tp_axis *axis, const tp_scene *scene, const char *text,
   fmpq_init(axis->step);
   const size_t length = tp_setting_key_length(text);
   if (length == 0 || text[length] == '\0' || text[length + 1] == '\0') {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "'%s' sweeps nothing; write KEY=FIRST:LAST:STEP, as "
-                   "friction_angle_deg=20:40:0.5, or KEY=VALUE,VALUE",
-                   tp_quote_all(text).text);
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "'%s' sweeps nothing; write KEY=FIRST:LAST:STEP, as "
+                     "friction_angle_deg=20:40:0.5, or KEY=VALUE,VALUE",
+                     tp_quote_all(text).text);
   }
   axis->name = strndup(text, length);
   if (axis->name == NULL) return tp_fail_memory(message, "the sweep");

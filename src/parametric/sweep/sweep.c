@@ -150,11 +150,11 @@ static tp_status read_axes(sweep *s, const tp_sweep_options *options, tp_message
   }
   if (status != TP_OK) return status;
   if (s->count > TP_SWEEP_MOST) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "the sweep has %zu points; at most 100 million are taken", s->count);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "the sweep has %zu points; at most 100 million are taken", s->count);
   }
   if (s->axis_count == AXES && tp_scene_key_same(s->keys, s->keys + 1)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "x and y sweep the same number");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0}, "x and y sweep the same number");
   }
   return TP_OK;
 }

@@ -119,7 +119,7 @@ tp_status tp_sweep_write(tp_sweep_summary *summary, const tp_scene *scene,
   TP_REFUSE_NULL(message, options);
   TP_REFUSE_NULL(message, sink.take);
   if (format != TP_SWEEP_CSV && format != TP_SWEEP_JSON) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such format");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such format");
   }
   writer w = {.format = format, .sink = sink};
   tp_status status = tp_sweep(summary, scene, options, (tp_sweep_sink){write_point, &w}, message);

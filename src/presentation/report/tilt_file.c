@@ -42,10 +42,10 @@ tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool m
   TP_REFUSE_NULL(message, path);
   const kind of = kind_of(path, moving);
   if (of == AS_NONE) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                   moving ? "a drawing that moves is SVG, WebM or GIF: give a name that ends in "
-                            ".svg, .webm or .gif"
-                          : "drawings of a tilt test are SVG: give a name that ends in .svg");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
+                     moving ? "a drawing that moves is SVG, WebM or GIF: give a name that ends in "
+                              ".svg, .webm or .gif"
+                            : "drawings of a tilt test are SVG: give a name that ends in .svg");
   }
   char *data = NULL;
   size_t size = 0;

@@ -33,8 +33,8 @@ static tp_status refuse_entry(tp_message *message, const char *const *names, siz
   char first[160], second[160];
   name_of(first, names, column);
   name_of(second, names, row);
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "the correlation of %s with %s %s", first,
-                 second, why);
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){0}, "the correlation of %s with %s %s", first,
+                   second, why);
 }
 
 static tp_status check_entries(const double *correlation, size_t n, const char *const *names,

@@ -77,7 +77,7 @@ static tp_status refuse(const complaint *c, const char *what, double first, doub
   const tp_quote name = tp_quote_all(c->name);
   char text[256];
   snprintf(text, sizeof text, what, first, second);
-  return tp_fail(c->message, TP_BAD_INPUT, c->place, "'%s': %s", name.text, text);
+  return tp_refuse(c->message, TP_FAULT_RANGE, c->place, "'%s': %s", name.text, text);
 }
 
 static tp_status check_ends(const complaint *c, const tp_distribution *d) {

@@ -47,26 +47,26 @@ const char *tp_draw_method_name(tp_draw_method method) {
 static tp_status check_plan(const tp_draws *draws, uint64_t first, tp_message *message) {
   const tp_place nowhere = {0};
   if (tp_draw_method_name(draws->method) == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere, "%d is not a method of sampling",
-                   (int)draws->method);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, nowhere, "%d is not a method of sampling",
+                     (int)draws->method);
   }
   if (draws->samples < 1 || draws->samples > TP_DRAWS_SAMPLES) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere,
-                   "%" PRIu64 " samples: there can be from 1 to %" PRIu64, draws->samples,
-                   TP_DRAWS_SAMPLES);
+    return tp_refuse(message, TP_FAULT_RANGE, nowhere,
+                     "%" PRIu64 " samples: there can be from 1 to %" PRIu64, draws->samples,
+                     TP_DRAWS_SAMPLES);
   }
   if (first > draws->samples) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere,
-                   "sample %" PRIu64 " of %" PRIu64 ": there is none", first, draws->samples);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, nowhere,
+                     "sample %" PRIu64 " of %" PRIu64 ": there is none", first, draws->samples);
   }
   if (draws->dimensions < 1 || draws->dimensions > TP_DRAWS_DIMENSIONS) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere, "%zu variables: there can be from 1 to %d",
-                   draws->dimensions, TP_DRAWS_DIMENSIONS);
+    return tp_refuse(message, TP_FAULT_RANGE, nowhere, "%zu variables: there can be from 1 to %d",
+                     draws->dimensions, TP_DRAWS_DIMENSIONS);
   }
   if (draws->method == TP_DRAW_SOBOL && draws->dimensions > TP_SOBOL_DIMENSIONS) {
-    return tp_fail(message, TP_BAD_INPUT, nowhere,
-                   "%zu variables, and Sobol' points have %d at most: draw a Latin hypercube",
-                   draws->dimensions, TP_SOBOL_DIMENSIONS);
+    return tp_refuse(message, TP_FAULT_RANGE, nowhere,
+                     "%zu variables, and Sobol' points have %d at most: draw a Latin hypercube",
+                     draws->dimensions, TP_SOBOL_DIMENSIONS);
   }
   return TP_OK;
 }

@@ -78,10 +78,10 @@ tp_status tp_design_value(tp_estimate *design, const tp_design_search *search,
   tp_estimate ends[2], own;
   bool crosses;
   if (!(s->wanted > 0 && s->wanted < 1) || !(s->low < s->high) || !(s->width > 0)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "a design value for a probability of %g from %g to %g, to %g: give a "
-                   "probability within (0, 1), a range, and a width above 0",
-                   s->wanted, s->low, s->high, s->width);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "a design value for a probability of %g from %g to %g, to %g: give a "
+                     "probability within (0, 1), a range, and a width above 0",
+                     s->wanted, s->low, s->high, s->width);
   }
   tp_status status = s->probability_at(ends, s->context, s->low, message);
   if (status == TP_OK) status = s->probability_at(ends + 1, s->context, s->high, message);

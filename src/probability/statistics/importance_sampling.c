@@ -243,7 +243,7 @@ tp_status tp_importance_sample(tp_importance *importance, const tp_reliability *
                                const double *scores, size_t count, uint64_t samples, uint64_t seed,
                                double confidence, tp_message *message) {
   if (samples < 2) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "at least 2 samples must be drawn");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0}, "at least 2 samples must be drawn");
   }
   sampler s;
   tp_status status = begin(&s, problem, scores, count, seed, message);

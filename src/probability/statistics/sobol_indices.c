@@ -85,17 +85,17 @@ static bool check(const tp_sobol_results *r, size_t resamples, tp_message *messa
   enum { RESAMPLES_LEAST = 100 };
   const tp_place nowhere = {0};
   if (r->samples < 2 || r->dimensions < 1 || resamples < RESAMPLES_LEAST) {
-    (void)tp_fail(message, TP_BAD_INPUT, nowhere,
-                  "Sobol' indices need 2 samples, 1 variable and %d resamples at least, not %zu, "
-                  "%zu and %zu",
-                  RESAMPLES_LEAST, r->samples, r->dimensions, resamples);
+    (void)tp_refuse(message, TP_FAULT_RANGE, nowhere,
+                    "Sobol' indices need 2 samples, 1 variable and %d resamples at least, not %zu, "
+                    "%zu and %zu",
+                    RESAMPLES_LEAST, r->samples, r->dimensions, resamples);
     return false;
   }
   for (size_t k = 0; k < r->samples * (r->dimensions + 2); k++) {
     if (isfinite(r->values[k])) continue;
-    (void)tp_fail(message, TP_BAD_INPUT, nowhere,
-                  "result %zu of sample %zu is not a finite number: Sobol' indices need them all",
-                  k % (r->dimensions + 2) + 1, k / (r->dimensions + 2) + 1);
+    (void)tp_refuse(message, TP_FAULT_RANGE, nowhere,
+                    "result %zu of sample %zu is not a finite number: Sobol' indices need them all",
+                    k % (r->dimensions + 2) + 1, k / (r->dimensions + 2) + 1);
     return false;
   }
   return true;

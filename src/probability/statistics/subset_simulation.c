@@ -272,9 +272,9 @@ tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem,
   tp_standard_space space;
   level v;
   if (samples < SAMPLES_LEAST || samples % LENGTH != 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%zu samples of a level: give a multiple of %d, at least %d", samples, LENGTH,
-                   SAMPLES_LEAST);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "%zu samples of a level: give a multiple of %d, at least %d", samples, LENGTH,
+                     SAMPLES_LEAST);
   }
   tp_status status = init(&v, &space, problem, samples, seed, message);
   if (status != TP_OK) return status;

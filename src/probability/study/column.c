@@ -29,8 +29,8 @@ typedef struct table {
 } table;
 
 static tp_status fail_row(const table *t, int column, const char *what, const char *text) {
-  return tp_fail(t->reader->message, TP_BAD_INPUT, (tp_place){t->path, t->line, column}, "%s%s",
-                 what, text);
+  return tp_refuse(t->reader->message, TP_FAULT_KEY, (tp_place){t->path, t->line, column}, "%s%s",
+                   what, text);
 }
 
 static bool is_name(const tp_csv_row *row, int field, const char *name) {
@@ -41,10 +41,11 @@ static bool is_name(const tp_csv_row *row, int field, const char *name) {
 /* Nothing of the file is quoted: without the column nothing says that it is a table
  * (docs/outside.md). */
 static tp_status fail_name(const table *t, const tp_csv_row *row) {
-  return tp_fail(t->reader->message, TP_BAD_INPUT, (tp_place){t->path, t->line, 1},
-                 "no column of the first line, which has %d, is called '%s'; write its name letter "
-                 "by letter as that line does",
-                 row->count, tp_quote_all(t->name).text);
+  return tp_refuse(
+      t->reader->message, TP_FAULT_KEY, (tp_place){t->path, t->line, 1},
+      "no column of the first line, which has %d, is called '%s'; write its name letter "
+      "by letter as that line does",
+      row->count, tp_quote_all(t->name).text);
 }
 
 static tp_status take_header(table *t, const tp_csv_row *row) {

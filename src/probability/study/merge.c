@@ -38,16 +38,16 @@ static tp_status check_part(const part *own, const tp_study *study, size_t count
   const tp_progress *p = &own->progress;
   const tp_place place = {own->path, 0, 0};
   if (p->shards != count) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "this is shard %zu of %zu, but %zu files are given; give those of all shards",
-                   p->shard, p->shards, count);
+    return tp_refuse(message, TP_FAULT_FORMAT, place,
+                     "this is shard %zu of %zu, but %zu files are given; give those of all shards",
+                     p->shard, p->shards, count);
   }
   const uint64_t whole =
       first_chunk(study, p->shard, count) - first_chunk(study, p->shard - 1, count);
   if (p->chunks == whole) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "this shard is not whole: %zu of %zu chunks; run it to its end", (size_t)p->chunks,
-                 (size_t)whole);
+  return tp_refuse(message, TP_FAULT_FORMAT, place,
+                   "this shard is not whole: %zu of %zu chunks; run it to its end",
+                   (size_t)p->chunks, (size_t)whole);
 }
 
 /* Its progress is not there. */
@@ -55,17 +55,17 @@ static tp_status fail_missing(const char *path, tp_message *message) {
   struct stat state;
   const tp_place place = {path, 0, 0};
   if (stat(path, &state) != 0) return tp_fail_file(message, path, "opened", errno);
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "there is no '%.300s.progress' beside it, which identifies the rows of a shard; "
-                 "copy both files",
-                 path);
+  return tp_refuse(message, TP_FAULT_KEY, place,
+                   "there is no '%.300s.progress' beside it, which identifies the rows of a shard; "
+                   "copy both files",
+                   path);
 }
 
 /* Each into the place of its shard. */
 static tp_status sort_parts(part *parts, const tp_study *study, const char *const *shards,
                             size_t count, tp_message *message) {
   if (count == 0) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "give the files of all shards");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){0}, "give the files of all shards");
   }
   for (size_t k = 0; k < count; k++) {
     part own = {.path = shards[k]};
@@ -76,8 +76,8 @@ static tp_status sort_parts(part *parts, const tp_study *study, const char *cons
     if (status != TP_OK) return status;
     part *place = parts + own.progress.shard - 1;
     if (place->path != NULL) {
-      return tp_fail(message, TP_BAD_INPUT, (tp_place){own.path, 0, 0}, "shard %zu is given twice",
-                     own.progress.shard);
+      return tp_refuse(message, TP_FAULT_KEY, (tp_place){own.path, 0, 0},
+                       "shard %zu is given twice", own.progress.shard);
     }
     *place = own;
   }
@@ -95,7 +95,8 @@ static tp_status end_chunk(merging *m, tp_message *message) {
 static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_message *message) {
   merging *m = context;
   if (row->sample != m->tally.samples) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "the rows of a shard are out of order");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){0},
+                     "the rows of a shard are out of order");
   }
   if (m->rows.path != NULL) tp_text_append(&m->chunk, row->line, strlen(row->line));
   if (m->rows.path != NULL) tp_text_add(&m->chunk, "\n");
@@ -126,8 +127,8 @@ static tp_status check_output(const char *rows, const part *parts, size_t count,
         own.st_ino != other.st_ino) {
       continue;
     }
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){rows, 0, 0},
-                   "this is a shard that is read here, and would be lost; write to another name");
+    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){rows, 0, 0},
+                     "this is a shard that is read here, and would be lost; write to another name");
   }
   return TP_OK;
 }
@@ -138,9 +139,9 @@ static tp_status start(merging *m, const part *parts, size_t count, const tp_stu
   if (status == TP_OK) status = tp_tally_init(&m->tally, m->study, message);
   if (status == TP_OK) status = tp_rows_open(&m->rows, m->study, options, message);
   if (status != TP_OK || m->rows.progress.chunks == 0) return status;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->rows, 0, 0},
-                 "rows of this study are there already; restart to write over them, or name "
-                 "another file");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){options->rows, 0, 0},
+                   "rows of this study are there already; restart to write over them, or name "
+                   "another file");
 }
 
 tp_status tp_study_merge(tp_study_result **result, const tp_study *study, const char *const *shards,

@@ -43,15 +43,15 @@ static tp_status check_files(const tp_node *root, const tp_study *study, tp_plac
   uint64_t file = 0, scene = 0, all = 0;
   if (!read_count(&file, root, "study", 16) || !read_count(&scene, root, "scene", 16) ||
       !read_count(&all, root, "files", 16)) {
-    return tp_fail(message, TP_BAD_INPUT, place, unknown);
+    return tp_refuse(message, TP_FAULT_FORMAT, place, unknown);
   }
   if (all == study->hash) return TP_OK;
   const char *what = file != study->hash_of_file ? "these rows are of another study, or the study"
                      : scene != study->hash_of_scene
                          ? "the scene of these rows, or a file that it names,"
                          : "a file of numbers that the study of these rows names";
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "%s has changed since; restart, or name another file", what);
+  return tp_refuse(message, TP_FAULT_FORMAT, place,
+                   "%s has changed since; restart, or name another file", what);
 }
 
 /* As tp_sha256_text has written it. */
@@ -79,25 +79,25 @@ static tp_status take(tp_progress *progress, const tp_node *root, const char *pa
       !read_count(&progress->chunks, root, "chunks", 10) ||
       !read_count(&progress->bytes, root, "bytes", 10) || version == NULL ||
       version->kind != TP_NODE_SCALAR || shard < 1 || shard > shards || shards > MOST_SHARDS) {
-    return tp_fail(message, TP_BAD_INPUT, place, unknown);
+    return tp_refuse(message, TP_FAULT_FORMAT, place, unknown);
   }
   const tp_status status = check_files(root, study, place, message);
   if (status != TP_OK) return status;
   if (strcmp(version->text, TP_VERSION) != 0 || tp_node_get(root, "sha256") == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "these rows are by another version of this program; restart, or name another "
-                   "file");
+    return tp_refuse(message, TP_FAULT_FORMAT, place,
+                     "these rows are by another version of this program; restart, or name another "
+                     "file");
   }
-  if (!read_hash(progress->hash, root)) return tp_fail(message, TP_BAD_INPUT, place, unknown);
+  if (!read_hash(progress->hash, root)) return tp_refuse(message, TP_FAULT_FORMAT, place, unknown);
   progress->shard = (size_t)shard;
   progress->shards = (size_t)shards;
   return TP_OK;
 }
 
 static tp_status fail_link(const char *path, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                 "this is a link, and what it leads to would be lost; remove it, or name another "
-                 "file for the rows");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+                   "this is a link, and what it leads to would be lost; remove it, or name another "
+                   "file for the rows");
 }
 
 /* What is there, no link. */
@@ -112,9 +112,9 @@ static tp_status check_there(const char *path, tp_message *message) {
   tp_node_free(root);
   if (known) return TP_OK;
   if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "the progress of a study");
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                 "this is not a progress file of a study, and would be lost; remove it, or "
-                 "name another file for the rows");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+                   "this is not a progress file of a study, and would be lost; remove it, or "
+                   "name another file for the rows");
 }
 
 tp_status tp_progress_check(const char *rows, tp_message *message) {

@@ -216,7 +216,7 @@ static tp_status make_scene(tp_scene **scene, const tp_study *study, const doubl
   }
   const tp_status status =
       read ? tp_scene_vary(scene, study->scene, keys, numbers, count, message)
-           : tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a number is out of range");
+           : tp_refuse(message, TP_FAULT_RANGE, (tp_place){0}, "a number is out of range");
   for (size_t k = 0; k < count; k++) fmpq_clear(numbers + k);
   free(numbers);
   free(keys);

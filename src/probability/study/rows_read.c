@@ -24,8 +24,8 @@ typedef struct reading {
 } reading;
 
 static tp_status fail_line(const reading *r) {
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->line, 0},
-                 "this is not a row of the study; the file was changed since it was written");
+  return tp_refuse(r->message, TP_FAULT_FORMAT, (tp_place){r->path, r->line, 0},
+                   "this is not a row of the study; the file was changed since it was written");
 }
 
 /* The header is what this study would write. */
@@ -69,10 +69,10 @@ static tp_status check_hash(reading *r, const tp_progress *progress, FILE *file)
   }
   tp_sha256_tell(hash, r->hash);
   if (r->bytes_left == 0 && memcmp(hash, progress->hash, sizeof hash) == 0) return TP_OK;
-  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, 0, 0},
-                 "lines 1 to %d are not those that the study wrote: a row was changed since, or "
-                 "lost, or moved; put the file back as it was, restart, or name another file",
-                 r->line);
+  return tp_refuse(r->message, TP_FAULT_FORMAT, (tp_place){r->path, 0, 0},
+                   "lines 1 to %d are not those that the study wrote: a row was changed since, or "
+                   "lost, or moved; put the file back as it was, restart, or name another file",
+                   r->line);
 }
 
 static tp_status read_lines(reading *r, tp_study_row *row, FILE *file) {

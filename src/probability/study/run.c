@@ -123,8 +123,8 @@ static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_mes
   run *r = context;
   (void)enough;
   if (row->sample == r->first + r->tally.samples) return tp_tally_add(&r->tally, row, message);
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){r->rows.path, 0, 0},
-                 "the rows are out of order; the file was changed since it was written");
+  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){r->rows.path, 0, 0},
+                   "the rows are out of order; the file was changed since it was written");
 }
 
 /* Rows that were written before. */
@@ -164,8 +164,8 @@ static tp_status check(const tp_study_options *options, tp_message *message) {
       options->shard <= options->shards) {
     return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                 "a shard is one from 1 to the number of shards, of a million at most");
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                   "a shard is one from 1 to the number of shards, of a million at most");
 }
 
 tp_status tp_study_run(tp_study_result **result, const tp_study *study,

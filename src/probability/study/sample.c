@@ -104,7 +104,7 @@ static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_messa
   n->keys[count - 1] = study->tilt_key;
   for (size_t k = 0; k < tilts; k++) {
     if (tp_ratio_read_double(n->degrees + k, study->tilts[k])) continue;
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a tilt is not a number");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0}, "a tilt is not a number");
   }
   return TP_OK;
 }

@@ -27,8 +27,8 @@ tp_status tp_study_fail(const tp_study_reader *reader, const tp_node *node, cons
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return tp_fail(reader->message, TP_BAD_INPUT, tp_node_place(node, reader->study->path), "%s",
-                 text);
+  return tp_refuse(reader->message, TP_FAULT_RANGE, tp_node_place(node, reader->study->path), "%s",
+                   text);
 }
 
 tp_status tp_study_fail_of(const tp_study_reader *reader, const tp_node *node, tp_status status,

@@ -53,28 +53,30 @@ tp_status tp_springs_check(const tp_spring_settings *s, const tp_rigid_body *bod
                            tp_message *message) {
   if (!(s->normal_pa_m > 0) || !(s->shear_pa_m > 0) || isinf(s->normal_pa_m) ||
       isinf(s->shear_pa_m)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the springs of contacts need a normal and a shear stiffness above zero; the "
-                   "paper's are 1000 and 10 GPa/m");
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "the springs of contacts need a normal and a shear stiffness above zero; the "
+                     "paper's are 1000 and 10 GPa/m");
   }
   if (!(s->damping >= 0) || !(s->damping < 1)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "local damping takes a share of the unbalanced force: give one from 0 to below "
-                   "1, not %g",
-                   s->damping);
+    return tp_refuse(
+        message, TP_FAULT_RANGE, place,
+        "local damping takes a share of the unbalanced force: give one from 0 to below "
+        "1, not %g",
+        s->damping);
   }
   if (!(s->rounding_m > 0) || s->rounding_m > most_rounding_share * body->extent_m) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the rounding of corners on springs must be above 0 and at most %.3g m, a "
-                   "hundredth of the block's extent; the paper's is 1e-7 m",
-                   most_rounding_share * body->extent_m);
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "the rounding of corners on springs must be above 0 and at most %.3g m, a "
+                     "hundredth of the block's extent; the paper's is 1e-7 m",
+                     most_rounding_share * body->extent_m);
   }
   const double longest = tp_springs_stable_step(s, body);
   if (!(s->time_step_s >= 0) || s->time_step_s > longest) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "steps of %g s are not stable with these springs: the longest that is has %.3g "
-                   "s; %.1g s would do, and so would leaving it out",
-                   s->time_step_s, longest, share_chosen * longest);
+    return tp_refuse(
+        message, TP_FAULT_RANGE, place,
+        "steps of %g s are not stable with these springs: the longest that is has %.3g "
+        "s; %.1g s would do, and so would leaving it out",
+        s->time_step_s, longest, share_chosen * longest);
   }
   return TP_OK;
 }

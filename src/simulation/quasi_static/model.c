@@ -30,7 +30,7 @@ tp_path_settings tp_path_settings_default(void) {
 }
 
 static tp_status refuse(tp_message *message, const char *what) {
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s", what);
+  return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0}, "%s", what);
 }
 
 static bool is_stiffness(double value) {
@@ -111,10 +111,10 @@ static tp_status check_stiffness(const tp_path_model *model, double normal_pa_m,
   for (long k = 0; k < model->count; k++) length += model->facets[k].length;
   const double share = model->closure_m / model->body->extent_m / length;
   if (share <= most_closure) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                 "under its weight alone the block would close its contact by %.3g of its size, "
-                 "which is not small: the normal stiffness must be %.3g Pa/m or more",
-                 share, normal_pa_m * share / most_closure);
+  return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                   "under its weight alone the block would close its contact by %.3g of its size, "
+                   "which is not small: the normal stiffness must be %.3g Pa/m or more",
+                   share, normal_pa_m * share / most_closure);
 }
 
 tp_status tp_path_model_init(tp_path_model *model, const tp_rigid_body *body,

@@ -29,20 +29,20 @@ static tp_status check(const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   const tp_friction_description *f = &scene->friction;
   if (!scene->friction_angle_deg.given) {
-    return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
-                   "a simulation needs the friction of the contact: give 'friction_angle_deg'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->tilt_place,
+                     "a simulation needs the friction of the contact: give 'friction_angle_deg'");
   }
   if (f->load_dependent) {
-    return tp_fail(message, TP_BAD_INPUT, scene->friction_angle_deg.place,
-                   "a simulation has no friction that depends on the normal stress; give the "
-                   "friction angle at the stress of the block: 'friction_angle_deg'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->friction_angle_deg.place,
+                     "a simulation has no friction that depends on the normal stress; give the "
+                     "friction angle at the stress of the block: 'friction_angle_deg'");
   }
   const tp_quantity *strengths[2] = {&scene->loads.cohesion_kpa, &scene->loads.bond_kpa};
   for (int k = 0; k < 2; k++) {
     if (fmpq_is_zero(strengths[k]->value)) continue;
-    return tp_fail(message, TP_BAD_INPUT, strengths[k]->place,
-                   "a simulation has no cohesion and no bond of the contact: leave '%s' out",
-                   k == 0 ? "cohesion_kpa" : "bond_kpa");
+    return tp_refuse(message, TP_FAULT_KEY, strengths[k]->place,
+                     "a simulation has no cohesion and no bond of the contact: leave '%s' out",
+                     k == 0 ? "cohesion_kpa" : "bond_kpa");
   }
   return TP_OK;
 }

@@ -141,9 +141,9 @@ static tp_status init_record(tp_base_acceleration *own, const tp_shaking_compone
     moves = moves || own->value_m_s2[k] != 0;
   }
   if (moves) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, given->place,
-                 "this accelerogram is zero throughout, by its samples or its scale; leave the "
-                 "shaking out");
+  return tp_refuse(message, TP_FAULT_RANGE, given->place,
+                   "this accelerogram is zero throughout, by its samples or its scale; leave the "
+                   "shaking out");
 }
 
 tp_status tp_base_shaking_init(tp_base_shaking *shaking, const tp_scene *scene,

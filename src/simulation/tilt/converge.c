@@ -235,9 +235,9 @@ static tp_status describe(tp_tilt_convergence *c, const tp_scene *scene, const t
   c->quantity = release ? TP_CONVERGE_OVERTURNING : TP_CONVERGE_ANGLE;
   c->asked = release ? asked_of_factor : c->settings.tolerance_deg;
   if (release && !tp_scene_is_shaken(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
-                   "a block that is released has no critical angle that could converge: take "
-                   "'protocol: steps' or 'ramp'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->tilt_test.place,
+                     "a block that is released has no critical angle that could converge: take "
+                     "'protocol: steps' or 'ramp'");
   }
   if (scene->title != NULL) {
     c->title = strdup(scene->title);

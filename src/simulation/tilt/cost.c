@@ -91,21 +91,23 @@ static tp_place place_of_cost(const tp_tilting *tilting, double longest_s) {
 }
 
 static tp_status refuse_springs(const tp_tilting *tilting, double longest_s, double step_s) {
-  return tp_fail(tilting->message, TP_BAD_INPUT, place_of_cost(tilting, longest_s),
-                 "up to %.3g s in steps of %.3g s are %.2g steps, and at most %.2g are made: give "
-                 "softer springs%s, or a shorter time by 'speed_deg_min', 'until_deg' or "
-                 "'duration_s'",
-                 longest_s, step_s, longest_s / step_s, budget_of(tilting),
-                 tilting->settings->time_step_s > 0 ? " or a longer 'time_step_s'" : "");
+  return tp_refuse(
+      tilting->message, TP_FAULT_RANGE, place_of_cost(tilting, longest_s),
+      "up to %.3g s in steps of %.3g s are %.2g steps, and at most %.2g are made: give "
+      "softer springs%s, or a shorter time by 'speed_deg_min', 'until_deg' or "
+      "'duration_s'",
+      longest_s, step_s, longest_s / step_s, budget_of(tilting),
+      tilting->settings->time_step_s > 0 ? " or a longer 'time_step_s'" : "");
 }
 
 static tp_status refuse_rigid(const tp_tilting *tilting, double longest_s, double steps) {
-  return tp_fail(tilting->message, TP_BAD_INPUT, place_of_cost(tilting, longest_s),
-                 "up to %.3g s, %.3g times what this block needs for a fall from its extent, take "
-                 "%.2g steps, and at most %.2g are made: let it shake for a shorter time, by a "
-                 "higher frequency or a record of smaller steps, or give a shorter 'duration_s'",
-                 longest_s, longest_s / tp_tilt_time_scale(tilting->body), steps,
-                 budget_of(tilting) / rigid_unit);
+  return tp_refuse(
+      tilting->message, TP_FAULT_RANGE, place_of_cost(tilting, longest_s),
+      "up to %.3g s, %.3g times what this block needs for a fall from its extent, take "
+      "%.2g steps, and at most %.2g are made: let it shake for a shorter time, by a "
+      "higher frequency or a record of smaller steps, or give a shorter 'duration_s'",
+      longest_s, longest_s / tp_tilt_time_scale(tilting->body), steps,
+      budget_of(tilting) / rigid_unit);
 }
 
 tp_status tp_tilting_check_cost(const tp_tilting *tilting, double longest_s) {

@@ -150,10 +150,10 @@ tp_status tp_overturning_check(const tp_tilt_options *options, tp_message *messa
   const size_t count = options->overturning_count;
   if (count == 0 && from == 0 && to == 0) return TP_OK;
   if (from > 0 && from < to && isfinite(to) && count >= 2 && count <= MOST) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                 "the factors on the shaking are 2 to %d, from one above 0 to a larger one; all "
-                 "three 0 for those of the default",
-                 MOST);
+  return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                   "the factors on the shaking are 2 to %d, from one above 0 to a larger one; all "
+                   "three 0 for those of the default",
+                   MOST);
 }
 
 tp_status tp_tilting_overturning(tp_tilting *tilting, tp_base_shaking *shaking) {

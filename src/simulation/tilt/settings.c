@@ -53,13 +53,13 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
 
 tp_status tp_tilt_check_scene(const tp_scene *scene, tp_message *message) {
   if (!tp_scene_is_simulated(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "
-                   "'shaking: …'");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                     "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "
+                     "'shaking: …'");
   }
   if (scene->friction_angle_deg.given) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                 "'friction_angle_deg' is missing: without it no contact can be simulated");
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                   "'friction_angle_deg' is missing: without it no contact can be simulated");
 }
 
 double tp_tilt_time_scale(const tp_rigid_body *body) {

@@ -234,15 +234,15 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
 /* What a simulation needs of a scene. */
 static tp_status check(const tp_scene *scene, const tp_tilt_options *options, tp_message *message) {
   if (options->moments < 2 || options->moments > MOST_MOMENTS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "moments must lie between 2 and %d",
-                   MOST_MOMENTS);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "moments must lie between 2 and %d",
+                     MOST_MOMENTS);
   }
   const tp_status status = tp_tilt_check_scene(scene, message);
   if (status != TP_OK) return status;
   if (options->overturning && !tp_scene_is_shaken(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
-                   "the shaking that overturns the block is requested, but the scene gives "
-                   "no 'shaking'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->tilt_test.place,
+                     "the shaking that overturns the block is requested, but the scene gives "
+                     "no 'shaking'");
   }
   return tp_overturning_check(options, message);
 }

@@ -41,9 +41,9 @@ tp_status tp_tilt_tractions_of(tp_path_traction **tractions, const tp_rigid_body
     const tp_traction_description *given = test->tractions + k;
     if (put(own, body, given)) continue;
     free(own);
-    return tp_fail(message, TP_BAD_INPUT, given->place,
-                   "no stress can be locked in on facet %ld: none of the block rests on it",
-                   given->facet);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, given->place,
+                     "no stress can be locked in on facet %ld: none of the block rests on it",
+                     given->facet);
   }
   *tractions = own;
   return TP_OK;

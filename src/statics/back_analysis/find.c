@@ -52,13 +52,14 @@ static tp_status set_range(tp_search *s, tp_found *found) {
   found->high = o->has_high ? o->high : s->own < 0 ? 0 : 10 * s->own;
   if (found->low < found->high) return TP_OK;
   if (found->low == found->high) {
-    return tp_fail(s->message, TP_BAD_INPUT, number_place(s),
-                   "give the range to look in, as in --from 0 --to 10; this one has no width: both "
-                   "its ends are %.15g",
-                   found->low);
+    return tp_refuse(
+        s->message, TP_FAULT_RANGE, number_place(s),
+        "give the range to look in, as in --from 0 --to 10; this one has no width: both "
+        "its ends are %.15g",
+        found->low);
   }
-  return tp_fail(
-      s->message, TP_BAD_INPUT, number_place(s),
+  return tp_refuse(
+      s->message, TP_FAULT_RANGE, number_place(s),
       "the range is reversed: it begins at %.15g%s and ends at %.15g%s; write the lesser "
       "end as --from, the greater as --to",
       found->low, o->has_low ? "" : " (where no --from is given)", found->high,
@@ -103,16 +104,16 @@ static tp_status check_target(const tp_search *s) {
   const tp_scene *scene = s->varied.scene;
   const tp_place place = {scene->path, 0, 0};
   if (target >= TP_FIND_SLIDING_ANGLE && !scene->friction_angle_deg.given) {
-    return tp_fail(s->message, TP_BAD_INPUT, place,
-                   "%s needs friction; give the scene its 'friction_angle_deg: …'",
-                   tp_find_target_name(target));
+    return tp_refuse(s->message, TP_FAULT_KEY, place,
+                     "%s needs friction; give the scene its 'friction_angle_deg: …'",
+                     tp_find_target_name(target));
   }
   const bool needs_tilt = is_factor(target);
   /* one that it gives, or that of a slope */
   if (!needs_tilt || scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD) return TP_OK;
-  return tp_fail(s->message, TP_BAD_INPUT, place,
-                 "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
-                 tp_find_target_name(target));
+  return tp_refuse(s->message, TP_FAULT_KEY, place,
+                   "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
+                   tp_find_target_name(target));
 }
 
 /* All that the target does not take is left out. */
@@ -168,12 +169,13 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->key);
   if ((int)options->target < 0 || options->target > TP_FIND_GOVERNING_FOS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                     "there is no such result to find for");
   }
   if (!isfinite(options->value) ||
       !isfinite((options->has_high ? options->high : 0) - (options->has_low ? options->low : 0))) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "the value to find for and the range to look in must be finite numbers");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "the value to find for and the range to look in must be finite numbers");
   }
   tp_search s = {.options = options, .varied = {.scene = scene, .count = 1}, .message = message};
   set_options(&s.varied.options, options->target);

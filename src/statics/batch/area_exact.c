@@ -87,7 +87,8 @@ static tp_status take(tp_area_moments *moments, const tp_lattice *lattice, tp_me
   tp_ring_sums_exact(s.sums, lattice->x, lattice->y, lattice->count);
   tp_status status = TP_OK;
   if (fmpz_is_zero(s.sums + TP_A2)) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "the outline has an area of zero");
+    status =
+        tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){0}, "the outline has an area of zero");
   } else {
     *moments = (tp_area_moments){.area = area(&s),
                                  .centroid_x = centroid(&s, TP_X6, lattice->origin_x),
@@ -102,9 +103,9 @@ static tp_status take(tp_area_moments *moments, const tp_lattice *lattice, tp_me
 
 tp_status tp_area_exact(tp_area_moments *moments, tp_vertices vertices, tp_message *message) {
   if (vertices.count < 3) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "the outline has %zu %s; it needs at least three", vertices.count,
-                   vertices.count == 1 ? "vertex" : "vertices");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "the outline has %zu %s; it needs at least three", vertices.count,
+                     vertices.count == 1 ? "vertex" : "vertices");
   }
   tp_polyline line = {0};
   const tp_coordinates given = tp_coordinates_of(vertices.xy, vertices.count);

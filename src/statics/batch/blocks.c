@@ -26,8 +26,8 @@ tp_numbers tp_numbers_each(const double *each) {
 tp_status tp_blocks_check(const tp_outlines *outlines, const tp_blocks_options *options,
                           const char *call, tp_message *message) {
   if (options->towards != TP_TOWARDS_LEFT && options->towards != TP_TOWARDS_RIGHT) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s: 'towards' must be the left or the right", call);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                     "%s: 'towards' must be the left or the right", call);
   }
   return tp_outlines_check(outlines, call, message);
 }

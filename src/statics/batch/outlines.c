@@ -33,20 +33,20 @@ tp_vertices tp_outlines_at(const tp_outlines *outlines, size_t k) {
 tp_status tp_outlines_check(const tp_outlines *outlines, const char *call, tp_message *message) {
   if (outlines->count == 0) return TP_OK;
   if (outlines->xy == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s: the coordinates of 'outlines' must not be NULL", call);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                     "%s: the coordinates of 'outlines' must not be NULL", call);
   }
   if (outlines->first == NULL && outlines->vertices > SIZE_MAX / 16 / outlines->count) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s: %zu outlines of %zu vertices are too many for any memory", call,
-                   outlines->count, outlines->vertices);
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "%s: %zu outlines of %zu vertices are too many for any memory", call,
+                     outlines->count, outlines->vertices);
   }
   for (size_t k = 0; outlines->first != NULL && k < outlines->count; k++) {
     if (outlines->first[k] <= outlines->first[k + 1]) continue;
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s: outline %zu begins at vertex %zu and the next one at %zu; 'first' must "
-                   "not fall",
-                   call, k, outlines->first[k], outlines->first[k + 1]);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){0},
+                     "%s: outline %zu begins at vertex %zu and the next one at %zu; 'first' must "
+                     "not fall",
+                     call, k, outlines->first[k], outlines->first[k + 1]);
   }
   return TP_OK;
 }

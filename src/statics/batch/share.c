@@ -55,7 +55,8 @@ bool tp_workspace_reserve(tp_workspace *workspace, size_t count) {
 static void complain(tp_blocks_summary *summary, size_t block, const tp_message *message) {
   if (summary->bad++ > 0) return; /* chunks come in their order, so that this was the first */
   summary->first_bad = block;
-  tp_fail(&summary->complaint, TP_BAD_INPUT, (tp_place){0}, "block %zu: %s", block, message->text);
+  tp_refuse(&summary->complaint, message->fault, (tp_place){0}, "block %zu: %s", block,
+            message->text);
 }
 
 static tp_status do_block(worker *own, size_t block) {

@@ -99,10 +99,11 @@ static tp_status check_lines(const tp_line_load *loads, long count, const tp_pol
                              const char *what, tp_message *message) {
   for (long k = 0; k < count; k++) {
     if (acts_on(ring, loads + k)) continue;
-    return tp_fail(message, TP_BAD_INPUT, loads[k].place,
-                   "this %s does not act on an edge of the block: the straight line from 'from' to "
-                   "'to' must lie on its outline; on a face with corners give one for each edge",
-                   what);
+    return tp_refuse(
+        message, TP_FAULT_RANGE, loads[k].place,
+        "this %s does not act on an edge of the block: the straight line from 'from' to "
+        "'to' must lie on its outline; on a face with corners give one for each edge",
+        what);
   }
   return TP_OK;
 }
@@ -112,9 +113,9 @@ static tp_status check_sense(const tp_line_load *loads, long count, const tp_pol
                              tp_message *message) {
   for (long k = 0; k < count; k++) {
     if (is_covered(ring, loads + k, true)) continue;
-    return tp_fail(message, TP_BAD_INPUT, loads[k].place,
-                   "this pressure would pull: give 'from' and 'to' counter-clockwise round the "
-                   "block, so that it lies on their left");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, loads[k].place,
+                     "this pressure would pull: give 'from' and 'to' counter-clockwise round the "
+                     "block, so that it lies on their left");
   }
   return TP_OK;
 }
@@ -149,18 +150,20 @@ tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
   const tp_quantity *tilt = &scene->tilt_angle_deg;
   const bool upright = fmpq_cmp_si(tilt->value, 90) == 0 || fmpq_cmp_si(tilt->value, -90) == 0;
   if (upright && water->stays_level && !water->lifts_alone && !fmpq_is_zero(water->height.value)) {
-    return tp_fail(message, TP_BAD_INPUT, tilt->place,
-                   "at 90° the face behind the block lies level, and water that stays level never "
-                   "comes to its end; give a tilt below, or leave out 'stays_level'");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, tilt->place,
+        "at 90° the face behind the block lies level, and water that stays level never "
+        "comes to its end; give a tilt below, or leave out 'stays_level'");
   }
   if (!above) return TP_OK;
   if (scene->frame == TP_FRAME_WORLD) {
-    return tp_fail(message, TP_BAD_INPUT, water->height.place,
-                   "the water stands above the top of the block: its height counts from the up-dip "
-                   "end of the joint below it, normal to the mean plane; lower it");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, water->height.place,
+        "the water stands above the top of the block: its height counts from the up-dip "
+        "end of the joint below it, normal to the mean plane; lower it");
   }
-  return tp_fail(
-      message, TP_BAD_INPUT, water->height.place,
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, water->height.place,
       "the water stands above the top of the block when it is tilted towards the %s: its "
       "height counts from the up-dip end of the joint below it; lower it, or tilt the other way",
       towards);
@@ -178,9 +181,9 @@ tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_me
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
     const tp_anchor_description *a = loads->anchors + k;
     if (tp_loads_in_outline(ring, a->x.value, a->y.value)) continue;
-    status = tp_fail(message, TP_BAD_INPUT, a->place,
-                     "this anchor does not hold the block: 'at' "
-                     "lies outside its outline");
+    status = tp_refuse(message, TP_FAULT_GEOMETRY, a->place,
+                       "this anchor does not hold the block: 'at' "
+                       "lies outside its outline");
   }
   return status;
 }

@@ -13,9 +13,9 @@ tp_status tp_contact_width_check(const tp_contact *contact, const tp_lattice *l,
     const tp_facet *f = contact->facets + k;
     if (!fmpz_equal(l->x + f->q0, l->x + f->q1)) return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, scene->friction_angle_deg.place,
-                 "the block touches its base in points or upright faces alone, on which the law "
-                 "barton finds no mean normal stress: say how wide the contact is along the mean "
-                 "plane, 'contact: {width: …}' in %s, or give a 'friction_angle_deg'",
-                 scene->length_unit);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, scene->friction_angle_deg.place,
+                   "the block touches its base in points or upright faces alone, on which the law "
+                   "barton finds no mean normal stress: say how wide the contact is along the mean "
+                   "plane, 'contact: {width: …}' in %s, or give a 'friction_angle_deg'",
+                   scene->length_unit);
 }

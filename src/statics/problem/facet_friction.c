@@ -40,8 +40,8 @@ typedef struct search {
 static tp_status claim(search *s, long facet, long entry) {
   const tp_facet_friction_description *own = s->scene->friction.facets + entry;
   if (s->found->entry_of[facet] >= 0) {
-    return tp_fail(s->message, TP_BAD_INPUT, own->place,
-                   "facet %ld of the base is given a friction angle twice", facet + 1);
+    return tp_refuse(s->message, TP_FAULT_GEOMETRY, own->place,
+                     "facet %ld of the base is given a friction angle twice", facet + 1);
   }
   s->found->entry_of[facet] = entry;
   if (s->found->firsts[entry] == 0) s->found->firsts[entry] = facet + 1;
@@ -52,10 +52,10 @@ static tp_status claim(search *s, long facet, long entry) {
 static tp_status claim_numbers(search *s, long entry) {
   const tp_facet_friction_description *own = s->scene->friction.facets + entry;
   if (own->last > s->counted.count) {
-    return tp_fail(s->message, TP_BAD_INPUT, own->place,
-                   "there is no facet %ld: the base has %ld, counted from left to right along %s",
-                   own->last, s->counted.count,
-                   s->counted.mated ? "the underside that it is mated with" : "its profile");
+    return tp_refuse(s->message, TP_FAULT_RANGE, own->place,
+                     "there is no facet %ld: the base has %ld, counted from left to right along %s",
+                     own->last, s->counted.count,
+                     s->counted.mated ? "the underside that it is mated with" : "its profile");
   }
   tp_status status = TP_OK;
   for (long k = own->first; k <= own->last && status == TP_OK; k++) {
@@ -83,18 +83,18 @@ static tp_status fail_partly(const search *s, long facet, tp_place place) {
   char left[80], right[80];
   tp_ratio_text(left, sizeof left, s->base->ring.x + s->counted.first + facet);
   tp_ratio_text(right, sizeof right, s->base->ring.x + s->counted.first + facet + 1);
-  return tp_fail(s->message, TP_BAD_INPUT, place,
-                 "facet %ld of the base, from x = %s to x = %s, lies between these in part; end "
-                 "them at vertices of the base, or put one where friction changes",
-                 facet + 1, left, right);
+  return tp_refuse(s->message, TP_FAULT_GEOMETRY, place,
+                   "facet %ld of the base, from x = %s to x = %s, lies between these in part; end "
+                   "them at vertices of the base, or put one where friction changes",
+                   facet + 1, left, right);
 }
 
 static tp_status claim_between(search *s, long entry) {
   const tp_facet_friction_description *own = s->scene->friction.facets + entry;
   if (s->counted.turned) {
-    return tp_fail(s->message, TP_BAD_INPUT, own->place,
-                   "in the frame of the world the section is turned, and x with it: name facets "
-                   "by number, 'facet: [3, 7]'");
+    return tp_refuse(s->message, TP_FAULT_GEOMETRY, own->place,
+                     "in the frame of the world the section is turned, and x with it: name facets "
+                     "by number, 'facet: [3, 7]'");
   }
   tp_status status = TP_OK;
   for (long k = 0; k < s->counted.count && status == TP_OK; k++) {
@@ -103,7 +103,8 @@ static tp_status claim_between(search *s, long entry) {
     if (lies == WITHIN) status = claim(s, k, entry);
   }
   if (status != TP_OK || s->found->firsts[entry] > 0) return status;
-  return tp_fail(s->message, TP_BAD_INPUT, own->place, "no facet of the base lies between these");
+  return tp_refuse(s->message, TP_FAULT_GEOMETRY, own->place,
+                   "no facet of the base lies between these");
 }
 
 /* ---- the angles of the contact

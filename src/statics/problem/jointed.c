@@ -18,21 +18,21 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   if (block->form != TP_OUTLINE_ELLIPSE && block->arc_count == 0 && block->rounded.count == 0) {
     return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, tp_scene_shift_place(scene),
-                 "a shifted block comes to rest on its corners: 'joint' is for straight edges, "
-                 "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_scene_shift_place(scene),
+                   "a shifted block comes to rest on its corners: 'joint' is for straight edges, "
+                   "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
 }
 
 /* It is lifted along y, shifted and set down again: nothing of its base may reach over it. */
 static tp_status check_way_down(const tp_base *base, const tp_scene *scene, tp_message *message) {
   for (long k = 0; k < base->edge_count; k++) {
     if (fmpq_cmp(base->ring.x + k, base->ring.x + k + 1) <= 0) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_scene_shift_place(scene),
-                   "the mated base turns back over the block between x = %.9g and x = %.9g %s: "
-                   "that holds it, and it can not be set down anew along y; narrow the contact "
-                   "with 'between'",
-                   fmpq_get_d(base->ring.x + k + 1), fmpq_get_d(base->ring.x + k),
-                   scene->length_unit);
+    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_scene_shift_place(scene),
+                     "the mated base turns back over the block between x = %.9g and x = %.9g %s: "
+                     "that holds it, and it can not be set down anew along y; narrow the contact "
+                     "with 'between'",
+                     fmpq_get_d(base->ring.x + k + 1), fmpq_get_d(base->ring.x + k),
+                     scene->length_unit);
   }
   return TP_OK;
 }
@@ -55,10 +55,10 @@ static tp_status check_shift(const tp_base *base, const tp_polyline *outline, co
   if (!beside) return TP_OK;
   char text[80];
   tp_ratio_text(text, sizeof text, shift);
-  return tp_fail(message, TP_BAD_INPUT, tp_scene_shift_place(scene),
-                 "shifted by %s %s no part of the block stands over its base any more; let the "
-                 "base go on, 'beyond: {left: …, right: …}', or shift the block less",
-                 text, scene->length_unit);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_scene_shift_place(scene),
+                   "shifted by %s %s no part of the block stands over its base any more; let the "
+                   "base go on, 'beyond: {left: …, right: …}', or shift the block less",
+                   text, scene->length_unit);
 }
 
 static void shift_along(fmpq_t x, fmpq_t y, const void *context) {

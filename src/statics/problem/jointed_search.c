@@ -121,11 +121,11 @@ static tp_status halve(search *s) {
 }
 
 static tp_status fail_to_open(const search *s) {
-  return tp_fail(s->message, TP_BAD_INPUT, tp_scene_shift_place(s->scene),
-                 "shifted to the %s by up to the length of its underside the block still matches "
-                 "its base by %.4g wherever it comes to rest; give a smaller 'closure', a larger "
-                 "'matching', or a 'shift'",
-                 s->scene->base.shift_left ? "left" : "right", s->least);
+  return tp_refuse(s->message, TP_FAULT_GEOMETRY, tp_scene_shift_place(s->scene),
+                   "shifted to the %s by up to the length of its underside the block still matches "
+                   "its base by %.4g wherever it comes to rest; give a smaller 'closure', a larger "
+                   "'matching', or a 'shift'",
+                   s->scene->base.shift_left ? "left" : "right", s->least);
 }
 
 /* How many units the underside is long, from the block where it fits. */
@@ -146,10 +146,11 @@ static tp_status find_most(search *s) {
     s->most = (long)(many * CLOSURE);
     return TP_OK;
   }
-  return tp_fail(s->message, TP_BAD_INPUT, s->scene->base.closure.place,
-                 "the underside is %.3g closures long: a matching is sought with a 'closure' that "
-                 "is no longer than the underside, and no less than 1e-12 of it",
-                 many);
+  return tp_refuse(
+      s->message, TP_FAULT_GEOMETRY, s->scene->base.closure.place,
+      "the underside is %.3g closures long: a matching is sought with a 'closure' that "
+      "is no longer than the underside, and no less than 1e-12 of it",
+      many);
 }
 
 static tp_status seek(search *s) {

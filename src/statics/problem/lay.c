@@ -13,10 +13,10 @@ static tp_status set_down(tp_rested **rested, const tp_scene *scene,
                           tp_message *message) {
   const tp_effect_begin began = tp_effects_begin(solution);
   if (options->digits > TP_RESTED_DIGITS) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "of a block that comes to rest numbers are certain to %d digits at most; give "
-                   "it where it rests, 'place: as_given', for more",
-                   TP_RESTED_DIGITS);
+    return tp_refuse(message, TP_FAULT_RANGE, scene->base.rests_place,
+                     "of a block that comes to rest numbers are certain to %d digits at most; give "
+                     "it where it rests, 'place: as_given', for more",
+                     TP_RESTED_DIGITS);
   }
   const tp_status status = tp_rested_init(rested, scene, message);
   if (status != TP_OK) return status;
@@ -37,10 +37,10 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const tp_solve_op
                       tp_solution *solution, tp_message *message) {
   const tp_effect_begin began = tp_effects_begin(solution);
   if (options->digits > TP_WORLD_DIGITS) {
-    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                   "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
-                   "coordinates along the mean plane for more",
-                   TP_WORLD_DIGITS);
+    return tp_refuse(message, TP_FAULT_RANGE, scene->frame_place,
+                     "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
+                     "coordinates along the mean plane for more",
+                     TP_WORLD_DIGITS);
   }
   const tp_status status = tp_world_init(world, scene, message);
   if (status != TP_OK) return status;

@@ -93,8 +93,8 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
   const tp_effect_begin began = tp_effects_begin(solution);
   tp_status status = TP_OK;
   if (tp_lattice_work(&problem->lattice) > most_work) {
-    return tp_fail(
-        message, TP_BAD_INPUT, (tp_place){0},
+    return tp_refuse(
+        message, TP_FAULT_RANGE, (tp_place){0},
         "over their common denominator the coordinates have %.0f digits, too many for an "
         "account by elements; leave out --elements, or round the coordinates",
         (double)problem->lattice.bits * log10(2));
@@ -128,9 +128,9 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
       status, message,
       tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began));
   if (status == TP_OK && problem->corners.count > 0 && options->elements) {
-    return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
-                   "the account by elements is for sharp corners; leave out --elements or the "
-                   "rounding");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->block.rounded.place,
+                     "the account by elements is for sharp corners; leave out --elements or the "
+                     "rounding");
   }
   return status;
 }
@@ -158,9 +158,9 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
             facet->q0 == facet->q1 && (tp_lattice_same_point(l, facet->q0, ends[side]) ||
                                        (inwards && tp_lattice_same_point(l, facet->q0, tip)));
         if (!along || !toward || own_end) continue;
-        return tp_fail(message, TP_BAD_INPUT, problem->scene->block.arcs[0].place,
-                       "the block touches its base on an arc; say where the contact ends, 'base: "
-                       "{mated: true, between: [[x, y], [x, y]]}', or lower the base");
+        return tp_refuse(message, TP_FAULT_GEOMETRY, problem->scene->block.arcs[0].place,
+                         "the block touches its base on an arc; say where the contact ends, 'base: "
+                         "{mated: true, between: [[x, y], [x, y]]}', or lower the base");
       }
     }
   }
@@ -195,9 +195,9 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
   const tp_scene *scene = problem->scene;
   problem->loaded = true;
   if (options->elements) {
-    return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
-                   "the account by elements is for the weight alone; leave out --elements or the "
-                   "loads");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->loads.place,
+                     "the account by elements is for the weight alone; leave out --elements or the "
+                     "loads");
   }
   const tp_contact *contact = &problem->contact;
   const tp_quantity *glued =
@@ -207,8 +207,8 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
     has_length = has_length || contact->facets[k].q0 != contact->facets[k].q1;
   }
   if (glued->given && !has_length) {
-    return tp_fail(message, TP_BAD_INPUT, glued->place,
-                   "the block touches its base only in points: there is no contact to hold");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, glued->place,
+                     "the block touches its base only in points: there is no contact to hold");
   }
   if (scene->loads.water.given) find_joint(problem);
   tp_status status = tp_loads_check(scene, &problem->section, message);

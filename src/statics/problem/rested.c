@@ -17,14 +17,14 @@
 static tp_status check_form(const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
   if (scene->base.mated) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "a mated base fits its block already; 'place: rest' is for a base with a "
-                   "'profile' of its own");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.rests_place,
+                     "a mated base fits its block already; 'place: rest' is for a base with a "
+                     "'profile' of its own");
   }
   if (block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || block->rounded.count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "'place: rest' turns a block about its corners: it is for straight edges, "
-                   "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.rests_place,
+                     "'place: rest' turns a block about its corners: it is for straight edges, "
+                     "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
   }
   return TP_OK;
 }
@@ -66,26 +66,28 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
   const double x = fmpq_get_d(&s->pivot.x), y = fmpq_get_d(&s->pivot.y);
   switch (s->how) {
   case TP_SETTLED_BESIDE:
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "set down where its coordinates lie, shifted where 'shift' says so, the block "
-                   "falls beside its base: no part of it stands over the profile; shift the block, "
-                   "or let the profile go on");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, place,
+        "set down where its coordinates lie, shifted where 'shift' says so, the block "
+        "falls beside its base: no part of it stands over the profile; shift the block, "
+        "or let the profile go on");
   case TP_SETTLED_ROLLS_OFF:
-    return tp_fail(
-        message, TP_BAD_INPUT, place,
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, place,
         "the block rolls off its base: after %ld turn%s, turned by %.6g° in all with its "
         "centroid in (%.9g, %.9g) %s, it goes over (%.9g, %.9g) %s and touches nothing "
         "more; let the profile go on, or shift the block",
         s->turns - 1, s->turns == 2 ? "" : "s", turned_deg(&s->bodies.pose),
         fmpq_get_d(&s->bodies.centroid.x), fmpq_get_d(&s->bodies.centroid.y), unit, x, y, unit);
   case TP_SETTLED_BALANCES:
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the block balances on (%.9g, %.9g) %s, exactly below its centroid: it may fall "
-                   "either way; shift it to one side",
-                   x, y, unit);
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, place,
+        "the block balances on (%.9g, %.9g) %s, exactly below its centroid: it may fall "
+        "either way; shift it to one side",
+        x, y, unit);
   case TP_SETTLED_TOO_DEAR:
-    return tp_fail(
-        message, TP_BAD_INPUT, place,
+    return tp_refuse(
+        message, TP_FAULT_RANGE, place,
         "the block has turned %ld times and not come to rest, on a profile of %ld points "
         "with %ld vertices of its own, and takes too long to go on: give the profile "
         "fewer points, or let the block lie where its coordinates put it, by 'place: "

@@ -16,14 +16,15 @@
 static tp_status check_form(const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
   if (scene->base.mated) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                   "a mated base touches its block already; 'contact: {within: …}' is for a base "
-                   "with a 'profile' of its own");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.within.place,
+                     "a mated base touches its block already; 'contact: {within: …}' is for a base "
+                     "with a 'profile' of its own");
   }
   if (block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || block->rounded.count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                   "'contact: {within: …}' moves the corners of a block: it is for straight edges, "
-                   "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, scene->base.within.place,
+        "'contact: {within: …}' moves the corners of a block: it is for straight edges, "
+        "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
   }
   return TP_OK;
 }
@@ -41,12 +42,12 @@ static tp_status check_edges(const tp_closeness *near, const tp_scene *scene, tp
     char text[64], where[300];
     tp_ratio_text(text, sizeof text, within);
     tp_place_text(where, sizeof where, tp_polyline_place(line, edge));
-    status = tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                     "within %s %s corners could not be distinguished: the edge from vertex %ld to "
-                     "vertex %ld of the %s (%s) is %.3g %s long; give at most the shortest edge",
-                     text, scene->length_unit, tp_polyline_number(line, edge),
-                     tp_polyline_number(line, next), of_base ? "profile" : "outline", where,
-                     tp_closeness_root(square), scene->length_unit);
+    status = tp_refuse(
+        message, TP_FAULT_RANGE, scene->base.within.place,
+        "within %s %s corners could not be distinguished: the edge from vertex %ld to "
+        "vertex %ld of the %s (%s) is %.3g %s long; give at most the shortest edge",
+        text, scene->length_unit, tp_polyline_number(line, edge), tp_polyline_number(line, next),
+        of_base ? "profile" : "outline", where, tp_closeness_root(square), scene->length_unit);
   }
   fmpq_clear(square);
   return status;
@@ -217,7 +218,7 @@ void tp_snapped_explain(const tp_scene *scene, tp_message *message) {
   tp_message inner = *message;
   char within[64];
   tp_ratio_text(within, sizeof within, scene->base.within.value);
-  (void)tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                "with all within %s %s of its contact moved there: %s", within, scene->length_unit,
-                inner.text);
+  (void)tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.within.place,
+                  "with all within %s %s of its contact moved there: %s", within,
+                  scene->length_unit, inner.text);
 }

@@ -26,9 +26,10 @@ typedef struct found {
 } found;
 
 static tp_status fail_direction(const tp_scene *scene, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                 "the contact defines no mean plane that runs from left to right; give it: 'frame: "
-                 "{mean_plane: [[x, y], [x, y]]}'");
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, scene->frame_place,
+      "the contact defines no mean plane that runs from left to right; give it: 'frame: "
+      "{mean_plane: [[x, y], [x, y]]}'");
 }
 
 /* The outline turned by the direction, as large as that makes it. */
@@ -71,10 +72,10 @@ static tp_status settle(found *f, tp_underside *u, const tp_scene *scene, const 
   }
   tp_polyline_clear(&turned);
   if (status != TP_OK || stays) return status;
-  return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                 "the ends of the contact and its mean plane depend on each other and do not "
-                 "settle; name the ends, 'base: {between: [[x, y], [x, y]]}', or the plane, "
-                 "'frame: {mean_plane: [[x, y], [x, y]]}'");
+  return tp_refuse(message, TP_FAULT_GEOMETRY, scene->frame_place,
+                   "the ends of the contact and its mean plane depend on each other and do not "
+                   "settle; name the ends, 'base: {between: [[x, y], [x, y]]}', or the plane, "
+                   "'frame: {mean_plane: [[x, y], [x, y]]}'");
 }
 
 /* By the contact with a profile as the coordinates lie. */
@@ -182,11 +183,11 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
   if (w->turn.rises != 0) {
     const bool along = w->turn.rises > 0 ? scene->towards_left : scene->towards_right;
     if (!along) {
-      return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
-                     "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
-                     "the other way; leave 'towards' out, or say %s: an earthquake is considered "
-                     "both ways, or as 'direction' of 'loads.seismic' says",
-                     way, way);
+      return tp_refuse(message, TP_FAULT_GEOMETRY, scene->tilt_place,
+                       "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
+                       "the other way; leave 'towards' out, or say %s: an earthquake is considered "
+                       "both ways, or as 'direction' of 'loads.seismic' says",
+                       way, way);
     }
     w->scene.towards_left = w->turn.rises > 0;
     w->scene.towards_right = w->turn.rises < 0;
@@ -195,9 +196,10 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
   if (!tilt->given) tilt->place = scene->frame_place;
   tilt->given = true;
   if (fmpq_cmp_si(tilt->value, 90) <= 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, tilt->place,
-                 "the dip of the mean plane and the tilt make more than 90°; the tilt is added to "
-                 "the dip where 'frame' is 'world'");
+  return tp_refuse(
+      message, TP_FAULT_RANGE, tilt->place,
+      "the dip of the mean plane and the tilt make more than 90°; the tilt is added to "
+      "the dip where 'frame' is 'world'");
 }
 
 void tp_world_free(tp_world *w) {
@@ -245,9 +247,9 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
 
 tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_message *message) {
   if (scene->block.form != TP_OUTLINE_VERTICES) {
-    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                   "teeth, slabs and ellipses have a mean plane of their own, level in their own "
-                   "coordinates; 'frame: world' is for an outline");
+    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->frame_place,
+                     "teeth, slabs and ellipses have a mean plane of their own, level in their own "
+                     "coordinates; 'frame: world' is for an outline");
   }
   const tp_loads_description *loads = &scene->loads;
   found f = {.up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP};

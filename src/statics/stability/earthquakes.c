@@ -21,10 +21,11 @@ tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message 
   *several = false;
   if (scene->frame != TP_FRAME_WORLD) {
     if (!loads->direction_given || loads->direction == TP_SEISMIC_DOWN_DIP) return TP_OK;
-    return tp_fail(message, TP_BAD_INPUT, loads->seismic_place,
-                   "an earthquake is considered both ways, or up-dip, where the block lies on a "
-                   "slope, 'frame: world'; on a table 'horizontal' acts towards the side that the "
-                   "tilt lowers, and a negative one against it");
+    return tp_refuse(
+        message, TP_FAULT_KEY, loads->seismic_place,
+        "an earthquake is considered both ways, or up-dip, where the block lies on a "
+        "slope, 'frame: world'; on a table 'horizontal' acts towards the side that the "
+        "tilt lowers, and a negative one against it");
   }
   const bool vertical = loads->vertical.given && !fmpq_is_zero(loads->vertical.value);
   *several =

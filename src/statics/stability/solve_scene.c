@@ -106,18 +106,19 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   tp_solve_options own = tp_solve_options_default();
   TP_TAKE_OPTIONS(message, own, options);
   if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
-                   TP_DIGITS_MAX);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "digits must lie between 1 and %d",
+                     TP_DIGITS_MAX);
   }
   if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such level of arithmetic");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
+                     "there is no such level of arithmetic");
   }
   if (options->threads > TP_SUMS_THREADS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "threads must be 0 to %d",
-                   TP_SUMS_THREADS);
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "threads must be 0 to %d",
+                     TP_SUMS_THREADS);
   }
   if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such list of pivots");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such list of pivots");
   }
   return solve(solution, NULL, scene, options, message);
 }

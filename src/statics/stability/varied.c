@@ -19,8 +19,8 @@ static tp_status read_values(fmpq *numbers, const tp_varied *varied, const doubl
     const char *problem = NULL;
     snprintf(text, sizeof text, "%.17g", values[k]);
     if (tp_ratio_read_field(numbers + k, text, strlen(text), &problem)) continue;
-    return tp_fail(message, TP_BAD_INPUT, tp_scene_key_place(varied->keys + k, varied->scene),
-                   "'%s' %s", text, problem);
+    return tp_refuse(message, TP_FAULT_KEY, tp_scene_key_place(varied->keys + k, varied->scene),
+                     "'%s' %s", text, problem);
   }
   return TP_OK;
 }
@@ -46,8 +46,8 @@ tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const
 tp_status tp_varied_check(double *own, const tp_varied *varied, tp_message *message) {
   const tp_scene *scene = varied->scene;
   if (scene->towards_left && scene->towards_right && scene->frame != TP_FRAME_WORLD) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "this scene tilts both ways; choose one, 'tilt: {towards: left}'");
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                     "this scene tilts both ways; choose one, 'tilt: {towards: left}'");
   }
   fmpq_t value;
   fmpq_init(value);

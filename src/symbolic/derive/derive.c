@@ -250,7 +250,7 @@ tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
   tp_derive_options own = tp_derive_options_default();
   TP_TAKE_OPTIONS(message, own, options);
   if ((int)options->notation < TP_NOTATION_TEXT || (int)options->notation > TP_NOTATION_C) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such notation");
   }
   if (options->rounded) {
     const tp_status status = tp_derive_rounding_check(scene, message);

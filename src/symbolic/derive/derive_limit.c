@@ -21,27 +21,28 @@ enum { BITS = 256 };
 
 tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {
   if (!scene->friction_angle_deg.given) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "the static limit needs friction_angle_deg; its value picks the mechanism, and "
-                   "the formula then holds for every tan(phi) in its range");
+    return tp_refuse(
+        message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+        "the static limit needs friction_angle_deg; its value picks the mechanism, and "
+        "the formula then holds for every tan(phi) in its range");
   }
   if (scene->friction.facet_count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->friction.facets[0].place,
-                   "formulas of the limit take one friction angle for all facets; leave out what "
-                   "facets have of their own");
+    return tp_refuse(message, TP_FAULT_KEY, scene->friction.facets[0].place,
+                     "formulas of the limit take one friction angle for all facets; leave out what "
+                     "facets have of their own");
   }
   if (scene->friction.load_dependent) {
-    return tp_fail(
-        message, TP_BAD_INPUT, scene->friction_angle_deg.place,
+    return tp_refuse(
+        message, TP_FAULT_KEY, scene->friction_angle_deg.place,
         "formulas of the limit take one friction angle; give friction_angle_deg, and the "
         "formula holds for tan(phi) at any stress");
   }
   for (long k = 0; k < scene->parameters.count; k++) {
     if (strcmp(scene->parameters.names[k], "phi") != 0) continue;
-    return tp_fail(message, TP_BAD_INPUT,
-                   tp_node_place(tp_node_get(scene->source, "parameters"), scene->path),
-                   "the formulas of the limit need the name 'phi' for themselves; rename this "
-                   "parameter");
+    return tp_refuse(message, TP_FAULT_KEY,
+                     tp_node_place(tp_node_get(scene->source, "parameters"), scene->path),
+                     "the formulas of the limit need the name 'phi' for themselves; rename this "
+                     "parameter");
   }
   return TP_OK;
 }

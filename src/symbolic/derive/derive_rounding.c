@@ -21,11 +21,11 @@ tp_status tp_derive_rounding_check(const tp_scene *scene, tp_message *message) {
   for (long k = 0; k < scene->parameters.count; k++) {
     for (size_t j = 0; j < sizeof taken / sizeof taken[0]; j++) {
       if (strcmp(scene->parameters.names[k], taken[j]) != 0) continue;
-      return tp_fail(message, TP_BAD_INPUT,
-                     tp_node_place(tp_node_get(scene->source, "parameters"), scene->path),
-                     "the formulas of rounded corners need the name '%s' for themselves; rename "
-                     "this parameter",
-                     taken[j]);
+      return tp_refuse(message, TP_FAULT_KEY,
+                       tp_node_place(tp_node_get(scene->source, "parameters"), scene->path),
+                       "the formulas of rounded corners need the name '%s' for themselves; rename "
+                       "this parameter",
+                       taken[j]);
     }
   }
   return TP_OK;

@@ -134,9 +134,9 @@ tp_status tp_family_check(const tp_scene *scene, tp_message *message) {
   if (block->form == TP_OUTLINE_TEETH && block->hole_count == 0 && block->part_count == 0) {
     return TP_OK;
   }
-  return tp_fail(message, TP_BAD_INPUT, block->place,
-                 "only a toothed block without holes and parts has a formula for all counts: "
-                 "'block: {teeth: {count: 3, …}}'");
+  return tp_refuse(message, TP_FAULT_KEY, block->place,
+                   "only a toothed block without holes and parts has a formula for all counts: "
+                   "'block: {teeth: {count: 3, …}}'");
 }
 
 tp_pivot_kind tp_family_toe_kind(const tp_scene *scene, bool even, tp_direction towards) {
@@ -272,7 +272,7 @@ tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notatio
   TP_REFUSE_NULL(message, family);
   TP_REFUSE_NULL(message, scene);
   if ((int)notation < TP_NOTATION_TEXT || (int)notation > TP_NOTATION_C) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such notation");
   }
   tp_status suits = tp_model_check_named(scene, message);
   if (suits == TP_OK) suits = tp_family_check(scene, message);

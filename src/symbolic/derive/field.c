@@ -146,9 +146,9 @@ tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_no
   const slong terms = fmpz_mpoly_length(fmpz_mpoly_q_numref(value), field->ring) +
                       fmpz_mpoly_length(fmpz_mpoly_q_denref(value), field->ring);
   if (status == TP_OK && terms > TP_FIELD_COORDINATE_TERMS + 1) {
-    return tp_fail(message, TP_BAD_INPUT, at,
-                   "more than %d terms in one number; formulas are derived for shorter ones",
-                   TP_FIELD_COORDINATE_TERMS);
+    return tp_refuse(message, TP_FAULT_RANGE, at,
+                     "more than %d terms in one number; formulas are derived for shorter ones",
+                     TP_FIELD_COORDINATE_TERMS);
   }
   return status;
 }

@@ -38,9 +38,9 @@ static tp_status solve(tp_model *model, const tp_scene *scene, tp_message *messa
 
 tp_status tp_model_check_named(const tp_scene *scene, tp_message *message) {
   if (scene->source != NULL) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                 "formulas are derived in the names of a scene file's parameters, which a scene "
-                 "built in memory has not; read one by tp_scene_read_text");
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
+                   "formulas are derived in the names of a scene file's parameters, which a scene "
+                   "built in memory has not; read one by tp_scene_read_text");
 }
 
 tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
@@ -49,42 +49,45 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
   const tp_status named = tp_model_check_named(scene, message);
   if (named != TP_OK) return named;
   if (scene->block.rounded.count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
-                   "formulas are derived for the sharp block; leave out 'rounded' and derive with "
-                   "--rounded");
+    return tp_refuse(
+        message, TP_FAULT_KEY, scene->block.rounded.place,
+        "formulas are derived for the sharp block; leave out 'rounded' and derive with "
+        "--rounded");
   }
   if (scene->block.form == TP_OUTLINE_ELLIPSE || scene->block.arc_count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->block.place,
-                   "formulas are derived for outlines of straight edges, not for curves");
+    return tp_refuse(message, TP_FAULT_KEY, scene->block.place,
+                     "formulas are derived for outlines of straight edges, not for curves");
   }
   if (scene->block.repair) {
-    return tp_fail(message, TP_BAD_INPUT, scene->block.repair_place,
-                   "formulas are derived for the outline as it is given; leave out 'repair'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->block.repair_place,
+                     "formulas are derived for the outline as it is given; leave out 'repair'");
   }
   if (tp_loads_are_called_for(&scene->loads)) {
-    return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
-                   "formulas are derived for the weight alone; leave out 'loads'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->loads.place,
+                     "formulas are derived for the weight alone; leave out 'loads'");
   }
   if (scene->base.rests) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "where a block comes to rest has no formula in its parameters; derive it where "
-                   "it rests, 'place: as_given'");
+    return tp_refuse(
+        message, TP_FAULT_KEY, scene->base.rests_place,
+        "where a block comes to rest has no formula in its parameters; derive it where "
+        "it rests, 'place: as_given'");
   }
   if (tp_scene_is_shifted(scene)) {
-    return tp_fail(
-        message, TP_BAD_INPUT, tp_scene_shift_place(scene),
+    return tp_refuse(
+        message, TP_FAULT_KEY, tp_scene_shift_place(scene),
         "where a shifted block comes to rest has no formula in its parameters; derive it "
         "where it fits, and leave out 'joint'");
   }
   if (scene->base.within.given) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
-                   "where vertices are moved to their contacts has no formula in the parameters; "
-                   "give them where they touch, and leave out 'contact'");
+    return tp_refuse(message, TP_FAULT_KEY, scene->base.within.place,
+                     "where vertices are moved to their contacts has no formula in the parameters; "
+                     "give them where they touch, and leave out 'contact'");
   }
   if (scene->frame == TP_FRAME_WORLD) {
-    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                   "formulas are derived along the mean plane of the base; give coordinates along "
-                   "it, and leave out 'frame'");
+    return tp_refuse(
+        message, TP_FAULT_KEY, scene->frame_place,
+        "formulas are derived along the mean plane of the base; give coordinates along "
+        "it, and leave out 'frame'");
   }
   model->solution = calloc(1, sizeof *model->solution);
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");

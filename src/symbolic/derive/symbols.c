@@ -71,9 +71,9 @@ static tp_status check_closing(const builder *b, const tp_symbolic_chain *chain,
   if (status == TP_OK) status = read_number(b, y, last->last);
   if (status == TP_OK && !(fmpz_mpoly_q_equal(x, chain->x + first, ring) &&
                            fmpz_mpoly_q_equal(y, chain->y + first, ring))) {
-    status = tp_fail(b->message, TP_BAD_INPUT, tp_node_place(last, b->scene->path),
-                     "this vertex closes the outline for the parameters as they are, but not for "
-                     "others; leave it out, or move it");
+    status = tp_refuse(b->message, TP_FAULT_KEY, tp_node_place(last, b->scene->path),
+                       "this vertex closes the outline for the parameters as they are, but not for "
+                       "others; leave it out, or move it");
   }
   fmpz_mpoly_q_clear(x, ring);
   fmpz_mpoly_q_clear(y, ring);

@@ -15,7 +15,7 @@ tp_status tp_claims_fail(const tp_claims *claims, const tp_node *node, tp_messag
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, claims->path), "%s", text);
+  return tp_refuse(message, TP_FAULT_FORMAT, tp_node_place(node, claims->path), "%s", text);
 }
 
 tp_status tp_claims_text(const char **text, const tp_claims *claims, const tp_node *mapping,

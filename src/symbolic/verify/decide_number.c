@@ -211,8 +211,8 @@ tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
   fmpq_init(p.value);
   if (!read_printed(&p, q->number, &problem)) {
     fmpq_clear(p.value);
-    return tp_fail(q->message, TP_BAD_INPUT, q->number_place, "'%s' %s",
-                   tp_quote_all(q->number).text, problem);
+    return tp_refuse(q->message, TP_FAULT_KEY, q->number_place, "'%s' %s",
+                     tp_quote_all(q->number).text, problem);
   }
   arb_t x;
   arb_init(x);

@@ -124,14 +124,14 @@ tp_status tp_domain_bound(tp_domain *d, const tp_domain_bounds *bounds,
   fmpz_mpoly_q_set(own->low, bounds->low, ring);
   fmpz_mpoly_q_set(own->high, bounds->high, ring);
   if (!inside(d, own, sample, true)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the claim's own value of '%.40s' lies outside this domain",
-                   d->subject->field->names[own->symbol]);
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "the claim's own value of '%.40s' lies outside this domain",
+                     d->subject->field->names[own->symbol]);
   }
   const tp_angle *angle = tp_domain_angle_of(d, own->symbol);
   if (angle != NULL && !bound_angle(d, own, angle)) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the domain of an angle is two numbers of degrees between -179 and 179");
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "the domain of an angle is two numbers of degrees between -179 and 179");
   }
   tp_images_set_symbol(&d->images, own);
   return tp_field_check(d->subject->field, place, message);

@@ -69,10 +69,11 @@ tp_status tp_sample_set(tp_claim_sample *sample, const tp_subject *s, const char
                         const fmpq_t value, tp_place place, tp_message *message) {
   const long symbol = tp_sample_symbol(s, name);
   if (symbol < 0) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "'%s' is not a symbol that takes a value: 'at' sets parameters, symbols, angles "
-                   "and r",
-                   tp_quote_all(name).text);
+    return tp_refuse(
+        message, TP_FAULT_KEY, place,
+        "'%s' is not a symbol that takes a value: 'at' sets parameters, symbols, angles "
+        "and r",
+        tp_quote_all(name).text);
   }
   fmpq_set(sample->values + symbol, value);
   sample->given[symbol] = true;

@@ -149,7 +149,8 @@ tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, t
   char spelt[TP_NAME_SIZE];
   const size_t used = tp_name_spell(spelt, sizeof spelt, name, sizeof spelt);
   if (used == 0 || name[used] != '\0') {
-    return tp_fail(message, TP_BAD_INPUT, place, "'%s' cannot be a name", tp_quote_all(name).text);
+    return tp_refuse(message, TP_FAULT_KEY, place, "'%s' cannot be a name",
+                     tp_quote_all(name).text);
   }
   tp_formula definition;
   const tp_status status = tp_subject_read(&definition, text, place, s, message);

@@ -130,11 +130,11 @@ static tp_status choose_pivot(tp_subject *s, const tp_subject_options *options, 
     if (solution->cases[c].towards == s->towards) s->at = solution->cases + c;
   }
   if (s->at == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, place, "the scene does not tilt this way");
+    return tp_refuse(message, TP_FAULT_KEY, place, "the scene does not tilt this way");
   }
   s->pivot = options->has_pivot ? options->pivot : s->at->governing;
   if (options->has_pivot ? s->pivot >= s->at->pivot_count : !s->at->has_governing) {
-    return tp_fail(message, TP_BAD_INPUT, place, "the scene has no such pivot");
+    return tp_refuse(message, TP_FAULT_KEY, place, "the scene has no such pivot");
   }
   return TP_OK;
 }
@@ -178,18 +178,18 @@ static tp_status add_names(tp_subject *s, const tp_subject_options *options, tp_
   if (!done) return tp_fail_memory(message, "the symbols");
   for (long k = ours; k < s->name_count; k++) {
     if (strlen(s->names[k].text) >= TP_NAME_SIZE) {
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "rename the parameter '%s' of this geometry: a formula has names of at most "
-                     "%d letters",
-                     tp_quote_all(s->names[k].text).text, TP_NAME_SIZE - 1);
+      return tp_refuse(message, TP_FAULT_KEY, place,
+                       "rename the parameter '%s' of this geometry: a formula has names of at most "
+                       "%d letters",
+                       tp_quote_all(s->names[k].text).text, TP_NAME_SIZE - 1);
     }
     for (long j = 0; j < k && j < declared; j++) {
       if (strcmp(s->names[j].text, s->names[k].text) != 0) continue;
-      return tp_fail(message, TP_BAD_INPUT, place,
-                     "'%s' is %s; rename the %s '%s' of this geometry",
-                     tp_quote_all(s->names[k].text).text,
-                     j < ours ? "a name that claims use for something else" : "declared already",
-                     k < declared ? "symbol" : "parameter", tp_quote_all(s->names[k].text).text);
+      return tp_refuse(message, TP_FAULT_KEY, place,
+                       "'%s' is %s; rename the %s '%s' of this geometry",
+                       tp_quote_all(s->names[k].text).text,
+                       j < ours ? "a name that claims use for something else" : "declared already",
+                       k < declared ? "symbol" : "parameter", tp_quote_all(s->names[k].text).text);
     }
   }
   return TP_OK;
