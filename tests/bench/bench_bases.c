@@ -8,8 +8,8 @@
  * By the seconds that tp_solve tells of its effects, one direction, 9 digits, no tilt given; each
  * column a median of its own, `ratio` that of onset over limit. */
 
-#include "../random_numbers.h"
 #include "bench.h"
+#include "random_numbers.h"
 
 #include "topple.h"
 

@@ -20,7 +20,7 @@ CALLS = sorted(set().union(*(declared(path.read_text(encoding="utf-8")) for path
 def called(pattern):
     """The names that the C of the tests uses, outside of comments and texts; a default is made by its `_init`."""
     names = set()
-    for path in (ROOT / "tests").glob(pattern):
+    for path in (ROOT / "tests").rglob(pattern):
         text = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\\n])*"', " ", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         names.update(re.sub("_options_default$", "_options_init", name) for name in re.findall(r"\btp_\w+\b", text))
     return names
@@ -35,15 +35,15 @@ class Calls(unittest.TestCase):
     def test_hostile_arguments(self):
         tried = called("test_*arguments.c")
         self.assertEqual([], [name for name in CALLS if name not in tried],
-                         "not tried in tests/test_arguments.c or another test_*_arguments.c")
+                         "not tried in tests/library/test_arguments.c or another test_*_arguments.c")
 
     def test_settings_and_threads(self):
         said = called("sayings*.c")
         self.assertEqual([], [name for name in CALLS if name not in said],
-                         "not called in tests/sayings*.c, which test_host.c and test_threads.c run")
+                         "not called in tests/support/sayings*.c, which test_host.c and test_threads.c run")
         for test in ("test_host.c", "test_threads.c"):
-            used = re.search(r"say_everything|all_sayings", (ROOT / "tests" / test).read_text(encoding="utf-8"))
-            self.assertIsNotNone(used, f"tests/{test} runs what tests/sayings.h offers")
+            used = re.search(r"say_everything|all_sayings", (ROOT / "tests/library" / test).read_text(encoding="utf-8"))
+            self.assertIsNotNone(used, f"tests/library/{test} runs what tests/support/sayings.h offers")
 
 
 if __name__ == "__main__":

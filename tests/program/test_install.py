@@ -152,13 +152,13 @@ class Installed(unittest.TestCase):
 
 class Entries(unittest.TestCase):
     def test_every_entry_guards_its_caller(self):
-        """Each public call that can fail begins with the guard of tests/test_host.c, refuses NULL for
+        """Each public call that can fail begins with the guard of tests/library/test_host.c, refuses NULL for
         each of its pointers but the message, by itself or by what the calls on many blocks begin with, and is tried
-        with them in tests/test_arguments.c or another test_*_arguments.c."""
+        with them in tests/library/test_arguments.c or another test_*_arguments.c."""
         blocks = (ROOT / "src" / "statics" / "batch" / "blocks.h").read_text(encoding="utf-8")
         (begin,) = re.findall(r"^#define TP_BLOCKS_BEGIN\((?:.*\\\n)+.*", blocks, re.M)
         sources = {p: p.read_text(encoding="utf-8") for p in (ROOT / "src").rglob("*.c")}
-        tried = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").glob("test_*arguments.c"))
+        tried = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("test_*arguments.c"))
         count = 0
         for header in sorted((ROOT / "include" / "topple").glob("topple*.h")):
             for name in re.findall(r"^TP_MUST_USE tp_status (\w+)\(", header.read_text(encoding="utf-8"), re.M):

@@ -180,6 +180,21 @@ class Includes(unittest.TestCase):
         changes = sum(one != other for one, other in zip(wings, wings[1:]))
         self.assertEqual(changes + 1, len(set(wings)), "the rooms of a wing stand together")
 
+    def test_tests_of_a_wing(self):
+        """Tests of C stand in the folder of a wing and use its rooms and those below, or in `library`, for all wings at once; what
+        several of them use is in `support`, and nothing lies beside the folders."""
+        order = list(dict.fromkeys(WING_OF.values()))
+        listed = 0
+        for path in sorted((ROOT / "tests").rglob("*.c*")):
+            folder, *rest = path.relative_to(ROOT / "tests").parts
+            if folder in ("fuzz", "bench", "support", "library") or path.suffix not in (".c", ".cpp"):
+                continue
+            self.assertTrue(folder in order and len(rest) == 1 and path.name.startswith("test_"), path)
+            listed += 1
+            for room in re.findall(r'^#include "(\w+)/', path.read_text(encoding="utf-8"), re.MULTILINE):
+                self.assertGreaterEqual(order.index(WING_OF[room]), order.index(folder), f"{path} uses {room}, of a wing above its own")
+        self.assertGreater(listed, 80)
+
     def test_the_command_line_sees_public_headers_alone(self):
         for path, text in sources():
             if room_of(path) != "cli":

@@ -3,7 +3,7 @@
 """Studies: probabilities of slabs beside closed forms, by every method of sampling; what varies, varies as it was said; no
 sample is dropped; and the summary fits a terminal.
 
-The draws themselves are tested in tests/test_draws*.c and tests/test_copula.c. A Latin hypercube of one variable has one
+The draws themselves are tested in tests/probability/test_draws*.c and tests/probability/test_copula.c. A Latin hypercube of one variable has one
 sample in each of n equal strata, so a count below a number x is n P(X < x) to within one: closed forms are met to 1/n."""
 
 import json

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """What holds of a scene holds of its mirror image, of the scene elsewhere and in another unit: not only
-of `solve` (tests/test_random_effects.c) but of back-analysis, maps, tables and derived formulas. Scenes
+of `solve` (tests/statics/test_random_effects.c) but of back-analysis, maps, tables and derived formulas. Scenes
 are drawn from a seed with parameters that each command varies; TOPPLE_ROUNDS multiplies their number."""
 
 import dataclasses

@@ -37,7 +37,7 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
   /* nobody named the CSV */
   if (lstat(csv, &own) == 0 && S_ISLNK(own.st_mode)) {
     return tp_refuse(
-        message, TP_FAULT_FORMAT, (tp_place){csv, 0, 0},
+        message, TP_FAULT_ARGUMENT, (tp_place){csv, 0, 0},
         "this is a link, into which the rows would go first; remove it, or name another "
         "file");
   }
@@ -47,24 +47,24 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
                    "cannot be written: it is a link that leads nowhere");
   }
   if (!S_ISREG(own.st_mode)) {
-    return tp_refuse(message, TP_FAULT_FORMAT, place,
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "HDF5 needs a file of its own; name another one");
   }
   if (tp_study_reads(study, &own)) {
     return tp_refuse(
-        message, TP_FAULT_FORMAT, place,
+        message, TP_FAULT_ARGUMENT, place,
         "this is a file that the study reads, and would be lost; write to another name");
   }
   if (restart) {
     if (tp_hdf5_file_is_ours(path)) return TP_OK;
-    return tp_refuse(message, TP_FAULT_FORMAT, place,
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "this file is there, and is not the rows of a study, the only files that are "
                      "written over; remove it, or name another file");
   }
   const tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK || there) return status;
   return tp_refuse(
-      message, TP_FAULT_FORMAT, place,
+      message, TP_FAULT_ARGUMENT, place,
       "this file is there, and no '%.300s' to continue from; restart to write over it, or "
       "name another file",
       csv);

@@ -127,7 +127,7 @@ static tp_status check_output(const char *rows, const part *parts, size_t count,
         own.st_ino != other.st_ino) {
       continue;
     }
-    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){rows, 0, 0},
+    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){rows, 0, 0},
                      "this is a shard that is read here, and would be lost; write to another name");
   }
   return TP_OK;
@@ -139,7 +139,7 @@ static tp_status start(merging *m, const part *parts, size_t count, const tp_stu
   if (status == TP_OK) status = tp_tally_init(&m->tally, m->study, message);
   if (status == TP_OK) status = tp_rows_open(&m->rows, m->study, options, message);
   if (status != TP_OK || m->rows.progress.chunks == 0) return status;
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){options->rows, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){options->rows, 0, 0},
                    "rows of this study are there already; restart to write over them, or name "
                    "another file");
 }

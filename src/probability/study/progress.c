@@ -84,7 +84,7 @@ static tp_status take(tp_progress *progress, const tp_node *root, const char *pa
   const tp_status status = check_files(root, study, place, message);
   if (status != TP_OK) return status;
   if (strcmp(version->text, TP_VERSION) != 0 || tp_node_get(root, "sha256") == NULL) {
-    return tp_refuse(message, TP_FAULT_FORMAT, place,
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "these rows are by another version of this program; restart, or name another "
                      "file");
   }
@@ -95,7 +95,7 @@ static tp_status take(tp_progress *progress, const tp_node *root, const char *pa
 }
 
 static tp_status fail_link(const char *path, tp_message *message) {
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){path, 0, 0},
                    "this is a link, and what it leads to would be lost; remove it, or name another "
                    "file for the rows");
 }
@@ -112,7 +112,7 @@ static tp_status check_there(const char *path, tp_message *message) {
   tp_node_free(root);
   if (known) return TP_OK;
   if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "the progress of a study");
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){path, 0, 0},
                    "this is not a progress file of a study, and would be lost; remove it, or "
                    "name another file for the rows");
 }

@@ -56,7 +56,7 @@ static tp_status append(tp_rows *rows, const tp_text *text, tp_message *message)
 
 static tp_status check_sources(const tp_rows *rows, const struct stat *own, tp_message *message) {
   if (!tp_study_reads(rows->study, own)) return TP_OK;
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){rows->path, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){rows->path, 0, 0},
                    "this is a file that the study reads, and would be lost; write to another name");
 }
 
@@ -103,7 +103,7 @@ static tp_status check_there(const tp_rows *rows, bool restart, off_t size, tp_m
   begins = begins && (restart || size <= (off_t)header.length);
   tp_text_drop(&header);
   if (status != TP_OK || begins) return status;
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){rows->path, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){rows->path, 0, 0},
                    "this file is there, and is not the rows of a study%s",
                    restart
                        ? ", the only files that are written over; remove it, or name another file"
@@ -115,12 +115,12 @@ static tp_status check_going_on(const tp_rows *rows, const tp_study_options *opt
   const tp_progress *progress = &rows->progress;
   const tp_place place = {rows->path, 0, 0};
   if (progress->shard != options->shard || progress->shards != options->shards) {
-    return tp_refuse(message, TP_FAULT_FORMAT, place,
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "these are the rows of shard %zu of %zu; restart, or name another file",
                      progress->shard, progress->shards);
   }
   if (progress->chunks > 0 && size < (off_t)progress->bytes) { /* the header alone is begun anew */
-    return tp_refuse(message, TP_FAULT_FORMAT, place,
+    return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "rows that were written are missing; restart, or name another file");
   }
   return TP_OK;
@@ -129,7 +129,7 @@ static tp_status check_going_on(const tp_rows *rows, const tp_study_options *opt
 /* One run at a time: another one is told, on the same machine and where the file system can. */
 static tp_status lock(const tp_rows *rows, tp_message *message) {
   if (flock(rows->descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return TP_OK;
-  return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){rows->path, 0, 0},
+  return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){rows->path, 0, 0},
                    "another run is writing these rows; wait for it, or name another file");
 }
 
@@ -140,7 +140,7 @@ static tp_status check_name(const char *path, tp_message *message) {
     return TP_OK;
   }
   return tp_refuse(
-      message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
+      message, TP_FAULT_ARGUMENT, (tp_place){path, 0, 0},
       "the rows are CSV; name a file that ends in .csv, or let 'topple study --rows' make "
       "HDF5");
 }

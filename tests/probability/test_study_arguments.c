@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Arguments of studies that no call can do anything with (tests/test_arguments.c has those of all
- * others). */
+/* Arguments of studies that no call can do anything with (tests/library/test_arguments.c has those
+ * of all others). */
 
 #include "refused.h"
 

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Arguments that no call can do anything with, of calls that have no status to say so (those of all
- * others are in tests/test_arguments.c): they answer something, and write nowhere. */
+ * others are in tests/library/test_arguments.c): they answer something, and write nowhere. */
 
 #include "runner.h"
 
@@ -14,6 +14,7 @@ START_TEST(names) {
   for (size_t k = 0; k < sizeof values / sizeof values[0]; k++) {
     const int v = values[k];
     ck_assert_str_eq(tp_status_meaning((tp_status)v), "unknown status");
+    ck_assert_str_eq(tp_fault_name((tp_fault)v), "unknown");
     ck_assert_int_eq(tp_status_exit((tp_status)v), tp_status_exit(TP_SYSTEM_FAILED));
     ck_assert_ptr_nonnull(tp_fos_definition_name((tp_fos_definition)v));
     ck_assert_ptr_nonnull(tp_factor_standing_name((tp_factor_standing)v));

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Arguments of what asks for a number of a scene, and puts another in its place, that no call can
- * do anything with (tests/test_vary.c has wrong keys). */
+ * do anything with (tests/input/test_vary.c has wrong keys). */
 
 #include "refused.h"
 
