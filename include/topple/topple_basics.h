@@ -63,26 +63,18 @@ typedef enum tp_status {
 const char *tp_status_meaning(tp_status status);
 int tp_status_exit(tp_status status);
 
-/* The kinds of wrong input: name, number, word, meaning. */
-#define TP_FAULT_LIST(X)                                                                           \
-  X(TP_FAULT_NONE, 0, "none", "the input is not what went wrong")                                  \
-  X(TP_FAULT_FORMAT, 1, "format", "a file or a text is not what its format says")                  \
-  X(TP_FAULT_KEY, 2, "key",                                                                        \
-    "a key, a name, a word or an option is unknown, missing, or excluded by another")              \
-  X(TP_FAULT_UNIT, 3, "unit", "a unit is missing or unknown")                                      \
-  X(TP_FAULT_RANGE, 4, "range", "a number is outside its range")                                   \
-  X(TP_FAULT_GEOMETRY, 5, "geometry", "the shapes are no block on a base")                         \
-  X(TP_FAULT_ARGUMENT, 6, "argument", "an argument of the call is wrong: the caller's mistake")
-
 /* Which kind of input is wrong, beside TP_BAD_INPUT. */
 typedef enum tp_fault {
-/* An item of the list. */
-#define TP_FAULT_ENUM(name, number, word, meaning) name = (number),
-  TP_FAULT_LIST(TP_FAULT_ENUM)
-#undef TP_FAULT_ENUM
+  TP_FAULT_NONE,   /* the input is not what went wrong */
+  TP_FAULT_FORMAT, /* a file or a text is not what its format says */
+  TP_FAULT_KEY, /* a key, a name, a word or an option is unknown, missing, or excluded by another */
+  TP_FAULT_UNIT,     /* a unit is missing or unknown */
+  TP_FAULT_RANGE,    /* a number is outside its range */
+  TP_FAULT_GEOMETRY, /* the shapes are no block on a base */
+  TP_FAULT_ARGUMENT  /* an argument of the call is wrong: the caller's mistake */
 } tp_fault;
 
-/* The word of a kind of wrong input; "unknown" of a number that is none of the list. */
+/* In one word: "geometry". */
 const char *tp_fault_name(tp_fault fault);
 
 /* A chart: curves and borders (topple_chart.h). */

@@ -36,7 +36,7 @@ from .tilt import tilt_test
 from .verify import verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
                     ConvergeSetting, ConvergeVerdict, Design, Direction,
-                    ElementKind, FactorStanding, FindTarget, FosDefinition, FosState, JrcState, Level,
+                    ElementKind, FactorStanding, Fault, FindTarget, FosDefinition, FosState, JrcState, Level,
                     LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,

@@ -9,6 +9,7 @@ import errno
 import os
 
 from ._library import ffi, lib
+from .words import Fault
 
 
 class ToppleError(Exception):
@@ -27,10 +28,9 @@ class ToppleError(Exception):
 
 
 class BadInput(ToppleError, ValueError):
-    """The input is wrong. `fault` is the kind of input that is: "format", "key", "unit", "range", "geometry",
-    "argument", or "none" where it is not known."""
+    """The input is wrong; `fault` says which kind of input."""
 
-    def __init__(self, text="", file=None, line=None, column=None, fault: str = "none"):
+    def __init__(self, text="", file=None, line=None, column=None, fault: Fault = Fault.NONE):
         super().__init__(text, file, line, column)
         self.fault = fault
 
@@ -101,7 +101,7 @@ def failure(status: int, message=None) -> ToppleError:
     if kind is SystemFailed and message.system_error:
         return REFUSALS.get(message.system_error, kind)(_text(message.text), *place, message.system_error)
     if kind is BadInput:
-        place.append(_text(lib.tp_fault_name(message.fault)))
+        place.append(list(Fault)[message.fault])
     return kind(_text(message.text), *place)
 
 

@@ -120,7 +120,7 @@ class Errors(unittest.TestCase):
             try:
                 topple.Scene.read(path).solve()
             except topple.BadInput as error:
-                faults.setdefault(error.fault, []).append(path.name)
+                faults.setdefault(error.fault.value, []).append(path.name)
                 self.assertEqual(pickle.loads(pickle.dumps(error)).fault, error.fault)
             except topple.ToppleError:
                 pass

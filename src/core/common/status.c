@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The meaning and the exit status of every status and the word of every kind of wrong input, from
- * the lists in topple_basics.h; the version of the library; texts freed. */
+/* The meaning and the exit status of every status, from the one list in topple_basics.h; the
+ * version of the library; texts freed. */
 
 #include "topple.h"
 
@@ -29,17 +29,6 @@ const char *tp_status_meaning(tp_status status) {
 #undef TP_STATUS_MEANING
   }
   return "unknown status";
-}
-
-const char *tp_fault_name(tp_fault fault) {
-  switch (fault) {
-#define TP_FAULT_WORD(name, number, word, meaning)                                                 \
-  case name:                                                                                       \
-    return word;
-    TP_FAULT_LIST(TP_FAULT_WORD)
-#undef TP_FAULT_WORD
-  }
-  return "unknown";
 }
 
 int tp_status_exit(tp_status status) {
