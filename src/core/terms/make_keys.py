@@ -5,14 +5,16 @@
 
     make_keys.py CODE,HEADER
 
-Columns of keys.csv, of keys that hold numbers: member, where tp_scene has it, or the item of a list in whose path there is [];
+Columns of keys.csv, of keys that hold numbers or truth values: member, where tp_scene has it, or the item of a list in whose path there is [];
 rule, a tp_rule without its beginning; has, the function that says whether a scene has it, where it is not enough that it is
-given, or - of a key that is read from files alone; settle, the function of what follows from it (scene_varying/slot_table.c).
-Members: a tp_quantity; two with a comma between, of a pair; number and an fmpq_t; points and a tp_polyline; teeth, their number.
+given, or - of a key that is read from files alone; settle, the function of what follows from it (scene_varying/slot_table.c);
+example, of a key that must be given, the value that a message proposes where it is not.
+Members: a tp_quantity; two with a comma between, of a pair; number and an fmpq_t; truth and a bool; points and a tp_polyline;
+teeth, their number.
 
 The header has TP_SCENE_KEYS(ROW), a row for each number that can vary in memory; TP_SCENE_LONE_NUMBERS, those that stand
 alone; TP_SCENE_NUMBERS(MEMBER) and TP_NUMBERS_OF_…(MEMBER), the numbers of a scene and of an item; and tp_key_map_NAME for each
-map of a scene: its keys, and its numbers (scene/key_map.h)."""
+map of a scene: its keys, and its values (scene/key_map.h)."""
 
 import csv
 import pathlib
@@ -30,9 +32,10 @@ LISTS = {"block.holes": ("HOLES", "tp_polyline"), "block.parts": ("PARTS", "tp_p
 
 class Key:
     def __init__(self, row):
-        self.path, self.rule, self.has, self.settle = row["path"], row["rule"] or "ANY", row["has"], row["settle"]
+        self.path, self.rule, self.has = row["path"], row["rule"] or "ANY", row["has"]
+        self.settle, self.example = row["settle"], row["example"]
         kind, _, member = row["member"].rpartition(" ") if "," not in row["member"] else ("", "", row["member"])
-        self.kind = {"": "QUANTITY", "number": "NUMBER", "points": "POINT", "points of": "POINT"}.get(kind, kind)
+        self.kind = {"": "QUANTITY", "number": "NUMBER", "truth": "TRUTH", "points": "POINT", "points of": "POINT"}.get(kind, kind)
         if row["member"] == "teeth":
             self.kind = "TEETH"
         self.members = [] if not row["member"] else [part.strip() for part in member.split(",")]
@@ -46,6 +49,10 @@ class Key:
     def is_number(self):
         return self.kind == "QUANTITY" and len(self.members) == 1
 
+    def is_value(self):
+        """One that is read by its kind alone."""
+        return self.is_number() or self.kind in ("NUMBER", "TRUTH")
+
     def stands_alone(self):
         """Of no list, with no condition but that it is given, and with nothing that follows from it."""
         return self.is_number() and not (self.list or self.has or self.settle)
@@ -55,7 +62,7 @@ class Key:
         path = self.path.replace("[]", ".#")
         if self.kind == "POINT":
             path += ".#.#.#" if self.members == ["item"] else ".#.#"
-        for k, member in enumerate(self.members if self.has != "-" else ()):
+        for k, member in enumerate(self.members if self.has != "-" and self.kind != "TRUTH" else ()):
             place = f"{path}.{k + 1}" if len(self.members) > 1 else path
             yield (f'ROW("{place}", {self.kind}, {f"TP_LIST_{self.list}" if self.list else "TP_LISTS"}, {self.offset(member)}, '
                    f'{self.rule}, {self.has or "NULL"}, {self.settle or "NULL"})')
@@ -78,9 +85,11 @@ def maps(own):
     return {re.sub(r"\W", "_", name) or "scene": inside for name, inside in found.items()}
 
 
-def number(key, name=None):
-    """Its tp_key_number."""
-    return f'{{"{name or key.path}", {key.offset(key.members[0])}, TP_RULE_{key.rule}}}'
+def value(key, name=None):
+    """Its tp_key_value."""
+    name = name or key.path
+    example = f'"{name}: {key.example}"' if key.example else "NULL"
+    return f'{{"{name}", TP_KEY_{key.kind}, {key.offset(key.members[0])}, TP_RULE_{key.rule}, {example}}}'
 
 
 def header(own):
@@ -92,19 +101,19 @@ def header(own):
         inside = dict.fromkeys(f"{member}.value" for key in own if key.type == kind and key.kind == "QUANTITY" for member in key.members)
         if inside:
             text += macro(f"TP_NUMBERS_OF_{kind.removeprefix('tp_').upper()}", "MEMBER", [f"MEMBER({kind}, {member})" for member in inside])
-    lone = ", ".join(map(number, filter(Key.stands_alone, own)))
+    lone = ", ".join(map(value, filter(Key.stands_alone, own)))
     text += f"#define TP_SCENE_LONE_NUMBERS {{{lone}}}\n\n"
     return text + "".join(f"extern const tp_key_map tp_key_map_{name};\n" for name in maps(own))
 
 
 def map_of(name, inside):
-    numbers = [number(key, key.name) for key in inside if key.is_number()]
+    values = [value(key, key.name) for key in inside if key.is_value()]
     names = ", ".join(f'"{key.name}"' for key in inside)
     text = f"static const char *const keys_of_{name}[] = {{{names}, NULL}};\n"
-    if numbers:
-        text += f"static const tp_key_number numbers_of_{name}[] = {{{', '.join(numbers)}}};\n"
-    used = f"numbers_of_{name}" if numbers else "NULL"
-    return text + f"const tp_key_map tp_key_map_{name} = {{keys_of_{name}, {used}, {len(numbers)}}};\n\n"
+    if values:
+        text += f"static const tp_key_value values_of_{name}[] = {{{', '.join(values)}}};\n"
+    used = f"values_of_{name}" if values else "NULL"
+    return text + f"const tp_key_map tp_key_map_{name} = {{keys_of_{name}, {used}, {len(values)}}};\n\n"
 
 
 MADE = "/* Made by core/terms/make_keys.py of keys.csv; not to be edited. */\n\n"

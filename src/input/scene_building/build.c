@@ -47,8 +47,8 @@ void tp_build_put(tp_build *build, tp_quantity *quantity, long index) {
 
 /* A number that stands by itself: of no list, no form and no law, and nothing follows from it but
  * what is computed when the scene is solved. NULL: there is none of that key. */
-static const tp_key_number *find_number(const char *key) {
-  static const tp_key_number numbers[] = TP_SCENE_LONE_NUMBERS;
+static const tp_key_value *find_number(const char *key) {
+  static const tp_key_value numbers[] = TP_SCENE_LONE_NUMBERS;
   for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
     if (strcmp(numbers[k].key, key) == 0) return numbers + k;
   }
@@ -69,7 +69,7 @@ static void note_maps(tp_build *build, const char *key) {
 
 tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_exact value,
                        tp_message *message) {
-  const tp_key_number *own = find_number(key);
+  const tp_key_value *own = find_number(key);
   const char *dot = strrchr(key, '.');
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, call, message);

@@ -43,8 +43,8 @@ TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const t
  * among them that it gives, into the scene or the item `of`. */
 TP_MUST_USE tp_status tp_read_keys(const tp_reader *reader, const tp_node *node,
                                    const tp_key_map *map, const char *what);
-TP_MUST_USE tp_status tp_read_numbers(const tp_reader *reader, void *of, const tp_node *node,
-                                      const tp_key_map *map);
+TP_MUST_USE tp_status tp_read_values(const tp_reader *reader, void *of, const tp_node *node,
+                                     const tp_key_map *map);
 
 /* A point, [x, y]. */
 TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
@@ -110,6 +110,10 @@ TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_nod
 /* The keys tilt_test and shaking. */
 TP_MUST_USE tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node);
+
+/* Both of a map: its keys, then its values. */
+TP_MUST_USE tp_status tp_read_map(const tp_reader *reader, void *of, const tp_node *node,
+                                  const tp_key_map *map, const char *what);
 
 /* Where a node stands. */
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node);

@@ -10,14 +10,7 @@
 
 static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_base_beyond, "beyond");
-  for (int side = 0; side < 2 && status == TP_OK; side++) {
-    const tp_node *value = NULL;
-    status = tp_read_required(reader, &value, node, tp_key_map_base_beyond.keys[side],
-                              "beyond: {left: 0, right: 0}");
-  }
-  return status == TP_OK ? tp_read_numbers(reader, reader->scene, node, &tp_key_map_base_beyond)
-                         : status;
+  return tp_read_map(reader, reader->scene, node, &tp_key_map_base_beyond, "beyond");
 }
 
 /* Two vertices by their coordinates, or what bounds them. */
@@ -36,7 +29,7 @@ static tp_status read_between(const tp_reader *reader, const tp_node *node) {
         "{below: y} or {right_of: x, left_of: x}");
   }
   tp_status status = tp_read_keys(reader, node, &tp_key_map_base_between, "between");
-  return status == TP_OK ? tp_read_numbers(reader, reader->scene, node, &tp_key_map_base_between)
+  return status == TP_OK ? tp_read_values(reader, reader->scene, node, &tp_key_map_base_between)
                          : status;
 }
 
@@ -170,7 +163,7 @@ tp_status tp_read_contact(const tp_reader *reader, const tp_node *node) {
   if (within == NULL && width == NULL) {
     return tp_read_required(reader, &within, node, "within", "contact: {within: 0.2}");
   }
-  return tp_read_numbers(reader, reader->scene, node, &tp_key_map_contact);
+  return tp_read_values(reader, reader->scene, node, &tp_key_map_contact);
 }
 
 /* To which side the block is shifted until it matches no more. */
@@ -191,7 +184,7 @@ static tp_status read_side(const tp_reader *reader, const tp_node *node) {
 tp_status tp_read_joint(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
   tp_status status = tp_read_keys(reader, node, &tp_key_map_joint, "joint");
-  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_joint);
+  if (status == TP_OK) status = tp_read_values(reader, reader->scene, node, &tp_key_map_joint);
   if (status == TP_OK) status = read_side(reader, tp_node_get(node, "towards"));
   if (status != TP_OK) return status;
   return tp_check_joint(reader->scene, tp_read_place(reader, node), reader->message);

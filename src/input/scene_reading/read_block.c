@@ -108,31 +108,15 @@ static tp_status read_teeth(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
-  const tp_node *width = NULL, *height = NULL;
   block->form = TP_OUTLINE_SLAB;
   block->teeth.count = 1;
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_slab, "slab");
-  if (status == TP_OK) status = tp_read_required(reader, &width, node, "width", "width: 50");
-  if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 100");
-  if (status == TP_OK)
-    status = tp_read_by_rule(reader, block->teeth.width, width, "width", TP_RULE_ABOVE_ZERO);
-  if (status == TP_OK)
-    status = tp_read_by_rule(reader, block->teeth.height, height, "height", TP_RULE_ABOVE_ZERO);
-  return status;
+  return tp_read_map(reader, reader->scene, node, &tp_key_map_block_slab, "slab");
 }
 
 static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, const tp_node *node) {
   tp_ellipse *e = &reader->scene->block.ellipse;
   reader->scene->block.form = TP_OUTLINE_ELLIPSE;
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_ellipse, "ellipse");
-  static const char *const examples[] = {"width: 8", "height: 3", "flat: 0.6"};
-  for (size_t k = 0; k < 3 && status == TP_OK; k++) {
-    const tp_node *length = NULL;
-    status = tp_read_required(reader, &length, node, tp_key_map_block_ellipse.keys[k], examples[k]);
-  }
-  if (status == TP_OK) {
-    status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_block_ellipse);
-  }
+  tp_status status = tp_read_map(reader, reader->scene, node, &tp_key_map_block_ellipse, "ellipse");
   if (status == TP_OK) {
     status = tp_check_flat(e->flat.value, e->width.value,
                            tp_read_place(reader, tp_node_get(node, "flat")), reader->message);
@@ -185,20 +169,12 @@ static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-static tp_status read_unit_weight(const tp_reader *reader, tp_quantity *quantity,
-                                  const tp_node *node) {
-  return tp_read_quantity(reader, quantity, node, "unit_weight_kn_m3", TP_RULE_UNIT_WEIGHT);
-}
-
 static tp_status read_part(const tp_reader *reader, tp_part *part, const tp_node *node) {
-  const tp_node *outline = NULL, *weight = NULL;
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_parts, "a part");
+  const tp_node *outline = NULL;
+  tp_status status = tp_read_map(reader, part, node, &tp_key_map_block_parts, "a part");
   if (status == TP_OK)
     status =
         tp_read_required(reader, &outline, node, "outline", "outline: [[0, 0], [1, 0], [1, 1]]");
-  if (status == TP_OK)
-    status = tp_read_required(reader, &weight, node, "unit_weight_kn_m3", "unit_weight_kn_m3: 20");
-  if (status == TP_OK) status = read_unit_weight(reader, &part->unit_weight_kn_m3, weight);
   if (status == TP_OK) status = tp_read_points(reader, &part->outline, outline, true, "a part");
   return status;
 }
@@ -226,10 +202,8 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
 static tp_status read_repair(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
-  const tp_status status = tp_read_bool(reader, &block->repair, node, "repair");
   block->repair_place = tp_read_place(reader, node);
-  return status == TP_OK ? tp_check_repair(reader->scene, block->repair_place, reader->message)
-                         : status;
+  return tp_check_repair(reader->scene, block->repair_place, reader->message);
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
@@ -242,7 +216,7 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
     status = tp_read_keys(reader, node, &tp_key_map_block, "the block");
   }
   if (status == TP_OK) status = read_form(reader, node);
-  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_block);
+  if (status == TP_OK) status = tp_read_values(reader, reader->scene, node, &tp_key_map_block);
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = tp_read_drawn_holes(reader);
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));

@@ -54,17 +54,8 @@ static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
   if (jrc != NULL) {
     return tp_read_quantity(reader, &f->jrc, jrc, "jrc", TP_RULE_JRC);
   }
-  tp_status status = tp_read_keys(reader, test, &tp_key_map_friction_tilt_test, "tilt_test");
-  const tp_node *node_of = NULL;
-  if (status == TP_OK)
-    status = tp_read_required(reader, &node_of, test, "angle_deg", "angle_deg: 55");
-  if (status == TP_OK) {
-    status =
-        tp_read_required(reader, &node_of, test, "normal_stress_kpa", "normal_stress_kpa: 2.3");
-  }
-  if (status == TP_OK) {
-    status = tp_read_numbers(reader, reader->scene, test, &tp_key_map_friction_tilt_test);
-  }
+  const tp_status status =
+      tp_read_map(reader, reader->scene, test, &tp_key_map_friction_tilt_test, "tilt_test");
   if (status != TP_OK) return status;
   return tp_check_tilt_test(f->test_angle_deg.value, f->test_stress_kpa.value,
                             reader->scene->friction_angle_deg.value, f->jcs_mpa.value,

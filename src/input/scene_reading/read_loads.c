@@ -27,10 +27,7 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   tp_loads_description *loads = &reader->scene->loads;
   if (node == NULL) return TP_OK;
   loads->seismic_place = tp_node_place(node, reader->scene->path);
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_seismic, "seismic");
-  if (status == TP_OK) {
-    status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_loads_seismic);
-  }
+  tp_status status = tp_read_map(reader, reader->scene, node, &tp_key_map_loads_seismic, "seismic");
   if (status == TP_OK) status = read_direction(reader, tp_node_get(node, "direction"));
   if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
     status = tp_read_fail(reader, TP_FAULT_KEY, node,
@@ -39,36 +36,13 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-static tp_status read_truth(const tp_reader *reader, bool *value, const tp_node *node,
-                            const char *name) {
-  return node == NULL ? TP_OK : tp_read_bool(reader, value, node, name);
-}
-
 static tp_status read_water(const tp_reader *reader, const tp_node *node) {
   tp_water_description *water = &reader->scene->loads.water;
-  const tp_node *height = NULL;
   if (node == NULL) return TP_OK;
   water->given = true;
   water->place = tp_node_place(node, reader->scene->path);
   fmpq_set_si(water->unit_weight_kn_m3.value, 981, 100);
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_water, "water");
-  if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 50");
-  if (status == TP_OK)
-    status = tp_read_quantity(reader, &water->height, height, "the height of water",
-                              TP_RULE_NOT_NEGATIVE);
-  if (status == TP_OK) {
-    status =
-        tp_read_quantity(reader, &water->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"),
-                         "the unit weight of water", TP_RULE_NOT_NEGATIVE);
-  }
-  if (status == TP_OK) {
-    status =
-        read_truth(reader, &water->stays_level, tp_node_get(node, "stays_level"), "stays_level");
-  }
-  if (status == TP_OK) {
-    status = read_truth(reader, &water->uplift, tp_node_get(node, "uplift"), "uplift");
-  }
-  return status;
+  return tp_read_map(reader, reader->scene, node, &tp_key_map_loads_water, "water");
 }
 
 static tp_status read_required_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
@@ -122,25 +96,10 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
 
 static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anchor,
                              const tp_node *node) {
-  const tp_node *direction = NULL, *force = NULL;
   anchor->place = tp_node_place(node, reader->scene->path);
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_loads_anchors, "an anchor");
-  if (status == TP_OK) status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
-  if (status == TP_OK) {
-    status = tp_read_required(reader, &direction, node, "direction_deg", "direction_deg: -30");
-  }
-  if (status == TP_OK) {
-    status =
-        tp_read_quantity(reader, &anchor->direction_deg, direction, "direction_deg", TP_RULE_ANY);
-  }
-  if (status == TP_OK) status = tp_read_required(reader, &force, node, "force_kn", "force_kn: 50");
-  if (status == TP_OK)
-    status = tp_read_quantity(reader, &anchor->force_kn, force, "the force of an anchor",
-                              TP_RULE_NOT_NEGATIVE);
-  if (status == TP_OK) {
-    status = read_truth(reader, &anchor->passive, tp_node_get(node, "passive"), "passive");
-  }
-  return status;
+  const tp_status status =
+      tp_read_map(reader, anchor, node, &tp_key_map_loads_anchors, "an anchor");
+  return status == TP_OK ? read_required_point(reader, &anchor->x, &anchor->y, node, "at") : status;
 }
 
 static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
@@ -179,5 +138,5 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
                         tp_node_get(node, "surcharges"), "surcharges", false);
   }
   if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
-  return status == TP_OK ? tp_read_numbers(reader, scene, node, &tp_key_map_loads) : status;
+  return status == TP_OK ? tp_read_values(reader, scene, node, &tp_key_map_loads) : status;
 }

@@ -29,15 +29,12 @@ static tp_status read_at(const tp_reader *reader, tp_corner_description *corner,
 
 static tp_status read_corner(const tp_reader *reader, tp_corner_description *corner,
                              const tp_node *node) {
-  const tp_node *at = NULL, *radius = NULL;
+  const tp_node *at = NULL;
   corner->place = tp_node_place(node, reader->scene->path);
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_block_rounded_corners, "a corner");
+  tp_status status =
+      tp_read_map(reader, corner, node, &tp_key_map_block_rounded_corners, "a corner");
   if (status == TP_OK) status = tp_read_required(reader, &at, node, "at", "at: left_end");
-  if (status == TP_OK) status = tp_read_required(reader, &radius, node, "radius", "radius: 3");
-  if (status == TP_OK) status = read_at(reader, corner, at);
-  if (status != TP_OK) return status;
-  return tp_read_quantity(reader, &corner->radius, radius, "the radius of a corner",
-                          TP_RULE_NOT_NEGATIVE);
+  return status == TP_OK ? read_at(reader, corner, at) : status;
 }
 
 tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node) {

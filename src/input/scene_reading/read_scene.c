@@ -73,7 +73,7 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
       return tp_read_fail(reader, TP_FAULT_KEY, towards, "towards must be left, right or both");
     }
   }
-  return tp_read_numbers(reader, scene, node, &tp_key_map_tilt);
+  return tp_read_values(reader, scene, node, &tp_key_map_tilt);
 }
 
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
@@ -127,7 +127,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
   if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
-  if (status == TP_OK) status = tp_read_numbers(reader, scene, root, &tp_key_map_scene);
+  if (status == TP_OK) status = tp_read_values(reader, scene, root, &tp_key_map_scene);
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = tp_check_contact_width(reader->scene, reader->message);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));

@@ -109,6 +109,6 @@ tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node) {
   tp_status status = tp_read_keys(reader, node, &tp_key_map_tilt_test, "tilt_test");
   if (status == TP_OK) status = read_engine(reader, node);
   if (status == TP_OK) status = read_protocol(reader, node);
-  if (status == TP_OK) status = tp_read_numbers(reader, reader->scene, node, &tp_key_map_tilt_test);
+  if (status == TP_OK) status = tp_read_values(reader, reader->scene, node, &tp_key_map_tilt_test);
   return status == TP_OK ? read_tractions(reader, tp_node_get(node, "tractions")) : status;
 }

@@ -90,17 +90,6 @@ tp_status tp_read_keys(const tp_reader *reader, const tp_node *node, const tp_ke
   return tp_node_expect_keys(node, map->keys, what, reader->scene->path, reader->message);
 }
 
-tp_status tp_read_numbers(const tp_reader *reader, void *of, const tp_node *node,
-                          const tp_key_map *map) {
-  tp_status status = TP_OK;
-  for (size_t k = 0; k < map->count && status == TP_OK; k++) {
-    const tp_key_number *own = map->numbers + k;
-    tp_quantity *quantity = (tp_quantity *)(void *)((char *)of + own->offset);
-    status = tp_read_quantity(reader, quantity, tp_node_get(node, own->key), own->key, own->rule);
-  }
-  return status;
-}
-
 tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
                        const char *name) {
   if (node->kind == TP_NODE_SCALAR && strcmp(node->text, "true") == 0) {
@@ -113,12 +102,49 @@ tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node
   return TP_OK;
 }
 
+static tp_status miss(const tp_reader *reader, const tp_node *map, const char *key,
+                      const char *example) {
+  return tp_read_fail(reader, TP_FAULT_KEY, map, "'%s' is missing here, for example '%s'", key,
+                      example);
+}
+
+static tp_status read_value(const tp_reader *reader, void *value, const tp_node *map,
+                            const tp_key_value *own) {
+  const tp_node *node = tp_node_get(map, own->key);
+  if (node == NULL && own->example != NULL) return miss(reader, map, own->key, own->example);
+  if (node == NULL) return TP_OK;
+  switch (own->kind) {
+  case TP_KEY_QUANTITY:
+    return tp_read_quantity(reader, value, node, own->key, own->rule);
+  case TP_KEY_NUMBER:
+    return tp_read_by_rule(reader, *(fmpq_t *)value, node, own->key, own->rule);
+  case TP_KEY_TRUTH:
+    break;
+  }
+  return tp_read_bool(reader, value, node, own->key);
+}
+
+tp_status tp_read_values(const tp_reader *reader, void *of, const tp_node *node,
+                         const tp_key_map *map) {
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < map->count && status == TP_OK; k++) {
+    const tp_key_value *own = map->values + k;
+    status = read_value(reader, (char *)of + own->offset, node, own);
+  }
+  return status;
+}
+
+tp_status tp_read_map(const tp_reader *reader, void *of, const tp_node *node, const tp_key_map *map,
+                      const char *what) {
+  const tp_status status = tp_read_keys(reader, node, map, what);
+  return status == TP_OK ? tp_read_values(reader, of, node, map) : status;
+}
+
 tp_status tp_read_required(const tp_reader *reader, const tp_node **child, const tp_node *mapping,
                            const char *key, const char *example) {
   *child = tp_node_get(mapping, key);
   if (*child != NULL) return TP_OK;
-  return tp_read_fail(reader, TP_FAULT_KEY, mapping, "'%s' is missing here, for example '%s'", key,
-                      example);
+  return miss(reader, mapping, key, example);
 }
 
 tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
