@@ -143,7 +143,7 @@ class Rolling(RoundedCase):
         one = "{corners: [{at: %s, radius: %s}]}"
         self.refuse(one % ("[5, 2]", 1), "the corner at (5, 2) is reflex; only convex corners are rounded")
         self.refuse(one % ("[5, 3]", 1), "the outline has no such vertex to round")
-        self.refuse(one % ("[0, 0]", -1), "the radius of a corner must not be negative")
+        self.refuse(one % ("[0, 0]", -1), "radius must not be negative")
         self.refuse(one % ("[0, 0]", 11), "the radius at (0, 0) is too large: rounding it would take up more "
                                           "than the edge from vertex 5 (0, 10) to vertex 1 (0, 0)")
         self.refuse("{corners: [{at: [0, 0], radius: 6}, {at: [10, 0], radius: 6}]}",
