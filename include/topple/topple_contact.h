@@ -27,11 +27,14 @@ typedef enum tp_contact_end {
 typedef struct tp_frame_result {
   bool stated;                     /* the scene says what they lie along */
   bool world;                      /* y runs up: the block lies as it lies */
+  bool slope;                      /* if world: of a given dip, with x along it, as given */
   bool level;                      /* results are along the horizontal: an earthquake up-dip */
   bool fitted;                     /* the mean plane, to the contact; else given */
   bool dips;                       /* the mean plane is not level */
   tp_direction dips_towards;       /* if dips: its lower side */
   tp_bounded dip_deg;              /* if dips: its angle, 0 to 90: part of the tilt angle */
+  bool has_dip_direction;          /* if slope: the scene gives it, or the strike */
+  tp_bounded dip_direction_deg;    /* if has_dip_direction: its azimuth, from north, 0 to 360 */
   tp_bounded about_x_m, about_y_m; /* if world: the point that stays */
   bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
   tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */

@@ -298,15 +298,25 @@ TP_MUST_USE tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *mess
 TP_MUST_USE tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points,
                                               tp_message *message);
 
-/* Which way the horizontal part of an earthquake acts on a block in the frame of the world: it is
- * looked at both ways, and the worse one governs, unless it is restricted to one. */
+/* A slope that the base lies on: x and y run along its plane and normal to it, as without a frame,
+ * and it dips by `dip_deg`, in [0, 90], towards the left or the right. The tilt, where one is set,
+ * is added to the dip. */
+TP_MUST_USE tp_status tp_scene_set_slope(tp_scene *scene, tp_exact dip_deg, tp_direction towards,
+                                         tp_message *message);
+/* The azimuth that a slope dips to, clockwise from north, in [0, 360]: for reports. */
+TP_MUST_USE tp_status tp_scene_set_dip_direction_deg(tp_scene *scene, tp_exact dip_direction_deg,
+                                                     tp_message *message);
+
+/* Which way the horizontal part of an earthquake acts on a block on a slope or in the frame of the
+ * world: both ways, and the worse one governs, unless it is restricted to one. */
 typedef enum tp_seismic_direction {
   TP_SEISMIC_BOTH,
   TP_SEISMIC_DOWN_DIP,
   TP_SEISMIC_UP_DIP
 } tp_seismic_direction;
 
-/* Says which of them; up-dip and both ways are for a block in the frame of the world. */
+/* Says which of them; up-dip and both ways are for a block on a slope or in the frame of
+ * the world. */
 TP_MUST_USE tp_status tp_scene_set_seismic_direction(tp_scene *scene,
                                                      tp_seismic_direction direction,
                                                      tp_message *message);

@@ -14,7 +14,7 @@ from ._library import lib
 from .base_builder import LeftEnd
 from .given import Number, Points, c_number, c_text
 from .tilt_builder import TiltBuilder
-from .words import Word, number_of
+from .words import Direction, Word, number_of
 
 
 class SeismicDirection(Word):
@@ -183,6 +183,14 @@ class Builder(TiltBuilder):
         the vertical of the 'world', with the mean plane fitted to the contact."""
         own = Along(along) is Along.BASE
         self._change(lib.tp_scene_set_frame_base if own else lib.tp_scene_set_frame_world)
+
+    def set_slope(self, dip_deg: Number, towards: Direction | str,
+                  dip_direction_deg: Number | None = None) -> None:
+        """x and y run along a slope and normal to it, which dips by `dip_deg`, 0 to 90, towards
+        'left' or 'right'; on the map, in reports, to the azimuth `dip_direction_deg`."""
+        self._change(lib.tp_scene_set_slope, c_number(dip_deg), number_of(Direction, towards))
+        if dip_direction_deg is not None:
+            self._change_numbers(lib.tp_scene_set_dip_direction_deg, dip_direction_deg)
 
     def set_mean_plane(self, two_points: Points) -> None:
         """The frame of the world, with the mean plane through two points, the left one first, shape

@@ -55,6 +55,7 @@ DEFINE(set_tilt_towards, (call->choice & 1) != 0, (call->choice & 2) != 0)
 DEFINE(set_tilt_angle_deg, N(0))
 DEFINE_BARE(set_frame_base)
 DEFINE_BARE(set_frame_world)
+DEFINE(set_slope, N(0), (tp_direction)call->choice)
 DEFINE(set_mean_plane, P)
 DEFINE(set_seismic_horizontal, N(0))
 DEFINE(set_seismic_vertical, N(0))
@@ -157,9 +158,10 @@ static const build_kind kinds[] = {
     {set_friction_barton_roughness, SLOT_FRICTION, BARTON "$2, roughness_angle_deg: $1", 0, {0}},
     {set_tilt_towards, SLOT_TOWARDS, "towards: $e", -4, {"none", "left", "right", "both"}},
     {set_tilt_angle_deg, SLOT_ANGLE, "angle_deg: $0", 0, {0}},
-    {set_frame_base, SLOT_FRAME, "base", 0, {0}},
-    {set_frame_world, SLOT_FRAME, "world", 0, {0}},
-    {set_mean_plane, SLOT_FRAME, "{mean_plane: $p}", 0, {0}},
+    {set_frame_base, SLOT_FRAME, "frame: base", 0, {0}},
+    {set_frame_world, SLOT_FRAME, "frame: world", 0, {0}},
+    {set_slope, SLOT_FRAME, "slope: {dip_deg: $0, towards: $e}", -2, {"left", "right"}},
+    {set_mean_plane, SLOT_FRAME, "frame: {mean_plane: $p}", 0, {0}},
     {set_seismic_horizontal, SLOT_HORIZONTAL, "horizontal: $0", 0, {0}},
     {set_seismic_vertical, SLOT_VERTICAL, "vertical: $0", 0, {0}},
     {set_water,

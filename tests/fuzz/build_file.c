@@ -184,7 +184,6 @@ char *build_file(const char *length_unit, const build_call *calls, const bool *d
   put_loads(&f);
   put_friction(&f);
   if (f.last[SLOT_FRAME] != NULL) {
-    fputs("frame: ", f.out);
     put_call(f.out, f.last[SLOT_FRAME]);
     fputc('\n', f.out);
   }

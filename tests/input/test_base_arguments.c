@@ -37,6 +37,8 @@ START_TEST(bases) {
   REFUSED(tp_scene_set_base_between(scene, SQUARE, &message), "in two vertices");
   REFUSED(tp_scene_set_base_bound(scene, (tp_base_bound)3, E(0), &message), "'bound'");
   REFUSED(tp_scene_set_base_profile(scene, tp_coordinates_of(NULL, 3), &message), "'profile'");
+  REFUSED(tp_scene_set_slope(scene, E(91), TP_TOWARDS_LEFT, &message), "dip_deg");
+  REFUSED(tp_scene_set_slope(scene, E(1), (tp_direction)2, &message), "no such direction");
   REFUSED(tp_scene_set_mean_plane(scene, SQUARE, &message), "by two points on it, not by 4");
   REFUSED(tp_scene_set_mean_plane(scene, tp_coordinates_of(leftwards, 2), &message),
           "from left to right");

@@ -76,6 +76,8 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_angle_deg(own, E(1), &message), why);
   REFUSED(tp_scene_set_frame_base(own, &message), why);
   REFUSED(tp_scene_set_frame_world(own, &message), why);
+  REFUSED(tp_scene_set_slope(own, E(1), TP_TOWARDS_LEFT, &message), why);
+  REFUSED(tp_scene_set_dip_direction_deg(own, E(1), &message), why);
   REFUSED(tp_scene_set_mean_plane(own, tp_coordinates_of(square, 2), &message), why);
   REFUSED(tp_scene_set_seismic_horizontal(own, E(1), &message), why);
   REFUSED(tp_scene_set_seismic_vertical(own, E(1), &message), why);

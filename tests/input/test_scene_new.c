@@ -269,6 +269,18 @@ START_TEST(frames) {
 }
 END_TEST
 
+START_TEST(slope) {
+  tp_scene *scene = new_scene("m");
+  DO(tp_scene_set_slab(scene, E(1.5), E(4), &message));
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_set_slope(scene, E(14.5), TP_TOWARDS_LEFT, &message));
+  DO(tp_scene_set_dip_direction_deg(scene, E(135), &message));
+  expect_same(scene, "topple: 1\nlength_unit: m\nblock: {slab: {width: 1.5, height: 4}}\n"
+                     "friction_angle_deg: 30\n"
+                     "slope: {dip_deg: 14.5, towards: left, dip_direction_deg: 135}\n");
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("scene_new");
   TCase *tests = tcase_create("scenes");
@@ -282,6 +294,7 @@ int main(void) {
   tcase_add_test(tests, bases);
   tcase_add_test(tests, curves);
   tcase_add_test(tests, frames);
+  tcase_add_test(tests, slope);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

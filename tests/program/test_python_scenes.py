@@ -76,6 +76,8 @@ SAID = [
     ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
      "frame: {mean_plane: [[0, 0], [100, 5]]}"),
+    ({"outline": SQUARE, "slope": {"dip_deg": "12.5", "towards": "left", "dip_direction_deg": 135}},
+     f"block: {{outline: {SQUARE_TEXT}}}\nslope: {{dip_deg: 12.5, towards: left, dip_direction_deg: 135}}"),
     ({"outline": SQUARE, "frame": topple.Along.BASE, "friction_patton": (25, 5)},
      f"block: {{outline: {SQUARE_TEXT}}}\nframe: base\n"
      "friction: {law: patton, basic_angle_deg: 25, roughness_angle_deg: 5}"),

@@ -109,6 +109,13 @@ static void build_slope(tp_scene *scene, const double *n) {
   DO(tp_scene_set_friction_barton_roughness(scene, E(n[4]), E(n[5]), E(n[6]), &message));
 }
 
+static void build_dip(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_set_slope(scene, E(n[0]), TP_TOWARDS_RIGHT, &message));
+  DO(tp_scene_set_dip_direction_deg(scene, E(n[1]), &message));
+}
+
 static void build_facets(tp_scene *scene, const double *n) {
   static const double feet[] = {0, 0, 1, 0, 2, 0, 4, 0, 4, 6, 0, 6};
   DO(tp_scene_set_outline(scene, tp_coordinates_of(feet, 6), &message));
@@ -134,6 +141,7 @@ enum {
   MATCHING,
   BOUNDS,
   SLOPE,
+  DIP,
   FACETS
 };
 
@@ -201,6 +209,10 @@ static const keyed_scene kinds[] = {
                     "frame: {mean_plane: [[@a, @b], [@c, @d]]}\nfriction: {law: barton, "
                     "residual_angle_deg: @e, roughness_angle_deg: @f, jcs_mpa: @g}\n",
                {0, 0, 4, 1, 28, 10, 60}},
+    [DIP] = {build_dip,
+             HEAD TEXT_SQUARE "friction_angle_deg: 30\nslope: {dip_deg: @a, towards: right, "
+                              "dip_direction_deg: @b}\n",
+             {12.5, 135}},
     [FACETS] = {build_facets,
                 HEAD "block: {outline: [[0, 0], [1, 0], [2, 0], [4, 0], [4, 6], [0, 6]]}\n"
                      "friction_angle_deg: @a\nfriction: {facets: [{facet: 3, angle_deg: @b}, "
@@ -289,6 +301,8 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + SLOPE, "frame.mean_plane.1.2", 'b', -0.125},
     {kinds + SLOPE, "frame.mean_plane.2.1", 'c', 5},
     {kinds + SLOPE, "friction.roughness_angle_deg", 'f', 8},
+    {kinds + DIP, "slope.dip_deg", 'a', 20},
+    {kinds + DIP, "slope.dip_direction_deg", 'b', 90},
     {kinds + FACETS, "friction.facets.1.angle_deg", 'b', 10},
     {kinds + FACETS, "friction.facets.2.x.1", 'c', 1},
     {kinds + FACETS, "friction.facets.2.x.2", 'd', 1},

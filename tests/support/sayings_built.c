@@ -101,6 +101,10 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_mean_plane(scene, tp_coordinates_of(plane, 2), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_slope(scene, tp_exact_text("12.5"), TP_TOWARDS_LEFT, &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_dip_direction_deg(scene, tp_exact_text("135"), &message));
+  say_scene_built(s, scene);
   SAY(tp_scene_set_frame_base(scene, &message));
   SAY(tp_scene_set_base_mated(scene, false, &message));
   SAY(tp_scene_set_base_between(scene, tp_coordinates_text(feet, 2), &message));

@@ -54,6 +54,9 @@ tp_status tp_check_rule(tp_rule rule, const fmpq_t value, const char *name, tp_p
     return check_angle(true, value, name, place, message);
   case TP_RULE_ANGLE_TO_90:
     return check_angle(false, value, name, place, message);
+  case TP_RULE_AZIMUTH:
+    if (sign >= 0 && fmpq_cmp_ui(value, 360) <= 0) return TP_OK;
+    return tp_refuse(message, TP_FAULT_RANGE, place, "%s must lie in [0, 360]", name);
   case TP_RULE_JRC:
     if (sign >= 0 && fmpq_cmp_ui(value, 100) <= 0) return TP_OK;
     return tp_refuse(message, TP_FAULT_RANGE, place, "%s must lie in [0, 100]", name);

@@ -15,6 +15,7 @@ typedef enum tp_rule {
   TP_RULE_NOT_NEGATIVE,
   TP_RULE_ANGLE_BELOW_90, /* [0, 90), of friction */
   TP_RULE_ANGLE_TO_90,    /* [0, 90], of tilt */
+  TP_RULE_AZIMUTH,        /* [0, 360] */
   TP_RULE_JRC,
   TP_RULE_UNIT_WEIGHT, /* of rock */
   TP_RULE_BEYOND,      /* of a base past its block */

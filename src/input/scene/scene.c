@@ -39,6 +39,10 @@ bool tp_scene_is_shifted(const tp_scene *scene) {
   return scene->base.shift.given || scene->base.matching.given;
 }
 
+bool tp_scene_lies_in_place(const tp_scene *scene) {
+  return scene->frame == TP_FRAME_SLOPE || scene->frame == TP_FRAME_WORLD;
+}
+
 tp_place tp_scene_shift_place(const tp_scene *scene) {
   return scene->base.shift.given ? scene->base.shift.place : scene->base.matching.place;
 }

@@ -173,9 +173,17 @@ typedef struct tp_friction_description {
   tp_facet_friction_description *facets;
 } tp_friction_description;
 
-/* What x and y of a scene lie along: the mean plane of the base and its normal, said or taken so;
- * or the horizontal and the vertical, with the block as it lies. */
-typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_WORLD } tp_frame;
+/* What x and y of a scene lie along: the mean plane of the base and its normal, said or taken so,
+ * on a table or on a slope that dips; or the horizontal and the vertical, with the block as it
+ * lies. */
+typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_SLOPE, TP_FRAME_WORLD } tp_frame;
+
+/* A slope that the base lies on. */
+typedef struct tp_slope_description {
+  tp_quantity dip_deg;                       /* 0 <= value <= 90 */
+  tp_quantity dip_direction_deg, strike_deg; /* azimuths: which way that is, at most one given */
+  bool left;                                 /* the side that it dips towards */
+} tp_slope_description;
 
 /* A number that a scene has instead of the one that stands in its file, or in memory instead of the
  * one that it was built with: there it is in its place, and what was set is kept to be told. */
@@ -215,8 +223,9 @@ struct tp_scene {
   tp_block_description block;
   tp_base_description base;
   tp_frame frame;
-  tp_place frame_place;
-  tp_polyline mean_plane; /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
+  tp_place frame_place;       /* of frame or slope */
+  tp_slope_description slope; /* TP_FRAME_SLOPE */
+  tp_polyline mean_plane;     /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
   tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
   tp_quantity required_fos;       /* that the governing factor is held against */
@@ -245,6 +254,8 @@ tp_scene *tp_scene_copy(const tp_scene *scene);
 /* Is its block shifted along the mated base, and what says so? */
 bool tp_scene_is_shifted(const tp_scene *scene);
 tp_place tp_scene_shift_place(const tp_scene *scene);
+/* Does the block lie at its place, on a slope or in the frame of the world; else on a table? */
+bool tp_scene_lies_in_place(const tp_scene *scene);
 
 /* What the scene has instead of the number at a node; NULL: nothing. */
 const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node);

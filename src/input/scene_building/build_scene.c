@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Calls that make a scene in memory and set its title, tilt, frame and mean plane. */
+/* Calls that make a scene in memory and set its title, tilt, frame, slope and mean plane. */
 
 #include "common/host.h"
 #include "scene_building/build.h"
@@ -84,6 +84,33 @@ tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *message) {
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK) set_frame(&build, TP_FRAME_WORLD, (tp_polyline){0});
   return status;
+}
+
+tp_status tp_scene_set_slope(tp_scene *scene, tp_exact dip_deg, tp_direction towards,
+                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given = {"dip_deg", dip_deg, TP_RULE_ANGLE_TO_90};
+  tp_build build;
+  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK) status = tp_build_read(&build, &given, 1);
+  if (status == TP_OK && towards != TP_TOWARDS_LEFT && towards != TP_TOWARDS_RIGHT) {
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place, "there is no such direction");
+  }
+  if (status == TP_OK) {
+    set_frame(&build, TP_FRAME_SLOPE, (tp_polyline){0});
+    tp_build_put(&build, &scene->slope.dip_deg, 0);
+    scene->slope.left = towards == TP_TOWARDS_LEFT;
+  }
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_set_dip_direction_deg(tp_scene *scene, tp_exact dip_direction_deg,
+                                         tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return tp_build_set(scene, __func__, "slope.dip_direction_deg", dip_direction_deg, message);
 }
 
 tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points, tp_message *message) {

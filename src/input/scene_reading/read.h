@@ -95,6 +95,7 @@ TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node
 /* The key friction, beside friction_angle_deg, which was read. */
 TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_slope(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 /* A profile that is made by rule. */
 TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, const tp_node *node);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads the key frame of a scene: coordinates along the base or of the world, and a mean plane by
- * two points. */
+/* Reads the keys frame and slope of a scene: coordinates along the base, along a slope or of the
+ * world, and a mean plane by two points. */
 
 #include "scene_reading/read.h"
 
@@ -46,4 +46,33 @@ tp_status tp_read_frame(const tp_reader *reader, const tp_node *node) {
                         "(as world, with two points on the mean plane)");
   }
   return TP_OK;
+}
+
+tp_status tp_read_slope(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  tp_slope_description *slope = &scene->slope;
+  const tp_node *towards = NULL;
+  if (node == NULL) return TP_OK;
+  if (scene->frame != TP_FRAME_UNSTATED) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "a scene has 'frame' or 'slope': along a slope x runs along its plane, in "
+                        "'frame: world' the coordinates include the dip");
+  }
+  scene->frame = TP_FRAME_SLOPE;
+  scene->frame_place = tp_node_place(node, scene->path);
+  tp_status status = tp_read_map(reader, scene, node, &tp_key_map_slope, "slope");
+  if (status == TP_OK) {
+    status =
+        tp_read_required(reader, &towards, node, "towards", "slope: {dip_deg: 25, towards: left}");
+  }
+  if (status != TP_OK) return status;
+  if (slope->strike_deg.given && slope->dip_direction_deg.given) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "a slope has its 'dip_direction_deg' or its 'strike_deg', not both");
+  }
+  slope->left = towards->kind == TP_NODE_SCALAR && strcmp(towards->text, "left") == 0;
+  if (slope->left || (towards->kind == TP_NODE_SCALAR && strcmp(towards->text, "right") == 0)) {
+    return TP_OK;
+  }
+  return tp_read_fail(reader, TP_FAULT_KEY, towards, "towards must be left or right");
 }

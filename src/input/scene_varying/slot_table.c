@@ -61,6 +61,10 @@ static bool is_mated(const tp_scene *scene) {
   return scene->base.mated;
 }
 
+static bool is_on_slope(const tp_scene *scene) {
+  return scene->frame == TP_FRAME_SLOPE;
+}
+
 static bool is_wet(const tp_scene *scene) {
   return scene->loads.water.given;
 }

@@ -155,7 +155,7 @@ void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const
   const char *unit = scene->length_unit;
   long number = 0;
   const quantity *q = known(key, &number);
-  if (strcmp(key, "tilt.angle_deg") == 0 && scene->frame == TP_FRAME_WORLD) {
+  if (strcmp(key, "tilt.angle_deg") == 0 && tp_scene_lies_in_place(scene)) {
     *plain = true;
     snprintf(label, size, "Steepened by (°)");
     return;

@@ -38,7 +38,7 @@ static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
 }
 
 static bool has_tilt(const tp_scene *scene) {
-  return scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD;
+  return scene->tilt_angle_deg.given || tp_scene_lies_in_place(scene);
 }
 
 static tp_status check_levels(const tp_chart_list *levels, tp_message *message) {
@@ -114,7 +114,7 @@ static tp_status find_numbers(tp_map *map) {
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
   tp_panel_axis axis = {.label = label, .range = from->range};
-  if (is_tilt(from) && map->options->scene->frame == TP_FRAME_WORLD) {
+  if (is_tilt(from) && tp_scene_lies_in_place(map->options->scene)) {
     snprintf(label, LABEL_SIZE, "Dip that it is steepened to (°)");
     axis.plain = true;
     return axis;
@@ -183,7 +183,7 @@ static void set_title(tp_map *map) {
   tp_text text = {0};
   if (own != NULL) tp_text_add(&text, "%s", own);
   if (map->has_tilt && !map->tilts_differ) {
-    if (map->options->scene->frame == TP_FRAME_WORLD) {
+    if (tp_scene_lies_in_place(map->options->scene)) {
       tp_text_add(&text, "%s%.6g°", own != NULL ? ", as it lies, at " : "As it lies, at ",
                   map->tilt_deg);
     } else {

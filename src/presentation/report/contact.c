@@ -95,7 +95,15 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
 static void add_frame(tp_page *p) {
   const tp_frame_result *f = &p->solution->frame;
   char n[3][TP_NUMBER_SIZE];
-  if (f->world) {
+  if (f->slope) {
+    tp_text_add(&p->text, "Slope    dips by %s°", tp_text_fixed(n[0], f->dip_deg, 3));
+    if (f->dips) tp_text_add(&p->text, " towards the %s", tp_direction_name(f->dips_towards));
+    if (f->has_dip_direction) {
+      tp_text_add(&p->text, ", azimuth %s°", tp_text_fixed(n[1], f->dip_direction_deg, 1));
+    }
+    tp_text_add(&p->text, f->level ? ";\n         x is horizontal and y vertical\n"
+                                   : ";\n         x runs along it and y normal to it\n");
+  } else if (f->world) {
     tp_text_add(&p->text, "Frame    world: the block as it lies. The mean plane, %s,\n         ",
                 f->fitted ? "fitted to the contact" : "as given in the scene");
     if (f->dips) {

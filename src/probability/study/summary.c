@@ -27,7 +27,7 @@ static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   const tp_outcome_counts *counts = tally->tilts + k;
   const tp_quantity *own = &study->scene->tilt_angle_deg;
   tilt->of_scene = k == 0;
-  tilt->as_it_lies = k == 0 && study->scene->frame == TP_FRAME_WORLD;
+  tilt->as_it_lies = k == 0 && tp_scene_lies_in_place(study->scene);
   tilt->has_tilt = k > 0 || (own->given && !tilt->as_it_lies);
   tilt->tilt_varies = k == 0 && study->tilt_varies;
   if (tilt->has_tilt) tilt->tilt_deg = k > 0 ? study->tilts[k - 1] : fmpq_get_d(own->value);

@@ -110,7 +110,7 @@ static tp_status check_target(const tp_search *s) {
   }
   const bool needs_tilt = is_factor(target);
   /* one that it gives, or that of a slope */
-  if (!needs_tilt || scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD) return TP_OK;
+  if (!needs_tilt || scene->tilt_angle_deg.given || tp_scene_lies_in_place(scene)) return TP_OK;
   return tp_refuse(s->message, TP_FAULT_KEY, place,
                    "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
                    tp_find_target_name(target));

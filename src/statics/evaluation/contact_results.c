@@ -170,12 +170,27 @@ static void find_inclination(tp_frame_result *frame, const tp_problem *problem) 
   fmpq_clear(ten);
 }
 
+/* The dip lies 90 degrees clockwise of the strike, by the rule of the right hand. */
+static void find_dip_direction(tp_frame_result *frame, const tp_slope_description *slope) {
+  const bool strikes = slope->strike_deg.given;
+  frame->has_dip_direction = strikes || slope->dip_direction_deg.given;
+  if (!frame->has_dip_direction) return;
+  fmpq_t azimuth;
+  fmpq_init(azimuth);
+  fmpq_set(azimuth, strikes ? slope->strike_deg.value : slope->dip_direction_deg.value);
+  if (strikes) fmpq_add_si(azimuth, azimuth, 90);
+  if (fmpq_cmp_si(azimuth, 360) > 0) fmpq_sub_si(azimuth, azimuth, 360);
+  frame->dip_direction_deg = tp_result_rational(azimuth);
+  fmpq_clear(azimuth);
+}
+
 void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
   tp_frame_result *frame = &solution->frame;
   const tp_scene *scene = problem->scene;
   const tp_world *world = problem->world;
   *frame = (tp_frame_result){.stated = scene->frame != TP_FRAME_UNSTATED, .world = world != NULL};
   if (world != NULL) {
+    frame->slope = world->unturned;
     frame->level = world->level;
     frame->fitted = world->fitted;
     frame->dips = world->turn.rises != 0;
@@ -183,6 +198,7 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     frame->dip_deg = tp_result_rational(world->turn.dip_deg);
     frame->about_x_m = metres(problem, world->turn.x);
     frame->about_y_m = metres(problem, world->turn.y);
+    find_dip_direction(frame, &scene->slope);
   }
   /* A block that was set down along y has said what is level. */
   if (!frame->stated && problem->rested == NULL && scene->block.form == TP_OUTLINE_VERTICES) {

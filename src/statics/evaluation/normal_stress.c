@@ -42,7 +42,7 @@ static tp_status note_stress(tp_notes *notes, const tp_evaluation *e, bool *told
   arb_clear(tilt);
   *told = above;
   if (!above) return TP_OK;
-  const bool world = scene->frame == TP_FRAME_WORLD;
+  const bool world = tp_scene_lies_in_place(scene);
   return tp_notes_add(
       notes, message, TP_CAUTION, scene->friction.jcs_mpa.place,
       "%s the mean normal stress on the contact is %.4g MPa and exceeds JCS, %.4g MPa: asperities "

@@ -156,7 +156,7 @@ tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
         "comes to its end; give a tilt below, or leave out 'stays_level'");
   }
   if (!above) return TP_OK;
-  if (scene->frame == TP_FRAME_WORLD) {
+  if (tp_scene_lies_in_place(scene)) {
     return tp_refuse(
         message, TP_FAULT_GEOMETRY, water->height.place,
         "the water stands above the top of the block: its height counts from the up-dip "

@@ -36,16 +36,18 @@ static tp_status snap(tp_snapped **snapped, const tp_scene *scene, tp_solution *
 static tp_status turn(tp_world **world, const tp_scene *scene, const tp_solve_options *options,
                       tp_solution *solution, tp_message *message) {
   const tp_effect_begin began = tp_effects_begin(solution);
-  if (options->digits > TP_WORLD_DIGITS) {
+  const bool slope = scene->frame == TP_FRAME_SLOPE;
+  if (options->digits > TP_WORLD_DIGITS && !slope) {
     return tp_refuse(message, TP_FAULT_RANGE, scene->frame_place,
                      "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
-                     "coordinates along the mean plane for more",
+                     "coordinates along the mean plane, and 'slope', for more",
                      TP_WORLD_DIGITS);
   }
   const tp_status status = tp_world_init(world, scene, message);
   if (status != TP_OK) return status;
-  return tp_effects_entered(status, message,
-                            tp_effects_note(solution, "frame", scene->frame_place, "", began));
+  return tp_effects_entered(
+      status, message,
+      tp_effects_note(solution, slope ? "slope" : "frame", scene->frame_place, "", began));
 }
 
 static tp_status shift(tp_jointed **jointed, const tp_scene *scene, tp_solution *solution,
@@ -60,8 +62,9 @@ static tp_status shift(tp_jointed **jointed, const tp_scene *scene, tp_solution 
 tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **rested,
                  tp_snapped **snapped, tp_world **world, const tp_solve_options *options,
                  tp_solution *solution, tp_message *message) {
-  const bool shifts = tp_scene_is_shifted(*scene), turns = (*scene)->frame == TP_FRAME_WORLD;
-  if (turns && shifts) {
+  const bool shifts = tp_scene_is_shifted(*scene), turns = tp_scene_lies_in_place(*scene);
+  const bool lies_along = shifts || (*scene)->frame == TP_FRAME_SLOPE;
+  if (turns && lies_along) {
     const tp_status status = turn(world, *scene, options, solution, message);
     if (status != TP_OK) return status;
     *scene = &(*world)->scene;
@@ -81,11 +84,11 @@ tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **reste
     if (status != TP_OK) return status;
     *scene = &(*snapped)->scene;
   }
-  if (turns && !shifts) {
+  if (turns && !lies_along) {
     const tp_status status = turn(world, *scene, options, solution, message);
     if (status != TP_OK) return status;
     *scene = &(*world)->scene;
   }
-  if (turns && shifts && (*world)->goes_up_dip) return tp_world_level(*world, scene, message);
+  if (lies_along && turns && (*world)->goes_up_dip) return tp_world_level(*world, scene, message);
   return TP_OK;
 }

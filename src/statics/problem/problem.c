@@ -217,16 +217,21 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
   return status;
 }
 
+static bool was_turned(const tp_problem *problem) {
+  const tp_world *world = problem->world;
+  return world != NULL && (!world->unturned || world->level);
+}
+
 /* A block of one ring that was set down or turned was checked before, and is as simple after it:
  * its coordinates have hundreds of digits by then. */
 static bool was_checked(const tp_problem *problem) {
-  const bool moved_whole = problem->rested != NULL || problem->world != NULL;
+  const bool moved_whole = problem->rested != NULL || was_turned(problem);
   return moved_whole && problem->snapped == NULL && problem->section.ring_count == 1;
 }
 
 static tp_facets_counted counted_facets(const tp_problem *problem) {
   const tp_base *base = &problem->base;
-  const bool turned = problem->world != NULL;
+  const bool turned = was_turned(problem);
   if (problem->jointed != NULL) {
     return (tp_facets_counted){problem->jointed->base_first, problem->jointed->sole.count, true,
                                turned};

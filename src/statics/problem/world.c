@@ -198,13 +198,13 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
   if (fmpq_cmp_si(tilt->value, 90) <= 0) return TP_OK;
   return tp_refuse(
       message, TP_FAULT_RANGE, tilt->place,
-      "the dip of the mean plane and the tilt make more than 90°; the tilt is added to "
-      "the dip where 'frame' is 'world'");
+      "the dip of the mean plane and the tilt make more than 90°; of a block that lies on a slope "
+      "the tilt is added to the dip");
 }
 
 void tp_world_free(tp_world *w) {
   if (w == NULL) return;
-  tp_moved_clear(&w->scene);
+  if (!w->unturned) tp_moved_clear(&w->scene);
   if (w->along != NULL) tp_moved_clear(&w->levelled);
   fmpq_clear(w->scene.tilt_angle_deg.value);
   tp_turn_clear(&w->turn);
@@ -214,14 +214,40 @@ void tp_world_free(tp_world *w) {
   free(w);
 }
 
-static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
-                      tp_message *message) {
+static tp_world *make(void) {
   tp_world *w = calloc(1, sizeof *w);
-  if (w == NULL) return tp_fail_memory(message, "the mean plane");
+  if (w == NULL) return NULL;
   tp_turn_init(&w->turn);
   tp_turn_init(&w->lay);
   fmpq_init(w->cosine);
   fmpq_init(w->sine);
+  return w;
+}
+
+static tp_status lay_on_slope(tp_world **world, const tp_scene *scene, bool up_dip,
+                              tp_message *message) {
+  tp_world *w = make();
+  if (w == NULL) return tp_fail_memory(message, "the slope");
+  w->scene = *scene;
+  w->unturned = true;
+  fmpq_init(w->scene.tilt_angle_deg.value);
+  fmpq_one(w->turn.cosine);
+  fmpq_set(w->turn.dip_deg, scene->slope.dip_deg.value);
+  if (!fmpq_is_zero(w->turn.dip_deg)) w->turn.rises = scene->slope.left ? 1 : -1;
+  w->goes_up_dip = up_dip && w->turn.rises != 0;
+  const tp_status status = set_tilt(w, scene, message);
+  if (status == TP_OK) {
+    *world = w;
+  } else {
+    tp_world_free(w);
+  }
+  return status;
+}
+
+static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
+                      tp_message *message) {
+  tp_world *w = make();
+  if (w == NULL) return tp_fail_memory(message, "the mean plane");
   tp_moved_begin(&w->scene, scene);
   fmpq_init(w->scene.tilt_angle_deg.value);
   w->fitted = scene->mean_plane.count == 0;
@@ -246,13 +272,17 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
 }
 
 tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_message *message) {
-  if (scene->block.form != TP_OUTLINE_VERTICES) {
-    return tp_refuse(message, TP_FAULT_GEOMETRY, scene->frame_place,
-                     "teeth, slabs and ellipses have a mean plane of their own, level in their own "
-                     "coordinates; 'frame: world' is for an outline");
-  }
   const tp_loads_description *loads = &scene->loads;
-  found f = {.up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP};
+  const bool up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP;
+  if (scene->frame == TP_FRAME_SLOPE) return lay_on_slope(world, scene, up_dip, message);
+  if (scene->block.form != TP_OUTLINE_VERTICES) {
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, scene->frame_place,
+        "'frame: world' is for an outline; the coordinates of teeth, slabs and ellipses "
+        "run along their mean plane: say how it dips, 'slope: {dip_deg: 25, towards: "
+        "left}'");
+  }
+  found f = {.up_dip = up_dip};
   fmpq_init(f.u);
   fmpq_init(f.v);
   fmpq_init(f.x);

@@ -17,6 +17,9 @@
  * acts, of the height given: no level up to that drives more where the block slides or turns about
  * the upper end of its contact, as the push resists both and the uplift grows with the level.
  *
+ * On a slope the dip is given and the coordinates run along the mean plane already: nothing is
+ * turned, but for an earthquake up-dip.
+ *
  * Where the scene leaves the contact to the default, its ends and the mean plane depend on each
  * other: from the ends that the coordinates themselves have, plane and ends are found in turn until
  * they stay. */
@@ -34,13 +37,14 @@ enum { TP_WORLD_DIGITS = 60 };
 typedef struct tp_world {
   tp_scene scene; /* in the frame of the base; shares with the scene what is not turned */
   bool fitted;
+  bool unturned; /* a slope: the coordinates run along it, and `scene` shares all with the scene */
   tp_turn turn;
   bool goes_up_dip;      /* under an earthquake */
   bool level;            /* up-dip: x and y are level and upright, as the block lies, */
   tp_turn lay;           /* turned by the scene's tilt alone, or all of it where it was shifted; */
   fmpq_t cosine, sine;   /* the direction of the mean plane there, */
   tp_sole sole;          /* and on a profile the underside, found along that */
-  const tp_scene *along; /* a shifted block as it came to rest, along its mean plane, borrowed, */
+  const tp_scene *along; /* a block along its mean plane, shifted or on a slope, borrowed, */
   tp_scene levelled;     /* and as it then lies; else NULL and empty */
 } tp_world;
 
@@ -49,8 +53,8 @@ TP_MUST_USE tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_
 /* Lay a block level that goes up-dip and is not shifted: the scene as its coordinates lie. */
 TP_MUST_USE tp_status tp_world_lay_up_dip(tp_world *world, const tp_scene *scene,
                                           tp_message *message);
-/* The same of one that is shifted, after what was to be done along its mean plane: `*scene` is
- * that one, and becomes the world's own. */
+/* The same of one that is shifted or on a slope, after what was to be done along its mean plane:
+ * `*scene` is that one, and becomes the world's own. */
 TP_MUST_USE tp_status tp_world_level(tp_world *world, const tp_scene **scene, tp_message *message);
 void tp_world_free(tp_world *world);
 

@@ -19,7 +19,7 @@ static bool shakes(const tp_scene *scene) {
 tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
   *several = false;
-  if (scene->frame != TP_FRAME_WORLD) {
+  if (!tp_scene_lies_in_place(scene)) {
     if (!loads->direction_given || loads->direction == TP_SEISMIC_DOWN_DIP) return TP_OK;
     return tp_refuse(
         message, TP_FAULT_KEY, loads->seismic_place,
@@ -34,7 +34,7 @@ tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message 
 }
 
 bool tp_earthquake_is_one_sided(const tp_scene *scene) {
-  return scene->frame != TP_FRAME_WORLD && shakes(scene) &&
+  return !tp_scene_lies_in_place(scene) && shakes(scene) &&
          fmpq_sgn(scene->loads.horizontal.value) > 0 && !scene->loads.direction_given &&
          scene->towards_left != scene->towards_right;
 }

@@ -45,7 +45,7 @@ tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const
 
 tp_status tp_varied_check(double *own, const tp_varied *varied, tp_message *message) {
   const tp_scene *scene = varied->scene;
-  if (scene->towards_left && scene->towards_right && scene->frame != TP_FRAME_WORLD) {
+  if (scene->towards_left && scene->towards_right && !tp_scene_lies_in_place(scene)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
                      "this scene tilts both ways; choose one, 'tilt: {towards: left}'");
   }
