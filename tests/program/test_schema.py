@@ -44,6 +44,7 @@ SCENES = {
     "water overtops": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
                       "loads: {water: {height: 3, stays_level: true}}\ntilt: {towards: left, angle_deg: 5}\n",
     "frame of the world": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: world\nfriction_angle_deg: 30\n",
+    "on a slope": "block: {slab: {width: 1, height: 3}}\nslope: {dip_deg: 9, towards: left, strike_deg: 330}\nfriction_angle_deg: 30\n",
     "earthquakes": "block: {outline: [[0, 0], [2, 0.01], [3, 4], [1, 4]], unit_weight_kn_m3: 26}\nframe: world\n"
                    "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.2, vertical: 0.1}}\n",
     "earthquakes that lift": "block: {outline: [[0, 0], [2, 0.01], [3, 4], [1, 4]], unit_weight_kn_m3: 26}\nframe: world\n"
