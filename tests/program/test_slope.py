@@ -3,6 +3,7 @@
 """A block that lies on a slope, `slope: {dip_deg, towards}`: as the same block on a table at that tilt; as the same section drawn
 as it lies, `frame: world`, under every load; in an earthquake both ways, by moments worked out by hand; and in a mirror."""
 
+import cmath
 import json
 import math
 import pathlib
@@ -11,11 +12,13 @@ import tempfile
 import unittest
 
 from harness import ROOT, main, run, solve
+from svg import Drawing
 
 EXAMPLES = ROOT / "examples"
 HEAD = "topple: 1\nlength_unit: m\nfriction_angle_deg: 38\n"
 #: Direction of the slope of the drawing as it lies: a dip whose cosine and sine are rational.
 COSINE, SINE, SLOPE_DEG = 24 / 25, 7 / 25, math.degrees(math.atan2(7, 24))
+BLOCK = (0.84, 0.925, 0.975)  # its tint, as src/presentation/figure/view.c has it
 LEANING = [(0, 0), (2, 0), (2.5, 4), (0.5, 5)]
 
 
@@ -158,7 +161,37 @@ class Slope(unittest.TestCase):
             self.assertIn("Slope    dips by 9.000° towards the left, azimuth " + shown, report)
             self.assertNotIn("table", report)
             self.assertNotIn("tilted", report.lower())
-            self.assertIn("steepened", report)
+            self.assertIn("  Stands as it lies, at 9°: no motion can begin.\n  It may steepen by 9.435°, to a dip of 18.435°", report)
+
+    def test_anchored_block_read_by_an_engineer(self):
+        """What matters on site comes first: it stands, and by how much the slope may steepen, 53.367° less 25°. That the anchor
+        would pull it over where the slope was nearly level comes last."""
+        report = run("solve", EXAMPLES / "slope" / "anchored_block.yaml")[1]
+        self.assertIn("  Stands as it lies, at 25°: no motion can begin.\n"
+                      "  It may steepen by 28.367°, to a dip of 53.367°: there it\n  topples about pivot 1, the flat end at (0, 0).\n"
+                      "  (Laid flatter, to 3.190° or less, it could begin to topple.)\n", report)
+        for words in ("turned back", "where its mean plane is level", "Motions can begin"):
+            self.assertNotIn(words, report)
+
+    def test_what_does_not_stand(self):
+        """A slab 1 m wide and 4 m high on 20° topples: its width is passed at atan(1/4) = 14.036°, 5.964° flatter."""
+        report = run("solve", self.write("block: {slab: {width: 1, height: 4}}\nslope: {dip_deg: 20, towards: left}\n"))[1]
+        self.assertIn("  Does not stand as it lies, at 20°: it can begin to topple.\n"
+                      "  Certain to stand only if it lay flatter by 5.964°, at a dip below 14.036°.\n", report)
+
+    def test_figure_as_it_lies(self):
+        """The block is turned by its dip, not by its limit, whichever way it dips; under an earthquake up-dip, too."""
+        for towards, sign in (("left", 1), ("right", -1)):
+            for loads in ("", "loads: {seismic: {horizontal: 0.4}}\n"):
+                path = self.write("block: {slab: {width: 1.5, height: 3}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 9, towards: %s, dip_direction_deg: 10}\n%s"
+                                  % (towards, loads))
+                picture = self.folder / "figure.svg"
+                self.assertEqual(run("solve", "--figure", picture, path)[0], 0)
+                block = Drawing(picture.read_text()).areas[BLOCK][0][0]
+                corners = [complex(x, -y) for x, y in block]
+                sides = [b - a for a, b in zip(corners, corners[1:] + corners[:1])]
+                base = min((side for side in sides if abs(abs(side) - min(map(abs, sides))) < 0.01), key=lambda s: -s.real)
+                self.assertAlmostEqual(math.degrees(cmath.phase(base)), sign * 9, delta=0.1)
 
     def test_dip_can_be_varied(self):
         """A slab of friction 38° with a width of 1 and a height of 1 slides where the dip is 38°."""

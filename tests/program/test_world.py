@@ -280,8 +280,8 @@ class World(unittest.TestCase):
                     self.assertNotIn(status, (2, 5), where + text)
                     self.assertTrue(status == 0 or "map" not in where, text)
                 said += " ".join(" ".join(text.split()) for _, text in told.values())
-        for words in ("it may steepen by", "steepened by", "Dip that it is steepened to (°)", "Steepened by (°)",
-                      "as it lies, towards the left, the water", "where its mean plane is level"):
+        for words in ("It may steepen by", "to a dip of", "Dip that it is steepened to (°)", "Steepened by (°)",
+                      "as it lies, towards the left, the water"):
             self.assertIn(words, said)
 
     def test_figure(self):

@@ -5,6 +5,7 @@
 
 #include "figure/figure.h"
 #include "common/host.h"
+#include "common/message.h"
 
 /* What is done with the figure of a solution. */
 typedef struct task {
@@ -18,7 +19,9 @@ static tp_status work_on(const tp_problem *problem, const tp_shape *shape, void 
   const task *own = context;
   tp_figure figure = {.problem = problem, .solution = own->solution, .shape = *shape};
   for (size_t k = 0; k < own->solution->case_count; k++) {
-    tp_state_init(figure.states + figure.panel_count++, &figure, own->solution->cases + k);
+    if (!tp_state_init(figure.states + figure.panel_count++, &figure, own->solution->cases + k)) {
+      return tp_fail_memory(message, "the figure");
+    }
   }
   return own->work(&figure, own->context, message);
 }

@@ -59,6 +59,7 @@ typedef enum tp_state_kind {
   TP_STATE_LIMIT,   /* at the static limit */
   TP_STATE_MOMENTS, /* no friction: where the weight passes the governing pivot */
   TP_STATE_SCENE,   /* at the scene's tilt */
+  TP_STATE_LIES,    /* at its place on a slope, as it lies */
   TP_STATE_LEVEL
 } tp_state_kind;
 
@@ -87,7 +88,18 @@ typedef struct tp_figure {
   tp_state states[2];
 } tp_figure;
 
-void tp_state_init(tp_state *state, const tp_figure *figure, const tp_case *own);
+/* What acts on a block as it lies: the resultant of weight and loads at its tilt, and on its line
+ * the reaction of the base, where that stands. False when memory is exhausted. */
+TP_MUST_USE bool tp_state_find_present(tp_state *state, const tp_figure *figure);
+
+/* False when memory is exhausted. */
+TP_MUST_USE bool tp_state_init(tp_state *state, const tp_figure *figure, const tp_case *own);
+
+/* Where the lines p + t u and q + s v meet; false where they are nearly parallel. */
+bool tp_spot_meet(tp_spot *at, tp_spot p, tp_spot u, tp_spot q, tp_spot v);
+
+/* Is the point not further from the block than its size? */
+bool tp_figure_in_sight(const tp_figure *figure, tp_spot p);
 
 /* The point's number in the table of pivots, from 1; 0 where it is none. */
 size_t tp_state_pivot_at(const tp_figure *figure, const tp_state *state, tp_spot at);
@@ -182,6 +194,14 @@ TP_MUST_USE bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figu
                                    const tp_state *state, double x, double width);
 TP_MUST_USE bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure,
                                    const tp_state *state, double x, double width);
+
+/* Of a block that is drawn as it lies: its heading, a line that names both sides of the section and
+ * ends at the height returned, and the verdict with what comes after it; false where the onset does
+ * not tell it. */
+void tp_figure_lies_heading(tp_text *text, const tp_figure *figure, const tp_state *state);
+double tp_figure_sides(cairo_t *cr, const tp_figure *figure, double x, double y, double width);
+TP_MUST_USE bool tp_figure_lies_verdict(tp_text *verdict, tp_text *more, const tp_figure *figure,
+                                        const tp_state *state);
 
 /* The pivots; where they end. The legend, from *y down to where it moves *y; false when memory is
  * exhausted. */

@@ -129,9 +129,24 @@ static void draw_centre(tp_panel *p) {
   }
 }
 
+/* Of a block as it lies: the direction of k_h and k_v at the centroid, its size not to scale. */
+static void draw_earthquake(tp_panel *p) {
+  const tp_state *s = p->state;
+  const tp_loads_description *loads = &p->figure->problem->scene->loads;
+  const double side = s->own->towards == TP_TOWARDS_LEFT ? -1 : 1;
+  const double across = side * fmpq_get_d(loads->horizontal.value);
+  const double up = fmpq_get_d(loads->vertical.value);
+  const tp_spot push = {-across * s->gravity.y - up * s->gravity.x,
+                        across * s->gravity.x - up * s->gravity.y};
+  const double size = hypot(push.x, push.y);
+  if (s->kind != TP_STATE_LIES || !(size > 0)) return;
+  draw_force(p, s->centroid, along(s->centroid, push, 0.6 * s->arrow / size), TP_INK_GREY);
+}
+
 void tp_figure_draw_forces(tp_panel *p) {
   const tp_state *s = p->state;
   draw_lines(p);
+  draw_earthquake(p);
   draw_force(p, s->centroid, along(s->centroid, s->gravity, s->arrow), TP_INK_BLACK);
   if (s->has_resultant) {
     draw_force(p, s->resultant.at, along(s->resultant.at, s->resultant.share, s->arrow),

@@ -121,10 +121,13 @@ static double draw_entry(double *y, cairo_t *cr, const entry *e, double at, doub
 
 static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
                         const tp_drawn_names *names, double scale, double x, double width) {
-  bool reacts = false, turns = false, combined = false, governs = false;
+  bool reacts = false, shakes = false, lines = false, turns = false, combined = false,
+       governs = false;
   for (size_t k = 0; k < figure->panel_count; k++) {
     const tp_state *s = figure->states + k;
     reacts = reacts || s->reaction_count > 0;
+    lines = lines || s->reaction_count > 0 || s->meets;
+    shakes = shakes || s->kind == TP_STATE_LIES;
     combined = combined || s->has_resultant;
     turns = turns || s->shows_centre;
     governs = governs || s->own->has_governing;
@@ -141,9 +144,10 @@ static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
       {figure->shape.contact.count > 0, LINE, TP_INK_GREEN, "contact"},
       {true, CENTROID, TP_INK_BLACK, "centroid"},
       {true, ARROW, TP_INK_BLACK, "weight W"},
+      {shakes && loads->horizontal.given, ARROW, TP_INK_GREY, "earthquake"},
       {combined, ARROW, TP_INK_ORANGE, "weight and loads"},
       {reacts, ARROW, TP_INK_BLUE, "reaction R of the base"},
-      {reacts, DASHES, TP_INK_GREY, "line of action"},
+      {lines, DASHES, TP_INK_GREY, "line of action"},
       {turns, CROSS, TP_INK_VERMILION, "centre of rotation"},
       {true, DISC, TP_INK_WHITE, "pivot"},
       {governs, DISC, TP_INK_VERMILION, "governing pivot"},

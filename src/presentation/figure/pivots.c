@@ -107,14 +107,28 @@ typedef struct wedge {
   tp_spot middle, on_arc; /* halfway: direction and point */
 } wedge;
 
+/* The base of a block that is laid level, under an earthquake up-dip, dips in its frame. */
+static tp_spot up_the_base(const tp_panel *p, double side) {
+  const tp_world *world = p->figure->problem->world;
+  if (world == NULL || !world->level) return tp_view_direction(&p->view, (tp_spot){side, 0});
+  return tp_view_direction(
+      &p->view, (tp_spot){side * fmpq_get_d(world->cosine), side * fmpq_get_d(world->sine)});
+}
+
+/* Which side is low: -1 the left, 1 the right; 0 where the base is level. */
+static int low_side(const tp_panel *p) {
+  const double rise = -up_the_base(p, 1).y;
+  return rise > 0 ? -1 : rise < 0 ? 1 : 0;
+}
+
 static wedge find_wedge(const tp_panel *p) {
   enum { SHORTEST = 34, LONGEST = 60 };
   const tp_rock rock = tp_figure_rock(p->figure);
-  const bool low_left = p->view.sine >= 0;
+  const bool low_left = low_side(p) < 0;
   const tp_spot left = tp_view_spot(&p->view, (tp_spot){rock.x0, rock.bottom});
   const tp_spot right = tp_view_spot(&p->view, (tp_spot){rock.x1, rock.bottom});
   const double side = low_left ? 1 : -1, length = hypot(right.x - left.x, right.y - left.y);
-  const tp_spot slope = tp_view_direction(&p->view, (tp_spot){side, 0});
+  const tp_spot slope = up_the_base(p, side);
   wedge w = {.low = low_left ? left : right};
   w.radius = fmax(SHORTEST, fmin(LONGEST, 0.6 * length));
   const double reach = 1.25 * w.radius, far = fmax(reach, length);
@@ -128,7 +142,7 @@ static wedge find_wedge(const tp_panel *p) {
 
 void tp_figure_draw_tilt(tp_panel *p) {
   cairo_t *cr = p->cr;
-  if (p->view.sine == 0) return;
+  if (low_side(p) == 0) return;
   const wedge w = find_wedge(p);
   const double from = atan2(w.high.y - w.low.y, w.high.x - w.low.x);
   tp_figure_ink(cr, TP_INK_BLACK);
@@ -139,25 +153,31 @@ void tp_figure_draw_tilt(tp_panel *p) {
   cairo_stroke(cr);
   tp_label_room_line(&p->room, w.low, w.level);
   tp_label_room_line(&p->room, w.low, w.high);
-  if (p->view.sine >= 0) {
+  if (low_side(p) < 0) {
     cairo_arc(cr, w.low.x, w.low.y, w.radius, from, 0);
   } else {
     cairo_arc_negative(cr, w.low.x, w.low.y, w.radius, from, -4 * atan(1));
   }
   cairo_stroke(cr);
-  const tp_spot along = tp_view_direction(&p->view, (tp_spot){p->view.sine >= 0 ? 1 : -1, 0});
+  const tp_spot along = up_the_base(p, low_side(p) < 0 ? 1 : -1);
   tp_label_room_line(
       &p->room, (tp_spot){w.low.x + w.radius * along.x, w.low.y + w.radius * along.y}, w.on_arc);
   const double level = w.level.x > w.low.x ? w.radius : -w.radius;
   tp_label_room_line(&p->room, w.on_arc, (tp_spot){w.low.x + level, w.low.y});
 }
 
+/* What the wedge shows. */
+static tp_bounded dip_of(const tp_panel *p) {
+  const tp_frame_result *frame = &p->figure->solution->frame;
+  return frame->level ? frame->dip_deg : p->state->tilt_deg;
+}
+
 void tp_figure_label_tilt(tp_panel *p) {
-  if (p->view.sine == 0) return;
+  if (low_side(p) == 0) return;
   const wedge w = find_wedge(p);
   char number[TP_NUMBER_SIZE], text[TP_NUMBER_SIZE + 8];
   tp_box box;
-  snprintf(text, sizeof text, "%s°", tp_text_fixed(number, p->state->tilt_deg, 2));
+  snprintf(text, sizeof text, "%s°", tp_text_fixed(number, dip_of(p), 2));
   tp_figure_font(p->cr, TP_BODY_SIZE, true);
   tp_figure_ink(p->cr, TP_INK_BLACK);
   if (tp_label_room_find(&box, &p->room, w.on_arc, w.middle, tp_figure_text_width(p->cr, text) + 2,

@@ -21,6 +21,11 @@ static bool same(tp_spot p, tp_spot q) {
 static void choose_tilt(tp_state *state, const tp_figure *figure) {
   const tp_case *own = state->own;
   const tp_solution *solution = figure->solution;
+  if (solution->frame.world && solution->has_tilt_angle) {
+    state->kind = TP_STATE_LIES;
+    state->tilt_deg = solution->tilt_angle_deg;
+    return;
+  }
   if (own->limit.kind == TP_LIMIT_AT_ANGLE) {
     state->kind = TP_STATE_LIMIT;
     state->tilt_deg = own->limit.critical_angle_deg;
@@ -60,30 +65,13 @@ static void take_reactions(tp_state *state, const tp_figure *figure) {
   }
 }
 
-/* Where the lines p + t u and q + s v meet; false where they are nearly parallel. */
-static bool meet(tp_spot *at, tp_spot p, tp_spot u, tp_spot q, tp_spot v) {
-  const double cross = u.x * v.y - u.y * v.x;
-  if (fabs(cross) < 1e-4 * hypot(u.x, u.y) * hypot(v.x, v.y)) return false;
-  const double t = ((q.x - p.x) * v.y - (q.y - p.y) * v.x) / cross;
-  *at = (tp_spot){p.x + t * u.x, p.y + t * u.y};
-  return true;
-}
-
-/* Is the point not further from the block than its size? */
-static bool in_sight(const tp_figure *figure, tp_spot p) {
-  const tp_box *b = &figure->shape.box;
-  const double away_x = fmax(fmax(b->x0 - p.x, p.x - b->x1), 0);
-  const double away_y = fmax(fmax(b->y0 - p.y, p.y - b->y1), 0);
-  return hypot(away_x, away_y) < 0.8;
-}
-
 /* Against the reactions, on a line through the point where theirs meet, or the one of both. */
 static void find_resultant(tp_state *state) {
   const tp_force *r = state->reactions;
   tp_spot sum = r[0].share, on = r[0].at;
   if (state->reaction_count == 2) {
     sum = (tp_spot){sum.x + r[1].share.x, sum.y + r[1].share.y};
-    if (!meet(&on, r[0].at, r[0].share, r[1].at, r[1].share)) {
+    if (!tp_spot_meet(&on, r[0].at, r[0].share, r[1].at, r[1].share)) {
       const double share = r[1].size.value / (r[0].size.value + r[1].size.value);
       on = (tp_spot){r[0].at.x + share * (r[1].at.x - r[0].at.x),
                      r[0].at.y + share * (r[1].at.y - r[0].at.y)};
@@ -97,7 +85,7 @@ static void find_resultant(tp_state *state) {
       (tp_force){.at = {on.x + along * sum.x, on.y + along * sum.y}, .share = {-sum.x, -sum.y}};
 }
 
-static void find_forces(tp_state *state, const tp_figure *figure) {
+static void find_forces_at_limit(tp_state *state, const tp_figure *figure) {
   tp_force *r = state->reactions;
   take_reactions(state, figure);
   if (state->reaction_count == 2 && r[1].at.x < r[0].at.x) {
@@ -108,21 +96,26 @@ static void find_forces(tp_state *state, const tp_figure *figure) {
   if (state->reaction_count == 0) return;
   if (figure->solution->loaded) find_resultant(state);
   if (state->reaction_count == 2) {
-    state->meets = meet(&state->meeting, r[0].at, r[0].share, r[1].at, r[1].share) &&
-                   in_sight(figure, state->meeting);
+    state->meets = tp_spot_meet(&state->meeting, r[0].at, r[0].share, r[1].at, r[1].share) &&
+                   tp_figure_in_sight(figure, state->meeting);
   }
+}
+
+/* So long that all arrows have room. */
+static void set_arrow(tp_state *state) {
+  const tp_force *r = state->reactions;
   double largest = 1;
   for (size_t k = 0; k < state->reaction_count; k++) largest = fmax(largest, r[k].size.value);
   const double resultant = hypot(state->resultant.share.x, state->resultant.share.y);
   state->arrow = ARROW * fmin(1, 1.4 / fmax(largest, resultant));
-  if (state->reaction_count == 2) return;
+  if (state->reaction_count != 1) return;
   /* on one line: the two arrows that meet in the pivot stay apart */
   const tp_spot from = state->has_resultant ? state->resultant.at : state->centroid;
   const double apart = hypot(from.x - r[0].at.x, from.y - r[0].at.y);
   if (apart > 0.1 * ARROW) state->arrow = fmin(state->arrow, 0.75 * apart / fmax(resultant, 1));
 }
 
-void tp_state_init(tp_state *state, const tp_figure *figure, const tp_case *own) {
+bool tp_state_init(tp_state *state, const tp_figure *figure, const tp_case *own) {
   const tp_block_result *block = &figure->solution->block;
   memset(state, 0, sizeof *state);
   state->own = own;
@@ -132,11 +125,17 @@ void tp_state_init(tp_state *state, const tp_figure *figure, const tp_case *own)
   if (own->towards == TP_TOWARDS_RIGHT) state->turn = -state->turn;
   state->gravity = (tp_spot){-sin(state->turn), -cos(state->turn)};
   state->centroid = tp_shape_of_metres(&figure->shape, block->centroid_x_m, block->centroid_y_m);
-  find_forces(state, figure);
-  if (state->kind != TP_STATE_LIMIT || !own->limit.has_centre) return;
+  if (state->kind == TP_STATE_LIES) {
+    if (!tp_state_find_present(state, figure)) return false;
+  } else {
+    find_forces_at_limit(state, figure);
+  }
+  if (state->reaction_count > 0 || state->has_resultant) set_arrow(state);
+  if (state->kind != TP_STATE_LIMIT || !own->limit.has_centre) return true;
   state->has_centre = true;
   state->centre = tp_shape_of_metres(&figure->shape, own->limit.centre_x_m, own->limit.centre_y_m);
-  state->shows_centre = in_sight(figure, state->centre);
+  state->shows_centre = tp_figure_in_sight(figure, state->centre);
+  return true;
 }
 
 tp_spot tp_figure_pivot_spot(const tp_figure *figure, const tp_case *own, size_t pivot) {

@@ -28,7 +28,7 @@ static void fill_head(table *t, const tp_figure *figure) {
   snprintf(t->cells[0][KIND], CELL_SIZE, "Pivot");
   snprintf(t->cells[0][X], CELL_SIZE, "x (%s)", unit);
   snprintf(t->cells[0][Y], CELL_SIZE, "y (%s)", unit);
-  snprintf(t->cells[0][ANGLE], CELL_SIZE, "topples at");
+  snprintf(t->cells[0][ANGLE], CELL_SIZE, "%s", tp_text_topples_at(figure->solution));
   if (figure->solution->has_tilt_angle) snprintf(t->cells[0][FACTOR], CELL_SIZE, "FoS");
   snprintf(t->cells[0][TURNING], CELL_SIZE, "turning");
 }

@@ -199,9 +199,12 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
                                        [TP_STATE_LEVEL] = "drawn level"};
   char n[TP_NUMBER_SIZE];
   tp_text t = {0};
-  const bool lies = state->kind == TP_STATE_SCENE && figure->solution->frame.world;
-  tp_text_add(&t, "%s: %s", tp_text_stance(figure->solution, state->own),
-              lies ? "drawn as it lies" : states[state->kind]);
+  const bool lies = state->kind == TP_STATE_LIES;
+  if (lies) {
+    tp_figure_lies_heading(&t, figure, state);
+  } else {
+    tp_text_add(&t, "%s: %s", tp_text_stance(figure->solution, state->own), states[state->kind]);
+  }
   if (state->kind == TP_STATE_LIMIT && figure->solution->has_friction) {
     tp_text_add(&t, ", φ = %s°%s", tp_page_degrees(n, figure->solution->friction_angle_deg),
                 figure->solution->friction_facet_count > 0 ? " but on some facets" : "");
@@ -210,9 +213,26 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
   if (done) {
     tp_figure_ink(cr, TP_INK_BLACK);
     *y = tp_figure_paragraph(cr, x, *y, width, TP_HEAD_SIZE, false, t.data);
+    if (lies) *y = tp_figure_sides(cr, figure, x, *y, width);
   }
   free(t.data);
   return done;
+}
+
+/* At the static limit, or by moments. */
+static void add_at_limit(tp_text *verdict, tp_text *more, const tp_figure *figure,
+                         const tp_state *state) {
+  if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
+    tp_text_add(verdict, "Does not stand even %s: ", tp_text_level(figure->solution));
+  }
+  add_limit(verdict, figure, state, &state->own->limit);
+  add_base(verdict, figure, state);
+  if (state->own->limit.kind == TP_LIMIT_NOT_ASKED) {
+    tp_text_add(verdict, "Without a friction angle only moments are judged.");
+  }
+  add_onset(more, state->own);
+  add_moments(more, figure, state);
+  add_scene_tilt(more, figure, state);
 }
 
 bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
@@ -221,17 +241,9 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   tp_text_governing(&verdict, state->own);
   if (verdict.length > 0) tp_text_add(&verdict, ". ");
   const size_t begin = verdict.length;
-  if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
-    tp_text_add(&verdict, "Does not stand even %s: ", tp_text_level(figure->solution));
+  if (!tp_figure_lies_verdict(&verdict, &more, figure, state)) {
+    add_at_limit(&verdict, &more, figure, state);
   }
-  add_limit(&verdict, figure, state, &state->own->limit);
-  add_base(&verdict, figure, state);
-  if (state->own->limit.kind == TP_LIMIT_NOT_ASKED) {
-    tp_text_add(&verdict, "Without a friction angle only moments are judged.");
-  }
-  add_onset(&more, state->own);
-  add_moments(&more, figure, state);
-  add_scene_tilt(&more, figure, state);
   add_reactions(&more, figure, state);
   add_loads(&more, figure);
   const bool done = !verdict.failed && !more.failed;

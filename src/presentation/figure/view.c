@@ -18,6 +18,21 @@ tp_spot tp_view_direction(const tp_view *v, tp_spot d) {
                    -(v->sine * d.x + v->cosine * d.y) / length};
 }
 
+bool tp_spot_meet(tp_spot *at, tp_spot p, tp_spot u, tp_spot q, tp_spot v) {
+  const double cross = u.x * v.y - u.y * v.x;
+  if (fabs(cross) < 1e-4 * hypot(u.x, u.y) * hypot(v.x, v.y)) return false;
+  const double t = ((q.x - p.x) * v.y - (q.y - p.y) * v.x) / cross;
+  *at = (tp_spot){p.x + t * u.x, p.y + t * u.y};
+  return true;
+}
+
+bool tp_figure_in_sight(const tp_figure *figure, tp_spot p) {
+  const tp_box *b = &figure->shape.box;
+  const double away_x = fmax(fmax(b->x0 - p.x, p.x - b->x1), 0);
+  const double away_y = fmax(fmax(b->y0 - p.y, p.y - b->y1), 0);
+  return hypot(away_x, away_y) < 0.8;
+}
+
 /* Draw the chain, or with cr NULL only count its nodes, dropping straight steps shorter than
  * `finest` points. */
 static size_t trace(cairo_t *cr, const tp_view *view, const tp_chain *chain, double finest) {

@@ -10,8 +10,9 @@
 #include "report/words.h"
 #include "terms/names.h"
 
-/* "to the right, up-dip, without k_v"; the part is named where some have it. */
-static void add_name(tp_text *t, const tp_earthquake *own, bool vertical) {
+void tp_text_earthquake(tp_text *t, const tp_solution *s, const tp_earthquake *own) {
+  bool vertical = false;
+  for (size_t k = 0; k < s->earthquake_count; k++) vertical |= s->earthquakes[k].vertical;
   const char *part = !vertical ? "" : own->vertical ? ", with k_v" : ", without k_v";
   tp_text_add(t, "to the %s, %s%s", tp_direction_name(own->towards),
               own->up_dip ? "up-dip" : "down-dip", part);
@@ -28,12 +29,10 @@ static void add_factor(tp_text *t, tp_fos fos) {
 
 void tp_page_add_earthquakes(tp_page *p) {
   const tp_solution *s = p->solution;
-  bool vertical = false;
-  for (size_t k = 0; k < s->earthquake_count; k++) vertical |= s->earthquakes[k].vertical;
   for (size_t k = 0; k < s->earthquake_count; k++) {
     const tp_earthquake *own = s->earthquakes + k;
     tp_text_add(&p->text, k == 0 ? "Seismic  " : "         ");
-    add_name(&p->text, own, vertical);
+    tp_text_earthquake(&p->text, s, own);
     tp_text_add(&p->text, ": %s", tp_mechanism_name(own->mechanism));
     add_factor(&p->text, own->fos);
     tp_text_add(&p->text, "\n");

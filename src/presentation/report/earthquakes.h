@@ -11,4 +11,7 @@
 
 void tp_page_add_earthquakes(tp_page *p);
 
+/* "to the right, up-dip, without k_v"; the part is named where some of them have it. */
+void tp_text_earthquake(tp_text *text, const tp_solution *solution, const tp_earthquake *own);
+
 #endif

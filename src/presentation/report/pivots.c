@@ -46,7 +46,7 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
   char x[16], y[16];
   snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
   snprintf(y, sizeof y, "y (%s)", p->solution->length_unit);
-  tp_text_add(&p->text, "  %-11s %10s %10s %11s", "Pivot", x, y, "topples at");
+  tp_text_add(&p->text, "  %-11s %10s %10s %11s", "Pivot", x, y, tp_text_topples_at(p->solution));
   if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %9s %9s", "FoS", "elements");
   tp_text_add(&p->text, "  turning\n");
   size_t left_out = 0;

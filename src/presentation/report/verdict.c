@@ -6,6 +6,7 @@
 
 #include "report/verdict.h"
 
+#include "report/as_it_lies.h"
 #include "report/first.h"
 #include "report/onset.h"
 #include "report/words.h"
@@ -157,6 +158,10 @@ void tp_page_add_verdict(tp_page *p, const tp_case *c) {
   char where[TP_NUMBER_SIZE + 8];
   write_where(where, p->solution);
   if (add_without_tilt(p, c, where)) return;
+  if (tp_page_lies_known(p->solution, c)) {
+    tp_page_add_as_it_lies(p, c);
+    return;
+  }
   if (!tp_onset_is_known(&c->onset)) {
     add_by_first(p, c, where);
     if (c->onset.kind == TP_ONSET_UNDECIDED) {

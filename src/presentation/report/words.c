@@ -74,6 +74,11 @@ const char *tp_text_steepen(const tp_solution *solution) {
   return solution->frame.level ? "turn" : "steepen";
 }
 
+const char *tp_text_topples_at(const tp_solution *solution) {
+  if (solution->frame.level) return "turned by";
+  return solution->frame.world ? "at a dip of" : "topples at";
+}
+
 const char *tp_text_present(const tp_solution *solution) {
   return solution->frame.world ? "as it lies" : "at the scene's tilt";
 }

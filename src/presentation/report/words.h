@@ -25,6 +25,8 @@ const char *tp_text_level(const tp_solution *solution);
  * they count from how it lies, up-dip; and the same as a verb, "steepen" or "turn". */
 const char *tp_text_tilted(const tp_solution *solution);
 const char *tp_text_steepen(const tp_solution *solution);
+/* Over the angles at which pivots let it topple: "topples at", "at a dip of" or "turned by". */
+const char *tp_text_topples_at(const tp_solution *solution);
 /* "at the scene's tilt", or in the frame of the world "as it lies". */
 const char *tp_text_present(const tp_solution *solution);
 /* How the table of a tilt test stands: "Tilted towards the left", "On level ground". */
