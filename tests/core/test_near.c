@@ -6,6 +6,7 @@
  * sizes, and sums that cancel down to a rounding. */
 
 #include "number/ball.h"
+#include "plane/contact_rows.h"
 #include "random_numbers.h"
 #include "runner.h"
 

@@ -14,6 +14,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
 typedef struct tp_near {
   double value, error;
@@ -54,16 +55,34 @@ static inline int tp_near_sign(tp_near a) {
   return a.value > a.error ? 1 : -a.value > a.error ? -1 : 0;
 }
 
-static inline void tp_near_cross(tp_near product[3], const tp_near a[3], const tp_near b[3]) {
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    product[k] = tp_near_sub(tp_near_mul(a[next], b[last]), tp_near_mul(a[last], b[next]));
-  }
+/* The same with exact zeros kept. */
+static inline bool tp_near_is_zero(tp_near a) {
+  return a.value == 0 && a.error == 0;
 }
 
-static inline tp_near tp_near_dot(const tp_near a[3], const tp_near b[3]) {
-  return tp_near_add(tp_near_add(tp_near_mul(a[0], b[0]), tp_near_mul(a[1], b[1])),
-                     tp_near_mul(a[2], b[2]));
+static inline tp_near tp_near_times(tp_near a, tp_near b) {
+  return tp_near_is_zero(a) || tp_near_is_zero(b) ? (tp_near){0, 0} : tp_near_mul(a, b);
+}
+
+static inline tp_near tp_near_plus(tp_near a, tp_near b) {
+  return tp_near_is_zero(a) ? b : tp_near_is_zero(b) ? a : tp_near_add(a, b);
+}
+
+static inline tp_near tp_near_minus(tp_near a, tp_near b) {
+  return tp_near_plus(a, tp_near_neg(b));
+}
+
+/* The lesser of two numbers lies between the lesser of their lower and of their upper bounds. */
+static inline tp_near tp_near_lesser(tp_near a, tp_near b) {
+  if (!(isfinite(a.error) && isfinite(b.error))) return (tp_near){0, INFINITY};
+  const double low = fmin(a.value - a.error, b.value - b.error);
+  const double high = fmin(a.value + a.error, b.value + b.error);
+  const double value = low + (high - low) / 2;
+  return tp_near_of(value, (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
+}
+
+static inline tp_near tp_near_larger(tp_near a, tp_near b) {
+  return tp_near_neg(tp_near_lesser(tp_near_neg(a), tp_near_neg(b)));
 }
 
 #endif

@@ -18,17 +18,11 @@ void tp_vector_clear(tp_vector *v) {
 }
 
 void tp_vector_cross(tp_vector *product, const tp_vector *a, const tp_vector *b, long bits) {
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    arb_mul(product->of + k, a->of + next, b->of + last, bits);
-    arb_submul(product->of + k, a->of + last, b->of + next, bits);
-  }
+  tp_ball_cross(product->of, a->of, b->of, bits);
 }
 
 void tp_vector_dot(arb_t product, const tp_vector *a, const tp_vector *b, long bits) {
-  arb_mul(product, a->of, b->of, bits);
-  arb_addmul(product, a->of + 1, b->of + 1, bits);
-  arb_addmul(product, a->of + 2, b->of + 2, bits);
+  tp_ball_set_dot(product, a->of, b->of, bits);
 }
 
 void tp_vector_neg(tp_vector *v) {

@@ -8,6 +8,7 @@
 #define TP_PLANE_VECTOR_H
 
 #include "number/judge.h"
+#include "plane/contact_rows.h"
 
 #include <arb.h>
 
@@ -20,17 +21,6 @@ void tp_vector_clear(tp_vector *v);
 void tp_vector_cross(tp_vector *product, const tp_vector *a, const tp_vector *b, long bits);
 void tp_vector_dot(arb_t product, const tp_vector *a, const tp_vector *b, long bits);
 void tp_vector_neg(tp_vector *v);
-
-/* The products of triples of doubles, rounded. */
-static inline double tp_vector_dot_near(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void tp_vector_cross_near(double product[3], const double a[3], const double b[3]) {
-  for (int k = 0; k < 3; k++) {
-    product[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  }
-}
 
 /* An upper bound of log2 of the largest entry. */
 double tp_vector_log2_size(const tp_vector *v);

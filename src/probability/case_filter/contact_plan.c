@@ -32,8 +32,8 @@ static void set_edges(planning *p) {
   tp_contact_plan *plan = p->plan;
   for (int k = 0; k < plan->point_count; k++) {
     if (p->normals->same[k] != k) continue;
-    plan->edges[plan->edge_count++] = (tp_plan_edge){k, false};
-    plan->edges[plan->edge_count++] = (tp_plan_edge){k, true};
+    plan->edges[plan->edge_count++] = (tp_cone_edge){k, false};
+    plan->edges[plan->edge_count++] = (tp_cone_edge){k, true};
   }
 }
 
@@ -139,7 +139,7 @@ static void set_rays(planning *p) {
 
 static bool add_edge(tp_plan_mode *mode, long point, bool against) {
   if (mode->edge_count == TP_PLAN_EDGES) return false;
-  mode->edges[mode->edge_count++] = (tp_plan_edge){point, against};
+  mode->edges[mode->edge_count++] = (tp_cone_edge){point, against};
   return true;
 }
 
@@ -168,9 +168,9 @@ static bool take_edges(tp_plan_mode *own, const planning *p, const tp_mode *mode
 /* Are three edges in one plane by where they stand, or by where they point? */
 static bool are_flat(const tp_contact_plan *plan, const tp_plan_mode *mode, const int of[3]) {
   bool site = true, direction = true;
-  const tp_plan_edge *first = mode->edges + of[0] - mode->ray_count;
+  const tp_cone_edge *first = mode->edges + of[0] - mode->ray_count;
   for (int k = 1; k < 3; k++) {
-    const tp_plan_edge *own = mode->edges + of[k] - mode->ray_count;
+    const tp_cone_edge *own = mode->edges + of[k] - mode->ray_count;
     const tp_plan_point *a = plan->points + first->point, *b = plan->points + own->point;
     site = site && a->site == b->site;
     /* where facets of one axis point to either side, one's edge against t is the other's along */

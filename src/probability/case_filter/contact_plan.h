@@ -11,6 +11,7 @@
 #define TP_CASE_FILTER_CONTACT_PLAN_H
 
 #include "evaluation/evaluation.h"
+#include "linear_program/cones.h"
 
 /* Beyond these a case is left to the ladder. */
 enum {
@@ -42,12 +43,6 @@ typedef struct tp_plan_ray {
   signed char slips[TP_PLAN_POINTS]; /* and there it slips along it, -1 back, 0 sticks */
 } tp_plan_ray;
 
-/* The edge of a friction cone, n + t tan(phi), or n - t tan(phi) `against`. */
-typedef struct tp_plan_edge {
-  long point;
-  bool against;
-} tp_plan_edge;
-
 /* Three of a mode's rays, counted first, and edges that span a solid. */
 typedef struct tp_plan_triple {
   signed char of[3];
@@ -60,7 +55,7 @@ typedef struct tp_plan_mode {
   long rays[2];
   long line; /* of two rays: a point on the normal line that both keep */
   int edge_count;
-  tp_plan_edge edges[TP_PLAN_EDGES];
+  tp_cone_edge edges[TP_PLAN_EDGES];
   int triple_count;
   tp_plan_triple triples[TP_PLAN_TRIPLES];
 } tp_plan_mode;
@@ -72,7 +67,7 @@ typedef struct tp_contact_plan {
   tp_plan_ray rays[TP_PLAN_RAYS];
   tp_plan_mode modes[TP_PLAN_MODES];
   int edge_count; /* all edges of all friction cones, none twice */
-  tp_plan_edge edges[2 * TP_PLAN_POINTS];
+  tp_cone_edge edges[2 * TP_PLAN_POINTS];
 } tp_contact_plan;
 
 /* Of a case; with friction. `*fits` is false where the plan has no room for it or a ray is none of

@@ -46,23 +46,17 @@ static bool is_tight(const tp_contact_plan *plan, int i, int j, int k) {
 }
 
 static void set_twist(tp_near v[3], const tp_edge_set *set, int i, int j) {
-  static const tp_near zero = {0, 0}, one = {1, 0};
+  static const tp_near zero = {0, 0};
   if (share_site(set->plan, i, j)) {
     const tp_shape_point *p = set->shape->points + set->plan->edges[i].point;
-    v[0] = p->y;
-    v[1] = tp_near_neg(p->x);
-    v[2] = one;
+    tp_sparse_turn(v, &p->x, &p->y);
   } else if (are_parallel(set->plan, i, j)) {
     v[0] = set->of[i][1];
     v[1] = tp_near_neg(set->of[i][0]);
     v[2] = zero;
   } else {
-    tp_near_vector_cross(v, set->of[i], set->of[j]);
+    tp_sparse_cross(v, set->of[i], set->of[j]);
   }
-}
-
-static void turn_round(tp_near v[3]) {
-  for (int e = 0; e < 3; e++) v[e] = tp_near_neg(v[e]);
 }
 
 /* By values alone: what this rules out is not looked at with bounds. */
@@ -78,7 +72,7 @@ static bool may_span(const tp_near v[3], const tp_edge_set *set, int i, int j) {
 static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
   for (int k = 0; k < set->plan->edge_count; k++) {
     if (is_tight(set->plan, i, j, k)) continue;
-    if (tp_near_sign(tp_near_vector_dot(v, set->of[k])) <= 0) return false;
+    if (tp_near_sign(tp_sparse_dot(v, set->of[k])) <= 0) return false;
   }
   return true;
 }
@@ -87,9 +81,9 @@ static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
 static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
   const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
   tp_near c[3], of_i[3], of_j[3];
-  tp_near_vector_cross(c, set->of[i], set->of[j]);
-  tp_near_vector_cross(of_i, b, set->of[j]);
-  tp_near_vector_cross(of_j, set->of[i], b);
+  tp_sparse_cross(c, set->of[i], set->of[j]);
+  tp_sparse_cross(of_i, b, set->of[j]);
+  tp_sparse_cross(of_j, set->of[i], b);
   int m = 0;
   for (int e = 1; e < 3; e++) {
     if (fabs(c[e].value) > fabs(c[m].value)) m = e;
@@ -104,7 +98,7 @@ static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
 static bool is_limit(tp_near *tangent, const tp_edge_set *set, int i, int j) {
   tp_near v[3];
   set_twist(v, set, i, j);
-  if (v[0].value > 0) turn_round(v);
+  if (v[0].value > 0) tp_sparse_reverse(v);
   if (!may_span(v, set, i, j) || tp_near_sign(v[0]) == 0 || !spans(v, set, i, j)) return false;
   *tangent = tp_near_neg(tp_near_div(v[1], v[0]));
   return presses(set, i, j, *tangent);
@@ -130,9 +124,9 @@ static bool bears(const tp_edge_set *set, const int of[3], const tp_near b[3]) {
   int whole = 0;
   for (int k = 0; k < 3; k++) {
     tp_near c[3];
-    tp_near_vector_cross(c, set->of[of[(k + 1) % 3]], set->of[of[(k + 2) % 3]]);
-    if (k == 0) whole = tp_near_sign(tp_near_vector_dot(c, set->of[of[0]]));
-    if (whole == 0 || tp_near_sign(tp_near_vector_dot(c, b)) != whole) return false;
+    tp_sparse_cross(c, set->of[of[(k + 1) % 3]], set->of[of[(k + 2) % 3]]);
+    if (k == 0) whole = tp_near_sign(tp_sparse_dot(c, set->of[of[0]]));
+    if (whole == 0 || tp_near_sign(tp_sparse_dot(c, b)) != whole) return false;
   }
   return true;
 }

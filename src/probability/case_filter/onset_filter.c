@@ -54,16 +54,16 @@ static void set_cone(cone *c, const tp_plan_mode *mode, const tp_case_shape *sha
     for (int e = 0; e < 3; e++) c->of[k][e] = shape->inertia[mode->rays[k]][e];
   }
   for (int k = 0; k < mode->edge_count; k++) {
-    const tp_plan_edge *edge = mode->edges + k;
+    const tp_cone_edge *edge = mode->edges + k;
     for (int e = 0; e < 3; e++) {
       c->of[mode->ray_count + k][e] = tp_near_neg(edges[edge->point][edge->against][e]);
     }
   }
   if (mode->ray_count < 2) return;
   const tp_shape_point *p = shape->points + mode->line;
-  c->across[0] = tp_near_times(tp_near_neg(p->ty), shape->gyration);
-  c->across[1] = tp_near_times(p->tx, shape->gyration);
-  c->across[2] = p->along;
+  c->across[0] = tp_near_times(p->normal[0], shape->gyration);
+  c->across[1] = tp_near_times(p->normal[1], shape->gyration);
+  c->across[2] = p->normal[2];
 }
 
 /* The normal of the plane of two generators; of two rays from their normal line, which is exact
@@ -72,7 +72,7 @@ static void set_plane(tp_near plane[3], const cone *c, int i, int j) {
   if (c->mode->ray_count == 2 && i + j == 1) {
     for (int e = 0; e < 3; e++) plane[e] = c->across[e];
   } else {
-    tp_near_vector_cross(plane, c->of[i], c->of[j]);
+    tp_sparse_cross(plane, c->of[i], c->of[j]);
   }
 }
 
@@ -82,7 +82,7 @@ static bool span_triple(tp_near_interval *own, const cone *c, const signed char 
   for (int k = 0; k < 3 && !own->empty; k++) {
     tp_near h[3];
     set_plane(h, c, of[(k + 1) % 3], of[(k + 2) % 3]);
-    const int sign = tp_near_sign(tp_near_vector_dot(h, c->of[of[k]]));
+    const int sign = tp_near_sign(tp_sparse_dot(h, c->of[of[k]]));
     if (sign == 0 || !keep(own, h[0], tp_near_neg(h[1]), sign)) return false;
   }
   settle(own);
@@ -180,8 +180,8 @@ bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
                           const tp_case_shape *shape, tp_near friction) {
   tp_near edges[TP_PLAN_POINTS][2][3];
   for (long k = 0; k < plan->point_count; k++) {
-    tp_shape_edge(edges[k][0], shape, (tp_plan_edge){k, false}, friction);
-    tp_shape_edge(edges[k][1], shape, (tp_plan_edge){k, true}, friction);
+    tp_shape_edge(edges[k][0], shape, (tp_cone_edge){k, false}, friction);
+    tp_shape_edge(edges[k][1], shape, (tp_cone_edge){k, true}, friction);
   }
   found->plan = plan;
   found->never = true;

@@ -8,13 +8,12 @@
 #define TP_CASE_FILTER_SHAPE_H
 
 #include "case_filter/contact_plan.h"
-#include "case_filter/near_vector.h"
+#include "plane/contact_rows.h"
 
 typedef struct tp_shape_point {
-  tp_near x, y;   /* from the centroid */
-  tp_near tx, ty; /* along its facet, up-dip */
-  tp_near along;  /* t . q */
-  tp_near about;  /* q x t */
+  tp_near x, y;               /* from the centroid */
+  tp_near tx, ty;             /* along its facet, up-dip */
+  tp_near normal[3], slip[3]; /* its rows (plane/contact_rows.h) */
 } tp_shape_point;
 
 typedef struct tp_case_shape {
@@ -23,12 +22,15 @@ typedef struct tp_case_shape {
   tp_near inertia[TP_PLAN_RAYS][3]; /* M r = (v_x, v_y, k^2 omega) of each ray */
 } tp_case_shape;
 
-/* From the points' x, y, t and the gyration: the rest; false where the motions are not certainly
+/* From the points' x, y, t and the gyration the rest; false where the motions are not certainly
  * those of the plan. */
 bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan);
 
 /* The edge of a point's friction cone as (f_x, f_y, moment), with tan(phi). */
-void tp_shape_edge(tp_near force[3], const tp_case_shape *shape, tp_plan_edge edge,
-                   tp_near friction);
+static inline void tp_shape_edge(tp_near force[3], const tp_case_shape *shape, tp_cone_edge edge,
+                                 tp_near friction) {
+  const tp_shape_point *p = shape->points + edge.point;
+  tp_sparse_cone_row(force, p->normal, p->slip, &friction, edge.against);
+}
 
 #endif

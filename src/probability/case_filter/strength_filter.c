@@ -10,16 +10,14 @@
 #include "motion/strength_change.h"
 
 static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_case_shape *shape,
-                     tp_plan_edge edge, tp_near friction) {
-  static const tp_near zero = {0, 0};
+                     tp_cone_edge edge, tp_near friction) {
   const tp_plan_point *at = plan->points + edge.point;
   const tp_shape_point *p = shape->points + edge.point;
   const tp_near along = edge.against ? friction : tp_near_neg(friction); /* turned round */
-  tp_shape_edge(own->at, shape, edge, zero);
-  for (int e = 0; e < 3; e++) own->at[e] = tp_near_neg(own->at[e]);
-  own->rise[0] = tp_near_times(along, p->tx);
-  own->rise[1] = tp_near_times(along, p->ty);
-  own->rise[2] = tp_near_times(along, p->about);
+  for (int e = 0; e < 3; e++) {
+    own->at[e] = tp_near_neg(p->normal[e]);
+    own->rise[e] = tp_near_times(along, p->slip[e]);
+  }
   own->site = at->site + 1;
   own->parallel = 1 + 4 * at->axis + 2 * at->along + edge.against;
 }
@@ -55,7 +53,7 @@ static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan,
   mode->count = plan->point_count;
   for (int k = 0; k < plan->point_count; k++) {
     const tp_shape_point *p = shape->points + k;
-    mode->of[k] = (tp_share_line){.at = {tp_near_neg(p->ty), p->tx, p->along}};
+    mode->of[k] = (tp_share_line){.at = {p->normal[0], p->normal[1], p->normal[2]}};
   }
 }
 

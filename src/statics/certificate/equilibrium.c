@@ -105,9 +105,9 @@ static tp_answer triple_judge(const triple *t, const tp_judge *judge) {
 /* Of two columns the area, of three the volume. */
 static double extent(const double *a, const double *b, const double *c) {
   double cross[3];
-  tp_vector_cross_near(cross, a, b);
+  tp_double_cross(cross, a, b);
   if (c == NULL) return fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]);
-  return fabs(tp_vector_dot_near(cross, c));
+  return fabs(tp_double_dot(cross, c));
 }
 
 static void complete(tp_basis *basis, const tp_scaled *scaled) {

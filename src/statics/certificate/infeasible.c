@@ -32,9 +32,9 @@ static bool span_widest(long columns[2], const tp_scaled *scaled, long count, co
   double most = 0;
   for (long k = 0; k < count; k++) {
     const double *b = scaled->columns[k];
-    const double work = dual == NULL ? 0 : fabs(tp_vector_dot_near(dual, b));
+    const double work = dual == NULL ? 0 : fabs(tp_double_dot(dual, b));
     double cross[3];
-    tp_vector_cross_near(cross, a, b);
+    tp_double_cross(cross, a, b);
     const double own = fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]);
     if (own <= most || work > rounding) continue;
     most = own;
@@ -52,7 +52,7 @@ static bool span_idle(long columns[2], const tp_simplex_answer *found, const tp_
   const double dual[3] = {found->dual[0] / size, found->dual[1] / size, found->dual[2] / size};
   for (columns[0] = 0; columns[0] < edges; columns[0]++) {
     const double *a = scaled->columns[columns[0]];
-    if (fabs(tp_vector_dot_near(dual, a)) < rounding) break;
+    if (fabs(tp_double_dot(dual, a)) < rounding) break;
   }
   return columns[0] < edges && span_widest(columns, scaled, edges, dual);
 }

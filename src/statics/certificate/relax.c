@@ -9,7 +9,7 @@
 #include <math.h>
 
 static double size_of(const double c[3]) {
-  return sqrt(tp_vector_dot_near(c, c));
+  return sqrt(tp_double_dot(c, c));
 }
 
 /* The edge against which the twist does least, over the edge's size. */
@@ -17,7 +17,7 @@ static long find_least(double *least, const double twist[3], const tp_scaled *s,
   long found = 0;
   *least = INFINITY;
   for (long k = 0; k < edges; k++) {
-    const double own = tp_vector_dot_near(twist, s->columns[k]) / size_of(s->columns[k]);
+    const double own = tp_double_dot(twist, s->columns[k]) / size_of(s->columns[k]);
     if (own >= *least) continue;
     *least = own;
     found = k;

@@ -128,10 +128,10 @@ long tp_basis_across(const tp_scaled *scaled, long shared, long other, bool full
   const double *edge = scaled->columns[shared];
   double column[3], normal[3], inward = 0;
   if (!set_column(column, &g, other)) return -1;
-  tp_vector_cross_near(normal, edge, column);
+  tp_double_cross(normal, edge, column);
   for (long k = 0; k < scaled->count; k++) {
     if (!set_column(column, &g, k)) continue;
-    const double side = tp_vector_dot_near(normal, column);
+    const double side = tp_double_dot(normal, column);
     if (fabs(side) > fabs(inward)) inward = side;
   }
   const double turn = inward < 0 ? 1 : -1;
@@ -139,9 +139,9 @@ long tp_basis_across(const tp_scaled *scaled, long shared, long other, bool full
   for (long k = 0; k < scaled->count; k++) {
     double own[3];
     if (!set_column(column, &g, k)) continue;
-    tp_vector_cross_near(own, edge, column);
+    tp_double_cross(own, edge, column);
     if (fabs(own[0]) + fabs(own[1]) + fabs(own[2]) < rounding) continue; /* the edge itself */
-    if (found < 0 || turn * tp_vector_dot_near(normal, column) < -rounding) {
+    if (found < 0 || turn * tp_double_dot(normal, column) < -rounding) {
       found = k;
       for (int row = 0; row < 3; row++) normal[row] = own[row];
     }

@@ -78,18 +78,6 @@ long tp_cones_point_of(const tp_cones *cones, long column) {
   return tp_cones_is_edge(cones, column) ? column / 2 : capacity_of(cones, column, &kind)->point;
 }
 
-void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
-                   bool against, long bits) {
-  arb_mul_fmpz(force, friction, tx, bits);
-  arb_mul_fmpz(force + 1, friction, ty, bits);
-  if (against) {
-    arb_neg(force, force);
-    arb_neg(force + 1, force + 1);
-  }
-  arb_sub_fmpz(force, force, ty, bits);
-  arb_add_fmpz(force + 1, force + 1, tx, bits);
-}
-
 arb_srcptr tp_cones_friction(const tp_cones *cones, long point) {
   const long own = cones->points[point].own;
   return own == 0 ? cones->friction : cones->own_friction + own - 1;
@@ -111,12 +99,6 @@ static void set_capacity(arb_ptr force, const tp_cones *cones, long point, int k
   if (kind != ALONG) arb_neg(force + 1, force + 1);
 }
 
-/* moment = x f_y - y f_x */
-static void set_moment(arb_ptr column, const arb_t x, const arb_t y, long bits) {
-  arb_mul(column + 2, x, column + 1, bits);
-  arb_submul(column + 2, y, column, bits);
-}
-
 void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits) {
   arb_add(x, cones->x + point, cones->x + point + 1, bits);
   arb_add(y, cones->y + point, cones->y + point + 1, bits);
@@ -127,23 +109,23 @@ void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long b
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
   const long point = tp_cones_point_of(cones, column);
   if (tp_cones_is_edge(cones, column)) {
-    tp_cones_edge(entries, cones->tx + point, cones->ty + point, tp_cones_friction(cones, point),
-                  column % 2 == 1, bits);
-    set_moment(entries, cones->x + point, cones->y + point, bits);
+    tp_ball_cone_edge(entries, cones->tx + point, cones->ty + point,
+                      tp_cones_friction(cones, point), column % 2 == 1, bits);
+    tp_ball_moment(entries, cones->x + point, cones->y + point, bits);
     return;
   }
   int kind = 0;
   (void)capacity_of(cones, column, &kind);
   set_capacity(entries, cones, point, kind);
   if (kind != PULL) {
-    set_moment(entries, cones->x + point, cones->y + point, bits);
+    tp_ball_moment(entries, cones->x + point, cones->y + point, bits);
     return;
   }
   arb_t x, y;
   arb_init(x);
   arb_init(y);
   tp_cones_middle(x, y, cones, point, bits);
-  set_moment(entries, x, y, bits);
+  tp_ball_moment(entries, x, y, bits);
   arb_clear(x);
   arb_clear(y);
 }

@@ -14,6 +14,7 @@
 #define TP_LINEAR_PROGRAM_CONES_H
 
 #include "load/wrench.h"
+#include "plane/contact_rows.h"
 
 #include <flint/fmpz.h>
 #include <stdbool.h>
@@ -24,6 +25,12 @@ typedef struct tp_cone_point {
   long line;  /* the straight line of its facet: the same for all on it; needed for capacities */
   long own;   /* its friction: 0, that of most points; else the one before this of `own_friction` */
 } tp_cone_point;
+
+/* An edge of the friction cone of a point: n + t tan(phi), or n - t tan(phi) `against` t. */
+typedef struct tp_cone_edge {
+  long point;
+  bool against;
+} tp_cone_edge;
 
 /* Two successive points: the ends of a facet that a bond acts on, or the first on a line that
  * cohesion does. */
@@ -57,11 +64,6 @@ enum { TP_CAPACITY_COLUMNS = 3 };
 long tp_cones_column_count(const tp_cones *cones);
 bool tp_cones_is_edge(const tp_cones *cones, long column);
 bool tp_cones_is_shear(const tp_cones *cones, long column);
-
-/* An edge of a friction cone, two balls: n + t tan(phi), or n - t tan(phi) `against` t, with
- * n = (-t_y, t_x) and `friction` tan(phi). */
-void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
-                   bool against, long bits);
 
 /* tan(phi) at a point. Is it known exactly at all? */
 arb_srcptr tp_cones_friction(const tp_cones *cones, long point);

@@ -63,7 +63,7 @@ static long find_column(const tableau *s, const double y[3], double best) {
   const tp_simplex_program *p = s->program;
   long entering = ARTIFICIAL;
   for (long k = 0; k < p->count; k++) {
-    const double gain = tp_vector_dot_near(y, p->columns[k]);
+    const double gain = tp_double_dot(y, p->columns[k]);
     if (gain <= best || in_basis(s, k)) continue;
     best = gain;
     entering = k;
@@ -80,7 +80,7 @@ static long find_entering(const tableau *s, const double y[3], double *way) {
   double best = rounding * size;
   long entering = ARTIFICIAL;
   if (s->has_t && !in_basis(s, TP_SIMPLEX_T)) {
-    const double reduced = cost(s, TP_SIMPLEX_T) - tp_vector_dot_near(y, p->direction);
+    const double reduced = cost(s, TP_SIMPLEX_T) - tp_double_dot(y, p->direction);
     if (fabs(reduced) > best) {
       best = INFINITY; /* t first: it never leaves */
       entering = TP_SIMPLEX_T;
@@ -94,8 +94,7 @@ static long find_entering(const tableau *s, const double y[3], double *way) {
   }
   for (long k = 0; k < p->count && best < INFINITY; k++) {
     const bool high = s->at_most[k];
-    const double gain =
-        high ? -tp_vector_dot_near(y, p->columns[k]) : tp_vector_dot_near(y, p->columns[k]);
+    const double gain = high ? -tp_double_dot(y, p->columns[k]) : tp_double_dot(y, p->columns[k]);
     if (gain <= best || in_basis(s, k)) continue;
     best = gain;
     entering = k;
@@ -151,7 +150,7 @@ static bool enter(tableau *s, long entering, double way) {
   const tp_simplex_program *p = s->program;
   double step[3];
   const double *column = entering == TP_SIMPLEX_T ? p->direction : p->columns[entering];
-  for (int r = 0; r < 3; r++) step[r] = tp_vector_dot_near(s->inverse[r], column);
+  for (int r = 0; r < 3; r++) step[r] = tp_double_dot(s->inverse[r], column);
   int leaving = -1;
   bool to_bound = false;
   const double far = find_leaving(s, step, way, bound(s, entering), &leaving, &to_bound);
@@ -201,15 +200,14 @@ static bool sweep(tableau *s) {
   if (s->at_most == NULL) return true;
   prices(s, y);
   for (long k = s->first_bounded; k < p->count; k++) {
-    const double power = tp_vector_dot_near(y, p->columns[k]),
-                 gain = s->at_most[k] ? -power : power;
+    const double power = tp_double_dot(y, p->columns[k]), gain = s->at_most[k] ? -power : power;
     if (gain <= rounding * (fabs(y[0]) + fabs(y[1]) + fabs(y[2])) || in_basis(s, k)) continue;
     if (!isfinite(p->most[k])) continue;
     if (!enter(s, k, s->at_most[k] ? -1 : 1)) return false;
     prices(s, y);
   }
   find_rest(s, rest);
-  for (int r = 0; r < 3; r++) s->values[r] = tp_vector_dot_near(s->inverse[r], rest);
+  for (int r = 0; r < 3; r++) s->values[r] = tp_double_dot(s->inverse[r], rest);
   return true;
 }
 
@@ -254,7 +252,7 @@ tp_simplex_answer tp_simplex_solve(const tp_simplex_program *program, bool *at_m
   tableau s = {.program = program,
                .at_most = program->most != NULL ? at_most : NULL,
                .first_phase = true,
-               .has_t = tp_vector_dot_near(program->direction, program->direction) > 0};
+               .has_t = tp_double_dot(program->direction, program->direction) > 0};
   tp_simplex_answer answer = {.outcome = TP_SIMPLEX_STUCK};
   begin(&s);
   int steps = 0;

@@ -23,11 +23,11 @@ enum { MOST_GENERATORS = 24, MOST_FREE = 4 };
  * fixes the motion of one ray? */
 static bool forces_are_alike(const tp_starting *s) {
   const tp_normals *n = &s->m->normals;
-  const tp_mode_edge *first = s->mode->edges;
+  const tp_cone_edge *first = s->mode->edges;
   const tp_cone_point *points = n->cones->points;
   bool site = true, direction = true;
   for (long k = 1; k < s->mode->edge_count; k++) {
-    const tp_mode_edge *own = s->mode->edges + k;
+    const tp_cone_edge *own = s->mode->edges + k;
     site = site && points[own->point].site == points[first->point].site;
     direction = direction && n->family_of[own->point] == n->family_of[first->point] &&
                 points[own->point].own == points[first->point].own &&
@@ -96,7 +96,7 @@ static tp_motion_outcome look_for_paradox(tp_starting *s) {
   arb_init(press);
   tp_motion_outcome done = TP_MOTION_PROVEN;
   for (long k = 0; k < s->mode->edge_count && done == TP_MOTION_PROVEN; k++) {
-    const tp_mode_edge *own = s->mode->edges + k;
+    const tp_cone_edge *own = s->mode->edges + k;
     tp_newton_force(&edge, s->q, n, own);
     tp_vector_neg(&edge);
     tp_newton_normal(&normal, s->q, n, n->normal_of[own->point]);

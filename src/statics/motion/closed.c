@@ -18,10 +18,10 @@ void tp_closed_clear(tp_closed *closed) {
 }
 
 static bool add_edge(tp_closed *closed, long point, bool against) {
-  tp_mode_edge *more = tp_grow(closed->edges, closed->edge_count, &closed->edge_room, sizeof *more);
+  tp_cone_edge *more = tp_grow(closed->edges, closed->edge_count, &closed->edge_room, sizeof *more);
   if (more == NULL) return false;
   closed->edges = more;
-  closed->edges[closed->edge_count++] = (tp_mode_edge){point, against};
+  closed->edges[closed->edge_count++] = (tp_cone_edge){point, against};
   return true;
 }
 

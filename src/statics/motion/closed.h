@@ -13,7 +13,7 @@
 
 typedef struct tp_closed {
   long edge_count, edge_room;
-  tp_mode_edge *edges;
+  tp_cone_edge *edges;
   bool sticks; /* one of them, with which the block turns about it */
 } tp_closed;
 

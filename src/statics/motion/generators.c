@@ -49,7 +49,7 @@ static long axis_of(const tp_normals *n, long point) {
   return n->families[n->family_of[point]].axis;
 }
 
-static bool add_edge(tp_generators *g, const tp_mode_edge *edge) {
+static bool add_edge(tp_generators *g, const tp_cone_edge *edge) {
   tp_generator *own = add(g);
   if (own == NULL) return false;
   const tp_cone_point *point = g->n->cones->points + edge->point;

@@ -8,18 +8,13 @@
 
 #include "motion/twists.h"
 
-typedef struct tp_mode_edge {
-  long point;
-  bool against; /* n - t tan(phi); else n + t tan(phi) */
-} tp_mode_edge;
-
 typedef struct tp_mode {
   tp_mechanism mechanism; /* TP_LEAVES_BASE in the interior, which has all of K's rays */
   int ray_count;          /* 1 or 2; 0 in the interior */
   long rays[2];
   long normal; /* that both rays lie on */
   long edge_count;
-  const tp_mode_edge *edges;
+  const tp_cone_edge *edges;
 } tp_mode;
 
 /* Is its one ray a slide? */

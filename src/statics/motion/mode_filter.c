@@ -10,10 +10,6 @@
 
 enum { MOST_GENERATORS = 12, MOST_PLANES = MOST_GENERATORS * (MOST_GENERATORS - 1) / 2 };
 
-static bool is_zero(tp_near a) {
-  return a.value == 0 && a.error == 0;
-}
-
 /* Exact zeros, which most are, stay so. */
 static tp_near near_of(const arb_t ball) {
   return arb_is_zero(ball) ? (tp_near){.error = 0} : tp_ball_near(ball);
@@ -42,13 +38,7 @@ void tp_mode_filter_init(tp_mode_filter *f, const tp_motion_question *q) {
 static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *ray) {
   tp_near a[3];
   if (!tp_normals_set_near(a, ray->near)) return false;
-  own[0] = tp_near_mul(a[0], f->scale);
-  own[1] = tp_near_mul(a[1], f->scale);
-  own[2] = (tp_near){.error = 0};
-  if (ray->axis >= 0) return true;
-  own[0] = tp_near_sub(own[0], tp_near_mul(a[2], f->y));
-  own[1] = tp_near_add(own[1], tp_near_mul(a[2], f->x));
-  own[2] = tp_near_mul(a[2], f->gyration);
+  tp_near_inertia(own, a, &f->scale, &f->x, &f->y, &f->gyration, ray->axis < 0);
   return true;
 }
 
@@ -57,31 +47,26 @@ static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals 
                       bool against) {
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const bool has_own = n->cones->points[point].own != 0;
-  const tp_near tangent = has_own ? near_of(tp_cones_friction(n->cones, point)) : f->friction;
-  const tp_near friction = against ? tp_near_neg(tangent) : tangent;
-  const tp_near x = tp_near_mul(tp_ball_near(n->cones->x + point), f->scale);
-  const tp_near y = tp_near_mul(tp_ball_near(n->cones->y + point), f->scale);
-  own[0] = tp_near_sub(ty, tp_near_mul(friction, tx));
-  own[1] = tp_near_neg(tp_near_add(tx, tp_near_mul(friction, ty)));
-  own[2] = tp_near_sub(tp_near_mul(tp_near_sub(x, f->x), own[1]),
-                       tp_near_mul(tp_near_sub(y, f->y), own[0]));
+  const tp_near friction = has_own ? near_of(tp_cones_friction(n->cones, point)) : f->friction;
+  const tp_near x = tp_near_sub(tp_near_mul(tp_ball_near(n->cones->x + point), f->scale), f->x);
+  const tp_near y = tp_near_sub(tp_near_mul(tp_ball_near(n->cones->y + point), f->scale), f->y);
+  tp_near_cone_edge(own, &tx, &ty, &friction, against);
+  tp_near_moment(own, &x, &y);
+  tp_near_reverse(own);
 }
 
 /* k^2 M^-1 h of a normal line. */
 static bool set_normal(tp_near own[3], const tp_mode_filter *f, const tp_normal *normal) {
   tp_near h[3];
   if (!tp_normals_set_near(h, normal->near)) return false;
-  own[0] = tp_near_mul(h[0], f->gyration);
-  own[1] = tp_near_mul(h[1], f->gyration);
-  own[2] = tp_near_add(tp_near_sub(tp_near_mul(h[2], f->scale), tp_near_mul(h[1], f->x)),
-                       tp_near_mul(h[0], f->y));
+  tp_near_response(own, h, &f->scale, &f->x, &f->y, &f->gyration);
   return true;
 }
 
 static tp_near work_of(const tp_near h[3], const tp_near load[3]) {
   tp_near sum = {.error = 0};
   for (int row = 0; row < 3; row++) {
-    if (!is_zero(load[row])) sum = tp_near_add(sum, tp_near_mul(h[row], load[row]));
+    if (!tp_near_is_zero(load[row])) sum = tp_near_add(sum, tp_near_mul(h[row], load[row]));
   }
   return sum;
 }
@@ -189,7 +174,7 @@ static bool set_cone(cone *c, const tp_twists *twists) {
   c->size = g->count;
   for (long k = 0; k < c->size; k++) {
     if (k >= mode->ray_count) {
-      const tp_mode_edge *edge = mode->edges + (k - mode->ray_count);
+      const tp_cone_edge *edge = mode->edges + (k - mode->ray_count);
       set_force(c->near[k], c->filter, g->n, edge->point, edge->against);
     } else if (!set_inertia(c->near[k], c->filter, twists->rays + mode->rays[k])) {
       return false;

@@ -129,7 +129,7 @@ static void set_moment(tp_vector *force, const tp_motion_question *q, long point
 }
 
 /* The force n +- t tan(phi) turned round, as tp_newton_force has it. */
-static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_mode_edge *edge) {
+static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *edge) {
   const tp_motion_question *q = r->question;
   const tp_normals *n = &r->motions->normals;
   const tp_cone_point *point = q->cones->points + edge->point;

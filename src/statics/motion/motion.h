@@ -18,7 +18,7 @@ typedef struct tp_motion_mode {
   int ray_count;
   long rays[2];
   long edge_count;
-  tp_mode_edge *edges;
+  tp_cone_edge *edges;
 } tp_motion_mode;
 
 typedef struct tp_motions {

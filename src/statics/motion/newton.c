@@ -6,45 +6,33 @@
 
 #include "motion/newton.h"
 
-/* The centroid moves by (s v_x - theta y, s v_y + theta x). */
 void tp_newton_inertia(tp_vector *own, const tp_motion_question *q, const tp_ray *ray) {
-  const long bits = q->judge.precision;
-  const arb_struct *a = ray->twist.of;
-  arb_mul(own->of, a, q->scale, bits);
-  arb_submul(own->of, a + 2, q->y, bits);
-  arb_mul(own->of + 1, a + 1, q->scale, bits);
-  arb_addmul(own->of + 1, a + 2, q->x, bits);
-  arb_mul(own->of + 2, a + 2, q->gyration, bits);
-  if (ray->axis < 0) return;
-  arb_zero(own->of + 2);
+  tp_ball_inertia(own->of, ray->twist.of, q->scale, q->x, q->y, q->gyration, ray->axis < 0,
+                  q->judge.precision);
 }
 
 void tp_newton_force(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
-                     const tp_mode_edge *edge) {
+                     const tp_cone_edge *edge) {
   const long bits = q->judge.precision;
-  arb_t arm;
-  arb_init(arm);
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  arb_mul(x, q->cones->x + edge->point, q->scale, bits);
+  arb_sub(x, x, q->x, bits);
+  arb_mul(y, q->cones->y + edge->point, q->scale, bits);
+  arb_sub(y, y, q->y, bits);
   tp_normals_edge(own, n, edge->point, edge->against);
-  arb_mul(arm, q->cones->x + edge->point, q->scale, bits);
-  arb_sub(arm, arm, q->x, bits);
-  arb_mul(own->of + 2, arm, own->of + 1, bits);
-  arb_mul(arm, q->cones->y + edge->point, q->scale, bits);
-  arb_sub(arm, arm, q->y, bits);
-  arb_submul(own->of + 2, arm, own->of, bits);
+  tp_ball_moment(own->of, x, y, bits);
   tp_vector_neg(own);
-  arb_clear(arm);
+  arb_clear(x);
+  arb_clear(y);
 }
 
 void tp_newton_normal(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
                       long normal) {
-  const long bits = q->judge.precision;
   tp_vector h;
   tp_vector_init(&h);
   tp_normals_set_h(&h, n, normal);
-  arb_mul(own->of, h.of, q->gyration, bits);
-  arb_mul(own->of + 1, h.of + 1, q->gyration, bits);
-  arb_mul(own->of + 2, h.of + 2, q->scale, bits); /* s t . q - t . (x, y) */
-  arb_submul(own->of + 2, h.of + 1, q->x, bits);
-  arb_addmul(own->of + 2, h.of, q->y, bits);
+  tp_ball_response(own->of, h.of, q->scale, q->x, q->y, q->gyration, q->judge.precision);
   tp_vector_clear(&h);
 }

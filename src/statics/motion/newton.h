@@ -15,7 +15,7 @@ void tp_newton_inertia(tp_vector *own, const tp_motion_question *question, const
 
 /* -e: the force along an edge of a friction cone, brought to the side of the inertia. */
 void tp_newton_force(tp_vector *own, const tp_motion_question *question, const tp_normals *normals,
-                     const tp_mode_edge *edge);
+                     const tp_cone_edge *edge);
 
 /* k^2 M^-1 h of a normal line: times a force it is the acceleration along the normal, times k^2. */
 void tp_newton_normal(tp_vector *own, const tp_motion_question *question, const tp_normals *normals,

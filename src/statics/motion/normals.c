@@ -50,10 +50,8 @@ void tp_normals_set_along(arb_t along, const tp_normals *n, long point) {
 
 void tp_normals_set_h(tp_vector *h, const tp_normals *n, long normal) {
   const long point = n->order[n->items[normal].first];
-  arb_set_fmpz(h->of, n->ty + point);
-  arb_neg(h->of, h->of);
-  arb_set_fmpz(h->of + 1, n->tx + point);
-  tp_normals_set_along(h->of + 2, n, point);
+  tp_ball_normal_row(h->of, n->cones->x + point, n->cones->y + point, n->tx + point, n->ty + point,
+                     n->judge.precision);
 }
 
 /* In doubles each entry is off by 2^-50 of itself at most, so that products are by 2^-48 and their
@@ -82,10 +80,8 @@ int tp_normal_sign(const tp_normals *n, const tp_normal *normal, const tp_vector
 }
 
 static void set_slip(tp_vector *g, const tp_normals *n, long point) {
-  arb_set_fmpz(g->of, n->tx + point);
-  arb_set_fmpz(g->of + 1, n->ty + point);
-  arb_mul_fmpz(g->of + 2, n->cones->x + point, n->ty + point, n->judge.precision);
-  arb_submul_fmpz(g->of + 2, n->cones->y + point, n->tx + point, n->judge.precision);
+  tp_ball_slip_row(g->of, n->cones->x + point, n->cones->y + point, n->tx + point, n->ty + point,
+                   n->judge.precision);
 }
 
 void tp_normals_slip_ball(arb_t along, const tp_normals *n, long point, const tp_vector *twist) {
@@ -107,7 +103,8 @@ static int sign_of_slip(const tp_normals *n, long point, const double near[3]) {
   if (!tp_normals_set_near(a, near)) return 0;
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const tp_near x = tp_ball_near(n->cones->x + point), y = tp_ball_near(n->cones->y + point);
-  const tp_near g[3] = {tx, ty, tp_near_sub(tp_near_mul(x, ty), tp_near_mul(y, tx))};
+  tp_near g[3];
+  tp_near_slip_row(g, &x, &y, &tx, &ty);
   return tp_near_sign(tp_near_dot(g, a));
 }
 
@@ -127,8 +124,8 @@ int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist, con
 }
 
 void tp_normals_edge(tp_vector *force, const tp_normals *n, long point, bool against) {
-  tp_cones_edge(force->of, n->tx + point, n->ty + point, tp_cones_friction(n->cones, point),
-                against, n->judge.bits);
+  tp_ball_cone_edge(force->of, n->tx + point, n->ty + point, tp_cones_friction(n->cones, point),
+                    against, n->judge.bits);
 }
 
 bool tp_normal_has_site(const tp_normals *n, const tp_normal *normal, long site) {

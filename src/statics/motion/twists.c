@@ -34,9 +34,7 @@ static tp_ray *next_ray(tp_twists *t) {
 
 /* (y, -x, 1) */
 static void turn_about(tp_vector *twist, const tp_normals *n, long point, int sense) {
-  arb_set(twist->of, n->cones->y + point);
-  arb_neg(twist->of + 1, n->cones->x + point);
-  arb_one(twist->of + 2);
+  tp_ball_turn(twist->of, n->cones->x + point, n->cones->y + point, n->judge.precision);
   if (sense < 0) tp_vector_neg(twist);
 }
 

@@ -75,53 +75,50 @@ typedef struct writing {
 static void write_centre(const writing *w) {
   const fmpz_mpoly_ctx_struct *ring = w->field->ring;
   const tp_limit_formulas *f = w->formulas;
-  w->out->has_centre = !fmpz_mpoly_q_is_zero(f->twist[2], ring);
+  w->out->has_centre = !fmpz_mpoly_q_is_zero(f->twist.of + 2, ring);
   if (!w->out->has_centre) return;
   fmpz_mpoly_q_t x;
   fmpz_mpoly_q_init(x, ring);
-  fmpz_mpoly_q_set(x, f->twist[1], ring);
+  fmpz_mpoly_q_set(x, f->twist.of + 1, ring);
   if (f->towards == TP_TOWARDS_LEFT) fmpz_mpoly_q_neg(x, x, ring);
-  w->out->centre_x = tp_notation_write_quotient(x, f->twist[2], w->field, w->notation, w->failed);
+  w->out->centre_x =
+      tp_notation_write_quotient(x, f->twist.of + 2, w->field, w->notation, w->failed);
   w->out->centre_y =
-      tp_notation_write_quotient(f->twist[0], f->twist[2], w->field, w->notation, w->failed);
+      tp_notation_write_quotient(f->twist.of, f->twist.of + 2, w->field, w->notation, w->failed);
   fmpz_mpoly_q_clear(x, ring);
 }
 
-static bool write_reactions(const writing *w, const tp_cone_edge basis[2]) {
-  const tp_model *m = w->formulas->model;
+static void write_reactions(const writing *w) {
+  const tp_limit_formulas *f = w->formulas;
+  fmpz_mpoly_q_t x;
+  fmpz_mpoly_q_init(x, w->field->ring);
   for (int k = 0; k < 2; k++) {
-    const tp_facet *facet = m->problem.contact.facets + basis[k].facet;
-    tp_symbolic_point point;
-    if (!tp_formulas_point(&point, &m->symbols, &m->problem,
-                           basis[k].at_right_end ? facet->q1 : facet->q0)) {
-      return false;
-    }
+    const tp_contact_formulas *c = f->contacts.items + f->edges[k].point;
     tp_derived_reaction *own = w->out->reactions + k;
-    own->x = tp_notation_write(point.x, w->field, w->notation, w->failed);
-    own->y = tp_notation_write(point.y, w->field, w->notation, w->failed);
-    own->against_slip = basis[k].against_slip;
+    fmpz_mpoly_q_set(x, c->x, w->field->ring);
+    if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x, x, w->field->ring);
+    own->x = tp_notation_write(x, w->field, w->notation, w->failed);
+    own->y = tp_notation_write(c->y, w->field, w->notation, w->failed);
+    own->against_slip = !f->edges[k].against;
   }
-  return true;
+  fmpz_mpoly_q_clear(x, w->field->ring);
 }
 
+/* The powers of all columns on the twist, not below zero where the basis is optimal. */
 static void add_powers(tp_conditions *conditions, const writing *w) {
   const tp_limit_formulas *f = w->formulas;
-  const tp_contact *contact = &f->model->problem.contact;
-  tp_force_formulas force;
+  tp_vector_formulas force;
   fmpz_mpoly_q_t power;
-  tp_force_formulas_init(&force, w->field);
+  tp_vector_formulas_init(&force, w->field);
   fmpz_mpoly_q_init(power, w->field->ring);
-  for (long k = 0; k < contact->facet_count; k++) {
-    const tp_facet *facet = contact->facets + k;
-    if (facet->t0 == facet->t1) continue; /* restrains nothing */
-    for (int column = 0; column < (facet->q0 == facet->q1 ? 2 : 4); column++) {
-      const tp_cone_edge edge = {(size_t)k, column >= 2, column % 2 == 0};
-      if (!tp_force_formulas_set(&force, f, &edge)) continue;
-      tp_limit_formulas_power(power, f, &force);
-      tp_conditions_add(conditions, power);
-    }
+  for (long column = 0; column < 2 * f->contacts.count; column++) {
+    const tp_contact_formulas *c = f->contacts.items + column / 2;
+    if (!c->known) continue;
+    tp_contact_formulas_edge(&force, c, f->friction, column % 2 == 1, w->field);
+    tp_symbol_set_dot(power, f->twist.of, force.of, w->field);
+    tp_conditions_add(conditions, power);
   }
-  tp_force_formulas_clear(&force, w->field);
+  tp_vector_formulas_clear(&force, w->field);
   fmpz_mpoly_q_clear(power, w->field->ring);
 }
 
@@ -196,16 +193,14 @@ static tp_bounded angle_at_values(const writing *w) {
   return angle;
 }
 
-static tp_status write_all(const writing *w, const tp_cone_edge basis[2], tp_message *message) {
+static tp_status write_all(const writing *w) {
   const tp_limit_formulas *f = w->formulas;
   w->out->tangent =
       tp_notation_write_quotient(f->sine, f->cosine, w->field, w->notation, w->failed);
   w->out->critical_angle_deg = angle_at_values(w);
   write_centre(w);
-  const tp_status status = write_conditions(w);
-  if (status != TP_OK || write_reactions(w, basis)) return status;
-  return tp_fail(message, TP_NO_ANSWER, f->model->problem.scene->base.place,
-                 "a force at the limit acts where the base has no formula; give it as a profile");
+  write_reactions(w);
+  return write_conditions(w);
 }
 
 tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp_case *own,
@@ -222,14 +217,9 @@ tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp
                    "values to one side");
   }
   out->known = true;
-  tp_cone_edge basis[2];
-  for (int k = 0; k < 2; k++) {
-    const tp_reaction *r = limit->reactions + k;
-    basis[k] = (tp_cone_edge){r->facet, r->at_right_end, r->against_slip};
-  }
   tp_limit_formulas formulas;
   tp_status status =
-      tp_limit_formulas_init(&formulas, model, own->towards, friction, basis, message);
+      tp_limit_formulas_init(&formulas, model, own->towards, friction, limit->reactions, message);
   if (status != TP_OK) return status;
   const writing w = {out,
                      &formulas,
@@ -240,7 +230,7 @@ tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp
                      options->checked,
                      message};
   tp_derive_limit_values(w.values, model, friction, BITS);
-  status = write_all(&w, basis, message);
+  status = write_all(&w);
   _arb_vec_clear(w.values, field->symbol_count);
   tp_limit_formulas_clear(&formulas);
   return status;

@@ -47,14 +47,14 @@ static tp_fraction write_x(const writing *w, fmpz_mpoly_q_t x) {
 /* (-v_y, v_x) / theta. */
 static void write_centre(const writing *w, tp_derived_row *own, const tp_vector_formulas *twist) {
   const tp_field *field = w->formulas->terms.field;
-  own->turns = !fmpz_mpoly_q_is_zero(twist->of[2], field->ring);
+  own->turns = !fmpz_mpoly_q_is_zero(twist->of + 2, field->ring);
   if (!own->turns) return;
   fmpz_mpoly_q_t coordinate;
   fmpz_mpoly_q_init(coordinate, field->ring);
-  tp_field_div(coordinate, twist->of[1], twist->of[2], field);
+  tp_field_div(coordinate, twist->of + 1, twist->of + 2, field);
   fmpz_mpoly_q_neg(coordinate, coordinate, field->ring);
   own->x = write_x(w, coordinate);
-  tp_field_div(coordinate, twist->of[0], twist->of[2], field);
+  tp_field_div(coordinate, twist->of, twist->of + 2, field);
   own->y = write(w, coordinate);
   fmpz_mpoly_q_clear(coordinate, field->ring);
 }
@@ -74,9 +74,9 @@ static void write_rows(const writing *w) {
       continue;
     }
     own->against_slip = !row->against;
-    fmpz_mpoly_q_set(x, f->terms.contacts[row->point].x, field->ring);
+    fmpz_mpoly_q_set(x, f->terms.contacts.items[row->point].x, field->ring);
     own->x = write_x(w, x);
-    own->y = write(w, f->terms.contacts[row->point].y);
+    own->y = write(w, f->terms.contacts.items[row->point].y);
   }
   fmpz_mpoly_q_clear(x, field->ring);
 }

@@ -212,3 +212,21 @@ void tp_field_div(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly
     fmpz_mpoly_q_zero(value, field->ring);
   }
 }
+
+void tp_field_addmul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                     const tp_field *field) {
+  fmpz_mpoly_q_t product;
+  fmpz_mpoly_q_init(product, field->ring);
+  tp_field_mul(product, a, b, field);
+  tp_field_add(value, value, product, field);
+  fmpz_mpoly_q_clear(product, field->ring);
+}
+
+void tp_field_submul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                     const tp_field *field) {
+  fmpz_mpoly_q_t product;
+  fmpz_mpoly_q_init(product, field->ring);
+  tp_field_mul(product, a, b, field);
+  tp_field_sub(value, value, product, field);
+  fmpz_mpoly_q_clear(product, field->ring);
+}

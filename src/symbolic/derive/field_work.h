@@ -48,6 +48,12 @@ void tp_field_mul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly
 void tp_field_div(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
                   const tp_field *field);
 
+/* value += a b, value -= a b; `value` is neither. */
+void tp_field_addmul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                     const tp_field *field);
+void tp_field_submul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                     const tp_field *field);
+
 /* Spend units on other work; false, with the problem set, where there is no room for them. */
 bool tp_field_spend(const tp_field *field, double units);
 

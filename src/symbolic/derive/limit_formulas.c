@@ -8,24 +8,11 @@
 #include "derive/limit_formulas.h"
 
 #include "derive/field_work.h"
-#include "derive/vector_formulas.h"
 
-#include <string.h>
+#include <stdlib.h>
 
 static const tp_field *field_of(const tp_limit_formulas *f) {
   return &f->model->symbols.field;
-}
-
-void tp_force_formulas_init(tp_force_formulas *force, const tp_field *field) {
-  fmpz_mpoly_q_init(force->x, field->ring);
-  fmpz_mpoly_q_init(force->y, field->ring);
-  fmpz_mpoly_q_init(force->moment, field->ring);
-}
-
-void tp_force_formulas_clear(tp_force_formulas *force, const tp_field *field) {
-  fmpz_mpoly_q_clear(force->x, field->ring);
-  fmpz_mpoly_q_clear(force->y, field->ring);
-  fmpz_mpoly_q_clear(force->moment, field->ring);
 }
 
 static bool difference(fmpz_mpoly_q_t dx, fmpz_mpoly_q_t dy, const tp_model *m, long from,
@@ -63,28 +50,14 @@ static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_mode
   return false;
 }
 
-void tp_contact_formulas_init(tp_contact_formulas *c, const tp_field *field) {
-  fmpz_mpoly_q_init(c->x, field->ring);
-  fmpz_mpoly_q_init(c->y, field->ring);
-  fmpz_mpoly_q_init(c->tx, field->ring);
-  fmpz_mpoly_q_init(c->ty, field->ring);
-}
-
-void tp_contact_formulas_clear(tp_contact_formulas *c, const tp_field *field) {
-  fmpz_mpoly_q_clear(c->x, field->ring);
-  fmpz_mpoly_q_clear(c->y, field->ring);
-  fmpz_mpoly_q_clear(c->tx, field->ring);
-  fmpz_mpoly_q_clear(c->ty, field->ring);
-}
-
-bool tp_contact_formulas_set(tp_contact_formulas *c, const tp_model *m, tp_direction towards,
-                             size_t index, bool at_right_end) {
+static bool set_contact(tp_contact_formulas *c, const tp_model *m, tp_direction towards) {
   const fmpz_mpoly_ctx_struct *ring = m->symbols.field.ring;
-  const tp_facet *facet = m->problem.contact.facets + index;
+  const tp_facet *facet = m->problem.contact.facets + c->facet;
   tp_symbolic_point point;
   if (!(difference(c->tx, c->ty, m, facet->t0, facet->t1) ||
         (facet->q0 == facet->q1 && beyond_direction(c->tx, c->ty, m, facet))) ||
-      !tp_formulas_point(&point, &m->symbols, &m->problem, at_right_end ? facet->q1 : facet->q0)) {
+      !tp_formulas_point(&point, &m->symbols, &m->problem,
+                         c->at_right_end ? facet->q1 : facet->q0)) {
     return false;
   }
   fmpz_mpoly_q_set(c->x, point.x, ring);
@@ -96,80 +69,108 @@ bool tp_contact_formulas_set(tp_contact_formulas *c, const tp_model *m, tp_direc
   return true;
 }
 
-/* n + s t tan(phi) with n = (-t_y, t_x), s = 1 against slip and -1 otherwise. */
-void tp_force_formulas_at(tp_force_formulas *force, const tp_contact_formulas *c, long friction,
-                          bool against_slip, const tp_field *field) {
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  fmpz_mpoly_q_t tangent;
-  fmpz_mpoly_q_init(tangent, ring);
-  fmpz_mpoly_q_gen(tangent, friction, ring);
-  if (!against_slip) fmpz_mpoly_q_neg(tangent, tangent, ring);
-  tp_field_mul(force->x, c->tx, tangent, field);
-  tp_field_sub(force->x, force->x, c->ty, field);
-  tp_field_mul(force->y, c->ty, tangent, field);
-  tp_field_add(force->y, force->y, c->tx, field);
-  tp_formulas_determinant(force->moment, c->x, c->y, force->x, force->y, field);
-  fmpz_mpoly_q_clear(tangent, ring);
+bool tp_contacts_formulas_init(tp_contacts_formulas *contacts, const tp_model *m,
+                               tp_direction towards) {
+  const tp_contact *contact = &m->problem.contact;
+  const fmpz_mpoly_ctx_struct *ring = m->symbols.field.ring;
+  *contacts = (tp_contacts_formulas){
+      .items = calloc(2 * (size_t)contact->facet_count + 1, sizeof *contacts->items)};
+  if (contacts->items == NULL) return false;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *facet = contact->facets + k;
+    const int ends = facet->t0 == facet->t1 ? 0 : facet->q0 == facet->q1 ? 1 : 2;
+    for (int end = 0; end < ends; end++) {
+      tp_contact_formulas *c = contacts->items + contacts->count++;
+      *c = (tp_contact_formulas){.facet = (size_t)k, .at_right_end = end == 1};
+      fmpz_mpoly_q_init(c->x, ring);
+      fmpz_mpoly_q_init(c->y, ring);
+      fmpz_mpoly_q_init(c->tx, ring);
+      fmpz_mpoly_q_init(c->ty, ring);
+      c->known = set_contact(c, m, towards);
+    }
+  }
+  return true;
 }
 
-bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
-                           const tp_cone_edge *edge) {
-  const tp_field *field = field_of(f);
-  tp_contact_formulas contact;
-  tp_contact_formulas_init(&contact, field);
-  const bool found =
-      tp_contact_formulas_set(&contact, f->model, f->towards, edge->facet, edge->at_right_end);
-  if (found) tp_force_formulas_at(force, &contact, f->friction, edge->against_slip, field);
-  tp_contact_formulas_clear(&contact, field);
-  return found;
+void tp_contacts_formulas_clear(tp_contacts_formulas *contacts, const tp_field *field) {
+  for (long k = 0; k < contacts->count; k++) {
+    fmpz_mpoly_q_clear(contacts->items[k].x, field->ring);
+    fmpz_mpoly_q_clear(contacts->items[k].y, field->ring);
+    fmpz_mpoly_q_clear(contacts->items[k].tx, field->ring);
+    fmpz_mpoly_q_clear(contacts->items[k].ty, field->ring);
+  }
+  free(contacts->items);
 }
 
-static void set_twist(tp_limit_formulas *f) {
-  const tp_force_formulas *a = f->basis, *b = f->basis + 1;
-  tp_formulas_determinant(f->twist[0], a->y, a->moment, b->y, b->moment, field_of(f));
-  tp_formulas_determinant(f->twist[1], a->moment, a->x, b->moment, b->x, field_of(f));
-  tp_formulas_determinant(f->twist[2], a->x, a->y, b->x, b->y, field_of(f));
-}
-
-/* With S = 3 (2 A) G, the power of the weight on the twist is -sin (3 (2 A) v_x - S_y omega) - cos
- * (3 (2 A) v_y + S_x omega): zero at tan = -(3 (2 A) v_y + S_x omega) / (3 (2 A) v_x - S_y omega).
- */
-static void set_tilt(tp_limit_formulas *f) {
-  const tp_formulas *sums = &f->model->formulas;
-  const tp_field *field = field_of(f);
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  fmpz_mpoly_q_t weight, term;
+void tp_weight_formulas_init(tp_weight_formulas *weight, const tp_model *m, tp_direction towards) {
+  const fmpz_mpoly_ctx_struct *ring = m->symbols.field.ring;
   fmpz_t three;
-  fmpz_mpoly_q_init(weight, ring);
-  fmpz_mpoly_q_init(term, ring);
   fmpz_init_set_ui(three, 3);
-  fmpz_mpoly_q_mul_fmpz(weight, sums->weighted2, three, ring);
-  tp_field_mul(term, sums->x6, f->twist[2], field);
-  if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(term, term, ring);
-  tp_field_mul(f->sine, weight, f->twist[1], field);
-  tp_field_add(f->sine, f->sine, term, field);
-  tp_field_mul(term, sums->y6, f->twist[2], field);
-  tp_field_mul(f->cosine, weight, f->twist[0], field);
-  tp_field_sub(f->cosine, term, f->cosine, field);
-  fmpz_mpoly_q_clear(weight, ring);
-  fmpz_mpoly_q_clear(term, ring);
+  fmpz_mpoly_q_init(weight->w, ring);
+  fmpz_mpoly_q_init(weight->x6, ring);
+  fmpz_mpoly_q_init(weight->y6, ring);
+  fmpz_mpoly_q_mul_fmpz(weight->w, m->formulas.weighted2, three, ring);
+  fmpz_mpoly_q_set(weight->x6, m->formulas.x6, ring);
+  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(weight->x6, weight->x6, ring);
+  fmpz_mpoly_q_set(weight->y6, m->formulas.y6, ring);
   fmpz_clear(three);
 }
 
+void tp_weight_formulas_clear(tp_weight_formulas *weight, const tp_field *field) {
+  fmpz_mpoly_q_clear(weight->w, field->ring);
+  fmpz_mpoly_q_clear(weight->x6, field->ring);
+  fmpz_mpoly_q_clear(weight->y6, field->ring);
+}
+
+void tp_contact_formulas_edge(tp_vector_formulas *force, const tp_contact_formulas *c,
+                              long friction, bool against, const tp_field *field) {
+  fmpz_mpoly_q_t tangent;
+  fmpz_mpoly_q_init(tangent, field->ring);
+  fmpz_mpoly_q_gen(tangent, friction, field->ring);
+  tp_symbol_cone_edge(force->of, c->tx, c->ty, tangent, against, field);
+  tp_symbol_moment(force->of, c->x, c->y, field);
+  fmpz_mpoly_q_clear(tangent, field->ring);
+}
+
+/* The edges of the forces; false where one has no formula. */
+static bool set_basis(tp_limit_formulas *f, const tp_reaction forces[2]) {
+  for (int k = 0; k < 2; k++) {
+    f->edges[k] = (tp_cone_edge){-1, !forces[k].against_slip};
+    for (long p = 0; p < f->contacts.count; p++) {
+      const tp_contact_formulas *c = f->contacts.items + p;
+      if (c->known && c->facet == forces[k].facet && c->at_right_end == forces[k].at_right_end)
+        f->edges[k].point = p;
+    }
+    if (f->edges[k].point < 0) return false;
+    tp_contact_formulas_edge(f->basis + k, f->contacts.items + f->edges[k].point, f->friction,
+                             f->edges[k].against, field_of(f));
+  }
+  return true;
+}
+
+/* The power of the weight on the twist is nothing at tan = -level / slope. The twist as it is
+ * drives the block where its cosine is above zero at the scene's values; the callers settle the
+ * sign. */
+static void set_tilt(tp_limit_formulas *f) {
+  const tp_weight_formulas *w = &f->weight;
+  tp_symbol_cross(f->twist.of, f->basis[0].of, f->basis[1].of, field_of(f));
+  tp_symbol_weight_power(f->cosine, f->sine, f->twist.of, w->w, w->x6, w->y6, field_of(f));
+  fmpz_mpoly_q_neg(f->sine, f->sine, field_of(f)->ring);
+}
+
 tp_status tp_limit_formulas_init(tp_limit_formulas *f, const tp_model *model, tp_direction towards,
-                                 long friction, const tp_cone_edge basis[2], tp_message *message) {
-  memset(f, 0, sizeof *f);
-  f->model = model;
-  f->towards = towards;
-  f->friction = friction;
+                                 long friction, const tp_reaction forces[2], tp_message *message) {
+  *f = (tp_limit_formulas){.model = model, .towards = towards, .friction = friction};
   const tp_field *field = &model->symbols.field;
-  for (int k = 0; k < 2; k++) tp_force_formulas_init(f->basis + k, field);
-  for (int k = 0; k < 3; k++) fmpz_mpoly_q_init(f->twist[k], field->ring);
+  if (!tp_contacts_formulas_init(&f->contacts, model, towards)) {
+    return tp_fail_memory(message, "the formulas");
+  }
+  tp_weight_formulas_init(&f->weight, model, towards);
+  for (int k = 0; k < 2; k++) tp_vector_formulas_init(f->basis + k, field);
+  tp_vector_formulas_init(&f->twist, field);
   fmpz_mpoly_q_init(f->sine, field->ring);
   fmpz_mpoly_q_init(f->cosine, field->ring);
-  if (tp_force_formulas_set(f->basis, f, basis) &&
-      tp_force_formulas_set(f->basis + 1, f, basis + 1)) {
-    set_twist(f);
+  if (set_basis(f, forces)) {
     set_tilt(f);
     return TP_OK;
   }
@@ -181,26 +182,12 @@ tp_status tp_limit_formulas_init(tp_limit_formulas *f, const tp_model *model, tp
 
 void tp_limit_formulas_clear(tp_limit_formulas *f) {
   const tp_field *field = &f->model->symbols.field;
-  for (int k = 0; k < 2; k++) tp_force_formulas_clear(f->basis + k, field);
-  for (int k = 0; k < 3; k++) fmpz_mpoly_q_clear(f->twist[k], field->ring);
+  tp_contacts_formulas_clear(&f->contacts, field);
+  tp_weight_formulas_clear(&f->weight, field);
+  for (int k = 0; k < 2; k++) tp_vector_formulas_clear(f->basis + k, field);
+  tp_vector_formulas_clear(&f->twist, field);
   fmpz_mpoly_q_clear(f->sine, field->ring);
   fmpz_mpoly_q_clear(f->cosine, field->ring);
-}
-
-/* The twist as it is drives the block where its cosine is above zero at the scene's values; the
- * callers settle the sign there. */
-void tp_limit_formulas_power(fmpz_mpoly_q_t power, const tp_limit_formulas *f,
-                             const tp_force_formulas *force) {
-  const tp_field *field = field_of(f);
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  fmpz_mpoly_q_t term;
-  fmpz_mpoly_q_init(term, ring);
-  tp_field_mul(power, f->twist[0], force->x, field);
-  tp_field_mul(term, f->twist[1], force->y, field);
-  tp_field_add(power, power, term, field);
-  tp_field_mul(term, f->twist[2], force->moment, field);
-  tp_field_add(power, power, term, field);
-  fmpz_mpoly_q_clear(term, ring);
 }
 
 /* f_0 e_0 + f_1 e_1 = (tan, 1): f_0 = (tan e_1y - e_1x) / omega, f_1 = (e_0x - tan e_0y) / omega;
@@ -209,32 +196,25 @@ void tp_limit_formulas_power(fmpz_mpoly_q_t power, const tp_limit_formulas *f,
 void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formulas *f) {
   const tp_field *field = field_of(f);
   const fmpz_mpoly_ctx_struct *ring = field->ring;
-  const tp_formulas *sums = &f->model->formulas;
   fmpz_mpoly_q_t along, up, first, second, below;
-  fmpz_t three;
   fmpz_mpoly_q_init(along, ring);
   fmpz_mpoly_q_init(up, ring);
   fmpz_mpoly_q_init(first, ring);
   fmpz_mpoly_q_init(second, ring);
   fmpz_mpoly_q_init(below, ring);
-  fmpz_init_set_ui(three, 3);
-  const tp_force_formulas *a = f->basis, *b = f->basis + 1;
-  const bool slides = fmpz_mpoly_q_is_zero(f->twist[2], ring);
+  const fmpz_mpoly_q_struct *a = f->basis[0].of, *b = f->basis[1].of;
+  const bool slides = fmpz_mpoly_q_is_zero(f->twist.of + 2, ring);
   tp_field_div(along, f->sine, f->cosine, field);
   fmpz_mpoly_q_one(up, ring);
   if (slides) { /* moment of the reaction: G_x - G_y tan */
-    tp_field_mul(first, sums->y6, along, field);
-    fmpz_mpoly_q_set(along, sums->x6, ring);
-    if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(along, along, ring);
-    tp_field_sub(along, along, first, field);
-    fmpz_mpoly_q_mul_fmpz(up, sums->weighted2, three, ring);
-    tp_field_div(along, along, up, field);
-    fmpz_mpoly_q_one(up, ring);
+    tp_field_mul(first, f->weight.y6, along, field);
+    tp_field_sub(along, f->weight.x6, first, field);
+    tp_field_div(along, along, f->weight.w, field);
   }
-  const fmpz_mpoly_q_struct *a_row = slides ? a->moment : a->x, *b_row = slides ? b->moment : b->x;
-  tp_formulas_determinant(below, a_row, a->y, b_row, b->y, field);
-  tp_formulas_determinant(first, along, up, b_row, b->y, field);
-  tp_formulas_determinant(second, a_row, a->y, along, up, field);
+  const fmpz_mpoly_q_struct *a_row = slides ? a + 2 : a, *b_row = slides ? b + 2 : b;
+  tp_formulas_determinant(below, a_row, a + 1, b_row, b + 1, field);
+  tp_formulas_determinant(first, along, up, b_row, b + 1, field);
+  tp_formulas_determinant(second, a_row, a + 1, along, up, field);
   tp_field_div(factors[0], first, below, field);
   tp_field_div(factors[1], second, below, field);
   fmpz_mpoly_q_clear(along, ring);
@@ -242,5 +222,4 @@ void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formula
   fmpz_mpoly_q_clear(first, ring);
   fmpz_mpoly_q_clear(second, ring);
   fmpz_mpoly_q_clear(below, ring);
-  fmpz_clear(three);
 }

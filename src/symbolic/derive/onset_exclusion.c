@@ -83,7 +83,7 @@ static bool add_work(const exclusion *f, long ray) {
   fmpz_mpoly_q_init(slope, field->ring);
   fmpz_mpoly_q_init(level, field->ring);
   fmpz_mpoly_q_init(at_onset, field->ring);
-  tp_onset_terms_work(slope, level, f->terms, f->modes->rays + ray);
+  tp_onset_terms_work(slope, level, f->terms, f->modes->rays[ray].of);
   tp_field_mul(at_onset, slope, f->tangent, field);
   tp_field_add(at_onset, at_onset, level, field);
   const int first = tp_onset_terms_sign(f->terms, level);

@@ -45,18 +45,18 @@ static bool is_at_onset(const tp_onset_plane *plane, const tp_onset_wanted *want
 /* W w at the onset, over cos. */
 static void set_weight(tp_vector_formulas *w, const tp_onset_formulas *f) {
   const tp_onset_terms *t = &f->terms;
-  tp_field_mul(w->of[0], t->weight, f->tangent, t->field);
-  fmpz_mpoly_q_set(w->of[1], t->weight, t->field->ring);
-  tp_field_mul(w->of[2], t->y6, f->tangent, t->field);
-  tp_field_sub(w->of[2], t->x6, w->of[2], t->field);
-  tp_vector_formulas_neg(w, t->field);
+  tp_field_mul(w->of, t->weight.w, f->tangent, t->field);
+  fmpz_mpoly_q_set(w->of + 1, t->weight.w, t->field->ring);
+  tp_field_mul(w->of + 2, t->weight.y6, f->tangent, t->field);
+  tp_field_sub(w->of + 2, t->weight.x6, w->of + 2, t->field);
+  tp_symbol_reverse(w->of, t->field);
 }
 
 /* An entry of h that is something, moments first: they hold no radius of gyration. */
 static int entry_of(const tp_vector_formulas *h, const tp_onset_terms *t) {
   static const int order[] = {2, 1, 0};
   for (int k = 0; k < 3; k++) {
-    const int sign = tp_onset_terms_sign(t, h->of[order[k]]);
+    const int sign = tp_onset_terms_sign(t, h->of + order[k]);
     if (sign == 1 || sign == -1) return order[k];
   }
   return -1;
@@ -73,13 +73,13 @@ static bool set_shares(fmpz_mpoly_q_t shares[2], const tp_onset_formulas *f,
   tp_vector_formulas_init(&h, t->field);
   tp_vector_formulas_init(&product, t->field);
   set_weight(&w, f);
-  tp_vector_formulas_cross(&h, &rows[plane->i].of, &rows[plane->j].of, t->field);
+  tp_symbol_cross(h.of, rows[plane->i].row.of, rows[plane->j].row.of, t->field);
   const int entry = entry_of(&h, t);
   bool positive = entry >= 0;
   for (int k = 0; k < 2 && positive; k++) {
-    if (k == 0) tp_vector_formulas_cross(&product, &w, &rows[plane->j].of, t->field);
-    if (k == 1) tp_vector_formulas_cross(&product, &rows[plane->i].of, &w, t->field);
-    tp_field_div(shares[k], product.of[entry], h.of[entry], t->field);
+    if (k == 0) tp_symbol_cross(product.of, w.of, rows[plane->j].row.of, t->field);
+    if (k == 1) tp_symbol_cross(product.of, rows[plane->i].row.of, w.of, t->field);
+    tp_field_div(shares[k], product.of + entry, h.of + entry, t->field);
     positive = tp_onset_terms_sign(t, shares[k]) == 1;
   }
   tp_vector_formulas_clear(&w, t->field);

@@ -19,7 +19,7 @@ static const char by_chance[] =
 
 static void clear_rows(tp_onset_mode *mode, const tp_field *field) {
   for (long k = 0; k < mode->row_count; k++) {
-    tp_vector_formulas_clear(&mode->rows[k].of, field);
+    tp_vector_formulas_clear(&mode->rows[k].row, field);
     tp_vector_clear(&mode->rows[k].at);
   }
   free(mode->rows);
@@ -51,20 +51,17 @@ static bool orient(tp_vector_formulas *own, const tp_onset_modes *m, const tp_ra
     arb_mul(dot, at.of + 2, ray->twist.of + 2, t->bits);
   }
   const bool told = !arb_contains_zero(dot);
-  if (arb_is_negative(dot)) tp_vector_formulas_neg(own, t->field);
+  if (arb_is_negative(dot)) tp_symbol_reverse(own->of, t->field);
   tp_vector_clear(&at);
   arb_clear(dot);
   return told;
 }
 
-/* (y, -x, 1) */
 static bool turn_about(tp_vector_formulas *own, const tp_onset_modes *m, long site) {
   const tp_onset_terms *t = m->terms;
   for (long k = 0; k < t->cones.count; k++) {
     if (t->cones.points[k].site != site) continue;
-    fmpz_mpoly_q_set(own->of[0], t->contacts[k].y, t->field->ring);
-    fmpz_mpoly_q_neg(own->of[1], t->contacts[k].x, t->field->ring);
-    fmpz_mpoly_q_one(own->of[2], t->field->ring);
+    tp_symbol_turn(own->of, t->contacts.items[k].x, t->contacts.items[k].y, t->field);
     return true;
   }
   return false;
@@ -74,9 +71,9 @@ static bool slide_along(tp_vector_formulas *own, const tp_onset_modes *m, long a
   const tp_onset_terms *t = m->terms;
   for (long k = 0; k < t->cones.count; k++) {
     if (m->normals.families[m->normals.family_of[k]].axis != axis) continue;
-    fmpz_mpoly_q_set(own->of[0], t->contacts[k].tx, t->field->ring);
-    fmpz_mpoly_q_set(own->of[1], t->contacts[k].ty, t->field->ring);
-    fmpz_mpoly_q_zero(own->of[2], t->field->ring);
+    fmpz_mpoly_q_set(own->of, t->contacts.items[k].tx, t->field->ring);
+    fmpz_mpoly_q_set(own->of + 1, t->contacts.items[k].ty, t->field->ring);
+    fmpz_mpoly_q_zero(own->of + 2, t->field->ring);
     return true;
   }
   return false;
@@ -99,7 +96,7 @@ static bool turn_between(tp_vector_formulas *own, const tp_onset_modes *m, const
       family = line->family;
     } else if (n->families[family].axis != n->families[line->family].axis) {
       tp_onset_terms_normal(&second, t, n->order[line->first]);
-      tp_vector_formulas_cross(own, &first, &second, t->field);
+      tp_symbol_cross(own->of, first.of, second.of, t->field);
       found = true;
     }
   }
@@ -134,7 +131,7 @@ static bool add_row(tp_onset_mode *own, const tp_onset_modes *m, tp_onset_row ro
   if (more == NULL) return false;
   own->rows = more;
   own->rows[own->row_count] = row;
-  tp_vector_formulas_init(&own->rows[own->row_count].of, m->terms->field);
+  tp_vector_formulas_init(&own->rows[own->row_count].row, m->terms->field);
   tp_vector_init(&own->rows[own->row_count++].at);
   return true;
 }
@@ -180,11 +177,11 @@ static void set_rows(tp_onset_modes *m) {
     for (long r = 0; r < m->modes[k].row_count; r++) {
       tp_onset_row *row = m->modes[k].rows + r;
       if (row->is_ray) {
-        tp_onset_terms_inertia(&row->of, t, m->rays + row->ray);
+        tp_onset_terms_inertia(&row->row, t, m->rays + row->ray);
       } else {
-        tp_onset_terms_force(&row->of, t, row->point, row->against);
+        tp_onset_terms_force(&row->row, t, row->point, row->against);
       }
-      tp_vector_formulas_evaluate(&row->at, &row->of, t->values, t->field, t->bits);
+      tp_vector_formulas_evaluate(&row->at, &row->row, t->values, t->field, t->bits);
     }
   }
 }
@@ -217,7 +214,7 @@ static int keep_sign(tp_conditions *conditions, const tp_onset_modes *m,
                      const tp_vector_formulas *v, long ray) {
   fmpz_mpoly_q_t value;
   fmpz_mpoly_q_init(value, m->terms->field->ring);
-  tp_vector_formulas_dot(value, v, m->rays + ray, m->terms->field);
+  tp_symbol_set_dot(value, v->of, m->rays[ray].of, m->terms->field);
   const int sign = tp_onset_terms_sign(m->terms, value);
   if (sign != TP_SIGN_BY_CHANCE) tp_conditions_add(conditions, value);
   fmpz_mpoly_q_clear(value, m->terms->field->ring);
@@ -261,8 +258,8 @@ void tp_onset_rows_determinant(fmpz_mpoly_q_t value, const tp_onset_modes *m, co
                                const tp_onset_row *b, const tp_onset_row *c) {
   tp_vector_formulas cross;
   tp_vector_formulas_init(&cross, m->terms->field);
-  tp_vector_formulas_cross(&cross, &a->of, &b->of, m->terms->field);
-  tp_vector_formulas_dot(value, &cross, &c->of, m->terms->field);
+  tp_symbol_cross(cross.of, a->row.of, b->row.of, m->terms->field);
+  tp_symbol_set_dot(value, cross.of, c->row.of, m->terms->field);
   tp_vector_formulas_clear(&cross, m->terms->field);
 }
 

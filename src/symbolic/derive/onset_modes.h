@@ -13,7 +13,7 @@
 
 /* What spans the cone of loads of a mode: M r of a ray, or -e of an edge. */
 typedef struct tp_onset_row {
-  tp_vector_formulas of;
+  tp_vector_formulas row;
   tp_vector at; /* at the values */
   bool is_ray;
   long ray; /* or */

@@ -47,15 +47,15 @@ void tp_onset_plane_work(fmpz_mpoly_q_t slope, fmpz_mpoly_q_t level, const tp_on
   const tp_onset_terms *t = p->modes->terms;
   const tp_onset_mode *mode = p->modes->modes + plane->mode;
   if (mode->leaves) { /* n . w = t_y sin - t_x cos */
-    fmpz_mpoly_q_set(slope, t->contacts[plane->i].ty, t->field->ring);
-    fmpz_mpoly_q_neg(level, t->contacts[plane->i].tx, t->field->ring);
+    fmpz_mpoly_q_set(slope, t->contacts.items[plane->i].ty, t->field->ring);
+    fmpz_mpoly_q_neg(level, t->contacts.items[plane->i].tx, t->field->ring);
     return;
   }
   tp_vector_formulas h;
   tp_vector_formulas_init(&h, t->field);
-  tp_vector_formulas_cross(&h, &mode->rows[plane->i].of, &mode->rows[plane->j].of, t->field);
-  if (plane->turn < 0) tp_vector_formulas_neg(&h, t->field);
-  tp_onset_terms_work(slope, level, t, &h);
+  tp_symbol_cross(h.of, mode->rows[plane->i].row.of, mode->rows[plane->j].row.of, t->field);
+  if (plane->turn < 0) tp_symbol_reverse(h.of, t->field);
+  tp_onset_terms_work(slope, level, t, h.of);
   tp_vector_formulas_clear(&h, t->field);
 }
 
@@ -69,16 +69,12 @@ static void set_work(tp_onset_plane *plane, const tp_onset_modes *m) {
   arb_init(weight);
   arb_init(x6);
   arb_init(y6);
-  tp_field_evaluate_ball(weight, t->weight, t->values, t->field, t->bits);
-  tp_field_evaluate_ball(x6, t->x6, t->values, t->field, t->bits);
-  tp_field_evaluate_ball(y6, t->y6, t->values, t->field, t->bits);
+  tp_field_evaluate_ball(weight, t->weight.w, t->values, t->field, t->bits);
+  tp_field_evaluate_ball(x6, t->weight.x6, t->values, t->field, t->bits);
+  tp_field_evaluate_ball(y6, t->weight.y6, t->values, t->field, t->bits);
   tp_vector_cross(&h, &rows[plane->i].at, &rows[plane->j].at, t->bits);
   if (plane->turn < 0) tp_vector_neg(&h);
-  arb_mul(plane->slope, y6, h.of + 2, t->bits);
-  arb_submul(plane->slope, weight, h.of, t->bits);
-  arb_mul(plane->level, x6, h.of + 2, t->bits);
-  arb_addmul(plane->level, weight, h.of + 1, t->bits);
-  arb_neg(plane->level, plane->level);
+  tp_ball_weight_power(plane->slope, plane->level, h.of, weight, x6, y6, t->bits);
   tp_vector_clear(&h);
   arb_clear(weight);
   arb_clear(x6);
@@ -137,8 +133,10 @@ static bool add_leaving(tp_onset_planes *p, long mode) {
     if (plane == NULL) return false;
     plane->mode = mode;
     plane->i = m->normals.order[m->normals.items[m->twists.faces[k].normal].first];
-    tp_field_evaluate_ball(plane->slope, t->contacts[plane->i].ty, t->values, t->field, t->bits);
-    tp_field_evaluate_ball(plane->level, t->contacts[plane->i].tx, t->values, t->field, t->bits);
+    tp_field_evaluate_ball(plane->slope, t->contacts.items[plane->i].ty, t->values, t->field,
+                           t->bits);
+    tp_field_evaluate_ball(plane->level, t->contacts.items[plane->i].tx, t->values, t->field,
+                           t->bits);
     arb_neg(plane->level, plane->level);
   }
   return true;
@@ -180,11 +178,11 @@ static bool is_energy(const tp_onset_modes *m, const tp_onset_mode *mode,
   tp_vector_formulas h, cross;
   tp_vector_formulas_init(&h, field);
   tp_vector_formulas_init(&cross, field);
-  tp_vector_formulas_cross(&h, &mode->rows[plane->i].of, &mode->rows[plane->j].of, field);
-  tp_vector_formulas_cross(&cross, &h, m->rays + row->ray, field);
+  tp_symbol_cross(h.of, mode->rows[plane->i].row.of, mode->rows[plane->j].row.of, field);
+  tp_symbol_cross(cross.of, h.of, m->rays[row->ray].of, field);
   bool parallel = true;
   for (int k = 0; k < 3; k++) {
-    parallel = parallel && fmpz_mpoly_q_is_zero(cross.of[k], field->ring);
+    parallel = parallel && fmpz_mpoly_q_is_zero(cross.of + k, field->ring);
   }
   tp_vector_formulas_clear(&h, field);
   tp_vector_formulas_clear(&cross, field);

@@ -15,7 +15,6 @@
 #define TP_DERIVE_ONSET_TERMS_H
 
 #include "derive/limit_formulas.h"
-#include "derive/vector_formulas.h"
 #include "motion/twists.h"
 
 /* A sign that is told by no identity, and not by the values either: zero by chance, or nearly. */
@@ -28,9 +27,10 @@ typedef struct tp_onset_terms {
   long friction;  /* the symbol tan(phi) */
   arb_ptr values; /* of all symbols, at `bits` */
   long bits;
-  fmpz_mpoly_q_t weight, x6, y6, polar12; /* x6 mirrored towards the right */
-  tp_cones cones;                         /* at the values */
-  tp_contact_formulas *contacts;          /* by point of the cones */
+  tp_weight_formulas weight;
+  fmpz_mpoly_q_t polar12;
+  tp_cones cones;                /* at the values */
+  tp_contacts_formulas contacts; /* by point of the cones */
 } tp_onset_terms;
 
 /* NULL, or why there are none, as a static string; then nothing is to be cleared. `*failed` is set
@@ -51,8 +51,12 @@ void tp_onset_terms_inertia(tp_vector_formulas *inertia, const tp_onset_terms *t
                             const tp_vector_formulas *twist);
 
 /* h . w = slope tan(alpha) + level, over cos(alpha). */
-void tp_onset_terms_work(fmpz_mpoly_q_t slope, fmpz_mpoly_q_t level, const tp_onset_terms *terms,
-                         const tp_vector_formulas *h);
+static inline void tp_onset_terms_work(fmpz_mpoly_q_t slope, fmpz_mpoly_q_t level,
+                                       const tp_onset_terms *terms,
+                                       const fmpz_mpoly_q_struct h[3]) {
+  const tp_weight_formulas *own = &terms->weight;
+  tp_symbol_weight_power(slope, level, h, own->w, own->x6, own->y6, terms->field);
+}
 
 /* Sign of a value: 1, -1, 0 where it is nothing for all values of the symbols, or by chance. */
 int tp_onset_terms_sign(const tp_onset_terms *terms, const fmpz_mpoly_q_t value);
