@@ -26,7 +26,7 @@
  * print and abort the process, so sizes are bounded before they are called. A program that wants
  * another end gives them functions that do not return without memory, before its first call:
  * __flint_set_memory_functions and mp_set_memory_functions, as src/applications/cli/memory.c does.
- * What FLINT keeps for the next call is given back by flint_cleanup().
+ * What FLINT keeps for the next call of a thread is given back by tp_cleanup().
  *
  * What the calling thread has set is its own: every call puts the locale, the floating-point
  * environment (rounding, traps, flushing to zero) and MPFR's range of exponents aside, and brings

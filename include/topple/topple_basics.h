@@ -93,6 +93,10 @@ typedef struct tp_message {
 /* Frees a text that a call of the library made (a report, an explanation); NULL is allowed. */
 void tp_text_free(char *text);
 
+/* Frees the memory that calls of the library leave to later calls of the same thread (FLINT's); for the
+ * end of a thread that called it. Results stay valid, and the thread may call the library again. */
+void tp_cleanup(void);
+
 /* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
  * truth is outside the range of a double. `digits`, where more digits were asked for than a double
  * holds, is the truth in decimals, all of them certain, and belongs to what holds the number. */

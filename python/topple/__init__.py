@@ -11,6 +11,7 @@
 Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names
 of fields say. Failures raise a `ToppleError`. docs/python.md has more."""
 
+from . import records as _records, words as _words
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import accuracy_of_scene, accuracy_sweep
 from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
@@ -28,20 +29,25 @@ from .find import find
 from .profile import profile_of_file, profile_of_points, profile_of_scene
 from .record import Bounded
 from .records import *  # noqa: F403
+from .running import Interrupted
 from .scene import Scene
 from .solution import csv, table
 from .study import study, study_text
 from .sweep import Sweep, sweep, write_sweep
 from .tilt import tilt_test
 from .verify import verify, verify_text
-from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
-                    ConvergeSetting, ConvergeVerdict, Design, Direction,
-                    ElementKind, FactorStanding, Fault, FindTarget, FosDefinition, FosState, JrcState, Level,
-                    LimitKind,
-                    LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
-                    ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
-                    PulseShape, Rolls, SettlingEnd, ShakingAxis, StudyEnd, StudyOutcome,
-                    StudyQuantity, TiltEnd, TiltEngine, TiltEventKind, TiltPlace, TiltProtocol,
-                    Verdict)
+from .words import *  # noqa: F403
 
 __version__ = _ffi.string(_lib.tp_version()).decode()
+
+__all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution", "Chart", "CriticalAngles",
+           "DependencyFailed", "FileNotFound", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",
+           "PermissionDenied", "RoughnessBy", "Scene", "SeismicDirection", "Status", "Summary", "Sweep",
+           "SystemFailed", "ToppleError", "Towards", "Undecided", "UndersideEnd", "Verdicts", "Wear",
+           "accuracy_of_scene", "accuracy_sweep", "chart_fos", "chart_map", "chart_mechanisms",
+           "chart_overturning", "chart_ranges", "chart_study", "chart_study_scatter", "chart_tilt_phase",
+           "chart_tilt_reactions", "critical_angles", "csv", "derive", "derive_family", "explain", "find",
+           "moments", "outline_moments", "profile_of_file", "profile_of_points", "profile_of_scene", "study",
+           "study_text", "sweep", "table", "terms", "tilt_converge", "tilt_test", "verdicts", "verify",
+           "verify_text", "write_sweep"]
+__all__ += _records.__all__ + _words.__all__

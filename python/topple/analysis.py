@@ -5,20 +5,20 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from typing import TYPE_CHECKING, Any
 
 from ._library import ffi, lib
 from .chart import Chart, made
 from .errors import checked
-from .given import c_path
-from .record import Record, field, struct_of
+from .given import File, c_path
+from .record import Record, struct_of
 from .report import drawing, sheet_options, written
 from .words import (FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
                     StudyQuantity)
 
 if TYPE_CHECKING:
     import numpy
+    import pandas  # type: ignore[import]
 
     from .records import Solution, StudyShare, StudySpread
     from .scene import Scene
@@ -68,7 +68,7 @@ class ConvergenceMethods:
         return self.chart().svg()
 
 
-def _options(c, owner) -> dict[str, Any]:
+def _options(c: Any, owner: Any) -> dict[str, Any]:
     own = c.options
     return {"step": own.step, "resampling": tuple(ProfileResampling)[own.resampling],
             "detrend": tuple(ProfileDetrend)[own.detrend],
@@ -78,7 +78,7 @@ def _options(c, owner) -> dict[str, Any]:
 
 @dataclasses.dataclass(frozen=True)
 class ProfileMethods(Record):
-    options: dict[str, Any] = field(read=_options)  #: as they were taken
+    options: dict[str, Any] = dataclasses.field(metadata={"read": _options})  #: as they were taken
 
     def report(self) -> str:
         """The report, as `topple profile` prints it."""
@@ -101,11 +101,11 @@ class ProfileMethods(Record):
 
 
 class StudyTiltMethods:
-    def __getitem__(self, outcome: StudyOutcome | str) -> StudyShare:
+    def __getitem__(self: Any, outcome: StudyOutcome | str) -> StudyShare:
         return self.outcomes[list(StudyOutcome).index(StudyOutcome(outcome))]
 
 
-def _columns(c, owner) -> dict[str, numpy.ndarray]:
+def _columns(c: Any, owner: Any) -> dict[str, numpy.ndarray[Any, Any]]:
     """All columns by their names."""
     import numpy
 
@@ -130,7 +130,13 @@ def _columns(c, owner) -> dict[str, numpy.ndarray]:
 class StudyResultMethods(Record):
     #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
     #: definitions `FosDefinition` or None
-    columns: dict = field(read=_columns)
+    columns: dict[str, Any] = dataclasses.field(metadata={"read": _columns})
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """The samples kept as a table of pandas, a row each."""
+        import pandas
+
+        return pandas.DataFrame(self.columns)
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
         """Of one quantity."""
@@ -144,7 +150,7 @@ class StudyResultMethods(Record):
         """JSON (docs/json.md)."""
         return written(lib.tp_report_study_json, struct_of(self))
 
-    def write_report(self, path: str | os.PathLike, study: str | os.PathLike,
+    def write_report(self, path: File, study: File,
                      date: str | None = None, times: bool = True, lines: int = 400) -> None:
         """Write a calculation sheet into a file: .html, .md or .pdf (Solution.write_report). `study`
         is the file that was run, of which it names all that it rests on."""
@@ -176,11 +182,11 @@ class TiltTestMethods:
         """SVG in which the block moves."""
         return written(lib.tp_report_tilt_animation, struct_of(self))
 
-    def draw(self, path: str | os.PathLike, moving: bool = False) -> None:
+    def draw(self, path: File, moving: bool = False) -> None:
         """Frames, or where `moving` the one that moves, into an .svg."""
         checked(lib.tp_report_tilt_file, struct_of(self), c_path(path), moving)
 
-    def write_report(self, path: str | os.PathLike, scene: Scene, date: str | None = None,
+    def write_report(self, path: File, scene: Scene, date: str | None = None,
                      times: bool = True, lines: int = 400) -> None:
         """Write a calculation sheet of the test of that scene into a file: .html, .md or .pdf
         (Solution.write_report)."""

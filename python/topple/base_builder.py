@@ -10,9 +10,7 @@ from typing import Any
 from ._library import lib
 from .given import Number, Points, c_number, c_points
 from .options import options_of
-from .words import Word, number_of
-
-
+from .word import Word, number_of
 class LeftEnd(Word):
     """What a toothed underside begins with on the left."""
 
@@ -47,20 +45,20 @@ class Wear(Word):
 class BaseBuilder:
     """A scene in memory whose base is changed call by call."""
 
-    def _change(self, call, *arguments: Any) -> None:
+    def _change(self, call: Any, *arguments: Any) -> None:
         raise NotImplementedError
 
-    def _change_numbers(self, call, *values: Number) -> None:
+    def _change_numbers(self, call: Any, *values: Number) -> None:
         self._change(call, *[c_number(value) for value in values])
 
-    def _change_by(self, call, options: str, words: dict[str, Any],
+    def _change_by(self, call: Any, options: str, words: dict[str, Any],
                    **numbers: Number) -> None:
         """A call of the options tp_OPTIONS_options: whole numbers and enumerations as they are, and
         numbers taken exactly, whose texts live as long as the call."""
         held = {name: c_number(value) for name, value in numbers.items()}
         self._change(call, options_of(options, **words, **held))
 
-    def _change_points(self, call, points: Points, *more: Any) -> None:
+    def _change_points(self, call: Any, points: Points, *more: Any) -> None:
         coordinates, held = c_points(points)
         self._change(call, coordinates, *more)
         del held

@@ -21,13 +21,16 @@ from .errors import BadInput, Caution, checked
 from .given import NULL, Points, c_doubles, real_doubles, refuse_masked
 from .options import options_of
 from .record import Bounded, Record, record
-from .words import FosDefinition, Direction, LimitKind, Mechanism, OnsetKind, number_of
+from .running import Run
+from .word import number_of
+from .words import FosDefinition, Direction, LimitKind, Mechanism, OnsetKind
 
 if TYPE_CHECKING:
     import numpy
+    import pandas  # type: ignore[import]
 
 #: Outlines of many blocks.
-Outlines = Union["numpy.ndarray", Sequence["numpy.ndarray"]]
+Outlines = Union["numpy.ndarray[Any, Any]", Sequence["numpy.ndarray[Any, Any]"]]
 
 
 class Status(enum.IntEnum):
@@ -59,11 +62,18 @@ class Summary(Record):
 class Columns:
     """Results of many blocks, an array for each quantity, shape (k,)."""
 
-    status: numpy.ndarray  #: of `Status`
+    status: numpy.ndarray[Any, Any]  #: of `Status`
     summary: Summary
 
     def __len__(self) -> int:
         return len(self.status)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """As a table of pandas, a row a block."""
+        import pandas
+
+        names = [field.name for field in dataclasses.fields(self) if field.name != "summary"]
+        return pandas.DataFrame({name: getattr(self, name) for name in names})
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -71,18 +81,18 @@ class Moments(Columns):
     """Powers 1 to 4 of the unit that the coordinates are in; second moments of area about the
     centroid."""
 
-    area: numpy.ndarray
-    area_error: numpy.ndarray
-    centroid_x: numpy.ndarray
-    centroid_x_error: numpy.ndarray
-    centroid_y: numpy.ndarray
-    centroid_y_error: numpy.ndarray
-    second_moment_xx: numpy.ndarray
-    second_moment_xx_error: numpy.ndarray
-    second_moment_yy: numpy.ndarray
-    second_moment_yy_error: numpy.ndarray
-    second_moment_xy: numpy.ndarray
-    second_moment_xy_error: numpy.ndarray
+    area: numpy.ndarray[Any, Any]
+    area_error: numpy.ndarray[Any, Any]
+    centroid_x: numpy.ndarray[Any, Any]
+    centroid_x_error: numpy.ndarray[Any, Any]
+    centroid_y: numpy.ndarray[Any, Any]
+    centroid_y_error: numpy.ndarray[Any, Any]
+    second_moment_xx: numpy.ndarray[Any, Any]
+    second_moment_xx_error: numpy.ndarray[Any, Any]
+    second_moment_yy: numpy.ndarray[Any, Any]
+    second_moment_yy_error: numpy.ndarray[Any, Any]
+    second_moment_xy: numpy.ndarray[Any, Any]
+    second_moment_xy_error: numpy.ndarray[Any, Any]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -90,35 +100,35 @@ class CriticalAngles(Columns):
     """The tilt at which moments of the weight let each block turn about the governing admissible
     pivot."""
 
-    angle_deg: numpy.ndarray
-    error_deg: numpy.ndarray
-    pivot: numpy.ndarray  #: the vertex of the outline, from 0, that it turns about; -1: none
+    angle_deg: numpy.ndarray[Any, Any]
+    error_deg: numpy.ndarray[Any, Any]
+    pivot: numpy.ndarray[Any, Any]  #: the vertex of the outline, from 0, that it turns about; -1: none
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Verdicts(Columns):
     """What `Scene.solve` says of each block. Mechanisms and kinds are arrays of enumerations."""
 
-    mechanism: numpy.ndarray  #: at the tilt; without one, `first`
-    first: numpy.ndarray  #: what happens first as the table is tilted from level,
-    first_angle_deg: numpy.ndarray  #: and where
-    first_error_deg: numpy.ndarray
-    critical_angle_deg: numpy.ndarray  #: by moments
-    critical_error_deg: numpy.ndarray
-    limit_kind: numpy.ndarray
-    limit_angle_deg: numpy.ndarray
-    limit_error_deg: numpy.ndarray
-    onset_kind: numpy.ndarray
-    onset_angle_deg: numpy.ndarray
-    onset_error_deg: numpy.ndarray
-    fos: numpy.ndarray  #: the governing factor of safety, where there is a tilt and a number
-    fos_error: numpy.ndarray
-    fos_mechanism: numpy.ndarray  #: against which that factor is
-    fos_definition: numpy.ndarray  #: by which it is defined
-    fos_moments: numpy.ndarray  #: of moments, about the pivot that is the least safe
-    fos_moments_error: numpy.ndarray
-    fos_sliding: numpy.ndarray  #: of shear strength
-    fos_sliding_error: numpy.ndarray
+    mechanism: numpy.ndarray[Any, Any]  #: at the tilt; without one, `first`
+    first: numpy.ndarray[Any, Any]  #: what happens first as the table is tilted from level,
+    first_angle_deg: numpy.ndarray[Any, Any]  #: and where
+    first_error_deg: numpy.ndarray[Any, Any]
+    critical_angle_deg: numpy.ndarray[Any, Any]  #: by moments
+    critical_error_deg: numpy.ndarray[Any, Any]
+    limit_kind: numpy.ndarray[Any, Any]
+    limit_angle_deg: numpy.ndarray[Any, Any]
+    limit_error_deg: numpy.ndarray[Any, Any]
+    onset_kind: numpy.ndarray[Any, Any]
+    onset_angle_deg: numpy.ndarray[Any, Any]
+    onset_error_deg: numpy.ndarray[Any, Any]
+    fos: numpy.ndarray[Any, Any]  #: the governing factor of safety, where there is a tilt and a number
+    fos_error: numpy.ndarray[Any, Any]
+    fos_mechanism: numpy.ndarray[Any, Any]  #: against which that factor is
+    fos_definition: numpy.ndarray[Any, Any]  #: by which it is defined
+    fos_moments: numpy.ndarray[Any, Any]  #: of moments, about the pivot that is the least safe
+    fos_moments_error: numpy.ndarray[Any, Any]
+    fos_sliding: numpy.ndarray[Any, Any]  #: of shear strength
+    fos_sliding_error: numpy.ndarray[Any, Any]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -166,7 +176,7 @@ def verdicts(outlines: Outlines, friction_angle_deg: Any = None, tilt_angle_deg:
                   strength_reduction=strength_reduction, threads=threads)
 
 
-def outline_of(points: Points) -> numpy.ndarray:
+def outline_of(points: Points) -> numpy.ndarray[Any, Any]:
     """One outline as doubles one after another, shape (n, 2)."""
     import numpy
 
@@ -178,7 +188,7 @@ def outline_of(points: Points) -> numpy.ndarray:
     return doubles
 
 
-def c_outlines(outlines: Outlines) -> tuple[tuple, int, Any]:
+def c_outlines(outlines: Outlines) -> tuple[tuple[Any, ...], int, Any]:
     """A tp_outlines, the number of blocks, and what must live as long as it is used."""
     import numpy
 
@@ -199,7 +209,7 @@ def c_outlines(outlines: Outlines) -> tuple[tuple, int, Any]:
     return (count[0], doubles, vertices[0], NULL), count[0], doubles
 
 
-def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
+def c_numbers(given: Any, count: int) -> tuple[tuple[Any, ...], Any]:
     """A tp_numbers, and what must live as long as it is used."""
     import numpy
 
@@ -214,12 +224,14 @@ def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
     return (held, 0.0), held
 
 
+#: So many take less than a tenth of a second, and are done in the thread that asks.
+FEW = 100
 #: Columns of whole numbers, by the enumeration that they are, or that they are none.
 WORDS = {"mechanism": Mechanism, "first": Mechanism, "limit_kind": LimitKind,
          "onset_kind": OnsetKind, "fos_mechanism": Mechanism, "fos_definition": FosDefinition}
 
 
-def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):
+def filled(kind: Any, call: Any, outlines: Outlines, given: tuple[Any, ...], **options: Any) -> Any:
     """The columns that a call fills in."""
     import numpy
 
@@ -233,16 +245,25 @@ def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):
         setattr(columns, name, ffi.cast(type_of.type, ffi.from_buffer(own, require_writable=True)))
     numbers = [c_numbers(number, count) for number in given]
     summary = ffi.new("tp_blocks_summary *")
-    checked(call, columns, summary, ffi.new("tp_outlines *", struct),
-            *[number for number, _ in numbers], options_of("blocks", **options))
-    del held
+    work = (call, columns, summary, ffi.new("tp_outlines *", struct), *[number for number, _ in numbers],
+            options_of("blocks", **options))
+    keep = held, numbers, arrays
+    if count < FEW:
+        checked(*work)
+    else:
+        Run().call(_checked, work, keep, leaves=True)
     for name, words in WORDS.items():
         if name in arrays:
             arrays[name] = numpy.array(list(words), dtype=object)[arrays[name]]
     return kind(summary=summarised(summary), **arrays)
 
 
-def summarised(c) -> Summary:
+def _checked(call: tuple[Any, ...], keep: Any) -> None:
+    """A call, during which what it works on is kept."""
+    checked(*call)
+
+
+def summarised(c: Any) -> Summary:
     """The summary of a call; a warning where blocks are bad input."""
     complaint = ffi.string(c.complaint.text).decode("utf-8", "replace") if c.bad else None
     if c.bad:

@@ -14,9 +14,8 @@ from ._library import lib
 from .base_builder import LeftEnd
 from .given import Number, Points, c_number, c_text
 from .tilt_builder import TiltBuilder
-from .words import Direction, Word, number_of
-
-
+from .word import Word, number_of
+from .words import Direction
 class SeismicDirection(Word):
     """Which way the horizontal part of an earthquake acts on a block that lies on a slope."""
 

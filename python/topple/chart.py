@@ -5,14 +5,15 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Sequence
+from typing import Any, Sequence, TYPE_CHECKING
 
 from ._library import ffi, lib
 from .errors import BadInput, checked
-from .given import c_path, c_text, refuse_masked
+from .given import File, c_path, c_text, refuse_masked
 from .options import options_of
 from .record import struct_of
 from .report import drawn, written
+from .running import Progress, Run, Stop
 
 if TYPE_CHECKING:
     from .records import StudyResult, TiltTest
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 class Chart:
     """Curves and borders; every point of the table has its error. Figures are drawn by gnuplot."""
 
-    def __init__(self, receives) -> None:
+    def __init__(self, receives: Any) -> None:
         self._c = ffi.gc(receives[0], lib.tp_chart_free)
 
     def csv(self) -> str:
@@ -33,7 +34,7 @@ class Chart:
         """The same as JSON (docs/json.md)."""
         return written(lib.tp_report_chart_json, self._c)
 
-    def write(self, path: str | os.PathLike) -> None:
+    def write(self, path: File) -> None:
         """Write a file, whole or not at all: .svg, .pdf, .png or .csv."""
         name, kind = c_path(path), ffi.new("tp_chart_format *")
         if not lib.tp_chart_format_read(kind, name):
@@ -48,14 +49,14 @@ class Chart:
         return self.svg()
 
 
-def made(call, *arguments) -> Chart:
+def made(call: Any, *arguments: Any) -> Chart:
     """The chart of a call."""
     receives = ffi.new("tp_chart **")
     checked(call, receives, *arguments)
     return Chart(receives)
 
 
-def _list(target, numbers: Sequence[float] | None):
+def _list(target: Any, numbers: Sequence[float] | None) -> Any:
     """Fill a list of numbers; what must live as long as it is used."""
     if numbers is None:
         return None
@@ -116,17 +117,21 @@ def chart_tilt_phase(test: TiltTest) -> Chart:
 
 
 def chart_overturning(scene: Scene, frequencies: tuple[float, float] | None = None, *,
-                      count: int | None = None, tolerance: float | None = None) -> Chart:
+                      count: int | None = None, tolerance: float | None = None, stop: Stop = None,
+                      progress: Progress = None) -> Chart:
     """The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its
     form that overturns the block, as PGA against frequency and PGV, and islands in which stronger
     shaking does not overturn it. `frequencies` from and to, in hertz of a pulse, times as fast of a record;
-    `count` of them, 25 unless given; `tolerance` of brackets, 1e-3."""
+    `count` of them, 25 unless given; `tolerance` of brackets, 1e-3. `stop` is asked now and then, and
+    true ends with the frequencies done by then; `progress` is given their number. Ctrl-C raises
+    Interrupted, a KeyboardInterrupt whose `result` is the chart of these."""
     first, last = frequencies or (None, None)
+    run = Run(stop, progress)
     options = options_of("overturning", **{"from": first}, to=last, count=count,
-                         tolerance=tolerance)
+                         tolerance=tolerance, **run.options("run_counts"))
     receives = ffi.new("tp_chart **")
-    scene._use(lib.tp_chart_overturning, receives, scene._c, options)
-    return Chart(receives)
+    run.call(scene._use, lib.tp_chart_overturning, receives, scene._c, options)
+    return run.ended_with(Chart(receives))
 
 
 def chart_map(scene: Scene, x: tuple[str, float, float],
@@ -145,5 +150,5 @@ def chart_map(scene: Scene, x: tuple[str, float, float],
             axis.key = held[-1]
             axis.range = given[1:]
     receives = ffi.new("tp_chart **")
-    scene._use(lib.tp_chart_map, receives, options)
+    Run().call(lambda: (scene._use(lib.tp_chart_map, receives, options), held), leaves=True)
     return Chart(receives)

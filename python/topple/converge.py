@@ -9,12 +9,16 @@ from ._library import ffi, lib
 from .options import options_of
 from .record import record
 from .records import Convergence
+from .running import Progress, Run, Stop
 from .scene import Scene
 
 
-def tilt_converge(scene: Scene) -> Convergence:
-    """The test that the scene calls for, over stiffness, time step, damping and tolerance."""
+def tilt_converge(scene: Scene, *, stop: Stop = None, progress: Progress = None) -> Convergence:
+    """The test that the scene calls for, over stiffness, time step, damping and tolerance. `stop`,
+    `progress` and ctrl-C as of `tilt_test`."""
     receives = ffi.new("tp_tilt_convergence **")
-    scene._use(lib.tp_tilt_converge, receives, scene._c, options_of("tilt"))
+    run = Run(stop, progress)
+    options = options_of("tilt", **run.options("run_brackets"))
+    run.call(scene._use, lib.tp_tilt_converge, receives, scene._c, options)
     owner = ffi.gc(receives[0], lib.tp_tilt_convergence_free)
-    return record(Convergence, owner[0], owner)
+    return run.ended_with(record(Convergence, owner[0], owner))

@@ -9,7 +9,8 @@ from .options import options_of
 from .record import record
 from .records import Derivation, Family
 from .scene import Scene, warn
-from .words import Notation, number_of
+from .word import number_of
+from .words import Notation
 
 
 def derive(scene: Scene, *, notation: Notation | str = Notation.TEXT, elements: bool | None = None,

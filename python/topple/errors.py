@@ -8,6 +8,8 @@ from __future__ import annotations
 import errno
 import os
 
+from typing import Any
+
 from ._library import ffi, lib
 from .words import Fault
 
@@ -16,25 +18,25 @@ class ToppleError(Exception):
     """The library did not do what was asked. `str()` says what, where and what to do; `file`, `line` and `column`
     (counted from 1) say where, None where it is not known."""
 
-    def __init__(self, text: str = "", file: str | None = None, line: int | None = None, column: int | None = None):
+    def __init__(self, text: str = "", file: str | None = None, line: int | None = None, column: int | None = None) -> None:
         super().__init__(text)
         self.text, self.file, self.line, self.column = text, file, line, column
 
     def __str__(self) -> str:
         return self.text
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return type(self), (self.text, self.file, self.line, self.column)
 
 
 class BadInput(ToppleError, ValueError):
     """The input is wrong; `fault` says which kind of input."""
 
-    def __init__(self, text="", file=None, line=None, column=None, fault: Fault = Fault.NONE):
+    def __init__(self, text: Any="", file: Any=None, line: Any=None, column: Any=None, fault: Fault = Fault.NONE) -> None:
         super().__init__(text, file, line, column)
         self.fault = fault
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return type(self), (self.text, self.file, self.line, self.column, self.fault)
 
 
@@ -54,12 +56,12 @@ class SystemFailed(ToppleError, OSError):
     """A file cannot be read or written. `errno`, `strerror` and `filename` are what the system said, where it
     was the system that refused, else None."""
 
-    def __init__(self, text="", file=None, line=None, column=None, system_error: int | None = None):
+    def __init__(self, text: Any="", file: Any=None, line: Any=None, column: Any=None, system_error: int | None = None) -> None:
         super().__init__(text, file, line, column)
         if system_error is not None:
             self.errno, self.strerror, self.filename = system_error, os.strerror(system_error), file
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return type(self), (self.text, self.file, self.line, self.column, self.errno)
 
 
@@ -91,7 +93,7 @@ REFUSALS = {errno.ENOENT: FileNotFound, errno.EACCES: PermissionDenied, errno.EP
 MESSAGE = ffi.typeof("tp_message *")
 
 
-def failure(status: int, message=None) -> ToppleError:
+def failure(status: int, message: Any=None) -> ToppleError:
     """The exception that a status other than TP_OK is, with the message of the call or the meaning
     of the status."""
     kind = ERRORS[status]
@@ -105,11 +107,11 @@ def failure(status: int, message=None) -> ToppleError:
     return kind(_text(message.text), *place)
 
 
-def _text(of) -> str:
+def _text(of: Any) -> str:
     return ffi.string(of).decode("utf-8", "replace")
 
 
-def checked(call, *arguments) -> None:
+def checked(call: Any, *arguments: Any) -> None:
     """Call with a message after the arguments; raise what it says unless the status is TP_OK."""
     message = ffi.new(MESSAGE)
     status = call(*arguments, message)

@@ -9,8 +9,10 @@ from .given import c_text
 from .options import options_of
 from .record import record
 from .records import Found
+from .running import Run
 from .scene import Scene
-from .words import FindTarget, number_of
+from .word import number_of
+from .words import FindTarget
 
 
 def find(scene: Scene, key: str, target: FindTarget | str, value: float, low: float | None = None,
@@ -22,7 +24,7 @@ def find(scene: Scene, key: str, target: FindTarget | str, value: float, low: fl
     options = options_of("find", key=name, target=number_of(FindTarget, target), value=value,
                          low=low, high=high, has_low=low is not None, has_high=high is not None)
     receives = ffi.new("tp_found **")
-    scene._use(lib.tp_find, receives, scene._c, options)
+    Run().call(lambda: (scene._use(lib.tp_find, receives, scene._c, options), name), leaves=True)
     owner = ffi.gc(receives[0], lib.tp_found_free)
     found = record(Found, owner[0], owner)
     found.__dict__.update(_options=options, _key=name)

@@ -15,7 +15,7 @@ import re
 from typing import TYPE_CHECKING, Any, Mapping
 
 from ._library import lib
-from .record import Record, field, struct_of
+from .record import Record, struct_of
 from .report import written
 from .words import Direction
 
@@ -32,12 +32,13 @@ def terms_of(polynomial: str) -> tuple[tuple[int, tuple[tuple[str, int], ...]], 
     terms, place = [], 0
     while place < len(polynomial):
         term = TERM.match(polynomial, place)
-        number, powers = -1 if term and term[1] == "-" else 1, []
-        for factor in term[2].split("*") if term else [""]:
+        if term is None:
+            raise not_text(polynomial)
+        number, powers = -1 if term[1] == "-" else 1, []
+        for factor in term[2].split("*"):
             found = FACTOR.fullmatch(factor)
             if found is None:
-                raise ValueError("only formulas in the notation 'text' can be evaluated, not"
-                                 f" {polynomial!r}")
+                raise not_text(polynomial)
             if found[1]:
                 number *= int(found[1])
             else:
@@ -45,6 +46,11 @@ def terms_of(polynomial: str) -> tuple[tuple[int, tuple[tuple[str, int], ...]], 
         terms.append((number, tuple(powers)))
         place = term.end()
     return tuple(terms)
+
+
+def not_text(polynomial: str) -> ValueError:
+    """It is LaTeX or C."""
+    return ValueError(f"only formulas in the notation 'text' can be evaluated, not {polynomial!r}")
 
 
 def value_of(polynomial: str, values: Mapping[str, Any]) -> Any:
@@ -61,7 +67,7 @@ def value_of(polynomial: str, values: Mapping[str, Any]) -> Any:
 
 
 class FractionMethods:
-    def __call__(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Any:
+    def __call__(self: Any, values: Mapping[str, Any] | None = None, /, **more: Any) -> Any:
         """Its value at those of its symbols, by name; those that are no names of Python, as
         tan(phi), in a mapping: formula({"tan(phi)": 0.5}, a=30, b=120). Of whole numbers and
         Fractions it is exact."""
@@ -70,28 +76,28 @@ class FractionMethods:
         exact = isinstance(top, int) and isinstance(bottom, int)
         return fractions.Fraction(top, bottom) if exact else top / bottom
 
-    def __str__(self) -> str:
+    def __str__(self: Any) -> str:
         return self.formula
 
 
 class DerivationMethods:
-    def governing(self, towards: Direction | str) -> DerivedPivot | None:
+    def governing(self: Any, towards: Direction | str) -> DerivedPivot | None:
         """The governing pivot in a direction."""
         for pivot in self.pivots:
             if pivot.governs and pivot.towards is Direction(towards):
                 return pivot
         return None
 
-    def report(self) -> str:
+    def report(self: Any) -> str:
         """The report, as `topple derive` prints it."""
         return written(lib.tp_report_derivation, struct_of(self))
 
-    def to_json(self) -> str:
+    def to_json(self: Any) -> str:
         """JSON (docs/json.md)."""
         return written(lib.tp_report_derivation_json, struct_of(self))
 
 
-def _parities(name):
+def _parities(name: Any) -> Any:
     """Reads the numbers of teeth of odd and even members."""
     return lambda c, owner: {"odd": tuple(getattr(c, name)[0]), "even": tuple(getattr(c, name)[1])}
 
@@ -99,9 +105,9 @@ def _parities(name):
 @dataclasses.dataclass(frozen=True)
 class FamilyMethods(Record):
     #: the N that fix the formulas
-    fixed: dict[str, tuple[int, ...]] = field(read=_parities("fixed"))
+    fixed: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("fixed")})
     #: the N that they were checked on
-    checked: dict[str, tuple[int, ...]] = field(read=_parities("checked"))
+    checked: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("checked")})
 
     def report(self) -> str:
         """The report, as `topple derive --for-all=count` prints it."""

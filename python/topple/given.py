@@ -25,13 +25,15 @@ if TYPE_CHECKING:
 #: A number taken exactly.
 Number = Union[float, int, str, fractions.Fraction, Decimal, numbers.Real]
 #: Points: an array of shape (n, 2), or n pairs of numbers.
-Points = Union["numpy.ndarray", Sequence[Sequence[Number]]]
+Points = Union["numpy.ndarray[Any, Any]", Sequence[Sequence[Number]]]
+#: The name of a file.
+File = Union[str, "os.PathLike[str]"]
 
 NULL = ffi.NULL
 WHOLE_IN_A_DOUBLE = 2**53
 
 
-def c_text(text: str):
+def c_text(text: str) -> Any:
     """A text for C, which ends at its first NUL."""
     if not isinstance(text, str):
         raise TypeError(f"a text must be str, not {type(text).__name__}")
@@ -40,7 +42,7 @@ def c_text(text: str):
     return ffi.new("char[]", text.encode("utf-8", "surrogateescape"))
 
 
-def c_path(path: str | bytes | os.PathLike):
+def c_path(path: File | bytes) -> Any:
     """The name of a file for C."""
     name = os.fsencode(path)
     if b"\0" in name:
@@ -62,12 +64,13 @@ def exact_text(number: Number) -> str | None:
         return f"{number.numerator}/{number.denominator}"
     if isinstance(number, Decimal):
         return str(number) if number.is_finite() else None
-    if getattr(number, "itemsize", 0) > 8 and abs(number) <= sys.float_info.max:
-        return "/".join(map(str, number.as_integer_ratio()))  # a long double of NumPy
+    other: Any = number
+    if getattr(other, "itemsize", 0) > 8 and abs(other) <= sys.float_info.max:
+        return "/".join(map(str, other.as_integer_ratio()))  # a long double of NumPy
     return None
 
 
-def c_number(number: Number) -> tuple:
+def c_number(number: Number) -> tuple[Any, ...]:
     """A tp_exact. It holds its text."""
     if number.__class__ is float:
         return number, NULL
@@ -92,7 +95,7 @@ def refuse_masked(given: Any) -> None:
                        " leave such points out, and give the rest as .data")
 
 
-def real_doubles(given: Any) -> numpy.ndarray:
+def real_doubles(given: Any) -> numpy.ndarray[Any, Any]:
     """Numbers as an array of doubles that are exactly those; NaN stays."""
     import numpy
 
@@ -106,7 +109,7 @@ def real_doubles(given: Any) -> numpy.ndarray:
     return doubles
 
 
-def c_doubles(points: numpy.ndarray):
+def c_doubles(points: numpy.ndarray[Any, Any]) -> Any:
     """An array of shape (n, 2) as doubles one after another; None for one whose numbers are no
     doubles."""
     import numpy
@@ -121,8 +124,9 @@ def c_doubles(points: numpy.ndarray):
     return numpy.ascontiguousarray(points, dtype=numpy.float64) if fits else None
 
 
-def c_points(points: Points) -> tuple[tuple, Any]:
+def c_points(given: Points) -> tuple[tuple[Any, ...], Any]:
     """A tp_coordinates, and what must live as long as it is used."""
+    points: Any = given
     if hasattr(points, "__array__"):
         doubles = c_doubles(points)
         if doubles is not None:

@@ -9,7 +9,7 @@ from typing import Any
 from ._library import ffi, lib
 
 
-def options_of(call: str, **given: Any):
+def options_of(call: str, **given: Any) -> Any:
     """The options tp_CALL_options with its defaults, but for what is not None."""
     options = ffi.new(f"tp_{call}_options *")
     getattr(lib, f"tp_{call}_options_init")(options, ffi.sizeof(options[0]))

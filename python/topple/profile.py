@@ -4,27 +4,25 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 from ._library import ffi, lib
 from .errors import checked
-from .given import Points, c_path, c_points, c_text
+from .given import File, Points, c_path, c_points, c_text
 from .options import options_of
 from .record import record
 from .records import Profile
 from .scene import Scene, warn
-from .words import ProfileDetrend, ProfileResampling, ProfileWindow, number_of
-
-
-def _asked(given: dict[str, Any]):
+from .word import number_of
+from .words import ProfileDetrend, ProfileResampling, ProfileWindow
+def _asked(given: dict[str, Any]) -> Any:
     """The options: words by their names."""
     words = {"resampling": ProfileResampling, "detrend": ProfileDetrend, "window": ProfileWindow}
     return options_of("profile", **{name: number_of(words[name], value) if name in words else value
                                     for name, value in given.items()})
 
 
-def _taken(receives) -> Profile:
+def _taken(receives: Any) -> Profile:
     owner = ffi.gc(receives[0], lib.tp_profile_free)
     profile = record(Profile, owner[0], owner)
     warn(profile.notes, 4)
@@ -42,7 +40,7 @@ def profile_of_points(points: Points, length_unit: str = "mm", **options: Any) -
     return _taken(receives)
 
 
-def profile_of_file(path: str | os.PathLike, length_unit: str = "mm", **options: Any) -> Profile:
+def profile_of_file(path: File, length_unit: str = "mm", **options: Any) -> Profile:
     """The profile in a CSV file of x, y."""
     receives = ffi.new("tp_profile **")
     checked(lib.tp_profile_of_file, receives, c_path(path), c_text(length_unit), _asked(options))

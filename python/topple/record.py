@@ -25,7 +25,7 @@ import typing
 from typing import Any, Callable
 
 from ._library import ffi
-from .words import Word
+from .word import Word
 
 
 @dataclasses.dataclass(frozen=True)
@@ -57,21 +57,16 @@ class Bounded:
         return format(self.value, spec) if spec else str(self)
 
 
-def bounded(c) -> Bounded:
+def bounded(c: Any) -> Bounded:
     """The tp_bounded as Python has it."""
     number = object.__new__(Bounded)
     number.__dict__.update(value=c.value, error=c.error, digits=text(c.digits))
     return number
 
 
-def text(c) -> str | None:
+def text(c: Any) -> str | None:
     """A text of C; None for NULL."""
     return ffi.string(c).decode("utf-8", "replace") if c else None
-
-
-def field(**how: Any) -> Any:
-    """A field that is read as `when`, `count`, `items`, `bits` and `where` say, or by a function (`read`) of struct and owner."""
-    return dataclasses.field(metadata=how)
 
 
 class Record:
@@ -79,28 +74,29 @@ class Record:
 
     def __getattr__(self, name: str) -> Any:
         own = self.__dict__
-        readers = readers_of(type(self))
+        kind: Any = type(self)  # a type can be hashed, whatever mypy thinks of the hash of its instances
+        readers = readers_of(kind)
         if "_c" not in own or name not in readers:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}",
                                  name=name, obj=self)
         value = own[name] = readers[name](own["_c"], own["_owner"])
         return value
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return type(self), tuple(getattr(self, field.name) for field in dataclasses.fields(self))
 
 
 R = typing.TypeVar("R", bound=Record)
 
 
-def record(kind: type[R], c, owner) -> R:
+def record(kind: type[R], c: Any, owner: Any) -> R:
     """A record that stands on a struct, whose memory the owner keeps."""
     made = object.__new__(kind)
     made.__dict__.update(_c=c, _owner=owner)
     return made
 
 
-def struct_of(own: Record):
+def struct_of(own: Any) -> Any:
     """The struct that a record stands on."""
     try:
         return ffi.addressof(own.__dict__["_c"])
@@ -110,13 +106,13 @@ def struct_of(own: Record):
 
 
 @functools.lru_cache(maxsize=None)
-def readers_of(kind: type) -> dict[str, Callable[[Any, Any], Any]]:
+def readers_of(kind: Any) -> dict[str, Callable[[Any, Any], Any]]:
     """For each field of a record, the function that reads it of a struct and its owner."""
     hints = typing.get_type_hints(kind)
     return {own.name: reader(own, hints[own.name]) for own in dataclasses.fields(kind)}
 
 
-def reader(own: dataclasses.Field, hint) -> Callable[[Any, Any], Any]:
+def reader(own: dataclasses.Field[Any], hint: Any) -> Callable[[Any, Any], Any]:
     """The function that reads one field."""
     told, name = own.metadata, own.name
     if type(None) in typing.get_args(hint):
@@ -129,7 +125,7 @@ def reader(own: dataclasses.Field, hint) -> Callable[[Any, Any], Any]:
     return lambda c, owner: read(c, owner) if there(c) else None
 
 
-def value_reader(name: str, told, hint) -> Callable[[Any, Any], Any]:
+def value_reader(name: str, told: Any, hint: Any) -> Callable[[Any, Any], Any]:
     """Reads a field that is there."""
     parts = typing.get_args(hint)
     if typing.get_origin(hint) is dict:
@@ -145,16 +141,16 @@ def value_reader(name: str, told, hint) -> Callable[[Any, Any], Any]:
     return lambda c, owner: convert(getattr(c, name), owner)
 
 
-def list_reader(count: str | None, convert):
+def list_reader(count: str | None, convert: Any) -> Any:
     """Reads an array of so many items, or of a fixed number."""
     return lambda items, c, owner: tuple([convert(items[k], owner)
                                           for k in range(getattr(c, count) if count else len(items))])
 
 
-def items_reader(name: str, there: str | bool, convert):
+def items_reader(name: str, there: Any, convert: Any) -> Any:
     """Reads a struct of items and count."""
 
-    def read(c, owner):
+    def read(c: Any, owner: Any) -> Any:
         own = getattr(c, name)
         if there is not True and not getattr(own, there):
             return None
@@ -163,25 +159,34 @@ def items_reader(name: str, there: str | bool, convert):
     return read
 
 
-def dict_reader(name: str, told, word: type[Word], kind):
+def _always(item: Any) -> bool:
+    return True
+
+
+def dict_reader(name: str, told: Any, word: type[Word], kind: Any) -> Any:
     """Reads an array with one item, or one pointer to some, for each word."""
     lists = typing.get_origin(kind) is tuple
-    where = told.get("where") or (bool if lists else lambda item: True)
-    if isinstance(where, str):
-        where = operator.attrgetter(where)
+    there = told.get("where")
+    where: Any = operator.attrgetter(there) if isinstance(there, str) else there or (bool if lists else _always)
     convert = item_reader(typing.get_args(kind)[0] if lists else kind)
-    read = list_reader(told.get("count"), convert) if lists else lambda item, c, owner: convert(item, owner)
-    return lambda c, owner: {key: read(item, c, owner) for key, item in zip(word, getattr(c, name)) if where(item)}
+    if lists:
+        read = list_reader(told.get("count"), convert)
+    else:
+        def read(item: Any, c: Any, owner: Any) -> Any:
+            return convert(item, owner)
+
+    keys: Any = tuple(word)
+    return lambda c, owner: {key: read(item, c, owner) for key, item in zip(keys, getattr(c, name)) if where(item)}
 
 
-def item_reader(kind):
+def item_reader(kind: Any) -> Any:
     """Turns a value of C into one of Python."""
     if kind is Bounded:
         return lambda value, owner: bounded(value)
     if kind is str:
         return lambda value, owner: text(value)
     if isinstance(kind, type) and issubclass(kind, Word):
-        words = tuple(kind)
+        words: tuple[Any, ...] = tuple(kind)
         return lambda value, owner: words[value]
     if isinstance(kind, type) and issubclass(kind, Record):
         return lambda value, owner: record(kind, value, owner) if value else None

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import pathlib
 import tempfile
-from typing import Callable
+from typing import Any, Callable
 
 from ._library import ffi, lib
 from .errors import DependencyFailed, failure
@@ -14,7 +14,7 @@ from .given import c_text
 from .options import options_of
 
 
-def written(call, *arguments) -> str:
+def written(call: Any, *arguments: Any) -> str:
     """The text of a report: a call whose first argument receives it."""
     receives = ffi.new("char **")
     status = call(receives, *arguments)
@@ -23,7 +23,7 @@ def written(call, *arguments) -> str:
     return taken(receives[0])
 
 
-def taken(text) -> str:
+def taken(text: Any) -> str:
     """A text that the library allocated for its caller, who gives it back here."""
     try:
         return ffi.string(text).decode("utf-8", "surrogateescape")
@@ -39,7 +39,7 @@ def drawn(write: Callable[[pathlib.Path], None]) -> str:
         return path.read_text(encoding="utf-8")
 
 
-def drawing():
+def drawing() -> Any:
     """The module that draws by Cairo."""
     try:
         from . import _figure
@@ -49,7 +49,7 @@ def drawing():
     return _figure
 
 
-def sheet_options(date: str | None, times: bool, lines: int):
+def sheet_options(date: str | None, times: bool, lines: int) -> Any:
     """What a calculation sheet states besides results; the second holds what the first points to."""
     held = None if date is None else c_text(date)
     return options_of("sheet", date=held, times=int(times), lines=lines), held

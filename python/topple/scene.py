@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import copy
 import fractions
+import functools
 import os
 import threading
 import warnings
@@ -14,12 +16,13 @@ from typing import Any, Iterable, Sequence
 from ._library import ffi, lib
 from .builder import Along, Builder, SeismicDirection, Towards
 from .errors import BadInput, Caution, checked
-from .given import Number, Points, c_number, c_path, c_text
+from .given import File, Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record
 from .records import Note, Solution
 from .report import taken, written
-from .words import Level, NoteKind, PivotsListed, number_of
+from .word import number_of
+from .words import Level, NoteKind, PivotsListed
 
 RECEIVES_SCENE = ffi.typeof("tp_scene **")
 RECEIVES_SOLUTION = ffi.typeof("tp_solution **")
@@ -86,7 +89,7 @@ class Scene(Builder):
         given = locals()
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_new, receives, c_text(length_unit))
-        self._own(receives)
+        self._own(receives, "new", length_unit)
         for name, call in SET.items():
             value = given[name]
             if value is not None:
@@ -96,14 +99,14 @@ class Scene(Builder):
                 call(self, value)
 
     @classmethod
-    def read(cls, path: str | os.PathLike) -> Scene:
+    def read(cls, path: File) -> Scene:
         """The scene in a file. Files that it names are looked for beside it."""
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_read, receives, c_path(path))
-        return cls._made(receives)
+        return cls._made(receives, "read", os.path.abspath(path))
 
     @classmethod
-    def read_with(cls, path: str | os.PathLike, *settings: str, unit: str | None = None) -> Scene:
+    def read_with(cls, path: File, *settings: str, unit: str | None = None) -> Scene:
         """The same with settings KEY=FORMULA. In place of a scene a drawing may be given, DXF, SVG,
         WKT, GeoJSON, CSV, Shapefile or GeoPackage, or a mesh, STL, PLY or OBJ: `unit` is then that of its lengths, where its file does not say it:
         Scene.read_with("section.dxf", "friction_angle_deg=30", unit="mm")."""
@@ -112,7 +115,7 @@ class Scene(Builder):
         checked(lib.tp_scene_read_with, receives, c_path(path),
                 c_text("" if unit is None else unit), ffi.new("const char *[]", texts),
                 len(texts))
-        return cls._made(receives)
+        return cls._made(receives, "read_with", os.path.abspath(path), settings, unit)
 
     def report_drawing(self) -> str:
         """The role of each object of its drawing; empty without a drawing."""
@@ -124,31 +127,34 @@ class Scene(Builder):
         file of that name."""
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_read_text, receives, c_text(text), c_path(name))
-        return cls._made(receives)
+        return cls._made(receives, "from_text", text, os.path.abspath(name))
 
     @classmethod
-    def _made(cls, receives) -> Scene:
+    def _made(cls, receives: Any, *made_by: Any) -> Scene:
         scene = cls.__new__(cls)
-        scene._own(receives)
+        scene._own(receives, *made_by)
         return scene
 
-    def __reduce__(self):
-        raise TypeError("a Scene is copied by scene.varied({}), and is not pickled")
+    def __reduce__(self) -> Any:
+        """A copy, in this or in another process, is made as this one was: files are read again."""
+        return _remade, (*self._made_by, self._calls)
 
-    def _own(self, receives) -> None:
+    def _own(self, receives: Any, *made_by: Any) -> None:
+        self._made_by: tuple[Any, ...] = made_by
+        self._calls: list[tuple[str, Any, Any]] = []
         self._c = ffi.gc(receives[0], lib.tp_scene_free)
         self._lock = threading.Lock()
         self._users = 0
         self._version = 0
 
-    def _change(self, call, *arguments: Any) -> None:
+    def _change(self, call: Any, *arguments: Any) -> None:
         with self._lock:
             if self._users:
                 raise RuntimeError("the scene is being used by another thread")
             checked(call, self._c, *arguments)
             self._version += 1
 
-    def _use(self, call, *arguments: Any, of: int | None = None) -> int:
+    def _use(self, call: Any, *arguments: Any, of: int | None = None) -> int:
         """A call that reads the scene, during which no thread may change it; `of` the version of
         its numbers that is meant. The version that was read."""
         with self._lock:
@@ -176,7 +182,7 @@ class Scene(Builder):
         self._use(lib.tp_scene_profile_csv, receives, self._c)
         return taken(receives[0])
 
-    def write_profile(self, path: str | os.PathLike) -> None:
+    def write_profile(self, path: File) -> None:
         """The same into a file, which appears whole or not at all."""
         self._use(lib.tp_scene_write_profile, self._c, c_path(path))
 
@@ -188,7 +194,7 @@ class Scene(Builder):
         receives = ffi.new(RECEIVES_SCENE)
         self._use(lib.tp_scene_with_numbers, receives, self._c, ffi.new("const char *[]", keys),
                   ffi.new("tp_exact[]", values), len(keys))
-        return self._made(receives)
+        return self._made(receives, "varied", self.__reduce__()[1], dict(numbers))
 
     def with_settings(self, *settings: str) -> Scene:
         """Another scene by settings KEY=FORMULA, as `topple solve --set` takes them: each number is
@@ -198,7 +204,7 @@ class Scene(Builder):
         texts = [c_text(setting) for setting in settings]
         self._use(lib.tp_scene_with_settings, receives, self._c,
                   ffi.new("const char *[]", texts), len(texts))
-        return self._made(receives)
+        return self._made(receives, "with_settings", self.__reduce__()[1], settings)
 
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,
@@ -227,8 +233,51 @@ class Scene(Builder):
         return solution
 
 
-def solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots,
-                  threads):
+def _remade(how: str, of: Any, *more: Any) -> Scene:
+    """A scene as another one was made: how, of what, and by which calls since then."""
+    *given, calls = more
+    if how == "new":
+        scene = Scene(of)
+    elif how in ("varied", "with_settings"):
+        (settings,) = given
+        first = _remade(*of)
+        scene = first.varied(settings) if how == "varied" else first.with_settings(*settings)
+    elif how == "read_with":
+        settings, unit = given
+        scene = Scene.read_with(of, *settings, unit=unit)
+    else:
+        scene = Scene.read(of) if how == "read" else Scene.from_text(of, *given)
+    for name, arguments, named in calls:
+        getattr(scene, name)(*arguments, **named)
+    return scene
+
+
+def _copied(value: Any) -> Any:
+    """An argument that no caller can change any more."""
+    if isinstance(value, (str, float, int, type(None))):
+        return value
+    return value.copy() if hasattr(value, "__array__") else copy.deepcopy(value)
+
+
+def _kept(name: str) -> Any:
+    """A call that changes a scene, kept for copies of it."""
+    method = getattr(Builder, name)
+
+    @functools.wraps(method)
+    def call(self: Scene, *arguments: Any, **named: Any) -> None:
+        method(self, *arguments, **named)
+        self._calls.append((name, tuple(map(_copied, arguments)), {key: _copied(value) for key, value in named.items()}))
+
+    return call
+
+
+for _name in dir(Builder):
+    if _name.startswith(("set_", "add_")):
+        setattr(Scene, _name, _kept(_name))
+
+
+def solve_options(digits: Any, elements: Any, limit: Any, strength_reduction: Any, motion_ranges: Any, level: Any, pivots: Any,
+                  threads: Any) -> Any:
     """The defaults, but for what is not None."""
     if (digits is None and elements is None and limit is None and strength_reduction is None
             and motion_ranges is None and level is None and pivots is None and threads is None):
@@ -248,7 +297,7 @@ def warn(notes: Iterable[Note], depth: int) -> None:
                           stacklevel=depth)
 
 
-def _spread(call):
+def _spread(call: Any) -> Any:
     """A call of several arguments as one of a sequence or a mapping."""
 
     def spread(scene: Scene, value: Given) -> None:

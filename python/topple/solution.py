@@ -4,14 +4,14 @@
 
 from __future__ import annotations
 
-import os
-from typing import TYPE_CHECKING, Iterable
+from typing import Any, Iterable, TYPE_CHECKING
 
 from ._library import ffi, lib
-from .given import c_path
+from .given import File, c_path
 from .record import struct_of
 from .report import drawing, drawn, sheet_options, taken, written
-from .words import Design, Direction, Mechanism, PivotsListed, number_of
+from .word import number_of
+from .words import Design, Direction, Mechanism, PivotsListed
 
 if TYPE_CHECKING:
     from .records import Case, Pivot, Solution
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class FosMethods:
-    def __float__(self) -> float:
+    def __float__(self: Any) -> float:
         if self.value is None:
             raise ValueError(f"the factor of safety is not a number: {self.state}")
         return self.value.value
@@ -27,21 +27,21 @@ class FosMethods:
 
 class CaseMethods:
     @property
-    def governing_pivot(self) -> Pivot | None:
+    def governing_pivot(self: Any) -> Pivot | None:
         """The governing pivot."""
         return None if self.governing is None else self.pivots[self.governing]
 
-    def meets(self, design_fos: float) -> Design:
+    def meets(self: Any, design_fos: float) -> Design:
         """Is the governing factor of safety certainly as much, at a tilt at which the block
         stands?"""
         return tuple(Design)[lib.tp_case_meets(struct_of(self), design_fos)]
 
 
 class SolutionMethods:
-    def __repr__(self) -> str:
+    def __repr__(self: Any) -> str:
         return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"
 
-    def case(self, towards: Direction | str) -> Case:
+    def case(self: Any, towards: Direction | str) -> Case:
         """The case of a direction of tilt, 'left' or 'right'; KeyError where the scene does not
         tilt there."""
         for case in self.cases:
@@ -50,36 +50,36 @@ class SolutionMethods:
         raise KeyError(towards)
 
     @property
-    def is_undecided(self) -> bool:
+    def is_undecided(self: Any) -> bool:
         """Did the precision allowed leave a mechanism undecided, or a number less certain than
         requested?"""
         return lib.tp_solution_is_undecided(struct_of(self))
 
-    def meets(self, design_fos: float) -> Design:
+    def meets(self: Any, design_fos: float) -> Design:
         """Does every case meet a design factor of safety?"""
         return tuple(Design)[lib.tp_solution_meets(struct_of(self), design_fos)]
 
-    def report(self) -> str:
+    def report(self: Any) -> str:
         """The report, as `topple solve` prints it."""
         return written(lib.tp_report_text, struct_of(self))
 
-    def report_elements(self) -> str:
+    def report_elements(self: Any) -> str:
         """The account of moments by elements, where `solve(elements=True)` drew it up."""
         return written(lib.tp_report_elements, struct_of(self))
 
-    def report_notes(self) -> str:
+    def report_notes(self: Any) -> str:
         """Notes and cautions, as on the page of the report; empty where there are none."""
         return written(lib.tp_report_notes, struct_of(self))
 
-    def report_effects(self) -> str:
+    def report_effects(self: Any) -> str:
         """The effects computed, the input that required each, and its time."""
         return written(lib.tp_report_effects, struct_of(self))
 
-    def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
+    def to_json(self: Any, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
         """JSON, as `topple solve --json` prints it (docs/json.md)."""
         return written(lib.tp_report_json_pivots, struct_of(self), number_of(PivotsListed, pivots))
 
-    def to_json_outlines(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
+    def to_json_outlines(self: Any, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
         """The same with the geometry of everything, for programs that draw it: `outlines`. They are of
         the scene, which must be as it was when it was solved."""
         solution = struct_of(self)
@@ -89,15 +89,15 @@ class SolutionMethods:
                    number_of(PivotsListed, pivots), of=self.__dict__["_version"])
         return taken(receives[0])
 
-    def csv(self) -> str:
+    def csv(self: Any) -> str:
         """A table with a row for each case, each number followed by its bound."""
         return csv([self])
 
-    def table(self) -> str:
+    def table(self: Any) -> str:
         """The same for readers, in Markdown."""
         return table([self])
 
-    def write_figure(self, path: str | os.PathLike) -> None:
+    def write_figure(self: Any, path: File) -> None:
         """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene,
         which must be as it was when it was solved."""
         solution = struct_of(self)
@@ -105,7 +105,7 @@ class SolutionMethods:
         scene._use(drawing().lib.tp_report_figure, c_path(path), scene._c, solution,
                    of=self.__dict__["_version"])
 
-    def write_report(self, path: str | os.PathLike, date: str | None = None, times: bool = True,
+    def write_report(self: Any, path: File, date: str | None = None, times: bool = True,
                      lines: int = 400) -> None:
         """Write a calculation sheet to check and sign into a file: .html, .md or .pdf. `date` is
         printed as it is; `times` adds the time of each effect, which differs between runs;
@@ -117,11 +117,11 @@ class SolutionMethods:
         scene._use(drawing().lib.tp_report_sheet, c_path(path), scene._c, solution, options,
                    of=self.__dict__["_version"])
 
-    def svg(self) -> str:
+    def svg(self: Any) -> str:
         """The figure as SVG."""
         return drawn(self.write_figure)
 
-    def _repr_svg_(self) -> str:
+    def _repr_svg_(self: Any) -> str:
         return self.svg()
 
 
@@ -136,7 +136,7 @@ def _told(s: Solution, case: Case) -> str:
     return f"{words} {case.first}" + (" at any tilt" if decided else "")
 
 
-def _listed(solutions: Iterable[Solution]):
+def _listed(solutions: Iterable[Solution]) -> Any:
     kept = list(solutions)
     return ffi.new("tp_solution *[]", [struct_of(solution) for solution in kept]), len(kept)
 

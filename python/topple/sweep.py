@@ -7,16 +7,20 @@ from __future__ import annotations
 import csv
 import dataclasses
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ._library import ffi, lib
-from .given import c_path, c_text
+from .given import File, c_path, c_text
 from .options import options_of
+from .running import Run, Stop
 from .scene import Scene
-from .words import Level, number_of
+from .word import number_of
+from .words import Level
 
 if TYPE_CHECKING:
     import numpy
+    import pandas  # type: ignore[import]
+    import xarray
 
 #: Columns of words; all others are of numbers.
 WORDS = {"status", "towards", "verdict", "fos_mechanism", "fos_definition", "limit_mechanism",
@@ -30,36 +34,53 @@ class Sweep:
     to, as `topple sweep` prints it: columns["moments_deg"], columns["moments_error"]. A number that
     is not known is NaN, a word empty."""
 
-    numbers: dict[str, numpy.ndarray]
-    columns: dict[str, numpy.ndarray]
+    numbers: dict[str, numpy.ndarray[Any, Any]]
+    columns: dict[str, numpy.ndarray[Any, Any]]
 
     def __len__(self) -> int:
         return len(self.columns["status"])
 
+    def to_dataframe(self) -> pandas.DataFrame:
+        """As a table of pandas, a row each."""
+        import pandas
 
-@ffi.def_extern(error=False)
-def take_text(context, text) -> bool:
-    """A piece of a text that the library writes."""
-    ffi.from_handle(context).append(ffi.string(text))
-    return True
+        return pandas.DataFrame({**self.numbers, **self.columns})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """As a grid of xarray over the numbers that were swept and the direction of tilt."""
+        import xarray
+
+        varied = [name for name, values in self.numbers.items() if len(set(values)) > 1]
+        table = self.to_dataframe().set_index([*varied, "towards"])
+        return xarray.Dataset.from_dataframe(table)
+
+
+@ffi.def_extern(error=False)  # type: ignore[misc]
+def take_text(context: Any, text: Any) -> bool:
+    """A piece of a text that the library writes, until its run is to stop."""
+    run, pieces = ffi.from_handle(context)
+    pieces.append(ffi.string(text))
+    return not run.c.stop
 
 
 def sweep(scene: Scene, x: str, y: str | None = None, *, threads: int | None = None,
-          digits: int | None = None, level: Level | str | None = None) -> Sweep:
+          digits: int | None = None, level: Level | str | None = None, stop: Stop = None) -> Sweep:
     """Solve at each point of `x`, "KEY=FIRST:LAST:STEP" or "KEY=VALUE,VALUE", and of `y`, at each
     of whose values x is swept. Values are exact, and so is each point. A point that is wrong has a
-    status and a message instead of numbers."""
+    status and a message instead of numbers. `stop` is asked now and then, and true ends the sweep with the
+    points solved by then. Ctrl-C raises Interrupted, a KeyboardInterrupt whose `result` has these."""
     keep = c_text(x), c_text(y) if y is not None else None
     options = options_of("sweep", x=keep[0], y=keep[1], threads=threads, digits=digits,
                          level=None if level is None else number_of(Level, level))
     pieces: list[bytes] = []
-    handle = ffi.new_handle(pieces)
-    scene._use(lib.tp_sweep_write, ffi.new("tp_sweep_summary *"), scene._c, options,
-               lib.TP_SWEEP_CSV, {"take": lib.take_text, "context": handle})
-    return _columns(b"".join(pieces).decode("utf-8"))
+    run = Run(stop)
+    handle = ffi.new_handle((run, pieces))
+    run.call(scene._use, lib.tp_sweep_write, ffi.new("tp_sweep_summary *"), scene._c, options,
+             lib.TP_SWEEP_CSV, {"take": lib.take_text, "context": handle})
+    return run.ended_with(_columns(b"".join(pieces).decode("utf-8")))
 
 
-def write_sweep(scene: Scene, path: str | os.PathLike, x: str, y: str | None = None, *,
+def write_sweep(scene: Scene, path: File, x: str, y: str | None = None, *,
                 threads: int | None = None, digits: int | None = None,
                 level: Level | str | None = None) -> None:
     """The same into a file, CSV or, where it ends in .json, JSON, which appears whole or not at

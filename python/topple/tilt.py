@@ -9,19 +9,26 @@ from ._library import ffi, lib
 from .options import options_of
 from .record import record
 from .records import TiltTest
+from .running import Progress, Run, Stop
 from .scene import Scene
 
 
 def tilt_test(scene: Scene, *, moments: int | None = None,
               overturning: bool | None = None,
-              factors: tuple[float, float, int] | None = None) -> TiltTest:
+              factors: tuple[float, float, int] | None = None, stop: Stop = None,
+              progress: Progress = None) -> TiltTest:
     """Run the test that the scene calls for. `moments`: of the history, at most, 400 unless given;
     `overturning`: which factors on the scene's shaking overturn the block, of the least, the
-    greatest and the number of them that `factors` gives, else of those of `topple tilt`."""
+    greatest and the number of them that `factors` gives, else of those of `topple tilt`.
+
+    `stop` is asked now and then, and true ends the test with what is known by then (`end` is
+    TiltEnd.STOPPED); `progress` is given the number of runs. Ctrl-C raises Interrupted, a
+    KeyboardInterrupt whose `result` is the test so far."""
     receives = ffi.new("tp_tilt_test **")
+    run = Run(stop, progress)
     least, most, count = factors or (None, None, None)
     options = options_of("tilt", moments=moments, overturning=overturning, overturning_from=least,
-                         overturning_to=most, overturning_count=count)
-    scene._use(lib.tp_tilt_test_run, receives, scene._c, options)
+                         overturning_to=most, overturning_count=count, **run.options("run_brackets"))
+    run.call(scene._use, lib.tp_tilt_test_run, receives, scene._c, options)
     owner = ffi.gc(receives[0], lib.tp_tilt_test_free)
-    return record(TiltTest, owner[0], owner)
+    return run.ended_with(record(TiltTest, owner[0], owner))

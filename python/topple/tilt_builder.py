@@ -8,9 +8,8 @@ from __future__ import annotations
 from ._library import lib
 from .base_builder import BaseBuilder
 from .given import Number, Points, c_number, c_points
-from .words import PulseShape, ShakingAxis, TiltEngine, TiltProtocol, number_of
-
-
+from .word import number_of
+from .words import PulseShape, ShakingAxis, TiltEngine, TiltProtocol
 class TiltBuilder(BaseBuilder):
     """The test of a scene in memory."""
 

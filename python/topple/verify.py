@@ -4,23 +4,24 @@
 
 from __future__ import annotations
 
-import os
+
+from typing import Any
 
 from ._library import ffi, lib
 from .errors import checked
-from .given import c_path, c_text
+from .given import File, c_path, c_text
 from .record import record
 from .records import Verification
 
 
-def _verified(call, *arguments) -> Verification:
+def _verified(call: Any, *arguments: Any) -> Verification:
     receives = ffi.new("tp_verification **")
     checked(call, receives, *arguments)
     owner = ffi.gc(receives[0], lib.tp_verification_free)
     return record(Verification, owner[0], owner)
 
 
-def verify(path: str | os.PathLike) -> Verification:
+def verify(path: File) -> Verification:
     """Verdicts on the claims of a file."""
     return _verified(lib.tp_verify, c_path(path))
 

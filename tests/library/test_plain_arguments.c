@@ -25,6 +25,7 @@ START_TEST(names) {
   ck_assert_str_eq(tp_version(), TP_VERSION);
   ck_assert_int_eq(tp_version_number(), TP_VERSION_NUMBER);
   tp_text_free(NULL);
+  tp_cleanup();
   char plain[] = "untouched", empty[1] = "x";
   tp_plain_text(NULL, 9, "text");
   tp_plain_text(plain, 0, "text");

@@ -107,5 +107,6 @@ void say_solved(sayings *s, const tp_scene *scene, bool elements, int digits, bo
 
 void sayings_forget(sayings *s) {
   for (size_t k = 0; k < s->count; k++) tp_text_free(s->texts[k]);
+  tp_cleanup();
   s->count = 0;
 }

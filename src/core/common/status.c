@@ -2,10 +2,11 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The meaning and the exit status of every status, from the one list in topple_basics.h; the
- * version of the library; texts freed. */
+ * version of the library; texts freed, and what a thread keeps. */
 
 #include "topple.h"
 
+#include <flint/flint.h>
 #include <stdlib.h>
 
 const char *tp_version(void) {
@@ -18,6 +19,10 @@ int tp_version_number(void) {
 
 void tp_text_free(char *text) {
   free(text);
+}
+
+void tp_cleanup(void) {
+  flint_cleanup();
 }
 
 const char *tp_status_meaning(tp_status status) {

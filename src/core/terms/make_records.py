@@ -129,7 +129,7 @@ def in_python(condition):
 
 
 class Field:
-    """A field of a record: its type, and what record.field is told of it."""
+    """A field of a record: its type, and what record.py is told of it."""
 
     def __init__(self, kind, condition=None, **told):
         self.told = {key: value for key, value in told.items() if value}
@@ -139,8 +139,8 @@ class Field:
         self.kind = kind
 
     def line(self, member):
-        told = ", ".join(f"{key}={value}" for key, value in self.told.items())
-        line = f"    {member.name}: {self.kind}" + (f" = field({told})" if told else "")
+        told = ", ".join(f'"{key}": {value}' for key, value in self.told.items())
+        line = f"    {member.name}: {self.kind}" + (f" = dataclasses.field(metadata={{{told}}})" if told else "")
         comment = f"  #: {member.comment}" if member.comment else ""
         if len(line + comment) <= 130:
             return line + comment + "\n"
@@ -218,7 +218,7 @@ from __future__ import annotations
 import dataclasses
 
 from ._library import ffi, lib
-METHODSfrom .record import Bounded, Record, field
+METHODSfrom .record import Bounded, Record
 from .words import (WORDS)
 
 

@@ -57,7 +57,7 @@ def c():
 def python():
     out = ["# Made by src/core/terms/make_words.py of words.csv; not to be edited.\n"
            "\"\"\"The library's enumerations. A member's value is its word, as JSON and scene files have it:\n"
-           "Direction(\"left\") is Direction.LEFT. Members stand in the order of C.\"\"\"\n\nfrom .word import Word, number_of\n"]
+           "Direction(\"left\") is Direction.LEFT. Members stand in the order of C.\"\"\"\n\nfrom .word import Word\n"]
     names = []
     for own in sets().values():
         names.append("".join(part.capitalize() for part in own.name.split("_")))
@@ -66,7 +66,7 @@ def python():
             if word.meaning:
                 out.append(textwrap.indent(textwrap.fill(word.meaning, 92), "    #: ") + "\n")
             out.append(f'    {word.name} = "{word.word}"\n')
-    out.append("\n\n__all__ = [" + ", ".join(f'"{name}"' for name in ["Word", "number_of", *names]) + "]\n")
+    out.append("\n\n__all__ = [" + ", ".join(f'"{name}"' for name in names) + "]\n")
     return "".join(out)
 
 

@@ -9,7 +9,6 @@
 
 #include "common/host.h"
 
-#include <flint/flint.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
@@ -98,7 +97,7 @@ static void *run(void *argument) {
     TP_GUARD_HOST;
     take_chunks(argument);
   }
-  flint_cleanup();
+  tp_cleanup();
   return NULL;
 }
 
