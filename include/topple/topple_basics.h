@@ -93,8 +93,9 @@ typedef struct tp_message {
 /* Frees a text that a call of the library made (a report, an explanation); NULL is allowed. */
 void tp_text_free(char *text);
 
-/* Frees the memory that calls of the library leave to later calls of the same thread (FLINT's); for the
- * end of a thread that called it. Results stay valid, and the thread may call the library again. */
+/* Frees the memory that calls of the library leave to later calls of the same thread (FLINT's); for
+ * the end of a thread that called it. Results stay valid, and the thread may call the library
+ * again. */
 void tp_cleanup(void);
 
 /* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
