@@ -49,23 +49,29 @@ static tp_near signed_value(const tp_near_outline *o, const tp_map_sign *s) {
   return along(o, a, b, s->of[2], s->of[3]);
 }
 
-/* Area, first and second moments about the first vertex (block/ring_sums.h), of an outline that
- * runs counter-clockwise. */
+#define NUMBER tp_near
+#define COORDINATE tp_near
+#define FUNCTION near_sums
+#define PARAMETER
+#define INIT(r) (void)(r)
+#define CLEAR(r) (void)(r)
+#define ZERO(r) (*(r) = (tp_near){0, 0})
+#define SET_COORDINATE(r, a) (*(r) = *(a))
+#define ADD(r, a, b) (*(r) = tp_near_plus(*(a), *(b)))
+#define SUBTRACT(r, a, b) (*(r) = tp_near_minus(*(a), *(b)))
+#define MULTIPLY(r, a, b) (*(r) = tp_near_times(*(a), *(b)))
+#define ADD_PRODUCT(r, a, b) (*(r) = tp_near_plus(*(r), tp_near_times(*(a), *(b))))
+#include "block/ring_sums_in.h"
+
+/* Area, first and second moments about the first vertex of an outline that runs counter-clockwise.
+ */
 static void set_sums(tp_near sums[TP_XY24], const tp_near_outline *o, int count) {
-  for (int s = 0; s < TP_XY24; s++) sums[s] = (tp_near){0, 0};
-  for (int k = 1; k + 1 < count; k++) { /* the edges at the first vertex give nothing */
-    const tp_near x = tp_near_minus(o->x[k], o->x[0]), y = tp_near_minus(o->y[k], o->y[0]);
-    const tp_near u = tp_near_minus(o->x[k + 1], o->x[0]), v = tp_near_minus(o->y[k + 1], o->y[0]);
-    const tp_near c = tp_near_minus(tp_near_times(x, v), tp_near_times(u, y));
-    const tp_near sx = tp_near_plus(x, u), sy = tp_near_plus(y, v);
-    const tp_near xx = tp_near_plus(tp_near_times(x, sx), tp_near_times(u, u));
-    const tp_near yy = tp_near_plus(tp_near_times(y, sy), tp_near_times(v, v));
-    sums[TP_A2] = tp_near_plus(sums[TP_A2], c);
-    sums[TP_X6] = tp_near_plus(sums[TP_X6], tp_near_times(sx, c));
-    sums[TP_Y6] = tp_near_plus(sums[TP_Y6], tp_near_times(sy, c));
-    sums[TP_XX12] = tp_near_plus(sums[TP_XX12], tp_near_times(xx, c));
-    sums[TP_YY12] = tp_near_plus(sums[TP_YY12], tp_near_times(yy, c));
+  tp_near x[TP_MAP_POINTS], y[TP_MAP_VERTICES];
+  for (int k = 0; k < count; k++) {
+    x[k] = tp_near_minus(o->x[k], o->x[0]);
+    y[k] = tp_near_minus(o->y[k], o->y[0]);
   }
+  near_sums(sums, x, y, count, TP_XY24);
 }
 
 /* The centroid from the first vertex, and the square of the radius of gyration about it. */

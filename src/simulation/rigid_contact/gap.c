@@ -6,20 +6,9 @@
 
 #include "rigid_contact/gap.h"
 
+#include "plane/contact_rows.h"
+
 #include <math.h>
-
-static double dot(tp_xy a, tp_xy b) {
-  return a.x * b.x + a.y * b.y;
-}
-
-static double cross(tp_xy a, tp_xy b) {
-  return a.x * b.y - a.y * b.x;
-}
-
-/* a + s b */
-static tp_xy plus(tp_xy a, double s, tp_xy b) {
-  return (tp_xy){a.x + s * b.x, a.y + s * b.y};
-}
 
 typedef struct turned {
   double sine, cosine, angle;
@@ -38,50 +27,47 @@ static void meet(tp_gap *gap, const tp_round_corner *corner, double direction) {
 }
 
 static void set_rows(tp_gap *gap, const turned *block) {
-  const tp_xy arm = plus(gap->at, -1, block->centroid);
+  const tp_xy arm = tp_xy_plus(gap->at, -1, block->centroid);
   gap->tangent = (tp_xy){gap->normal.y, -gap->normal.x};
-  gap->across[0] = gap->normal.x;
-  gap->across[1] = gap->normal.y;
-  gap->across[2] = cross(arm, gap->normal);
-  gap->along[0] = gap->tangent.x;
-  gap->along[1] = gap->tangent.y;
-  gap->along[2] = cross(arm, gap->tangent);
+  tp_double_normal_row(gap->across, &arm.x, &arm.y, &gap->tangent.x, &gap->tangent.y);
+  tp_double_slip_row(gap->along, &arm.x, &arm.y, &gap->tangent.x, &gap->tangent.y);
 }
 
 static double within(const tp_contact_face *face, tp_xy foot) {
-  const double from = dot(plus(foot, -1, face->from), face->along);
+  const double from = tp_xy_dot(tp_xy_plus(foot, -1, face->from), face->along);
   return fmin(from, face->length - from);
 }
 
 static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
                                const tp_contact_face *face, const turned *block) {
   const tp_xy n = face->normal;
-  const tp_xy d = turn(block, corner->centre), c = plus(block->centroid, 1, d);
+  const tp_xy d = turn(block, corner->centre), c = tp_xy_plus(block->centroid, 1, d);
   gap->normal = n;
   meet(gap, corner, atan2(-n.y, -n.x) - block->angle);
-  gap->width = dot(plus(c, -1, face->from), n) - corner->radius;
-  gap->at = plus(c, -corner->radius, n);
+  gap->width = tp_xy_dot(tp_xy_plus(c, -1, face->from), n) - corner->radius;
+  gap->at = tp_xy_plus(c, -corner->radius, n);
   gap->margin = within(face, gap->at);
   set_rows(gap, block);
-  gap->across_rate = -block->turning * block->turning * dot(d, n);
-  gap->along_rate = -block->turning * block->turning * dot(d, gap->tangent);
+  gap->across_rate = -block->turning * block->turning * tp_xy_dot(d, n);
+  gap->along_rate = -block->turning * block->turning * tp_xy_dot(d, gap->tangent);
 }
 
 static void straight_on_corner(tp_gap *gap, const tp_contact_face *face,
                                const tp_round_corner *corner, const turned *block) {
   const tp_xy out = turn(block, face->normal), n = {-out.x, -out.y};
-  const tp_xy d = plus(corner->centre, -1, block->centroid);
-  const tp_xy from_face = plus(d, -1, turn(block, face->from));
+  const tp_xy d = tp_xy_plus(corner->centre, -1, block->centroid);
+  const tp_xy from_face = tp_xy_plus(d, -1, turn(block, face->from));
   const double w = block->turning;
   gap->normal = n;
   meet(gap, corner, atan2(n.y, n.x));
-  gap->width = dot(from_face, out) - corner->radius;
-  gap->at = plus(corner->centre, corner->radius, n);
-  const double foot = dot(from_face, turn(block, face->along));
+  gap->width = tp_xy_dot(from_face, out) - corner->radius;
+  gap->at = tp_xy_plus(corner->centre, corner->radius, n);
+  const double foot = tp_xy_dot(from_face, turn(block, face->along));
   gap->margin = fmin(foot, face->length - foot);
   set_rows(gap, block);
-  gap->across_rate = 2 * w * cross(n, block->velocity) + w * w * dot(d, n);
-  gap->along_rate = 2 * w * cross(gap->tangent, block->velocity) + w * w * dot(d, gap->tangent);
+  gap->across_rate = 2 * w * tp_xy_cross(n, block->velocity) + w * w * tp_xy_dot(d, n);
+  gap->along_rate =
+      2 * w * tp_xy_cross(gap->tangent, block->velocity) + w * w * tp_xy_dot(d, gap->tangent);
 }
 
 /* Centres and radii of two arcs; `inside`: one is hollow, of the block or of the base. */
@@ -94,8 +80,8 @@ typedef struct arcs {
 static void arc_on_arc(tp_gap *gap, const arcs *a, const turned *block) {
   const bool inside = a->hollow_block || a->hollow_base;
   const double sign = inside ? -1 : 1;
-  const tp_xy d = turn(block, a->block), c = plus(block->centroid, 1, d);
-  const tp_xy apart = plus(c, -1, a->base);
+  const tp_xy d = turn(block, a->block), c = tp_xy_plus(block->centroid, 1, d);
+  const tp_xy apart = tp_xy_plus(c, -1, a->base);
   const double length = hypot(apart.x, apart.y);
   const tp_xy e = {apart.x / length, apart.y / length};
   const double w = block->turning;
@@ -103,19 +89,20 @@ static void arc_on_arc(tp_gap *gap, const arcs *a, const turned *block) {
       inside ? fabs(a->base_radius - a->block_radius) : a->base_radius + a->block_radius;
   gap->width = sign * (length - sum);
   gap->normal = (tp_xy){sign * e.x, sign * e.y};
-  gap->at = plus(c, a->hollow_block ? a->block_radius : -a->block_radius, gap->normal);
+  gap->at = tp_xy_plus(c, a->hollow_block ? a->block_radius : -a->block_radius, gap->normal);
   set_rows(gap, block);
   const tp_xy u = {block->velocity.x - w * d.y, block->velocity.y + w * d.x};
-  const double apart_speed = dot(e, u);
-  gap->across_rate =
-      sign * (dot(u, u) - apart_speed * apart_speed) / length - w * w * dot(d, gap->normal);
-  gap->along_rate = cross(e, u) / length * dot(gap->normal, u) - w * w * dot(d, gap->tangent);
+  const double apart_speed = tp_xy_dot(e, u);
+  gap->across_rate = sign * (tp_xy_dot(u, u) - apart_speed * apart_speed) / length -
+                     w * w * tp_xy_dot(d, gap->normal);
+  gap->along_rate =
+      tp_xy_cross(e, u) / length * tp_xy_dot(gap->normal, u) - w * w * tp_xy_dot(d, gap->tangent);
 }
 
 static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
                              const tp_contact_face *face, const turned *block) {
-  const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
-  const tp_xy out = plus(c, -1, face->centre);
+  const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, corner->centre));
+  const tp_xy out = tp_xy_plus(c, -1, face->centre);
   const double direction = atan2(out.y, out.x);
   meet(gap, corner, direction - block->angle);
   gap->margin = tp_normal_range_margin(face->range, direction) * face->radius;
@@ -129,8 +116,8 @@ static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
 
 static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
                              const tp_round_corner *corner, const turned *block) {
-  const tp_xy c = plus(block->centroid, 1, turn(block, face->centre));
-  const tp_xy out = plus(corner->centre, -1, c);
+  const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, face->centre));
+  const tp_xy out = tp_xy_plus(corner->centre, -1, c);
   const double direction = atan2(out.y, out.x);
   meet(gap, corner, direction);
   gap->margin = tp_normal_range_margin(face->range, direction - block->angle) * face->radius;
@@ -144,8 +131,8 @@ static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
 
 static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
                              const tp_round_corner *base, const turned *block) {
-  const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
-  const tp_xy out = plus(c, -1, base->centre);
+  const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, corner->centre));
+  const tp_xy out = tp_xy_plus(c, -1, base->centre);
   meet(gap, base, atan2(out.y, out.x));
   meet(gap, corner, atan2(-out.y, -out.x) - block->angle);
   const arcs a = {.block = corner->centre,
@@ -193,5 +180,5 @@ bool tp_pair_is(const tp_gap_pair *a, const tp_gap_pair *b) {
 }
 
 double tp_gap_speed(const double row[3], const double speed[3]) {
-  return row[0] * speed[0] + row[1] * speed[1] + row[2] * speed[2];
+  return tp_double_dot(row, speed);
 }

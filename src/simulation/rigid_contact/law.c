@@ -15,10 +15,6 @@ enum { MOST_LISTED = 24 };
 /* Equations that are dependent but for this share of their largest coefficient give nothing. */
 static const double least_pivot = 1e-11;
 
-static double times(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double tp_law_slack(const tp_law *law) {
   double scale = 0;
   for (int e = 0; e < 3; e++) scale = fmax(scale, fabs(law->free[e]));
@@ -31,9 +27,8 @@ double tp_law_slack(const tp_law *law) {
 /* M^-1 e */
 static void set_push(double push[3], const tp_law *law, tp_law_edge edge) {
   const tp_law_contact *own = law->contacts + edge.contact;
-  for (int e = 0; e < 3; e++) {
-    push[e] = (own->across[e] + edge.side * own->friction * own->along[e]) / law->inertia[e];
-  }
+  tp_double_cone_row(push, own->across, own->along, &own->friction, edge.side < 0);
+  for (int e = 0; e < 3; e++) push[e] /= law->inertia[e];
 }
 
 /* By elimination with the largest pivot of each column. */
@@ -77,8 +72,8 @@ bool tp_law_solve(tp_law_solution *s, const tp_law *law) {
   for (int i = 0; i < s->count; i++) {
     const tp_law_contact *own = law->contacts + s->edges[i].contact;
     const double *row = is_second(s, i) ? own->along : own->across;
-    for (int k = 0; k < s->count; k++) a[i][k] = times(row, push[k]);
-    a[i][s->count] = (is_second(s, i) ? own->rest : own->least) - times(row, law->free);
+    for (int k = 0; k < s->count; k++) a[i][k] = tp_double_dot(row, push[k]);
+    a[i][s->count] = (is_second(s, i) ? own->rest : own->least) - tp_double_dot(row, law->free);
   }
   s->paradox = s->count == 1 && a[0][0] <= 0 && law->contacts[s->edges[0].contact].slip != 0;
   if (!eliminate(a, s->count)) return false;
@@ -96,7 +91,7 @@ static bool edges_hold(const tp_law_solution *s, const tp_law *law, double slack
     const tp_law_contact *own = law->contacts + s->edges[k].contact;
     if (!(s->factors[k] >= -slack)) return false;
     if (own->slip != 0 || own->friction == 0 || is_double(s, k)) continue;
-    if (s->edges[k].side * (times(own->along, s->x) - own->rest) > slack) return false;
+    if (s->edges[k].side * (tp_double_dot(own->along, s->x) - own->rest) > slack) return false;
   }
   return true;
 }
@@ -105,7 +100,7 @@ long tp_law_worst(const tp_law_solution *s, const tp_law *law, double slack) {
   double deepest = -slack;
   long worst = -1;
   for (long c = 0; c < law->count; c++) {
-    const double own = times(law->contacts[c].across, s->x) - law->contacts[c].least;
+    const double own = tp_double_dot(law->contacts[c].across, s->x) - law->contacts[c].least;
     if (own < deepest) {
       deepest = own;
       worst = c;
@@ -179,7 +174,7 @@ static bool look(void *context, const tp_law_solution *solution) {
   search_round *own = context;
   for (long k = 0; k < own->listed_count; k++) {
     const tp_law_contact *contact = own->law->contacts + own->listed[k];
-    if (times(contact->across, solution->x) - contact->least < -own->slack) return true;
+    if (tp_double_dot(contact->across, solution->x) - contact->least < -own->slack) return true;
   }
   const long worst = tp_law_worst(solution, own->law, own->slack);
   if (worst < 0) {

@@ -19,7 +19,7 @@
 #ifndef TP_RIGID_CONTACT_LAW_H
 #define TP_RIGID_CONTACT_LAW_H
 
-#include <stdbool.h>
+#include "plane/contact_rows.h"
 
 enum { TP_LAW_EDGES = 3 };
 

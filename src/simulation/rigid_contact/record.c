@@ -59,10 +59,6 @@ bool tp_record_event(tp_dynamics *d, tp_tilt_event_kind kind, const tp_touching_
   return is_told(d, &event) || tp_history_event(d->run->history, event);
 }
 
-static double times(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* What one of the law's contacts does in the mode that was set last. */
 static tp_contact_phase phase_of(const tp_dynamics *d, long of_law) {
   const double *x = d->solution.x;
@@ -74,9 +70,9 @@ static tp_contact_phase phase_of(const tp_dynamics *d, long of_law) {
     return pressing->sticks || pressing->pinned ? TP_PHASE_STICKS : TP_PHASE_SLIPS;
   }
   const double size = no_share * (fabs(x[0]) + fabs(x[1]) + fabs(x[2]));
-  if (times(own->across, x) - own->least > size) return TP_PHASE_OPEN;
+  if (tp_double_dot(own->across, x) - own->least > size) return TP_PHASE_OPEN;
   if (own->slip != 0) return TP_PHASE_SLIPS;
-  return fabs(times(own->along, x) - own->rest) > size ? TP_PHASE_SLIPS : TP_PHASE_STICKS;
+  return fabs(tp_double_dot(own->along, x) - own->rest) > size ? TP_PHASE_SLIPS : TP_PHASE_STICKS;
 }
 
 static const tp_known_contact *find_known(const tp_known_contact *known, long count,

@@ -35,13 +35,9 @@ static bool cut_sector(sector *of, const double h[2]) {
   return true;
 }
 
-static double times(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Two unit vectors across the row, at right angles. */
 static void set_plane(double plane[2][3], const double row[3]) {
-  const double size = sqrt(times(row, row)), side = hypot(row[0], row[1]);
+  const double size = sqrt(tp_double_dot(row, row)), side = hypot(row[0], row[1]);
   plane[0][0] = -row[1] / side; /* rows have unit normals: side is 1 */
   plane[0][1] = row[0] / side;
   plane[0][2] = 0;
@@ -57,8 +53,8 @@ static bool can_stay(const tp_law *law, long contact) {
   set_plane(plane, law->contacts[contact].across);
   for (long c = 0; c < law->count; c++) {
     if (c == contact) continue;
-    const double h[2] = {times(plane[0], law->contacts[c].across),
-                         times(plane[1], law->contacts[c].across)};
+    const double h[2] = {tp_double_dot(plane[0], law->contacts[c].across),
+                         tp_double_dot(plane[1], law->contacts[c].across)};
     if (!cut_sector(&left, h)) return false;
   }
   return true;
@@ -126,11 +122,12 @@ static void try_edges(tilt_search *of, const tp_law_solution *edges) {
     const int side = edges->edges[k].side;
     if (!cut_tangents(&left, a.factors[k], b.factors[k])) return;
     if (both || of->level.contacts[edges->edges[k].contact].friction == 0) continue;
-    if (!cut_tangents(&left, -side * times(along, a.x), -side * times(along, b.x))) return;
+    if (!cut_tangents(&left, -side * tp_double_dot(along, a.x), -side * tp_double_dot(along, b.x)))
+      return;
   }
   for (long c = 0; c < of->level.count; c++) {
     const double *across = of->level.contacts[c].across;
-    if (!cut_tangents(&left, times(across, a.x), times(across, b.x))) return;
+    if (!cut_tangents(&left, tp_double_dot(across, a.x), tp_double_dot(across, b.x))) return;
   }
   /* what is narrower is a tilt at which it rests, widened by the slack */
   if (left.high - left.low > narrowest) of->next = left.low;
@@ -174,13 +171,14 @@ static bool solve_squares(double factors[3], const least_squares *of) {
   for (int k = 0; k < of->count; k++) {
     double v[3] = {of->columns[k][0], of->columns[k][1], of->columns[k][2]};
     for (int j = 0; j < k; j++) {
-      r[j][k] = times(q[j], v);
+      r[j][k] = tp_double_dot(q[j], v);
       for (int e = 0; e < 3; e++) v[e] -= r[j][k] * q[j][e];
     }
-    r[k][k] = sqrt(times(v, v));
-    if (!(r[k][k] > tp_law_tolerance * sqrt(times(of->columns[k], of->columns[k])))) return false;
+    r[k][k] = sqrt(tp_double_dot(v, v));
+    if (!(r[k][k] > tp_law_tolerance * sqrt(tp_double_dot(of->columns[k], of->columns[k]))))
+      return false;
     for (int e = 0; e < 3; e++) q[k][e] = v[e] / r[k][k];
-    b[k] = times(q[k], of->target);
+    b[k] = tp_double_dot(q[k], of->target);
   }
   for (int k = of->count - 1; k >= 0; k--) {
     factors[k] = b[k];
@@ -234,7 +232,7 @@ static long choose(const least_squares *of, const tp_law *law, const double resi
   for (long k = 0; k < 2 * law->count; k++) {
     double column[3];
     set_column(column, law, k);
-    const double own = times(column, residual) / sqrt(times(column, column));
+    const double own = tp_double_dot(column, residual) / sqrt(tp_double_dot(column, column));
     bool taken = false;
     for (int j = 0; j < of->count; j++) taken = taken || of->chosen[j] == k;
     if (taken || own <= least) continue;
@@ -249,9 +247,9 @@ bool tp_rest_forces(double *factors, const tp_law *law) {
   const long most = 100 + 4 * law->count;
   double target[3], residual[3], held[3] = {0};
   for (int e = 0; e < 3; e++) residual[e] = target[e] = -law->inertia[e] * law->free[e];
-  const double size = sqrt(times(target, target)), slack = 10 * tp_law_tolerance * size;
+  const double size = sqrt(tp_double_dot(target, target)), slack = 10 * tp_law_tolerance * size;
   least_squares of = {.target = target};
-  for (long round = 0; round < most && sqrt(times(residual, residual)) > slack; round++) {
+  for (long round = 0; round < most && sqrt(tp_double_dot(residual, residual)) > slack; round++) {
     const long next = of.count == 3 ? -1 : choose(&of, law, residual, 1e-14 * size);
     if (next < 0) break;
     set_column(of.columns[of.count], law, next);
@@ -265,5 +263,5 @@ bool tp_rest_forces(double *factors, const tp_law *law) {
   }
   for (long k = 0; k < 2 * law->count; k++) factors[k] = 0;
   for (int k = 0; k < of.count; k++) factors[of.chosen[k]] = held[k];
-  return sqrt(times(residual, residual)) <= slack;
+  return sqrt(tp_double_dot(residual, residual)) <= slack;
 }

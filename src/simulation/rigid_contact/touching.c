@@ -158,10 +158,10 @@ tp_law tp_touching_impact(tp_touching *t, const tp_contact_system *system,
 static bool is_pinned(const tp_law *law, const tp_law_solution *s, const tp_law_contact *own) {
   if (own->slip != 0 || s->count < 2) return own->friction == 0;
   if (s->count == 3) return true;
-  const double *a = law->contacts[s->edges[0].contact].across;
-  const double *b = law->contacts[s->edges[1].contact].across, *c = own->along;
-  const double volume = c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) +
-                        c[2] * (a[0] * b[1] - a[1] * b[0]);
+  double across[3];
+  tp_double_cross(across, law->contacts[s->edges[0].contact].across,
+                  law->contacts[s->edges[1].contact].across);
+  const double volume = tp_double_dot(own->along, across);
   return fabs(volume) <= pinned_volume || own->friction == 0;
 }
 
