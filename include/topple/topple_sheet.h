@@ -21,6 +21,13 @@ typedef struct tp_sheet_options {
   const char *date; /* when it was made, as it is to be printed; NULL: it has none */
   int times;        /* not 0: how long each effect took, which no two runs have alike */
   int lines;        /* of each file that the scene was read from, at most; 0: none */
+  /* Of the sheet of a solution, each instead of what the scene says under `report`; NULL: what
+   * that says. The call takes copies. */
+  const char *language; /* en, es or de */
+  const char *decimal;  /* point or comma, before decimals */
+  const char *company, *project, *job, *author, *checker, *issued; /* of the letterhead; an empty
+                                                                      text: none */
+  const char *logo; /* path of a PNG, JPEG or SVG file, which a PDF cannot have */
 } tp_sheet_options;
 
 /* The defaults: no date, times, 400 lines of each file. `size` is that of the struct as the caller
@@ -34,6 +41,10 @@ static inline tp_sheet_options tp_sheet_options_default(void) {
 
 /* Does the name end in .html, .htm, .md or .pdf, the kinds of file that a sheet can be? */
 bool tp_sheet_is_file_name(const char *path);
+
+/* The languages that the sheet of a solution can be in, as "en, es, de", and is the code one? */
+const char *tp_sheet_languages(void);
+bool tp_sheet_is_language(const char *code);
 
 /* The solution of the scene as a sheet, into the file `path` of the kind that its ending names: one
  * file that needs no other. The scene is as it was when it was solved; the files that it was read

@@ -10,7 +10,7 @@ from typing import Any, Callable
 
 from ._library import ffi, lib
 from .errors import DependencyFailed, failure
-from .given import c_text
+from .given import c_path, c_text
 from .options import options_of
 
 
@@ -49,7 +49,17 @@ def drawing() -> Any:
     return _figure
 
 
-def sheet_options(date: str | None, times: bool, lines: int) -> Any:
+#: What the letterhead of a sheet can say, and how it is written: keys of the scene's `report`.
+LETTERHEAD = ("language", "decimal", "company", "project", "job", "author", "checker", "logo")
+
+
+def sheet_options(date: str | None, times: bool, lines: int,
+                  letterhead: dict[str, str] | None = None) -> Any:
     """What a calculation sheet states besides results; the second holds what the first points to."""
-    held = None if date is None else c_text(date)
-    return options_of("sheet", date=held, times=int(times), lines=lines), held
+    texts: dict[str, str | None] = {"date": date}
+    for key, text in (letterhead or {}).items():
+        if key != "date" and key not in LETTERHEAD:
+            raise TypeError(f"a letterhead has no '{key}': it has date, {', '.join(LETTERHEAD)}")
+        texts["issued" if key == "date" else key] = text
+    held = {key: c_path(text) if key == "logo" else c_text(text) for key, text in texts.items() if text is not None}
+    return options_of("sheet", times=int(times), lines=lines, **held), held

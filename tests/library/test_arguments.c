@@ -114,6 +114,7 @@ START_TEST(solutions) {
   sheet.size = 0;
   REFUSED(tp_report_sheet("/tmp/x.html", scene, own, &sheet, &message), "size");
   ck_assert(!tp_sheet_is_file_name(NULL));
+  ck_assert(!tp_sheet_is_language(NULL));
   ck_assert_ptr_eq(text, &untouched);
   tp_solution_free(NULL);
   tp_solution_free(own);

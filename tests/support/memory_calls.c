@@ -28,7 +28,9 @@ static void write_sheet(const tp_solution *solution, const char *path) {
   if (tp_sheet_files_read(&files, &path, 1, &message) != TP_OK) return;
   tp_document document = {0};
   char *html = NULL, *markdown = NULL;
-  tp_sheet_build(&document, solution, &files, &options, (tp_picture){0});
+  tp_sheet_head head = {0};
+  if (tp_sheet_head_make(&head, NULL, &options, false, &message) != TP_OK) return;
+  tp_sheet_build(&document, solution, &files, &options, &head, (tp_picture){0});
   tp_status status = tp_document_html(&html, &document);
   expect_report(status, html);
   status = tp_document_markdown(&markdown, &document);

@@ -85,6 +85,7 @@ static void say_figures(sayings *s, const tp_scene *scene, const tp_solution *so
     note_status(s, tp_report_sheet(path, scene, solution, &options, &message), &message);
     say_file(s, path);
     note_number(s, tp_sheet_is_file_name(path));
+    note_number(s, tp_sheet_is_language(tp_sheet_languages()));
   }
 }
 

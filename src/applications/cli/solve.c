@@ -239,6 +239,7 @@ static tp_status write_report(const tp_solve_words *a, const tp_scene *scene,
   tp_sheet_options options;
   tp_cli_date date;
   const tp_status status = tp_cli_sheet_options(&options, &date, message);
+  options.language = a->language;
   return status == TP_OK ? tp_cli_write_sheet(a->report, scene, solution, &options, message)
                          : status;
 }

@@ -24,6 +24,7 @@ enum {
   KEY_WRITE_PROFILE,
   KEY_WATCH,
   KEY_REPORT,
+  KEY_LANGUAGE,
   KEY_OUTLINES
 };
 
@@ -49,6 +50,10 @@ static const struct argp_option options[] = {
      "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
+    {"language", KEY_LANGUAGE, "CODE", 0,
+     "Write the calculation sheet in this language: en, es or de (that of the scene's report, or "
+     "en, unless given)",
+     0},
     {"write-profile", KEY_WRITE_PROFILE, "FILE", 0,
      "Write the profile of the base into FILE as CSV, with all digits", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
@@ -162,6 +167,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   "--table and --csv print a table alone; drop --json, --elements, --figure, "
                   "--report, --find, --verbose, --write-profile and the other of the two");
   }
+  if (a->language != NULL && a->report == NULL) {
+    tp_cli_refuse(state, "--language is of the calculation sheet; add --report FILE");
+  }
   const tp_cli_written files[] = {
       {"--report", a->report}, {"--figure", a->figure}, {"--write-profile", a->profile}};
   tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
@@ -219,6 +227,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_REPORT:
     tp_cli_take_sheet(&a->report, argument, state);
+    return 0;
+  case KEY_LANGUAGE:
+    if (!tp_sheet_is_language(argument)) {
+      tp_cli_refuse(state, "--language takes one of %s, not '%s'", tp_sheet_languages(), argument);
+    }
+    a->language = argument;
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;

@@ -12,9 +12,10 @@ typedef struct tp_solve_words {
   const char *scene; /* the first of `scenes` */
   char **scenes;     /* those of --table and --csv */
   int scene_count;
-  const char *figure;  /* file to draw into; NULL: none */
-  const char *report;  /* file to write a calculation sheet into; NULL: none */
-  const char *profile; /* file to write the base's profile into; NULL: none */
+  const char *figure;   /* file to draw into; NULL: none */
+  const char *report;   /* file to write a calculation sheet into; NULL: none */
+  const char *language; /* of that sheet; NULL: the scene's */
+  const char *profile;  /* file to write the base's profile into; NULL: none */
   bool json, elements, table, csv, verbose;
   bool outlines;            /* the geometry beside the JSON */
   bool watch;               /* again whenever a file changes */

@@ -24,6 +24,8 @@ void tp_document_clear(tp_document *d) {
   for (size_t k = 0; k < d->count; k++) passage_clear(d->passages + k);
   free(d->passages);
   free(d->title);
+  free(d->company);
+  tp_logo_clear(&d->logo);
   free(d->foot);
   memset(d, 0, sizeof *d);
 }
@@ -47,6 +49,22 @@ void tp_document_set_title(tp_document *d, tp_text *title) {
 
 void tp_document_set_foot(tp_document *d, tp_text *foot) {
   set(d, &d->foot, foot);
+}
+
+const char *tp_document_say(const tp_document *d, const char *english) {
+  return tp_say(d->language, english);
+}
+
+void tp_document_set_decimals(const tp_document *d, tp_text *text) {
+  if (d->comma && text->data != NULL) tp_language_set_commas(text->data);
+}
+
+void tp_document_set_letterhead(tp_document *d, const char *company, tp_logo logo) {
+  tp_text text = {0};
+  d->logo = logo;
+  if (company == NULL || company[strspn(company, " ")] == '\0') return;
+  tp_encode_plain(&text, company);
+  set(d, &d->company, &text);
 }
 
 /* NULL when memory is exhausted. */
@@ -78,8 +96,9 @@ void tp_document_add(tp_document *d, tp_passage_kind kind, const char *format, .
   tp_text text = {0};
   va_list arguments;
   va_start(arguments, format);
-  tp_text_add_list(&text, format, arguments);
+  tp_text_add_list(&text, tp_say(d->language, format), arguments);
   va_end(arguments);
+  tp_document_set_decimals(d, &text);
   tp_document_take(d, kind, 0, &text);
 }
 
@@ -87,15 +106,16 @@ void tp_document_heading(tp_document *d, int level, const char *format, ...) {
   tp_text text = {0};
   va_list arguments;
   va_start(arguments, format);
-  tp_text_add_list(&text, format, arguments);
+  tp_text_add_list(&text, tp_say(d->language, format), arguments);
   va_end(arguments);
+  tp_document_set_decimals(d, &text);
   tp_document_take(d, TP_PASSAGE_HEADING, level, &text);
 }
 
 void tp_document_table(tp_document *d, tp_table_kind kind, size_t columns, unsigned numeric,
                        const char *caption) {
   tp_text text = {0};
-  tp_text_add(&text, "%s", caption);
+  tp_text_add(&text, "%s", tp_say(d->language, caption));
   tp_document_take(d, TP_PASSAGE_TABLE, 0, &text);
   if (d->failed) return;
   d->passages[d->count - 1].table =
@@ -127,8 +147,9 @@ void tp_document_cell(tp_document *d, const char *format, ...) {
   tp_text text = {0};
   va_list arguments;
   va_start(arguments, format);
-  tp_text_add_list(&text, format, arguments);
+  tp_text_add_list(&text, tp_say(d->language, format), arguments);
   va_end(arguments);
+  tp_document_set_decimals(d, &text);
   take_cell(d, &text);
 }
 
@@ -136,6 +157,21 @@ void tp_document_outside_cell(tp_document *d, const char *outside) {
   tp_text text = {0};
   tp_encode_plain(&text, outside);
   take_cell(d, &text);
+}
+
+void tp_document_word(tp_document *d, const char *english) {
+  tp_text text = {0};
+  tp_text_add(&text, "%s", tp_say(d->language, english));
+  take_cell(d, &text);
+}
+
+void tp_document_take_cell(tp_document *d, tp_text *text) {
+  tp_document_set_decimals(d, text);
+  take_cell(d, text);
+}
+
+void tp_document_page(tp_document *d) {
+  (void)new_passage(d, TP_PASSAGE_PAGE);
 }
 
 void tp_document_mark_row(tp_document *d) {
@@ -148,8 +184,8 @@ void tp_document_mark_row(tp_document *d) {
 void tp_document_figure(tp_document *d, tp_picture picture, const char *caption,
                         const char *alternative) {
   tp_text text = {0}, beside = {0};
-  tp_text_add(&text, "%s", caption);
-  tp_text_add(&beside, "%s", alternative);
+  tp_text_add(&text, "%s", tp_say(d->language, caption));
+  tp_text_add(&beside, "%s", tp_say(d->language, alternative));
   tp_document_take(d, TP_PASSAGE_FIGURE, 0, &text);
   char *own = taken(d, &beside);
   if (d->count == 0 || d->passages[d->count - 1].kind != TP_PASSAGE_FIGURE) {
@@ -160,6 +196,12 @@ void tp_document_figure(tp_document *d, tp_picture picture, const char *caption,
   }
   d->passages[d->count - 1].beside = own;
   d->passages[d->count - 1].picture = picture;
+}
+
+void tp_document_sketch(tp_document *d, tp_picture picture, const char *caption,
+                        const char *alternative) {
+  tp_document_figure(d, picture, caption, alternative);
+  if (d->count > 0) d->passages[d->count - 1].fills = true;
 }
 
 static size_t head_rows(const tp_table *table) {

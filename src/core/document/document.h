@@ -12,6 +12,8 @@
 #ifndef TP_DOCUMENT_DOCUMENT_H
 #define TP_DOCUMENT_DOCUMENT_H
 
+#include "document/logo.h"
+#include "output/language.h"
 #include "output/text.h"
 
 typedef enum tp_passage_kind {
@@ -22,7 +24,8 @@ typedef enum tp_passage_kind {
   TP_PASSAGE_EQUATION, /* by the notation of math.h */
   TP_PASSAGE_TABLE,
   TP_PASSAGE_FIGURE,
-  TP_PASSAGE_LISTING /* lines of a file as they stand there */
+  TP_PASSAGE_LISTING, /* lines of a file as they stand there */
+  TP_PASSAGE_PAGE     /* what follows begins a new page of paper */
 } tp_passage_kind;
 
 /* How a table is read. */
@@ -57,9 +60,14 @@ typedef struct tp_passage {
   char *beside; /* of a figure what it shows, for those who do not see it */
   tp_table table;
   tp_picture picture;
+  bool fills; /* a figure that has the room which the rest of its page of paper leaves */
 } tp_passage;
 
 typedef struct tp_document {
+  const tp_language *language; /* of its own text; NULL: English */
+  bool comma;                  /* before the decimals of its own text */
+  char *company;               /* above the title, with the logo; NULL: none */
+  tp_logo logo;
   char *title;
   char *foot; /* below each page on paper: what it is of */
   size_t count, room;
@@ -73,10 +81,23 @@ void tp_document_clear(tp_document *document);
 void tp_document_set_title(tp_document *document, tp_text *title);
 void tp_document_set_foot(tp_document *document, tp_text *foot);
 
+/* Who it is of, from outside, and a logo, which is taken over. */
+void tp_document_set_letterhead(tp_document *document, const char *company, tp_logo logo);
+
+/* What follows begins a new page of paper. */
+void tp_document_page(tp_document *document);
+
+/* A phrase, such as the name of a mechanism, in the language of the document. */
+const char *tp_document_say(const tp_document *document, const char *english)
+    __attribute__((format_arg(2)));
+
+/* The numbers of a text of our own get the document's sign before decimals. */
+void tp_document_set_decimals(const tp_document *document, tp_text *text);
+
 /* A part of one text, which is taken over; the level is of headings alone. */
 void tp_document_take(tp_document *document, tp_passage_kind kind, int level, tp_text *text);
 
-/* The same of a text of our own. */
+/* The same of a text of our own: here and below a phrase, said in the language of the document. */
 void tp_document_add(tp_document *document, tp_passage_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void tp_document_heading(tp_document *document, int level, const char *format, ...)
@@ -88,11 +109,19 @@ void tp_document_table(tp_document *document, tp_table_kind kind, size_t columns
 void tp_document_cell(tp_document *document, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void tp_document_outside_cell(tp_document *document, const char *outside);
+/* A phrase without arguments. */
+void tp_document_word(tp_document *document, const char *english);
+/* A text of our own, which is taken over. */
+void tp_document_take_cell(tp_document *document, tp_text *text);
 /* The row that begins with the next cell is set off. */
 void tp_document_mark_row(tp_document *document);
 
 /* A figure; the picture is taken over. */
 void tp_document_figure(tp_document *document, tp_picture picture, const char *caption,
+                        const char *alternative);
+
+/* The same, as high as the rest of its page leaves room for. */
+void tp_document_sketch(tp_document *document, tp_picture picture, const char *caption,
                         const char *alternative);
 
 /* Rows below the heads. */

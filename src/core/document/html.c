@@ -15,10 +15,29 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void add_letterhead(tp_text *t, const tp_document *d) {
+  if (d->company == NULL && d->logo.kind == TP_LOGO_NONE) return;
+  tp_text_add(t, "<header>\n");
+  if (d->logo.kind != TP_LOGO_NONE) {
+    tp_text_add(t, "<img alt=\"%s\" src=\"data:image/%s;base64,", tp_say(d->language, "Logo"),
+                tp_logo_type(d->logo.kind));
+    tp_encode_base64(t, d->logo.bytes, d->logo.length);
+    tp_text_add(t, "\">\n");
+  }
+  if (d->company != NULL) {
+    tp_text_add(t, "<p>");
+    tp_encode_html(t, d->company);
+    tp_text_add(t, "</p>\n");
+  }
+  tp_text_add(t, "</header>\n");
+}
+
 static void add_head(tp_text *t, const tp_document *d) {
   uint8_t hash[TP_SHA256_SIZE];
+  const char *code = d->language != NULL ? d->language->code : "en";
   tp_sha256(hash, tp_html_style, strlen(tp_html_style));
-  tp_text_add(t, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+  tp_text_add(t, "<!DOCTYPE html>\n<html lang=\"%s\">\n", code);
+  tp_text_add(t, "<head>\n<meta charset=\"utf-8\">\n"
                  "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
                  "img-src data:; style-src 'sha256-");
   tp_encode_base64(t, hash, sizeof hash);
@@ -27,7 +46,9 @@ static void add_head(tp_text *t, const tp_document *d) {
                  "<meta name=\"color-scheme\" content=\"light dark\">\n"
                  "<meta name=\"generator\" content=\"Topple " TP_VERSION "\">\n<title>");
   tp_encode_html(t, d->title);
-  tp_text_add(t, "</title>\n<style>%s</style>\n</head>\n<body>\n<main>\n<h1>", tp_html_style);
+  tp_text_add(t, "</title>\n<style>%s</style>\n</head>\n<body>\n<main>\n", tp_html_style);
+  add_letterhead(t, d);
+  tp_text_add(t, "<h1>");
   tp_encode_html(t, d->title);
   tp_text_add(t, "</h1>\n");
 }
@@ -80,7 +101,8 @@ static void add_table(tp_text *t, const tp_passage *passage) {
 
 static void add_figure(tp_text *t, const tp_passage *passage) {
   if (passage->picture.svg == NULL) return;
-  tp_text_add(t, "<figure>\n<img alt=\"");
+  tp_text_add(t, passage->fills ? "<figure class=\"sketch\">\n" : "<figure>\n");
+  tp_text_add(t, "<img alt=\"");
   tp_encode_html(t, passage->beside);
   tp_text_add(t, "\" src=\"data:image/svg+xml;base64,");
   tp_encode_base64(t, passage->picture.svg, passage->picture.svg_length);
@@ -145,6 +167,9 @@ static void add_passage(tp_text *t, const tp_passage *passage) {
     return;
   case TP_PASSAGE_LISTING:
     add_listing(t, passage);
+    return;
+  case TP_PASSAGE_PAGE:
+    tp_text_add(t, "<hr class=\"page\">\n");
     return;
   }
 }

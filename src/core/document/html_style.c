@@ -47,6 +47,10 @@ const char tp_html_style[] =
     "pre{background:var(--tint);border:1px solid var(--line);padding:.6rem;font-size:.8rem;"
     "line-height:1.4}\n"
     ".narrow{columns:7.5rem;column-gap:1rem}\n"
+    "header{display:flex;align-items:center;gap:1rem;margin-top:1rem}\n"
+    "header img{max-height:4rem;max-width:14rem;background:#fff}\n"
+    "header p{font-weight:bold;margin:0}\n"
+    ".page{border:0;border-top:1px dashed var(--line);margin:2rem 0}\n"
     "footer{border-top:1px solid var(--line);margin-top:2rem;font-size:.8rem}\n"
     "@page{size:A4;margin:18mm 16mm}\n"
     "@media print{:root{--ink:#000;--page:#fff;--line:#777;--tint:#f2f2f2;--edge:#000}"
@@ -58,4 +62,6 @@ const char tp_html_style[] =
     "3.5pt}table{font-size:8pt;max-width:100%}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
     "thead{display:table-header-group}tr,figure,.short,.answer,.caution,.equation{break-inside:"
     "avoid}"
-    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:140mm}}\n";
+    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:140mm}"
+    ".sketch img{max-height:72mm}.page{break-after:page;visibility:hidden;margin:0;height:0}"
+    "header{margin:0}header img{max-height:16mm}}\n";

@@ -98,12 +98,26 @@ static void add_passage(tp_text *t, const tp_passage *passage) {
   case TP_PASSAGE_LISTING:
     add_listing(t, passage);
     return;
+  case TP_PASSAGE_PAGE:
+    tp_text_add(t, "---\n\n");
+    return;
   }
+}
+
+static void add_letterhead(tp_text *t, const tp_document *d) {
+  if (d->logo.kind != TP_LOGO_NONE) {
+    tp_text_add(t, "![%s](data:image/%s;base64,", tp_say(d->language, "Logo"),
+                tp_logo_type(d->logo.kind));
+    tp_encode_base64(t, d->logo.bytes, d->logo.length);
+    tp_text_add(t, ")\n\n");
+  }
+  if (d->company != NULL) add_paragraph(t, "", d->company, "");
 }
 
 tp_status tp_document_markdown(char **text, const tp_document *d) {
   if (d->failed) return TP_OUT_OF_MEMORY;
   tp_text t = {0};
+  add_letterhead(&t, d);
   add_paragraph(&t, "# ", d->title, "");
   for (size_t k = 0; k < d->count; k++) add_passage(&t, d->passages + k);
   add_paragraph(&t, "", d->foot, "");

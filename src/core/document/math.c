@@ -27,10 +27,15 @@ static bool begins(const char *at, const char *end, const char *word) {
   return (size_t)(end - at) >= length && memcmp(at, word, length) == 0;
 }
 
+/* Before decimals, not between numbers, where a blank follows. */
+static bool is_comma(const char *at, const char *end) {
+  return *at == ',' && end - at > 1 && is_digit(at[1]);
+}
+
 /* "1.5e-07°" */
 static size_t number_length(const char *at, const char *end) {
   const char *from = at;
-  while (at < end && (is_digit(*at) || *at == '.')) at++;
+  while (at < end && (is_digit(*at) || *at == '.' || is_comma(at, end))) at++;
   if (end - at > 2 && *at == 'e' && (at[1] == '-' || at[1] == '+') && is_digit(at[2])) {
     at += 2;
     while (at < end && is_digit(*at)) at++;

@@ -13,6 +13,7 @@
 #include "plane/polyline.h"
 #include "scene/drawn.h"
 #include "scene/expression.h"
+#include "scene/letterhead.h"
 #include "scene/node.h"
 #include "scene/profile_rule.h"
 #include "scene/scene_file.h"
@@ -219,6 +220,7 @@ struct tp_scene {
   const char *length_unit;
   fmpq_t metres_per_unit;
   const tp_unit *result_units[TP_UNIT_KINDS]; /* NULL: reports choose */
+  tp_letterhead letterhead;                   /* of its calculation sheet */
   tp_parameters parameters;
   tp_block_description block;
   tp_base_description base;

@@ -52,6 +52,7 @@ void tp_scene_free(tp_scene *scene) {
   tp_overrides_free(scene->overrides, scene->override_count);
   tp_notes_clear(&scene->notes);
   free(scene->title);
+  tp_letterhead_clear(&scene->letterhead);
   if (scene->own_drawn != NULL) tp_drawn_clear(scene->own_drawn);
   free(scene->own_drawn);
   tp_scene_file_free(scene->file);
@@ -109,7 +110,9 @@ tp_scene *tp_scene_copy(const tp_scene *scene) {
   own_numbers(copy, &tp_scene_numbers);
   for (size_t k = 0; k < tp_scene_lines.count; k++) own_line(copy, tp_scene_lines.items[k]);
   copy->title = scene->title != NULL ? strdup(scene->title) : NULL;
-  bool done = own_overrides(copy, scene) && (copy->title == NULL) == (scene->title == NULL);
+  const bool headed = tp_letterhead_copy(&copy->letterhead, &scene->letterhead);
+  bool done =
+      own_overrides(copy, scene) && headed && (copy->title == NULL) == (scene->title == NULL);
   for (int k = 0; k < TP_LISTS && done; k++) done = own_list(copy, (tp_list_kind)k, scene);
   if (done) return copy;
   tp_scene_free(copy);

@@ -105,6 +105,9 @@ TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *no
 /* The key joint, after base and contact. */
 TP_MUST_USE tp_status tp_read_joint(const tp_reader *reader, const tp_node *node);
 
+/* The key report. */
+TP_MUST_USE tp_status tp_read_report(const tp_reader *reader, const tp_node *node);
+
 /* The key result_units. */
 TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node);
 

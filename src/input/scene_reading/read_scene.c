@@ -120,6 +120,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_title(reader, tp_node_get(root, "title"));
   if (status == TP_OK) status = read_length_unit(reader, root);
   if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));
+  if (status == TP_OK) status = tp_read_report(reader, tp_node_get(root, "report"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK) status = tp_read_drawing(reader, tp_node_get(root, "drawing"));
   if (status == TP_OK) status = read_block(reader, root);

@@ -18,7 +18,7 @@ void tp_paper_end_page(const tp_paper *p) {
   if (p->document->foot != NULL) {
     tp_figure_text(cr, TP_PAPER_LEFT, TP_PAPER_BOTTOM + 24, p->document->foot);
   }
-  snprintf(number, sizeof number, "Page %d of %d", p->page, p->pages);
+  snprintf(number, sizeof number, tp_document_say(p->document, "Page %d of %d"), p->page, p->pages);
   tp_figure_text(cr, TP_PAPER_WIDTH - TP_PAPER_LEFT - tp_figure_text_width(cr, number),
                  TP_PAPER_BOTTOM + 24, number);
   cairo_show_page(cr);
@@ -29,6 +29,15 @@ void tp_paper_need(tp_paper *p, double height) {
   tp_paper_end_page(p);
   p->page++;
   p->y = TP_PAPER_TOP;
+}
+
+void tp_paper_begin_page(tp_paper *p) {
+  const double slack = 30; /* a heading asks for more room than the little below it takes */
+  if (p->page == 1 && !p->measured) {
+    p->left = TP_PAPER_BOTTOM - p->y - slack;
+    p->measured = true;
+  }
+  tp_paper_need(p, TP_PAPER_HEIGHT);
 }
 
 size_t tp_paper_fitting(cairo_t *cr, const char *word, size_t length, double width) {

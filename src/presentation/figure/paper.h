@@ -24,6 +24,8 @@ typedef struct tp_paper {
   const tp_vector_picture *drawing;
   double y;           /* where the next thing begins */
   int page, pages;    /* this one, from 1, and how many; 0: not known yet */
+  double left;        /* of the first page, beside its sketch */
+  bool measured;      /* it is known */
   cairo_status_t why; /* of a picture that cannot be read */
 } tp_paper;
 
@@ -36,6 +38,12 @@ typedef struct tp_paper {
 
 /* Room for so much in one piece: a new page where there is none. */
 void tp_paper_need(tp_paper *paper, double height);
+
+/* What follows begins a page of its own. */
+void tp_paper_begin_page(tp_paper *paper);
+
+/* Logo and company, at the top of the first page. */
+void tp_paper_add_letterhead(tp_paper *paper);
 
 /* The foot, and the end of the page. */
 void tp_paper_end_page(const tp_paper *paper);
@@ -53,6 +61,9 @@ bool tp_paper_line(cairo_t *cr, char line[TP_PAPER_LINE], const char **text, dou
 void tp_paper_add_table(tp_paper *paper, const tp_passage *passage);
 void tp_paper_add_listing(tp_paper *paper, const char *text);
 void tp_paper_add_equation(tp_paper *paper, const char *equation);
+
+/* The picture of a PNG file, or one whose status says why there is none. */
+cairo_surface_t *tp_paper_png(const char *bytes, size_t length);
 
 /* The document as PDF. */
 TP_MUST_USE tp_status tp_paper_pdf(char **bytes, size_t *length, const tp_document *document,

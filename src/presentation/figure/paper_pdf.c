@@ -20,7 +20,8 @@
 
 /* Below a heading; the height of a figure, of the page's; by how much it may be smaller to stand on
  * the page where it is spoken of; its caption. */
-static const double after_heading = 100, figure_share = 0.62, smaller = 0.78, caption = 20;
+static const double after_heading = 100, figure_share = 0.62, smaller = 0.78, caption = 20,
+                    least_sketch = 90;
 
 /* A paragraph, line by line; with a bar before it where it is set off: a double one of a caution.
  */
@@ -64,20 +65,6 @@ static void add_heading(tp_paper *p, const char *text, int level, double after) 
   p->y += 3;
 }
 
-typedef struct source {
-  const char *bytes;
-  size_t left;
-} source;
-
-static cairo_status_t read_bytes(void *closure, unsigned char *data, unsigned int length) {
-  source *own = closure;
-  if (length > own->left) return CAIRO_STATUS_READ_ERROR;
-  memcpy(data, own->bytes, length);
-  own->bytes += length;
-  own->left -= length;
-  return CAIRO_STATUS_SUCCESS;
-}
-
 static void draw_png(cairo_t *cr, cairo_surface_t *image) {
   cairo_set_source_surface(cr, image, 0, 0);
   cairo_paint(cr);
@@ -108,12 +95,12 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
   cairo_surface_t *image = NULL;
   measure_figure(&width, &height, p, passage);
   if (passage->picture.png != NULL) {
-    source from = {passage->picture.png, passage->picture.png_length};
-    image = cairo_image_surface_create_from_png_stream(read_bytes, &from);
+    image = tp_paper_png(passage->picture.png, passage->picture.png_length);
     if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) p->why = cairo_surface_status(image);
   }
-  if (width > 0 && height > 0) {
+  if (width > 0 && height > 0 && (p->measured || !passage->fills)) {
     double scale = figure_scale(width, height);
+    if (passage->fills) scale = fmin(scale, fmax(p->left, least_sketch) / height);
     tp_paper_need(p, smaller * scale * height + caption);
     scale = fmin(scale, (TP_PAPER_BOTTOM - p->y - caption) / height);
     cairo_save(p->cr);
@@ -178,6 +165,9 @@ static void add_passage(tp_paper *p, const tp_passage *passage) {
   case TP_PASSAGE_LISTING:
     tp_paper_add_listing(p, passage->text);
     return;
+  case TP_PASSAGE_PAGE:
+    tp_paper_begin_page(p);
+    return;
   }
 }
 
@@ -187,6 +177,7 @@ static int draw_all(tp_paper *p, cairo_surface_t *surface) {
   p->page = 1;
   p->y = TP_PAPER_TOP;
   tp_figure_set_up(p->cr);
+  tp_paper_add_letterhead(p);
   add_heading(p, p->document->title, 1, after_heading);
   for (size_t k = 0; k < p->document->count; k++) add_passage(p, p->document->passages + k);
   tp_paper_end_page(p);
@@ -211,6 +202,7 @@ tp_status tp_paper_pdf(char **bytes, size_t *length, const tp_document *document
   tp_sink sink = {0};
   tp_paper paper = {.document = document, .drawing = drawing};
   cairo_surface_t *dot = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1);
+  (void)draw_all(&paper, dot); /* how much room a sketch has */
   paper.pages = draw_all(&paper, dot);
   cairo_surface_destroy(dot);
   paper.pdf = open_pdf(&sink);

@@ -8,6 +8,7 @@
 #include "common/options.h"
 #include "figure/figure.h"
 #include "figure/sheet_file.h"
+#include "scene/scene.h"
 
 #include <stdlib.h>
 
@@ -16,6 +17,8 @@ typedef struct work {
   const tp_solution *solution;
   const tp_sheet_options *options;
   tp_file_sources sources;
+  tp_sheet_head head;
+  const char *logo; /* of the scene; NULL: none */
 } work;
 
 static bool draw_figure(cairo_t *cr, const void *context) {
@@ -24,12 +27,13 @@ static bool draw_figure(cairo_t *cr, const void *context) {
 }
 
 static tp_status write_sheet(const tp_figure *figure, void *context, tp_message *message) {
-  const work *own = context;
+  work *own = context;
   const bool paper = tp_sheet_kind_of(own->path) == TP_SHEET_PDF;
   tp_vector_picture drawing = {draw_figure, figure, tp_figure_width(figure), 0};
   tp_picture picture = {0};
   tp_sheet_files files = {0};
   tp_status status = tp_sheet_files_read(&files, own->sources.paths, own->sources.count, message);
+  files.logo = own->logo;
   if (status == TP_OK && paper &&
       tp_figure_measure(&drawing.height, figure) != CAIRO_STATUS_SUCCESS) {
     status = tp_fail_memory(message, "the report");
@@ -39,7 +43,7 @@ static tp_status write_sheet(const tp_figure *figure, void *context, tp_message 
   }
   if (status == TP_OK) {
     tp_document document = {0};
-    tp_sheet_build(&document, own->solution, &files, own->options, picture);
+    tp_sheet_build(&document, own->solution, &files, own->options, &own->head, picture);
     status = tp_sheet_write(own->path, &document, &drawing, own->sources, message);
     tp_document_clear(&document);
   }
@@ -60,8 +64,19 @@ tp_status tp_report_sheet(const char *path, const tp_scene *scene, const tp_solu
   tp_status status = tp_sheet_check(path, message);
   if (status == TP_OK) status = tp_sheet_sources(&sources, scene, message);
   if (status != TP_OK) return status;
-  work own = {path, solution, options, sources};
+  work own = {.path = path,
+              .solution = solution,
+              .options = &taken,
+              .sources = sources,
+              .logo = scene->letterhead.logo};
+  status = tp_sheet_head_make(&own.head, &scene->letterhead, &taken,
+                              tp_sheet_kind_of(path) == TP_SHEET_PDF, message);
+  if (status != TP_OK) {
+    free((void *)sources.paths);
+    return status;
+  }
   status = tp_figure_prepare(scene, solution, write_sheet, &own, message);
+  tp_logo_clear(&own.head.logo);
   free((void *)sources.paths);
   return status;
 }

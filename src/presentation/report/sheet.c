@@ -9,28 +9,16 @@
 #include "common/options.h"
 #include "output/encode.h"
 #include "report/poses.h"
-#include "report/settings.h"
 #include "report/words.h"
 #include "terms/names.h"
 
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_sheet_options, lines);
+TP_OPTIONS_END(tp_sheet_options, logo);
 
 void tp_sheet_options_init(tp_sheet_options *options, size_t size) {
   const tp_sheet_options defaults = {.size = sizeof defaults, .times = 1, .lines = 400};
   tp_options_fill(options, size, &defaults);
-}
-
-/* What was set in the scene beside its files: a fact each. */
-static void add_settings(tp_document *d, const tp_settings *settings) {
-  for (size_t k = 0; k < settings->count; k++) {
-    char *text = tp_text_setting(settings->items + k);
-    tp_document_cell(d, "Set");
-    tp_document_outside_cell(d, text != NULL ? text : "");
-    d->failed = d->failed || text == NULL;
-    free(text);
-  }
 }
 
 static void add_input(tp_sheet *s) {
@@ -57,7 +45,7 @@ static void add_input(tp_sheet *s) {
     tp_document_cell(d, "Tilt");
     tp_document_cell(d, "α = %s°", tp_page_degrees(n, own->tilt_angle_deg));
   }
-  add_settings(d, &own->settings);
+  tp_sheet_add_settings(d, &own->settings);
   tp_page_add_poses(&poses);
   if (poses.text.length > 0) {
     tp_sheet_take_lines(d, &poses.text);
@@ -66,28 +54,30 @@ static void add_input(tp_sheet *s) {
   }
 }
 
-static void add_case_heading(tp_sheet *s, const tp_case *c, const char *what) {
+static void add_case_heading(tp_sheet *s, const tp_case *c, const char *table, const char *world,
+                             const char *plain) {
   char n[TP_NUMBER_SIZE];
+  tp_document *d = &s->document;
+  const char *towards = tp_document_say(d, tp_direction_name(c->towards));
   if (s->solution->frame.world) {
-    tp_document_heading(&s->document, 2, "%s, as it lies, towards the %s", what,
-                        tp_direction_name(c->towards));
+    tp_document_heading(d, 2, world, towards);
   } else if (s->solution->has_tilt_angle) {
-    tp_document_heading(&s->document, 2, "%s, tilted towards the %s by %s°", what,
-                        tp_direction_name(c->towards),
-                        tp_page_degrees(n, s->solution->tilt_angle_deg));
+    tp_document_heading(d, 2, table, towards, tp_page_degrees(n, s->solution->tilt_angle_deg));
   } else {
-    tp_document_heading(&s->document, 2, "%s, tilted towards the %s", what,
-                        tp_direction_name(c->towards));
+    tp_document_heading(d, 2, plain, towards);
   }
 }
 
+/* Three whole phrases, for each language to put in its own words. */
+#define HEADING(s, c, what)                                                                        \
+  add_case_heading(s, c, what ", tilted towards the %s by %s°",                                    \
+                   what ", as it lies, towards the %s", what ", tilted towards the %s")
+
 static void add_case(tp_sheet *s, const tp_case *c) {
-  add_case_heading(s, c, "Account");
+  HEADING(s, c, "Account");
   tp_sheet_add_factors(s, c);
   tp_sheet_add_window(s, c);
   tp_sheet_add_pivots(s, c);
-  tp_sheet_add_loads(s, c);
-  tp_sheet_add_formulas(s, c);
   tp_sheet_add_account(s, c);
   tp_sheet_add_limit(s, c);
   tp_sheet_add_motions(s, c);
@@ -135,27 +125,63 @@ void tp_sheet_add_proof(tp_sheet *s) {
   add_effects(s);
 }
 
-void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
-                    const tp_sheet_options *options, tp_picture picture) {
-  tp_sheet s = {.solution = solution, .options = options};
-  tp_document *d = &s.document;
-  tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
-  tp_sheet_add_foot(d, files, options);
-  for (size_t k = 0; k < solution->case_count; k++) {
-    add_case_heading(&s, solution->cases + k, "Verdict");
-    tp_sheet_add_verdict(&s, solution->cases + k);
-  }
-  tp_sheet_add_notes(d, &solution->notes);
-  tp_document_heading(d, 2, "Figure");
-  tp_document_figure(
+/* As high as one page of A4, with whatever room there is for the sketch. */
+static void add_front(tp_sheet *s, tp_picture picture) {
+  tp_document *d = &s->document;
+  tp_sheet_add_persons(s);
+  tp_document_sketch(
       d, picture, "The block on its base, with pivots, forces and their labels.",
       "Drawing of the block on its base. Its verdict, pivots and forces are given in "
       "the text and the tables of this page.");
-  add_input(&s);
-  for (size_t k = 0; k < solution->case_count; k++) add_case(&s, solution->cases + k);
-  tp_sheet_add_proof(&s);
-  tp_sheet_add_origin(d, files, options);
-  tp_sheet_add_files(d, files, options);
-  tp_sheet_add_signatures(d);
+  tp_sheet_add_inputs(s);
+  tp_sheet_add_governing(s);
+  for (size_t k = 0; k < s->solution->case_count; k++) {
+    tp_sheet_add_conclusion(s, s->solution->cases + k);
+  }
+  tp_sheet_count_cautions(s);
+  tp_sheet_add_signatures(d, s->head);
+}
+
+/* The second page, or as many as it takes. */
+static void add_hand_check(tp_sheet *s) {
+  tp_document_page(&s->document);
+  for (size_t k = 0; k < s->solution->case_count; k++) {
+    const tp_case *c = s->solution->cases + k;
+    HEADING(s, c, "Hand check");
+    tp_sheet_add_loads(s, c);
+    tp_sheet_add_formulas(s, c);
+  }
+}
+
+static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
+  tp_document *d = &s->document;
+  const tp_solution *own = s->solution;
+  tp_document_page(d);
+  tp_document_heading(d, 2, "Appendix");
+  for (size_t k = 0; k < own->case_count; k++) {
+    HEADING(s, own->cases + k, "Verdict");
+    tp_sheet_add_verdict(s, own->cases + k);
+  }
+  tp_sheet_add_notes(d, &own->notes);
+  add_input(s);
+  for (size_t k = 0; k < own->case_count; k++) add_case(s, own->cases + k);
+  tp_sheet_add_proof(s);
+  tp_sheet_add_origin(d, files, s->options);
+  tp_sheet_add_files(d, files, s->options);
+}
+
+void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
+                    const tp_sheet_options *options, tp_sheet_head *head, tp_picture picture) {
+  tp_sheet s = {.solution = solution, .options = options, .head = head};
+  tp_document *d = &s.document;
+  d->language = head->language;
+  d->comma = head->comma;
+  tp_document_set_letterhead(d, head->texts[TP_LETTERHEAD_COMPANY], head->logo);
+  head->logo = (tp_logo){0};
+  tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
+  tp_sheet_add_foot(d, files, options);
+  add_front(&s, picture);
+  add_hand_check(&s);
+  add_appendix(&s, files);
   *document = s.document;
 }

@@ -10,12 +10,15 @@
 
 #include "document/document.h"
 #include "report/page.h"
+#include "report/settings.h"
+#include "report/sheet_head.h"
 #include "topple_sheet.h"
 
 typedef struct tp_sheet {
   tp_document document;
   const tp_solution *solution;
   const tp_sheet_options *options;
+  const tp_sheet_head *head;
 } tp_sheet;
 
 /* A file that a sheet rests on: as it is when the sheet is made. */
@@ -29,15 +32,16 @@ typedef struct tp_sheet_file {
 typedef struct tp_sheet_files {
   size_t count;
   tp_sheet_file *items;
+  const char *logo; /* the path of the one that is told by its hash alone; NULL: none */
 } tp_sheet_files;
 
 TP_MUST_USE tp_status tp_sheet_files_read(tp_sheet_files *files, const char *const *paths,
                                           size_t count, tp_message *message);
 void tp_sheet_files_clear(tp_sheet_files *files);
 
-/* The whole document of a solution. `picture` is taken over. */
+/* The whole document of a solution. `picture` and the logo of `head` are taken over. */
 void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
-                    const tp_sheet_options *options, tp_picture picture);
+                    const tp_sheet_options *options, tp_sheet_head *head, tp_picture picture);
 
 /* A picture with its words, taken over; one that is none is no figure. */
 typedef struct tp_sheet_picture {
@@ -70,12 +74,25 @@ void tp_sheet_add_origin(tp_document *document, const tp_sheet_files *files,
 /* The files themselves, and who has checked what. */
 void tp_sheet_add_files(tp_document *document, const tp_sheet_files *files,
                         const tp_sheet_options *options);
-void tp_sheet_add_signatures(tp_document *document);
+/* `head` NULL: no names are known. */
+void tp_sheet_add_signatures(tp_document *document, const tp_sheet_head *head);
 /* Below each page on paper. */
 void tp_sheet_add_foot(tp_document *document, const tp_sheet_files *files,
                        const tp_sheet_options *options);
 /* What was noted of the input; nothing where there is nothing. */
 void tp_sheet_add_notes(tp_document *document, const tp_notes *notes);
+
+/* The first page: project and persons, what was given, each case's factor, what follows. */
+void tp_sheet_add_persons(tp_sheet *sheet);
+void tp_sheet_add_inputs(tp_sheet *sheet);
+void tp_sheet_add_governing(tp_sheet *sheet);
+void tp_sheet_add_conclusion(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_count_cautions(tp_sheet *sheet);
+
+/* What was set in the scene beside its files: a fact each. */
+void tp_sheet_add_settings(tp_document *document, const tp_settings *settings);
+/* A cell: "toppling about pivot 1". */
+void tp_sheet_add_against(tp_sheet *sheet, const tp_factor *factor);
 
 void tp_sheet_add_verdict(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_factors(tp_sheet *sheet, const tp_case *own);
@@ -106,6 +123,13 @@ void tp_sheet_facts(tp_document *document, tp_text *text);
 typedef struct tp_sheet_number {
   char text[TP_NUMBER_SIZE + 4];
 } tp_sheet_number;
+
+/* Forces and moments on the first two pages are in the units that the scene asks for, else in kN
+ * and kN m. */
+tp_bounded tp_sheet_force(const tp_sheet *sheet, tp_bounded newtons);
+const char *tp_sheet_force_unit(const tp_sheet *sheet);
+tp_bounded tp_sheet_turning(const tp_sheet *sheet, tp_bounded newton_metres);
+const char *tp_sheet_turning_unit(const tp_sheet *sheet);
 
 /* Of the account by elements. */
 tp_sheet_number tp_sheet_moment(const tp_sheet *sheet, tp_bounded moment);

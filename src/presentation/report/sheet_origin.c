@@ -77,7 +77,7 @@ void tp_sheet_add_title(tp_document *d, const char *title, const char *otherwise
   tp_text text = {0};
   if (title != NULL) tp_encode_plain(&text, title);
   if (text.data == NULL || text.data[strspn(text.data, " ")] == '\0') {
-    tp_text_add(&text, "%s", otherwise);
+    tp_text_add(&text, "%s", tp_document_say(d, otherwise));
   }
   tp_document_set_title(d, &text);
 }
@@ -95,6 +95,16 @@ void tp_sheet_add_charts(tp_document *d, const tp_sheet_picture *charts, size_t 
 
 /* ---- what is told of them ----------------------------------------------------------------------
  */
+
+void tp_sheet_add_settings(tp_document *d, const tp_settings *settings) {
+  for (size_t k = 0; k < settings->count; k++) {
+    char *text = tp_text_setting(settings->items + k);
+    tp_document_word(d, "Set");
+    tp_document_outside_cell(d, text != NULL ? text : "");
+    d->failed = d->failed || text == NULL;
+    free(text);
+  }
+}
 
 void tp_sheet_add_origin(tp_document *d, const tp_sheet_files *files,
                          const tp_sheet_options *options) {
@@ -142,13 +152,19 @@ static size_t add_lines(tp_text *t, const tp_sheet_file *file, size_t most) {
   return count > most ? count - most : 0;
 }
 
+/* The logo, and what is no text, is told by its hash alone. */
+static bool is_shown(const tp_sheet_files *files, const tp_sheet_file *file) {
+  if (file->why != 0 || memchr(file->bytes, '\0', file->length) != NULL) return false;
+  return files->logo == NULL || strcmp(files->logo, file->path) != 0;
+}
+
 void tp_sheet_add_files(tp_document *d, const tp_sheet_files *files,
                         const tp_sheet_options *options) {
   if (files->count == 0 || options->lines <= 0) return;
   tp_document_heading(d, 2, "Input as read");
   for (size_t k = 0; k < files->count; k++) {
     tp_text name = {0}, lines = {0};
-    if (files->items[k].why != 0) continue;
+    if (!is_shown(files, files->items + k)) continue;
     const size_t more = add_lines(&lines, files->items + k, (size_t)options->lines);
     tp_encode_plain(&name, files->items[k].path);
     tp_document_take(d, TP_PASSAGE_HEADING, 3, &name);
@@ -160,17 +176,21 @@ void tp_sheet_add_files(tp_document *d, const tp_sheet_files *files,
   }
 }
 
-void tp_sheet_add_signatures(tp_document *d) {
+void tp_sheet_add_signatures(tp_document *d, const tp_sheet_head *head) {
   static const char *const who[] = {"Prepared by", "Checked by", "Approved by"};
+  const char *names[] = {head != NULL ? head->texts[TP_LETTERHEAD_AUTHOR] : NULL,
+                         head != NULL ? head->texts[TP_LETTERHEAD_CHECKER] : NULL, NULL};
   tp_document_heading(d, 2, "Signatures");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 0, "Who has prepared, checked and approved it");
-  tp_document_cell(d, "Role");
-  tp_document_cell(d, "Name");
-  tp_document_cell(d, "Date");
-  tp_document_cell(d, "Signature");
+  tp_document_word(d, "Role");
+  tp_document_word(d, "Name");
+  tp_document_word(d, "Date");
+  tp_document_word(d, "Signature");
   for (size_t k = 0; k < sizeof who / sizeof who[0]; k++) {
-    tp_document_cell(d, "%s", who[k]);
-    for (int blank = 0; blank < 3; blank++) tp_document_cell(d, "____________________");
+    tp_document_word(d, who[k]);
+    tp_document_outside_cell(d, names[k] != NULL && names[k][0] != '\0' ? names[k]
+                                                                        : "____________________");
+    for (int blank = 0; blank < 2; blank++) tp_document_cell(d, "____________________");
   }
 }
 

@@ -229,6 +229,6 @@ void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
   }
   tp_sheet_add_origin(d, files, options);
   tp_sheet_add_files(d, files, options);
-  tp_sheet_add_signatures(d);
+  tp_sheet_add_signatures(d, NULL);
   *document = own;
 }

@@ -78,6 +78,6 @@ void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
   tp_sheet_add_charts(d, charts, count);
   tp_sheet_add_origin(d, files, options);
   tp_sheet_add_files(d, files, options);
-  tp_sheet_add_signatures(d);
+  tp_sheet_add_signatures(d, NULL);
   *document = own;
 }

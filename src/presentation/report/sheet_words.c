@@ -6,6 +6,7 @@
 #include "report/sheet.h"
 
 #include "report/account_units.h"
+#include "report/words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -117,4 +118,41 @@ void tp_sheet_take_lines(tp_document *document, tp_text *lines) {
     lines->length -= empty;
   }
   tp_document_take(document, TP_PASSAGE_LISTING, 0, lines);
+}
+
+tp_bounded tp_sheet_force(const tp_sheet *s, tp_bounded newtons) {
+  const tp_result_unit unit = s->solution->result_units.force;
+  return unit.name != NULL ? tp_page_in(newtons, unit) : tp_text_over(newtons, 1e3);
+}
+
+const char *tp_sheet_force_unit(const tp_sheet *s) {
+  const char *name = s->solution->result_units.force.name;
+  return name != NULL ? name : "kN";
+}
+
+tp_bounded tp_sheet_turning(const tp_sheet *s, tp_bounded newton_metres) {
+  const tp_result_unit unit = s->solution->result_units.moment;
+  return unit.name != NULL ? tp_page_in(newton_metres, unit) : tp_text_over(newton_metres, 1e3);
+}
+
+const char *tp_sheet_turning_unit(const tp_sheet *s) {
+  const char *name = s->solution->result_units.moment.name;
+  return name != NULL ? name : "kN m";
+}
+
+static void add_way(tp_text *t, const tp_sheet *s, const tp_factor *factor) {
+  const tp_document *d = &s->document;
+  if (factor->definition != TP_FOS_BY_MOMENTS) {
+    tp_text_add(t, "%s", tp_document_say(d, tp_text_motion(factor->mechanism)));
+  } else if (factor->toe) {
+    tp_text_add(t, "%s", tp_document_say(d, "toppling about the toe"));
+  } else {
+    tp_text_add(t, tp_document_say(d, "toppling about pivot %zu"), factor->pivot + 1);
+  }
+}
+
+void tp_sheet_add_against(tp_sheet *s, const tp_factor *factor) {
+  tp_text t = {0};
+  add_way(&t, s, factor);
+  tp_document_take_cell(&s->document, &t);
 }
