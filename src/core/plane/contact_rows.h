@@ -10,6 +10,7 @@
 #define TP_PLANE_CONTACT_ROWS_H
 
 #include "number/near.h"
+#include "topple_basics.h"
 
 #include <arb.h>
 #include <stdbool.h>
@@ -62,5 +63,11 @@
 #define ADD_PRODUCT_WHOLE(r, a, b) arb_addmul_fmpz(r, a, b, bits)
 #define SUBTRACT_PRODUCT_WHOLE(r, a, b) arb_submul_fmpz(r, a, b, bits)
 #include "plane/contact_rows_in.h"
+
+/* x, or a component along it, of the scene in the frame of a tilt, whose side down-dip is -x, or
+ * back: mirrored towards the right. */
+static inline void tp_ball_mirror(arb_t x, tp_direction towards) {
+  if (towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
+}
 
 #endif

@@ -39,6 +39,12 @@ tp_outline_point tp_facet_end(const tp_facet *facet) {
   return (tp_outline_point){facet->q1, facet->cut1, false};
 }
 
+int tp_facet_contacts(tp_outline_point points[2], const tp_facet *facet) {
+  points[0] = tp_facet_begin(facet);
+  points[1] = tp_facet_end(facet);
+  return facet->t0 == facet->t1 ? 0 : facet->q0 == facet->q1 ? 1 : 2;
+}
+
 bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point point) {
   return tp_outline_point_is_same(lattice, tp_facet_begin(facet), point) ||
          tp_outline_point_is_same(lattice, tp_facet_end(facet), point);

@@ -40,6 +40,10 @@ void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattic
 tp_outline_point tp_facet_begin(const tp_facet *facet);
 tp_outline_point tp_facet_end(const tp_facet *facet);
 
+/* The points of contact at which a facet presses: both, the left one first, or the one of a contact
+ * in a point; none of a corner on a corner, which restrains nothing. Their number. */
+int tp_facet_contacts(tp_outline_point points[2], const tp_facet *facet);
+
 /* Facets of a mated base: the shared edges one by one, and the notches at its two ends. */
 TP_MUST_USE tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section,
                                          const tp_base *base, const tp_lattice *lattice,

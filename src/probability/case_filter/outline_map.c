@@ -254,7 +254,7 @@ tp_status tp_outline_map_init(tp_outline_map *map, bool *fits, const tp_problem 
                               const tp_scene_key *keys, size_t count, tp_message *message) {
   *map = (tp_outline_map){.variable_count = (int)count,
                           .vertex_count = (int)problem->section.rings[0].count,
-                          .mirrored = towards == TP_TOWARDS_RIGHT,
+                          .towards = towards,
                           .metres_per_unit = fmpq_get_d(problem->scene->metres_per_unit)};
   *fits = false;
   if (!is_plain(problem) || count > TP_AFFINE_VARIABLES) return TP_OK;

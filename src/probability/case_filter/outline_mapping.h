@@ -44,7 +44,7 @@ typedef struct tp_mapped_point {
 
 typedef struct tp_outline_map {
   int variable_count, vertex_count, point_count, sign_count;
-  bool mirrored;
+  tp_direction towards;
   tp_near_affine x[TP_MAP_POINTS], y[TP_MAP_POINTS];
   tp_mapped_point points[TP_PLAN_POINTS];
   tp_map_sign signs[TP_MAP_SIGNS];

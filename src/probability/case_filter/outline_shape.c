@@ -90,13 +90,13 @@ static bool set_centroid(tp_near *x, tp_near *y, tp_near *gyration, const tp_nea
 }
 
 static void set_point(tp_shape_point *p, const tp_mapped_point *own, const tp_near_outline *o,
-                      tp_near x, tp_near y, bool mirrored) {
+                      tp_near x, tp_near y, tp_direction towards) {
   static const tp_near zero = {0, 0}, one = {1, 0};
   p->x = tp_near_minus(tp_near_minus(o->x[own->vertex], o->x[0]), x);
   p->y = tp_near_minus(tp_near_minus(o->y[own->vertex], o->y[0]), y);
   p->tx = own->from < 0 ? one : tp_near_minus(o->x[own->to], o->x[own->from]);
   p->ty = own->is_level ? zero : tp_near_minus(o->y[own->to], o->y[own->from]);
-  if (!mirrored) return; /* else up-dip is the other way along the facet */
+  if (towards == TP_TOWARDS_LEFT) return; /* else up-dip is the other way along the facet */
   p->x = tp_near_neg(p->x);
   p->ty = tp_near_neg(p->ty);
 }
@@ -113,7 +113,7 @@ bool tp_outline_map_shape(tp_case_shape *shape, tp_near_outline *o, const tp_out
   tp_near x, y;
   if (!set_centroid(&x, &y, &shape->gyration, o, map->vertex_count)) return false;
   for (int k = 0; k < plan->point_count; k++) {
-    set_point(shape->points + k, map->points + k, o, x, y, map->mirrored);
+    set_point(shape->points + k, map->points + k, o, x, y, map->towards);
   }
   return true;
 }

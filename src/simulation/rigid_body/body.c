@@ -104,25 +104,23 @@ static tp_xy direction(const tp_local *local, const tp_facet *facet) {
 static void add_facet(tp_rigid_body *body, const tp_local *local, long k) {
   const tp_problem *problem = local->e.problem;
   const tp_facet *facet = problem->contact.facets + k;
-  if (facet->t0 == facet->t1) return; /* a corner on a corner restrains nothing */
+  tp_outline_point ends[2];
+  const int count = tp_facet_contacts(ends, facet);
+  if (count == 0) return;
   const fmpq *own = tp_friction_own(problem, k);
   const bool of_profile = facet->base_edge >= 0 && facet->base_edge < problem->base.edge_count;
   tp_closed_point point = {
-      .at = tp_local_outline_point(local, tp_facet_begin(facet)),
+      .at = tp_local_outline_point(local, ends[0]),
       .tangent = direction(local, facet),
       .facet = of_profile ? facet->base_edge + 1 : 0,
       .friction = tangent_of(own != NULL ? own : problem->scene->friction_angle_deg.value,
                              local->e.rung.bits)};
   point.normal = tp_xy_left(point.tangent);
-  if (facet->q0 == facet->q1) {
-    body->closed[body->closed_count++] = point;
-    return;
-  }
-  const tp_xy end = tp_local_outline_point(local, tp_facet_end(facet));
+  const tp_xy end = tp_local_outline_point(local, ends[count - 1]);
   point.share_m = hypot(end.x - point.at.x, end.y - point.at.y) / 2;
   body->closed[body->closed_count++] = point;
   point.at = end;
-  body->closed[body->closed_count++] = point;
+  if (count == 2) body->closed[body->closed_count++] = point;
 }
 
 static bool set_contacts(tp_rigid_body *body, const tp_local *local) {

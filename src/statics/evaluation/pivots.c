@@ -10,6 +10,7 @@
 #include "problem/bearing.h"
 
 #include "number/ball.h"
+#include "plane/contact_rows.h"
 
 /* The critical angle under loads, with its direction for what compares angles by it. */
 static void loaded_angle(const tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots,
@@ -39,7 +40,7 @@ void tp_evaluate_turning(const tp_evaluation *e, tp_direction towards, long k,
   arb_mul(angle->sine, sums + TP_A2, x, exact);
   arb_mul_ui(angle->sine, angle->sine, 3, exact);
   arb_sub(angle->sine, sums + TP_X6, angle->sine, exact);
-  if (towards == TP_TOWARDS_RIGHT) arb_neg(angle->sine, angle->sine);
+  tp_ball_mirror(angle->sine, towards);
   arb_mul(angle->cosine, sums + TP_A2, y, exact);
   arb_mul_ui(angle->cosine, angle->cosine, 3, exact);
   arb_sub(angle->cosine, sums + TP_Y6, angle->cosine, exact);

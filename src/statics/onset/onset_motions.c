@@ -48,7 +48,7 @@ static void set_components(tp_bounded *x, tp_bounded *y, const tp_onset_telling 
   arb_t own;
   arb_init(own);
   arb_set(own, of->of);
-  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
+  tp_ball_mirror(own, t->result->towards);
   *x = tp_result_within(t->e, own, 0, t->certainty);
   *y = tp_result_within(t->e, of->of + 1, 0, t->certainty);
   arb_clear(own);
@@ -70,7 +70,7 @@ static tp_bounded turning(const tp_onset_telling *t, const arb_t of, bool over_l
     arb_mul(own, of, unit, e->rung.bits);
     arb_div(own, own, t->question->scale, e->rung.bits);
   }
-  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
+  tp_ball_mirror(own, t->result->towards);
   const tp_bounded result =
       tp_result_within(e, own, over_length ? -log2_size : log2_size, t->certainty);
   arb_clear(own);
@@ -143,7 +143,7 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
       arb_submul(sum.of + row, edge.of + row, start->forces + k, bits);
     }
   }
-  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(sum.of, sum.of);
+  tp_ball_mirror(sum.of, t->result->towards);
   own->share_x = tp_result_within(t->e, sum.of, 0, t->certainty);
   own->share_y = tp_result_within(t->e, sum.of + 1, 0, t->certainty);
   tp_vector_clear(&edge);

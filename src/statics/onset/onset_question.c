@@ -14,13 +14,13 @@
 
 /* Of the weight: lengths times 3 A2 make the centroid (X6, Y6) and the square of the radius of
  * gyration 3/2 A2 (XX12 + YY12) - X6^2 - Y6^2. */
-static void set_inertia(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+static void set_inertia(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
   const arb_struct *sums = e->moments.weighted;
   const long bits = tp_evaluation_bits(e);
   arb_mul_ui(q->scale, sums + TP_A2, 3, bits);
   arb_set(q->x, sums + TP_X6);
   arb_set(q->y, sums + TP_Y6);
-  if (mirrored) arb_neg(q->x, q->x);
+  tp_ball_mirror(q->x, towards);
   arb_add(q->gyration, sums + TP_XX12, sums + TP_YY12, bits);
   arb_mul(q->gyration, q->gyration, q->scale, bits);
   arb_mul_2exp_si(q->gyration, q->gyration, -1);
@@ -29,7 +29,7 @@ static void set_inertia(tp_motion_question *q, const tp_evaluation *e, bool mirr
 }
 
 /* The moment of all loads about the centroid, N m, in the question's lengths. */
-static void set_moment(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+static void set_moment(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
   const long bits = e->rung.bits;
   const tp_wrench *sum = &e->loaded->sum;
   arb_t x, y, factor;
@@ -38,9 +38,9 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, bool mirro
   arb_init(factor);
   arb_div(x, q->x, q->scale, bits);
   arb_div(y, q->y, q->scale, bits);
-  if (mirrored) arb_neg(x, x);
+  tp_ball_mirror(x, towards);
   tp_loaded_metres(x, y, e);
-  if (mirrored) arb_neg(x, x);
+  tp_ball_mirror(x, towards);
   tp_wrench_moment(&q->load.moment, sum, x, y, bits);
   arb_set_fmpq(factor, e->problem->lattice.step_m, bits);
   arb_div(factor, q->scale, factor, bits);
@@ -61,7 +61,7 @@ static bool acts_at_centroid(const tp_loaded *loaded) {
   return true;
 }
 
-static void set_load(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
+static void set_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
   q->through_centroid = e->loaded == NULL || acts_at_centroid(e->loaded);
   if (e->loaded == NULL) {
     arb_set_si(q->load.x.of + TP_SIN, -1);
@@ -70,7 +70,7 @@ static void set_load(tp_motion_question *q, const tp_evaluation *e, bool mirrore
   }
   tp_trig_add(&q->load.x, &e->loaded->sum.x, e->rung.bits);
   tp_trig_add(&q->load.y, &e->loaded->sum.y, e->rung.bits);
-  if (!q->through_centroid) set_moment(q, e, mirrored);
+  if (!q->through_centroid) set_moment(q, e, towards);
 }
 
 bool tp_onset_has_strength(const tp_evaluation *e) {
@@ -92,8 +92,8 @@ bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direc
   }
   tp_motion_question_init(q, &asked->cones);
   if (strong) q->strong = &asked->strong;
-  set_inertia(q, e, towards == TP_TOWARDS_RIGHT);
-  set_load(q, e, towards == TP_TOWARDS_RIGHT);
+  set_inertia(q, e, towards);
+  set_load(q, e, towards);
   q->judge = tp_limit_asked_judge(e);
   q->judge.took_zero = &asked->took_zero;
   q->work = e->work;

@@ -37,7 +37,7 @@ void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t
   arb_div(x, twist->of + 1, twist->of + 2, e->rung.bits);
   arb_neg(x, x);
   arb_div(y, twist->of, twist->of + 2, e->rung.bits);
-  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
+  tp_ball_mirror(x, t->result->towards);
   tp_loaded_metres(x, y, e);
   *x_m = tp_result_within(e, x, log2_size, t->certainty);
   *y_m = tp_result_within(e, y, log2_size, t->certainty);

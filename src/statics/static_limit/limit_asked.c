@@ -12,13 +12,13 @@
 
 /* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
  * with (X6, Y6) = 3 A2 times the centroid. */
-static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
+static void set_weight(tp_wrench *load, const tp_evaluation *e, tp_direction towards) {
   const arb_struct *sums = e->moments.weighted;
   const long bits = tp_evaluation_bits(e);
   arb_mul_si(load->x.of + TP_SIN, sums + TP_A2, -3, bits);
   arb_set(load->y.of + TP_COS, load->x.of + TP_SIN);
   arb_neg(load->moment.of + TP_COS, sums + TP_X6);
-  if (mirrored) arb_neg(load->moment.of + TP_COS, load->moment.of + TP_COS);
+  tp_ball_mirror(load->moment.of + TP_COS, towards);
   arb_set(load->moment.of + TP_SIN, sums + TP_Y6);
 }
 
@@ -50,7 +50,7 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
   tp_wrench *load = &asked->load;
   tp_wrench_init(load);
   if (e->loaded == NULL) {
-    set_weight(load, e, towards == TP_TOWARDS_RIGHT);
+    set_weight(load, e, towards);
   } else {
     tp_loaded_local_sum(load, e->loaded, e);
   }

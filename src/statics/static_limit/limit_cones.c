@@ -83,7 +83,7 @@ static long add_point(filling *f, tp_outline_point at, long site, long facet) {
   arb_ptr x = f->cones->x + own, y = f->cones->y + own;
   tp_evaluation_point(x, y, f->e, at);
   if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
-  if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
+  tp_ball_mirror(x, f->towards);
   const long *frictions = f->e->problem->friction.of_facet;
   f->cones->points[own] =
       (tp_cone_point){site, facet, facet, frictions != NULL && facet >= 0 ? frictions[facet] : 0};
@@ -97,8 +97,9 @@ static void set_direction(filling *f, long own, const tp_facet *facet) {
 
 static void add_facet(filling *f, long k) {
   const tp_facet *facet = f->e->problem->contact.facets + k;
-  const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
-  for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+  tp_outline_point ends[2];
+  const int count = tp_facet_contacts(ends, facet);
+  for (int end = 0; end < count; end++) {
     set_direction(f, add_point(f, ends[end], contact_point_of(f, ends[end]), k), facet);
   }
 }
@@ -121,8 +122,9 @@ static long site_beyond(filling *f, tp_outline_point at, const tp_limit_beyond *
 static void add_beyond(filling *f, const tp_limit_beyond *beyond) {
   for (long k = 0; k < beyond->sole.count; k++) {
     const tp_facet *facet = beyond->sole.items + k;
-    const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
-    for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+    tp_outline_point ends[2];
+    const int count = tp_facet_contacts(ends, facet);
+    for (int end = 0; end < count; end++) {
       const long site = site_beyond(f, ends[end], beyond, 2 * k + end);
       set_direction(f, add_point(f, ends[end], site, -1), facet);
     }
@@ -136,8 +138,9 @@ static void add_beyond(filling *f, const tp_limit_beyond *beyond) {
 
 static long count_beyond(const tp_limit_beyond *beyond) {
   long count = beyond->rises ? 1 : 0;
+  tp_outline_point ends[2];
   for (long k = 0; k < beyond->sole.count; k++) {
-    count += beyond->sole.items[k].q0 == beyond->sole.items[k].q1 ? 1 : 2;
+    count += tp_facet_contacts(ends, beyond->sole.items + k);
   }
   return count;
 }
@@ -250,18 +253,18 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
                  const tp_limit_beyond *beyond) {
   const tp_problem *problem = e->problem;
   const tp_contact *contact = &problem->contact;
+  tp_outline_point at[2];
   long count = beyond != NULL ? count_beyond(beyond) : 0;
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
-    if (!restrains(f) || (ends && lies_beyond(problem, f, towards))) continue;
-    count += f->q0 == f->q1 ? 1 : 2;
+    if (!(ends && lies_beyond(problem, f, towards))) count += tp_facet_contacts(at, f);
   }
   if (!tp_cones_init(cones, count)) return false;
   tp_friction_take_own(cones, e);
   filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
-    if (restrains(facet) && !(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
+    if (!(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
   }
   if (beyond != NULL) add_beyond(&f, beyond);
   const bool done = add_strength(cones, e);

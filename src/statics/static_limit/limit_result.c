@@ -43,7 +43,7 @@ static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const 
   arb_init(scene_y);
   arb_set(scene_x, x);
   arb_set(scene_y, y);
-  if (t->towards == TP_TOWARDS_RIGHT) arb_neg(scene_x, scene_x);
+  tp_ball_mirror(scene_x, t->towards);
   if (e->loaded == NULL) {
     tp_loaded_metres(scene_x, scene_y, e);
   } else {
@@ -187,7 +187,7 @@ static void set_reactions(const telling *t) {
       arb_mul(column.of + row, edge->of + row, t->answer->forces + k, bits);
       arb_div(column.of + row, column.of + row, weight, bits);
     }
-    if (t->towards == TP_TOWARDS_RIGHT) arb_neg(column.of, column.of);
+    tp_ball_mirror(column.of, t->towards);
     reaction->share_x = tp_result_of(t->e, column.of);
     reaction->share_y = tp_result_of(t->e, column.of + 1);
     set_point(&reaction->x_m, &reaction->y_m, t, cones->x + point, cones->y + point);

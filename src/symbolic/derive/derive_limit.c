@@ -96,7 +96,7 @@ static void write_reactions(const writing *w) {
     const tp_contact_formulas *c = f->contacts.items + f->edges[k].point;
     tp_derived_reaction *own = w->out->reactions + k;
     fmpz_mpoly_q_set(x, c->x, w->field->ring);
-    if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x, x, w->field->ring);
+    tp_symbol_mirror(x, f->towards, w->field);
     own->x = tp_notation_write(x, w->field, w->notation, w->failed);
     own->y = tp_notation_write(c->y, w->field, w->notation, w->failed);
     own->against_slip = !f->edges[k].against;

@@ -40,7 +40,7 @@ static tp_fraction write(const writing *w, const fmpz_mpoly_q_t formula) {
 /* x of the scene. */
 static tp_fraction write_x(const writing *w, fmpz_mpoly_q_t x) {
   const tp_onset_terms *t = &w->formulas->terms;
-  if (t->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x, x, t->field->ring);
+  tp_symbol_mirror(x, t->towards, t->field);
   return write(w, x);
 }
 

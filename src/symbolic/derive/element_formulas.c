@@ -99,7 +99,7 @@ void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
   fmpq_clear(density);
   tp_field_sub(e->normal_arm, e->normal_arm, pivot->x, field);
   tp_field_sub(e->parallel_arm, e->parallel_arm, pivot->y, field);
-  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(e->normal_arm, e->normal_arm, ring);
+  tp_symbol_mirror(e->normal_arm, towards, field);
   e->normal_stabilises = !is_negative(e->normal_arm, &symbols->field);
   e->parallel_overturns = !is_negative(e->parallel_arm, &symbols->field);
 }

@@ -54,6 +54,11 @@ void tp_field_addmul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mp
 void tp_field_submul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
                      const tp_field *field);
 
+/* As tp_ball_mirror (plane/contact_rows.h). */
+static inline void tp_symbol_mirror(fmpz_mpoly_q_t x, tp_direction towards, const tp_field *field) {
+  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x, x, field->ring);
+}
+
 /* Spend units on other work; false, with the problem set, where there is no room for them. */
 bool tp_field_spend(const tp_field *field, double units);
 

@@ -62,10 +62,8 @@ static bool set_contact(tp_contact_formulas *c, const tp_model *m, tp_direction 
   }
   fmpz_mpoly_q_set(c->x, point.x, ring);
   fmpz_mpoly_q_set(c->y, point.y, ring);
-  if (towards == TP_TOWARDS_RIGHT) {
-    fmpz_mpoly_q_neg(c->x, c->x, ring);
-    fmpz_mpoly_q_neg(c->ty, c->ty, ring);
-  }
+  tp_symbol_mirror(c->x, towards, &m->symbols.field);
+  tp_symbol_mirror(c->ty, towards, &m->symbols.field);
   return true;
 }
 
@@ -77,8 +75,8 @@ bool tp_contacts_formulas_init(tp_contacts_formulas *contacts, const tp_model *m
       .items = calloc(2 * (size_t)contact->facet_count + 1, sizeof *contacts->items)};
   if (contacts->items == NULL) return false;
   for (long k = 0; k < contact->facet_count; k++) {
-    const tp_facet *facet = contact->facets + k;
-    const int ends = facet->t0 == facet->t1 ? 0 : facet->q0 == facet->q1 ? 1 : 2;
+    tp_outline_point points[2];
+    const int ends = tp_facet_contacts(points, contact->facets + k);
     for (int end = 0; end < ends; end++) {
       tp_contact_formulas *c = contacts->items + contacts->count++;
       *c = (tp_contact_formulas){.facet = (size_t)k, .at_right_end = end == 1};
@@ -111,7 +109,7 @@ void tp_weight_formulas_init(tp_weight_formulas *weight, const tp_model *m, tp_d
   fmpz_mpoly_q_init(weight->y6, ring);
   fmpz_mpoly_q_mul_fmpz(weight->w, m->formulas.weighted2, three, ring);
   fmpz_mpoly_q_set(weight->x6, m->formulas.x6, ring);
-  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(weight->x6, weight->x6, ring);
+  tp_symbol_mirror(weight->x6, towards, &m->symbols.field);
   fmpz_mpoly_q_set(weight->y6, m->formulas.y6, ring);
   fmpz_clear(three);
 }

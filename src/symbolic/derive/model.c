@@ -133,5 +133,5 @@ void tp_model_arms(fmpz_mpoly_q_t x_arm, fmpz_mpoly_q_t y_arm, const tp_model *m
   const tp_field *field = &model->symbols.field;
   tp_formulas_arm(x_arm, f->x6, f->weighted2, pivot->x, field);
   tp_formulas_arm(y_arm, f->y6, f->weighted2, pivot->y, field);
-  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x_arm, x_arm, field->ring);
+  tp_symbol_mirror(x_arm, towards, field);
 }

@@ -46,7 +46,7 @@ static bool set_facet(tp_rounding *r, const tp_model *model, long from, long to,
   tp_field_sub(r->rise, q.y, p.y, field);
   tp_field_sub(r->run, q.x, p.x, field);
   if (r->slope < 0) fmpz_mpoly_q_neg(r->rise, r->rise, ring);
-  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(r->run, r->run, ring);
+  tp_symbol_mirror(r->run, towards, field);
   return true;
 }
 
