@@ -48,11 +48,13 @@ bool tp_bound_sharpen(tp_bound *bound, const tp_generators *g, const tp_generato
   if (bound->source.kind != TP_FROM_SITE) return false;
   const tp_cones *cones = g->q->cones;
   const long bits = g->q->judge.precision;
-  arb_mul(bound->h.of, cones->y + a->point, g->q->scale, bits);
-  arb_sub(bound->h.of, bound->h.of, g->q->y, bits);
-  arb_mul(bound->h.of + 1, cones->x + a->point, g->q->scale, bits);
-  arb_sub(bound->h.of + 1, g->q->x, bound->h.of + 1, bits);
-  arb_one(bound->h.of + 2);
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  tp_newton_arms(x, y, g->q, cones->x + a->point, cones->y + a->point, bits);
+  tp_ball_turn(bound->h.of, x, y, bits);
+  arb_clear(x);
+  arb_clear(y);
   return true;
 }
 

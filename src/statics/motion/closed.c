@@ -43,13 +43,11 @@ int tp_closed_slip(const tp_normals *n, long point, const tp_ray *ray) {
 
 /* x f_y - y f_x of the force f = n +- t tan(phi) at a point. */
 static void edge_moment(arb_t moment, const tp_normals *n, long point, bool against) {
-  const tp_cones *cones = n->cones;
-  const long bits = n->judge.bits;
   tp_vector force;
   tp_vector_init(&force);
   tp_normals_edge(&force, n, point, against);
-  arb_mul(moment, cones->x + point, force.of + 1, bits);
-  arb_submul(moment, cones->y + point, force.of, bits);
+  tp_ball_moment(force.of, n->cones->x + point, n->cones->y + point, n->judge.bits);
+  arb_swap(moment, force.of + 2);
   tp_vector_clear(&force);
 }
 
@@ -57,11 +55,11 @@ static tp_near near_moment(const tp_normals *n, long point, bool against) {
   const tp_cones *cones = n->cones;
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const tp_near friction = tp_ball_near(tp_cones_friction(cones, point));
-  const tp_near along = against ? tp_near_neg(friction) : friction;
-  const tp_near fx = tp_near_sub(tp_near_mul(along, tx), ty);
-  const tp_near fy = tp_near_add(tp_near_mul(along, ty), tx);
-  return tp_near_sub(tp_near_mul(tp_ball_near(cones->x + point), fy),
-                     tp_near_mul(tp_ball_near(cones->y + point), fx));
+  const tp_near x = tp_ball_near(cones->x + point), y = tp_ball_near(cones->y + point);
+  tp_near force[3];
+  tp_near_cone_edge(force, &tx, &ty, &friction, against);
+  tp_near_moment(force, &x, &y);
+  return force[2];
 }
 
 /* Of the forces at two points of a family that slips, the sign of the first one's moment less the

@@ -114,20 +114,6 @@ static void add_ray(tp_share_mode *to, tp_mode_reading *r, long ray) {
   (void)add_generator(to, r, r->length);
 }
 
-/* Of a force x, y at a point. */
-static void set_moment(tp_vector *force, const tp_motion_question *q, long point) {
-  const long bits = q->judge.precision;
-  arb_t arm;
-  arb_init(arm);
-  arb_mul(arm, q->cones->x + point, q->scale, bits);
-  arb_sub(arm, arm, q->x, bits);
-  arb_mul(force->of + 2, arm, force->of + 1, bits);
-  arb_mul(arm, q->cones->y + point, q->scale, bits);
-  arb_sub(arm, arm, q->y, bits);
-  arb_submul(force->of + 2, arm, force->of, bits);
-  arb_clear(arm);
-}
-
 /* The force n +- t tan(phi) turned round, as tp_newton_force has it. */
 static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *edge) {
   const tp_motion_question *q = r->question;
@@ -142,8 +128,10 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
   arb_neg(line->at.of + 1, line->at.of + 1);
   arb_mul_fmpz(line->rise.of, friction, tx, q->judge.precision);
   arb_mul_fmpz(line->rise.of + 1, friction, ty, q->judge.precision);
-  set_moment(&line->at, q, edge->point);
-  set_moment(&line->rise, q, edge->point);
+  tp_newton_moment(&line->at, q, q->cones->x + edge->point, q->cones->y + edge->point,
+                   q->judge.precision);
+  tp_newton_moment(&line->rise, q, q->cones->x + edge->point, q->cones->y + edge->point,
+                   q->judge.precision);
   if (!edge->against) tp_vector_neg(&line->rise);
   tp_share_line *own = add_generator(to, r, r->length);
   own->site = point->site + 1;

@@ -6,6 +6,25 @@
 
 #include "motion/newton.h"
 
+void tp_newton_arms(arb_t x, arb_t y, const tp_motion_question *q, const arb_t point_x,
+                    const arb_t point_y, long bits) {
+  arb_mul(x, point_x, q->scale, bits);
+  arb_sub(x, x, q->x, bits);
+  arb_mul(y, point_y, q->scale, bits);
+  arb_sub(y, y, q->y, bits);
+}
+
+void tp_newton_moment(tp_vector *force, const tp_motion_question *q, const arb_t x, const arb_t y,
+                      long bits) {
+  arb_t arm_x, arm_y;
+  arb_init(arm_x);
+  arb_init(arm_y);
+  tp_newton_arms(arm_x, arm_y, q, x, y, bits);
+  tp_ball_moment(force->of, arm_x, arm_y, bits);
+  arb_clear(arm_x);
+  arb_clear(arm_y);
+}
+
 void tp_newton_inertia(tp_vector *own, const tp_motion_question *q, const tp_ray *ray) {
   tp_ball_inertia(own->of, ray->twist.of, q->scale, q->x, q->y, q->gyration, ray->axis < 0,
                   q->judge.precision);
@@ -13,19 +32,10 @@ void tp_newton_inertia(tp_vector *own, const tp_motion_question *q, const tp_ray
 
 void tp_newton_force(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
                      const tp_cone_edge *edge) {
-  const long bits = q->judge.precision;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
-  arb_mul(x, q->cones->x + edge->point, q->scale, bits);
-  arb_sub(x, x, q->x, bits);
-  arb_mul(y, q->cones->y + edge->point, q->scale, bits);
-  arb_sub(y, y, q->y, bits);
+  const tp_cones *cones = q->cones;
   tp_normals_edge(own, n, edge->point, edge->against);
-  tp_ball_moment(own->of, x, y, bits);
+  tp_newton_moment(own, q, cones->x + edge->point, cones->y + edge->point, q->judge.precision);
   tp_vector_neg(own);
-  arb_clear(x);
-  arb_clear(y);
 }
 
 void tp_newton_normal(tp_vector *own, const tp_motion_question *q, const tp_normals *n,

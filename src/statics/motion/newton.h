@@ -10,6 +10,13 @@
 #include "motion/mode.h"
 #include "motion/question.h"
 
+/* A point of the cones from the centroid, in the question's lengths; the moment about that of a
+ * force there. */
+void tp_newton_arms(arb_t x, arb_t y, const tp_motion_question *question, const arb_t point_x,
+                    const arb_t point_y, long bits);
+void tp_newton_moment(tp_vector *force, const tp_motion_question *question, const arb_t x,
+                      const arb_t y, long bits);
+
 /* M r: what it takes to accelerate the block by the twist of a ray. */
 void tp_newton_inertia(tp_vector *own, const tp_motion_question *question, const tp_ray *ray);
 

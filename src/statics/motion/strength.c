@@ -7,6 +7,7 @@
 #include "motion/strength.h"
 
 #include "motion/closed.h"
+#include "motion/newton.h"
 
 #include <stdlib.h>
 
@@ -69,18 +70,10 @@ static void set_force(tp_vector *force, const gathering *g, const arb_t x, const
   const tp_motion_question *q = g->q;
   const long bits = q->judge.bits;
   const fmpz *tx = q->cones->tx + point, *ty = q->cones->ty + point;
-  arb_t arm;
-  arb_init(arm);
   arb_mul_fmpz(force->of, factor, pull ? ty : tx, bits);
   arb_mul_fmpz(force->of + 1, factor, pull ? tx : ty, bits);
   if (pull) arb_neg(force->of + 1, force->of + 1);
-  arb_mul(arm, x, q->scale, bits);
-  arb_sub(arm, arm, q->x, bits);
-  arb_mul(force->of + 2, arm, force->of + 1, bits);
-  arb_mul(arm, y, q->scale, bits);
-  arb_sub(arm, arm, q->y, bits);
-  arb_submul(force->of + 2, arm, force->of, bits);
-  arb_clear(arm);
+  tp_newton_moment(force, q, x, y, bits);
 }
 
 static void begin_free(tp_strength *s, long point) {
