@@ -33,6 +33,9 @@ typedef struct tp_find_options {
   double value;           /* and what it is to be */
   bool has_low, has_high; /* where one is not given: 0, or ten times the scene's own value */
   double low, high;       /* the range, in the units of the scene */
+  const char *least_over; /* NULL: nothing; else the key of the dip_deg or direction_deg of an
+                             anchor, of which `key` is the force: at the direction for which it is
+                             least */
 } tp_find_options;
 
 /* The defaults: the critical angle, over the whole range; key and value are to be given. `size` is
@@ -70,11 +73,18 @@ typedef struct tp_found {
   tp_found_interval *intervals; /* throughout which it has the value */
   tp_governing_fos *governing;  /* if governing != NULL: of each solution, where a factor of safety
                                    was looked for: the factors there, and which of them governs */
+  tp_bounded *per_metre;        /* if per_metre != NULL: of each solution that is the force of bolts
+                                   at a spacing, kN per metre along the slope, of all their rows */
+  TP_OUTSIDE char *least_over;  /* if least_over != NULL: the key of a direction, as asked for: */
+  double direction_deg;         /* the scene has this instead of its own, 0 where there is none */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;
- * it is not changed. TP_NO_ANSWER where the target cannot depend on the number, or the scene has it
- * nowhere in the range; none in the range is an answer. TP_DEPENDENCY_FAILED. */
+ * it is not changed. With `least_over` the direction of the least force is searched in doubles, at
+ * every 5 degrees and then by Brent's minimiser, to 1e-4 degrees; what is found at the direction
+ * given is as certain as without, that no other direction needs less is not proven. TP_NO_ANSWER
+ * where the target cannot depend on the number, or the scene has it nowhere in the range; none in
+ * the range is an answer. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
                               const tp_find_options *options, tp_message *message);
 

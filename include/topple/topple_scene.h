@@ -352,6 +352,37 @@ TP_MUST_USE tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact 
                                           tp_exact direction_deg, tp_exact force_kn, bool passive,
                                           tp_message *message);
 
+/* Bolts at the point (x, y) of the block, each of `force_kn`, that pull towards the up-dip side and
+ * below the horizontal by `dip_deg` in [-90, 90]: on a slope as it dips, on a table as it stands
+ * level. They are anchors too, and `passive` counts as of these. */
+TP_MUST_USE tp_status tp_scene_add_bolt(tp_scene *scene, tp_exact x, tp_exact y, tp_exact dip_deg,
+                                        tp_exact force_kn, bool passive, tp_message *message);
+
+/* More of the anchor or bolt added as the `number`th, from 1 on. The side that a bolt with a dip
+ * runs to, where it is not plain which side is up-dip. */
+TP_MUST_USE tp_status tp_scene_set_bolt_towards(tp_scene *scene, size_t number,
+                                                tp_direction towards, tp_message *message);
+/* Its length, above 0, with which it must reach the rock behind the block. */
+TP_MUST_USE tp_status tp_scene_set_bolt_length(tp_scene *scene, size_t number, tp_exact length,
+                                               tp_message *message);
+/* What one of them can bear, above 0 and not below its force. */
+TP_MUST_USE tp_status tp_scene_set_bolt_capacity_kn(tp_scene *scene, size_t number,
+                                                    tp_exact capacity_kn, tp_message *message);
+/* The distance of bolts along the slope, out of the section, above 0: each row bears the force over
+ * the spacing on a length; without it, one bolt holds the whole thickness. */
+TP_MUST_USE tp_status tp_scene_set_bolt_spacing(tp_scene *scene, size_t number, tp_exact spacing,
+                                                tp_message *message);
+/* How many rows there are, 1 to 1000, each (dx, dy) from the one before. */
+TP_MUST_USE tp_status tp_scene_set_bolt_rows(tp_scene *scene, size_t number, long rows, tp_exact dx,
+                                             tp_exact dy, tp_message *message);
+
+/* A pressure of a lining or a wall on a line of the outline, as tp_scene_add_pressure takes it.
+ * Where `passive` it counts as resistance; else it is taken from what overturns. */
+TP_MUST_USE tp_status tp_scene_add_support_pressure(tp_scene *scene, tp_exact x0, tp_exact y0,
+                                                    tp_exact x1, tp_exact y1, tp_exact first_kpa,
+                                                    tp_exact last_kpa, bool passive,
+                                                    tp_message *message);
+
 /* Tensile strength of the contact, normal to its facets, not below 0. */
 TP_MUST_USE tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa,
                                             tp_message *message);

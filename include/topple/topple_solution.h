@@ -164,6 +164,25 @@ typedef struct tp_case {
                                     the face continued upwards */
 } tp_case;
 
+/* Bolts of one entry of the scene's anchors, or a pressure of a support, as the scene
+ * has them. */
+typedef struct tp_support {
+  bool is_pressure;         /* of a lining or a wall; else bolts */
+  bool passive;             /* counts as resistance; else takes from what overturns */
+  tp_bounded force_kn;      /* if !is_pressure: of one bolt */
+  size_t rows;              /* if !is_pressure: of the bolts */
+  bool has_spacing;         /* bolts of a row stand apart by: */
+  tp_bounded spacing_m;     /* if has_spacing: along the slope */
+  tp_bounded force_kn_m;    /* per metre along the slope, of all rows */
+  tp_bounded total_kn;      /* on the thickness of the block, of all rows */
+  bool has_capacity;        /* of one bolt: */
+  tp_bounded capacity_kn;   /* if has_capacity: what it can bear */
+  tp_bounded utilisation;   /* if has_capacity: the force over that */
+  bool has_length;          /* of one bolt: */
+  tp_bounded length_m;      /* if has_length: of the whole */
+  tp_bounded bond_length_m; /* if has_length: beyond the block, the least of all rows */
+} tp_support;
+
 /* The block as a body. */
 typedef struct tp_block_result {
   tp_bounded area_m2;                    /* of the section, without holes */
@@ -274,6 +293,8 @@ typedef struct tp_solution {
   tp_settings settings;                      /* what was set in the scene */
   size_t friction_facet_count;               /* entries of facets with their own friction, */
   tp_facet_friction_result *friction_facets; /* in the order of the scene */
+  size_t support_count;                      /* bolts and pressures of a support, */
+  tp_support *supports;                      /* in the order of the scene */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 

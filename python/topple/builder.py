@@ -233,6 +233,38 @@ class Builder(TiltBuilder):
         self._change(lib.tp_scene_add_anchor, c_number(x), c_number(y), c_number(direction_deg),
                      c_number(force_kn), passive)
 
+    def add_bolt(self, x: Number, y: Number, dip_deg: Number, force_kn: Number,
+                 passive: bool = False) -> None:
+        """Bolts whose pull dips below the horizontal towards the up-dip side; they count as anchors do."""
+        self._change(lib.tp_scene_add_bolt, c_number(x), c_number(y), c_number(dip_deg),
+                     c_number(force_kn), passive)
+
+    def set_bolt_towards(self, number: int, towards: Direction | str) -> None:
+        """The side that the bolt added as the number-th of all anchors runs to, where it is not plain."""
+        self._change(lib.tp_scene_set_bolt_towards, number, number_of(Direction, towards))
+
+    def set_bolt_length(self, number: int, length: Number) -> None:
+        """Its length, with which it must reach the rock behind the block."""
+        self._change(lib.tp_scene_set_bolt_length, number, c_number(length))
+
+    def set_bolt_capacity_kn(self, number: int, capacity_kn: Number) -> None:
+        """What one of them can bear."""
+        self._change(lib.tp_scene_set_bolt_capacity_kn, number, c_number(capacity_kn))
+
+    def set_bolt_spacing(self, number: int, spacing: Number) -> None:
+        """The distance of bolts of a row along the slope, out of the section."""
+        self._change(lib.tp_scene_set_bolt_spacing, number, c_number(spacing))
+
+    def set_bolt_rows(self, number: int, rows: int, dx: Number, dy: Number) -> None:
+        """How many rows there are, each (dx, dy) from the one before."""
+        self._change(lib.tp_scene_set_bolt_rows, number, rows, c_number(dx), c_number(dy))
+
+    def add_support_pressure(self, x0: Number, y0: Number, x1: Number, y1: Number, first_kpa: Number,
+                             last_kpa: Number, passive: bool = True) -> None:
+        """A pressure of a lining or a wall along a line of the outline, at its two ends."""
+        self._change(lib.tp_scene_add_support_pressure,
+                     *map(c_number, (x0, y0, x1, y1, first_kpa, last_kpa)), passive)
+
     def set_bond_kpa(self, bond_kpa: Number) -> None:
         """The tensile bond of the contact."""
         self._change_numbers(lib.tp_scene_set_bond_kpa, bond_kpa)

@@ -63,6 +63,8 @@ DEFINE(set_water, N(0), N(1), (call->choice & 1) != 0, (call->choice & 2) != 0)
 DEFINE(add_pressure, N(0), N(1), N(2), N(3), N(4), N(5))
 DEFINE(add_surcharge, N(0), N(1), N(2), N(3), N(4))
 DEFINE(add_anchor, N(0), N(1), N(2), N(3), (call->choice & 1) != 0)
+DEFINE(add_bolt, N(0), N(1), N(2), N(3), (call->choice & 1) != 0)
+DEFINE(add_support_pressure, N(0), N(1), N(2), N(3), N(4), N(5), (call->choice & 1) != 0)
 DEFINE(set_bond_kpa, N(0))
 DEFINE(set_cohesion_kpa, N(0))
 
@@ -174,6 +176,12 @@ static const build_kind kinds[] = {
     {add_anchor,
      SLOT_ANCHORS,
      "{at: [$0, $1], direction_deg: $2, force_kn: $3, passive: $y}",
+     -2,
+     {0}},
+    {add_bolt, SLOT_ANCHORS, "{at: [$0, $1], dip_deg: $2, force_kn: $3, passive: $y}", -2, {0}},
+    {add_support_pressure,
+     SLOT_SUPPORTS,
+     "{from: [$0, $1], to: [$2, $3], kpa: [$4, $5], passive: $y}",
      -2,
      {0}},
     {set_bond_kpa, SLOT_BOND, "bond_kpa: $0", 0, {0}},

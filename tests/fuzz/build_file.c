@@ -151,6 +151,7 @@ static void put_loads(const file *f) {
   put_slot(f, SLOT_WATER);
   put_list(f, SLOT_PRESSURES, "pressures");
   put_list(f, SLOT_SURCHARGES, "surcharges");
+  put_list(f, SLOT_SUPPORTS, "support_pressures");
   put_list(f, SLOT_ANCHORS, "anchors");
   put_slot(f, SLOT_BOND);
   put_slot(f, SLOT_COHESION);

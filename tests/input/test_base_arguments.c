@@ -64,12 +64,30 @@ START_TEST(loads) {
   REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");
   REFUSED(tp_scene_add_surcharge(scene, E(0), E(0), E(0), E(1), E(-1), &message), "kpa");
   REFUSED(tp_scene_add_anchor(scene, E(0), E(0), E(0), E(-1), false, &message), "force_kn");
+  REFUSED(tp_scene_add_bolt(scene, E(0), E(0), E(91), E(1), false, &message), "dip_deg");
+  REFUSED(tp_scene_set_bolt_towards(scene, 1, TP_TOWARDS_LEFT, &message), "no bolt of this number");
+  REFUSED(tp_scene_set_bolt_length(scene, 0, E(1), &message), "no bolt of this number");
+  REFUSED(tp_scene_add_support_pressure(scene, E(0), E(0), E(0), E(1), E(-1), E(1), true, &message),
+          "first_kpa");
   REFUSED(tp_scene_set_bond_kpa(scene, E(-1), &message), "bond_kpa must not be negative");
   REFUSED(tp_scene_set_cohesion_kpa(scene, E(-1), &message), "cohesion_kpa must not be negative");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);
   free(after);
+}
+END_TEST
+
+/* Of a scene of its own, as `scene` is to stay as it is. */
+START_TEST(bolts) {
+  tp_scene *own = NULL;
+  DO(tp_scene_new(&own, "m", &message));
+  DO(tp_scene_add_bolt(own, E(0), E(1), E(15), E(50), false, &message));
+  REFUSED(tp_scene_set_bolt_towards(own, 1, (tp_direction)2, &message), "no such direction");
+  REFUSED(tp_scene_set_bolt_spacing(own, 1, E(0), &message), "spacing must be above zero");
+  REFUSED(tp_scene_set_bolt_capacity_kn(own, 1, E(-1), &message), "capacity_kn must be above");
+  REFUSED(tp_scene_set_bolt_rows(own, 1, 0, E(0), E(-1), &message), "rows must be a whole");
+  tp_scene_free(own);
 }
 END_TEST
 
@@ -208,6 +226,8 @@ int main(void) {
   tcase_add_test(tests, profiles);
   tcase_add_test(tests, bases);
   tcase_add_test(tests, loads);
+  tcase_add_test(tests, bolts);
+  tcase_add_test(tests, bolts);
   tcase_add_test(tests, teeth);
   tcase_add_test(tests, self_affine);
   tcase_add_test(tests, changes);

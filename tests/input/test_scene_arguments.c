@@ -86,6 +86,14 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_add_pressure(own, E(1), E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_surcharge(own, E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_anchor(own, E(1), E(1), E(1), E(1), false, &message), why);
+  REFUSED(tp_scene_add_support_pressure(own, E(1), E(1), E(1), E(1), E(1), E(1), true, &message),
+          why);
+  REFUSED(tp_scene_add_bolt(own, E(1), E(1), E(1), E(1), false, &message), why);
+  REFUSED(tp_scene_set_bolt_towards(own, 1, TP_TOWARDS_LEFT, &message), why);
+  REFUSED(tp_scene_set_bolt_length(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_set_bolt_capacity_kn(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_set_bolt_spacing(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_set_bolt_rows(own, 1, 2, E(0), E(1), &message), why);
   REFUSED(tp_scene_set_bond_kpa(own, E(1), &message), why);
   REFUSED(tp_scene_set_cohesion_kpa(own, E(1), &message), why);
 }

@@ -31,13 +31,23 @@ START_TEST(loads) {
   DO(tp_scene_add_surcharge(scene, E(4), E(6), E(1), E(6), E(20), &message));
   DO(tp_scene_add_anchor(scene, E(0), E(5), E(-30), E(50), false, &message));
   DO(tp_scene_add_anchor(scene, E(0), E(4), E(-20), E(10), true, &message));
+  DO(tp_scene_add_bolt(scene, E(0), E(5), E(10), E(50), true, &message));
+  DO(tp_scene_set_bolt_towards(scene, 3, TP_TOWARDS_RIGHT, &message));
+  DO(tp_scene_set_bolt_length(scene, 3, E(7), &message));
+  DO(tp_scene_set_bolt_capacity_kn(scene, 3, E(90), &message));
+  DO(tp_scene_set_bolt_spacing(scene, 3, T("1.5"), &message));
+  DO(tp_scene_set_bolt_rows(scene, 3, 2, E(0), E(-1), &message));
+  DO(tp_scene_add_support_pressure(scene, E(0), E(4), E(0), E(1), E(3), E(2), false, &message));
   expect_same(scene, WEIGHED
               "friction_angle_deg: 35\nloads:\n  seismic: {horizontal: 0.1, vertical: -0.05}\n"
               "  water: {height: 3, uplift: true}\n  pressures: [{from: [4, 1], to: [4, 3], "
               "kpa: [5, 10]}, {from: [4, 4], to: [4, 5], kpa: 2}]\n"
               "  surcharges: [{from: [4, 6], to: [1, 6], kpa: 20}]\n"
               "  anchors: [{at: [0, 5], direction_deg: -30, force_kn: 50}, {at: [0, 4], "
-              "direction_deg: -20, force_kn: 10, passive: true}]\n");
+              "direction_deg: -20, force_kn: 10, passive: true}, {at: [0, 5], dip_deg: 10, "
+              "towards: right, force_kn: 50, length: 7, capacity_kn: 90, spacing: 1.5, rows: 2, "
+              "row_step: [0, -1], passive: true}]\n"
+              "  support_pressures: [{from: [0, 4], to: [0, 1], kpa: [3, 2], passive: false}]\n");
   scene = weighed_square();
   DO(tp_scene_set_bond_kpa(scene, E(30), &message));
   DO(tp_scene_set_water(scene, E(2), E(10), true, false, &message));

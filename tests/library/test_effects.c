@@ -58,7 +58,8 @@ COUNTED(PRESSURE, void, tp_load_pressure,
 COUNTED(SURCHARGE, void, tp_load_surcharge,
         (tp_wrench * w, const tp_line_load *l, const tp_load_setting *s), (w, l, s))
 COUNTED(ANCHOR, void, tp_load_anchor,
-        (tp_wrench * w, const tp_anchor_description *a, const tp_load_setting *s), (w, a, s))
+        (tp_wrench * w, const tp_anchor_description *a, long row, const tp_load_setting *s),
+        (w, a, row, s))
 COUNTED(LOADS, void, tp_loads_evaluate, (tp_load * l, const tp_load_setting *s), (l, s))
 COUNTED(ROUNDING, void, tp_corners_take_off,
         (tp_moments * m, const tp_corners *c, const tp_section *s, const tp_lattice *l, long bits),

@@ -118,6 +118,8 @@ LOADS = [
     ({"water": {"height": 30, "unit_weight_kn_m3": 10, "stays_level": True, "uplift": True}},
      "{water: {height: 30, unit_weight_kn_m3: 10, stays_level: true, uplift: true}}"),
     ({"pressures": [(50, 20, 50, 40, 1, 2)]}, "{pressures: [{from: [50, 20], to: [50, 40], kpa: [1, 2]}]}"),
+    ({"bolts": [(0, 60, 10, 0.5, True)]}, "{anchors: [{at: [0, 60], dip_deg: 10, force_kn: 0.5, passive: true}]}"),
+    ({"support_pressures": [(0, 60, 0, 20, 2, 1)]}, "{support_pressures: [{from: [0, 60], to: [0, 20], kpa: [2, 1]}]}"),
     ({"surcharges": [(0, 100, 50, 100, 3)]}, "{surcharges: [{from: [0, 100], to: [50, 100], kpa: 3}]}"),
     ({"anchors": [(50, 50, -10, "0.001"), {"x": 0, "y": 50, "direction_deg": 0, "force_kn": "0.002", "passive": True}]},
      "{anchors: [{at: [50, 50], direction_deg: -10, force_kn: 0.001},"

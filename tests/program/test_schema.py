@@ -49,6 +49,9 @@ SCENES = {
                    "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.2, vertical: 0.1}}\n",
     "earthquakes that lift": "block: {outline: [[0, 0], [2, 0.01], [3, 4], [1, 4]], unit_weight_kn_m3: 26}\nframe: world\n"
                              "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.2, vertical: 1.1}}\n",
+    "support": "block: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 30\n"
+               "loads: {anchors: [{at: [0, 1], dip_deg: 15, force_kn: 5, capacity_kn: 900, length: 4, spacing: 2, rows: 2, "
+               "row_step: [0, 1]}], support_pressures: [{from: [0, 2], to: [0, 1], kpa: 3}]}\n",
     "mean plane": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: {mean_plane: [[0, 0], [2, 1]]}\n"
                   "base: {mated: true, between: [[0, 0], [2, 1]]}\n",
     "upright toe": "block: {outline: [[0, 0], [1, 0], [1, 1], [3, 1], [3, 4], [0, 4]]}\nfriction_angle_deg: 30\n"
@@ -157,6 +160,10 @@ class Schema(unittest.TestCase):
             found = self.prints("solve", "--json", "--find", "block.slab.height", "--for", "limit_angle=30", "scene.yaml",
                                 folder=folder)["find"]
             self.assertEqual(len(found["intervals"]), 1)
+            (pathlib.Path(folder) / "scene.yaml").write_text("topple: 1\nlength_unit: m\n" + SCENES["support"])
+            found = self.prints("solve", "--json", "--find", "loads.anchors.1.force_kn", "--for", "sliding_fos=1.5", "--least-force",
+                                "scene.yaml", folder=folder)["find"]
+            self.assertEqual(len(found["per_metre_kn"]), len(found["solutions"]))
 
     def test_2_derive(self):
         rounded = [scene for scene in EXAMPLES if "teeth:" in scene.read_text(encoding="utf-8")]

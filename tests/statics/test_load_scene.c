@@ -19,6 +19,9 @@ static void anchor_init(tp_anchor_description *a) {
   fmpq_init(a->y.value);
   fmpq_init(a->direction_deg.value);
   fmpq_init(a->force_kn.value);
+  fmpq_init(a->step_x.value);
+  fmpq_init(a->step_y.value);
+  a->force_kn.given = true;
 }
 
 static void anchor_clear(tp_anchor_description *a) {
@@ -26,6 +29,8 @@ static void anchor_clear(tp_anchor_description *a) {
   fmpq_clear(a->y.value);
   fmpq_clear(a->direction_deg.value);
   fmpq_clear(a->force_kn.value);
+  fmpq_clear(a->step_x.value);
+  fmpq_clear(a->step_y.value);
 }
 
 /* A component's square is F^2 times so many quarters, to all but 8 bits, and it has that sign. */
@@ -84,7 +89,7 @@ START_TEST(anchor_pulls_in_its_direction) {
     load_stage_draw(&s, &a.y, -40, 40);
     load_stage_draw(&s, &a.force_kn, 1, 500);
     fmpq_set_si(a.direction_deg.value, directions[k].degrees, 1);
-    tp_load_anchor(&s.wrench, &a, &s.setting);
+    tp_load_anchor(&s.wrench, &a, 0, &s.setting);
     check_component(s.wrench.x.of + TP_ONE, a.force_kn.value, directions[k].quarters,
                     s.setting.mirrored ? -directions[k].right : directions[k].right);
     check_component(s.wrench.y.of + TP_ONE, a.force_kn.value, 4 - directions[k].quarters,

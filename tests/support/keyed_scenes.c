@@ -67,6 +67,18 @@ static void build_loads(tp_scene *scene, const double *n) {
   DO(tp_scene_set_cohesion_kpa(scene, E(n[20]), &message));
 }
 
+static void build_support(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_add_bolt(scene, E(n[0]), E(n[1]), E(n[2]), E(n[3]), true, &message));
+  DO(tp_scene_set_bolt_capacity_kn(scene, 1, E(n[4]), &message));
+  DO(tp_scene_set_bolt_length(scene, 1, E(n[5]), &message));
+  DO(tp_scene_set_bolt_spacing(scene, 1, E(n[6]), &message));
+  DO(tp_scene_set_bolt_rows(scene, 1, (long)n[7], E(n[8]), E(n[9]), &message));
+  DO(tp_scene_add_support_pressure(scene, E(n[10]), E(n[11]), E(n[12]), E(n[13]), E(n[14]),
+                                   E(n[15]), true, &message));
+}
+
 static void build_profile(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_base_profile(scene, tp_coordinates_of(n, 2), &message));
@@ -135,6 +147,7 @@ enum {
   ARCS,
   CORNERS,
   LOADS,
+  SUPPORT,
   PROFILE,
   BETWEEN,
   JOINT,
@@ -184,6 +197,14 @@ static const keyed_scene kinds[] = {
                "  anchors: [{at: [@p, @q], direction_deg: @r, force_kn: @s}]\n"
                "  bond_kpa: @t\n  cohesion_kpa: @u\n",
                {0.0625, 0.125, 1, 9.75, 4, 1, 4, 5, 2, 3, 3, 6, 1, 6, 5, 0, 3, 200, 30, 2, 8}},
+    [SUPPORT] =
+        {build_support,
+         HEAD TEXT_SQUARE
+         "friction_angle_deg: 30\nloads:\n"
+         "  anchors: [{at: [@a, @b], dip_deg: @c, force_kn: @d, capacity_kn: @e, length: @f, "
+         "spacing: @g, rows: @h, row_step: [@i, @j], passive: true}]\n"
+         "  support_pressures: [{from: [@k, @l], to: [@m, @n], kpa: [@o, @p]}]\n",
+         {0, 5, 10, 50, 90, 7, 1.5, 2, 0.25, -1, 0, 4, 0, 1, 3, 2}},
     [PROFILE] = {build_profile,
                  HEAD TEXT_SQUARE
                  "base: {profile: [[@a, @b], [@c, @d]]}\ncontact: {within: @h, width: @i}\n"
@@ -278,6 +299,22 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + LOADS, "loads.anchors.1.force_kn", 's', 40},
     {kinds + LOADS, "loads.bond_kpa", 't', 1},
     {kinds + LOADS, "loads.cohesion_kpa", 'u', 4},
+    {kinds + SUPPORT, "loads.anchors.1.at.1", 'a', 0.5},
+    {kinds + SUPPORT, "loads.anchors.1.at.2", 'b', 4},
+    {kinds + SUPPORT, "loads.anchors.1.dip_deg", 'c', 20},
+    {kinds + SUPPORT, "loads.anchors.1.force_kn", 'd', 40},
+    {kinds + SUPPORT, "loads.anchors.1.capacity_kn", 'e', 80},
+    {kinds + SUPPORT, "loads.anchors.1.length", 'f', 6},
+    {kinds + SUPPORT, "loads.anchors.1.spacing", 'g', 2},
+    {kinds + SUPPORT, "loads.anchors.1.rows", 'h', 3},
+    {kinds + SUPPORT, "loads.anchors.1.row_step.1", 'i', 0.5},
+    {kinds + SUPPORT, "loads.anchors.1.row_step.2", 'j', -0.5},
+    {kinds + SUPPORT, "loads.support_pressures.1.from.1", 'k', 0.5},
+    {kinds + SUPPORT, "loads.support_pressures.1.from.2", 'l', 3},
+    {kinds + SUPPORT, "loads.support_pressures.1.to.1", 'm', 0.5},
+    {kinds + SUPPORT, "loads.support_pressures.1.to.2", 'n', 2},
+    {kinds + SUPPORT, "loads.support_pressures.1.kpa.1", 'o', 4},
+    {kinds + SUPPORT, "loads.support_pressures.1.kpa.2", 'p', 1},
     {kinds + PROFILE, "base.profile.1.1", 'a', -0.5},
     {kinds + PROFILE, "base.profile.2.2", 'd', -1},
     {kinds + PROFILE, "friction.residual_angle_deg", 'e', 25},

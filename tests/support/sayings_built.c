@@ -238,6 +238,14 @@ void say_built_loads(sayings *s) {
   SAY(tp_scene_add_pressure(scene, E(4), E(1), E(4), T("3.5"), E(5.5), E(10), &message));
   SAY(tp_scene_add_surcharge(scene, E(4), E(6), E(1.1), E(6), T("20.5"), &message));
   SAY(tp_scene_add_anchor(scene, E(0), T("4.9"), E(-30.5), E(50.1), false, &message));
+  SAY(tp_scene_add_bolt(scene, E(0), T("4.9"), E(30.5), E(50.1), true, &message));
+  SAY(tp_scene_set_bolt_towards(scene, 2, TP_TOWARDS_RIGHT, &message));
+  SAY(tp_scene_set_bolt_length(scene, 2, T("9.5"), &message));
+  SAY(tp_scene_set_bolt_capacity_kn(scene, 2, E(60.5), &message));
+  SAY(tp_scene_set_bolt_spacing(scene, 2, T("1.5"), &message));
+  SAY(tp_scene_set_bolt_rows(scene, 2, 2, E(0), E(-0.5), &message));
+  SAY(tp_scene_add_support_pressure(scene, E(0), E(4), E(0), E(1), T("2.5"), E(1.5), true,
+                                    &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_cohesion_kpa(scene, T("2.5"), &message));
   say_scene_built(s, scene);

@@ -4,6 +4,8 @@
 /* topple solve SCENE...: solves scenes, prints report, table or JSON, draws, searches with --find,
  * and sets the exit status (docs/solve.md). */
 
+#define _GNU_SOURCE /* asprintf */
+
 #include "cli/sheet.h"
 #include "cli/signals.h"
 #include "cli/solve_words.h"
@@ -12,6 +14,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const char *direction(const tp_case *c) {
@@ -124,11 +127,30 @@ static tp_status print_solution(const tp_scene *scene, const tp_solution *soluti
   return tp_cli_print_report(status, report, ended);
 }
 
+/* The key of the direction of the anchor whose force is looked for, for the caller to free: as the
+ * scene gives it. NULL when memory is exhausted. */
+static char *direction_key(const tp_scene *scene, const char *force) {
+  const char *dot = strrchr(force, '.');
+  const int length = dot != NULL ? (int)(dot - force) : (int)strlen(force);
+  char *key = NULL;
+  tp_bounded number;
+  tp_message unused;
+  if (asprintf(&key, "%.*s.dip_deg", length, force) < 0) return NULL;
+  if (tp_scene_number(&number, scene, key, &unused) == TP_OK) return key;
+  free(key);
+  return asprintf(&key, "%.*s.direction_deg", length, force) < 0 ? NULL : key;
+}
+
 static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
                              const tp_solve_words *a, int *ended, tp_message *message) {
   tp_found *found = NULL;
   char *report = NULL, *notes = NULL;
-  tp_status status = tp_find(&found, scene, &a->find, message);
+  tp_find_options options = a->find;
+  char *direction = a->least_force ? direction_key(scene, options.key) : NULL;
+  options.least_over = direction;
+  tp_status status = a->least_force && direction == NULL
+                         ? TP_OUT_OF_MEMORY
+                         : tp_find(&found, scene, &options, message);
   if (status == TP_OK) {
     status = a->json ? tp_report_found_json(&report, found, solution)
                      : tp_report_found(&report, found, &a->find);
@@ -137,6 +159,7 @@ static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
   status = tp_cli_print_report(status, report, ended);
   if (notes != NULL) status = tp_cli_print_report(status, notes, ended);
   tp_found_free(found);
+  free(direction);
   return status;
 }
 

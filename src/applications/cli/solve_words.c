@@ -25,7 +25,8 @@ enum {
   KEY_WATCH,
   KEY_REPORT,
   KEY_LANGUAGE,
-  KEY_OUTLINES
+  KEY_OUTLINES,
+  KEY_LEAST_FORCE
 };
 
 static const struct argp_option options[] = {
@@ -72,6 +73,8 @@ static const struct argp_option options[] = {
      "Begin of the search range (default 0, or ten times its present value if that is below 0)", 1},
     {"to", KEY_TO, "HIGH", 0,
      "End of the search range (default ten times its present value, or 0 if that is below 0)", 1},
+    {"least-force", KEY_LEAST_FORCE, NULL, 0,
+     "With --find loads.anchors.N.force_kn: turn the anchor or bolt until the force is least", 1},
     {0}};
 
 static double read_number(const char *text, struct argp_state *state) {
@@ -140,6 +143,7 @@ static void check_find(tp_solve_words *a, struct argp_state *state) {
   if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
   if ((a->find.has_low || a->find.has_high) && !named)
     tp_cli_refuse(state, "--from and --to go with --find");
+  if (a->least_force && !named) tp_cli_refuse(state, "--least-force goes with --find");
   if (named && a->figure != NULL) {
     tp_cli_refuse(state, "--figure draws the solution of the scene as it is; leave out --find");
   }
@@ -204,6 +208,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 'v':
     a->verbose = true;
+    return 0;
+  case KEY_LEAST_FORCE:
+    a->least_force = true;
     return 0;
   case KEY_OUTLINES:
     a->outlines = true;

@@ -27,6 +27,7 @@ typedef struct tp_solve_words {
   tp_level level;
   bool has_target;
   tp_find_options find; /* key NULL: nothing is to be found */
+  bool least_force;     /* the key is a force, and is to be least over its direction */
 } tp_solve_words;
 
 /* As they are where none is given. */

@@ -25,6 +25,8 @@ enum {
    * (scene/rule_self_affine.c, scene/check.c). */
   TP_BUDGET_PROFILE_POINTS = 500000,
   TP_BUDGET_TEETH = 500000,
+  /* Rows of one bolt, each a load of its own (scene/check.c). */
+  TP_BUDGET_ROWS = 1000,
   /* Work of a block that is set down: pairs that are looked at, of which the exact numbers of a
    * pose make some take long; several times that for all poses (rest/settle.c, basins.c). */
   TP_BUDGET_REST_PAIRS = 30000000,

@@ -6,6 +6,7 @@
 
 #include "scene/check.h"
 
+#include "scene/anchor.h"
 #include "scene/check_tilt_test.h"
 
 #include "common/budget.h"
@@ -72,6 +73,16 @@ tp_status tp_check_rule(tp_rule rule, const fmpq_t value, const char *name, tp_p
   case TP_RULE_SHARE:
     if (sign >= 0 && fmpq_cmp_ui(value, 1) <= 0) return TP_OK;
     return tp_refuse(message, TP_FAULT_RANGE, place, "%s must lie in [0, 1]", name);
+  case TP_RULE_DIP:
+    if (fmpq_cmp_si(value, -90) >= 0 && fmpq_cmp_si(value, 90) <= 0) return TP_OK;
+    return tp_refuse(message, TP_FAULT_RANGE, place,
+                     "%s must lie in [-90°, 90°], above 0 down into the rock", name);
+  case TP_RULE_COUNT:
+    if (fmpz_is_one(fmpq_denref(value)) && sign > 0 && fmpq_cmp_si(value, TP_BUDGET_ROWS) <= 0) {
+      return TP_OK;
+    }
+    return tp_refuse(message, TP_FAULT_RANGE, place, "%s must be a whole number from 1 to %d", name,
+                     TP_BUDGET_ROWS);
   case TP_RULE_BULGE:
     if (sign != 0) return TP_OK;
     return tp_refuse(message, TP_FAULT_GEOMETRY, place,
@@ -298,6 +309,7 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK && scene->loads.place.file != NULL) {
     status = tp_check_loads_weighed(scene, scene->loads.place, message);
   }
+  if (status == TP_OK) status = tp_anchors_check(scene, message);
   if (status == TP_OK && scene->friction.load_dependent) {
     status = tp_check_law_weighed(scene, scene->friction_angle_deg.place, message);
   }

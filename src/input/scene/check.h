@@ -20,7 +20,9 @@ typedef enum tp_rule {
   TP_RULE_UNIT_WEIGHT, /* of rock */
   TP_RULE_BEYOND,      /* of a base past its block */
   TP_RULE_BULGE,       /* of an arc */
-  TP_RULE_SHARE        /* [0, 1] */
+  TP_RULE_SHARE,       /* [0, 1] */
+  TP_RULE_DIP,         /* [-90, 90], of a bolt */
+  TP_RULE_COUNT        /* a whole number from 1 on, of rows of bolts */
 } tp_rule;
 
 /* Zero, or of a size that a double can tell. */

@@ -6,6 +6,8 @@
 
 #include "scene/moved.h"
 
+#include "scene/anchor.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,7 +49,7 @@ void tp_moved_begin(tp_scene *copy, const tp_scene *scene) {
   block->parts = NULL;
   block->arcs = NULL;
   block->rounded.corners = NULL;
-  copy->loads.pressures = copy->loads.surcharges = NULL;
+  copy->loads.pressures = copy->loads.surcharges = copy->loads.supports = NULL;
   copy->loads.anchors = NULL;
   copy->base.below.given = copy->base.left_of.given = copy->base.right_of.given = false;
 }
@@ -98,19 +100,41 @@ static tp_line_load *move_lines(const tp_line_load *own, long count, const tp_po
   return loads;
 }
 
+/* Its direction, which a dip and the scene's own frame give, becomes one of the frame that it is
+ * turned to; the step between rows is the difference of two moved points. */
+static void move_anchor(tp_anchor_description *moved, const tp_anchor_description *own,
+                        const tp_scene *scene, const fmpq_t turn_deg, const tp_point_map *map) {
+  const bool rows = own->step_x.given;
+  move_quantities(&moved->x, &moved->y, map);
+  fmpq_init(moved->direction_deg.value);
+  tp_anchor_direction(moved->direction_deg.value, scene, own);
+  fmpq_add(moved->direction_deg.value, moved->direction_deg.value, turn_deg);
+  if (own->dip_deg.given) moved->direction_deg.place = own->dip_deg.place;
+  moved->dip_deg.given = false;
+  fmpq_init(moved->step_x.value);
+  fmpq_init(moved->step_y.value);
+  if (!rows) return;
+  fmpq_add(moved->step_x.value, own->x.value, own->step_x.value);
+  fmpq_add(moved->step_y.value, own->y.value, own->step_y.value);
+  if (map->move != NULL) map->move(moved->step_x.value, moved->step_y.value, map->context);
+  fmpq_sub(moved->step_x.value, moved->step_x.value, moved->x.value);
+  fmpq_sub(moved->step_y.value, moved->step_y.value, moved->y.value);
+}
+
 bool tp_moved_loads(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
                     const tp_point_map *map) {
   tp_loads_description *loads = &copy->loads;
   const tp_loads_description *own = &scene->loads;
   loads->pressures = move_lines(own->pressures, own->pressure_count, map);
   loads->surcharges = move_lines(own->surcharges, own->surcharge_count, map);
+  loads->supports = move_lines(own->supports, own->support_count, map);
   loads->anchors = copied(own->anchors, own->anchor_count, sizeof *loads->anchors);
-  if (loads->pressures == NULL || loads->surcharges == NULL || loads->anchors == NULL) return false;
+  if (loads->pressures == NULL || loads->surcharges == NULL || loads->supports == NULL ||
+      loads->anchors == NULL) {
+    return false;
+  }
   for (long k = 0; k < own->anchor_count; k++) {
-    tp_anchor_description *a = loads->anchors + k;
-    move_quantities(&a->x, &a->y, map);
-    fmpq_init(a->direction_deg.value);
-    fmpq_add(a->direction_deg.value, own->anchors[k].direction_deg.value, turn_deg);
+    move_anchor(loads->anchors + k, own->anchors + k, scene, turn_deg, map);
   }
   return true;
 }
@@ -137,8 +161,10 @@ void tp_moved_clear_loads(tp_scene *copy) {
   tp_loads_description *loads = &copy->loads;
   tp_moved_clear_lines(loads->pressures, loads->pressure_count);
   tp_moved_clear_lines(loads->surcharges, loads->surcharge_count);
+  tp_moved_clear_lines(loads->supports, loads->support_count);
   for (long k = 0; k < loads->anchor_count && loads->anchors != NULL; k++) {
     clear_quantities(&loads->anchors[k].x, &loads->anchors[k].y);
+    clear_quantities(&loads->anchors[k].step_x, &loads->anchors[k].step_y);
     fmpq_clear(loads->anchors[k].direction_deg.value);
   }
   free(loads->anchors);

@@ -69,8 +69,10 @@ void tp_line_load_init(tp_line_load *load) {
 void tp_anchor_init(tp_anchor_description *anchor) {
   fmpq_init(anchor->x.value);
   fmpq_init(anchor->y.value);
-  fmpq_init(anchor->direction_deg.value);
-  fmpq_init(anchor->force_kn.value);
+  tp_quantity *const own[] = {&anchor->direction_deg, &anchor->dip_deg, &anchor->force_kn,
+                              &anchor->capacity_kn,   &anchor->length,  &anchor->spacing,
+                              &anchor->rows,          &anchor->step_x,  &anchor->step_y};
+  for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) fmpq_init(own[k]->value);
 }
 
 void tp_arc_init(tp_arc_description *arc) {

@@ -119,14 +119,25 @@ typedef struct tp_line_load {
   tp_place place;
   tp_quantity x0, y0, x1, y1;
   tp_quantity first_kpa, last_kpa;
+  bool passive; /* of a support: counts as resistance; else takes from what overturns */
 } tp_line_load;
+
+/* The side that a bolt runs to: into the slope, or the one that is said. */
+typedef enum tp_bolt_side { TP_BOLT_UP_DIP, TP_BOLT_LEFT, TP_BOLT_RIGHT } tp_bolt_side;
+
+/* An anchor pulls in a direction of the scene's frame. A bolt has a dip instead, and may have a
+ * length, a capacity, a spacing out of the drawing and rows (scene/anchor.h). */
 
 typedef struct tp_anchor_description {
   tp_place place;
   tp_quantity x, y;
   tp_quantity direction_deg; /* of its pull on the block, from x towards y */
-  tp_quantity force_kn;
-  bool passive; /* counts as resistance; else takes from what overturns */
+  tp_quantity dip_deg;       /* given: instead, below the horizontal */
+  tp_bolt_side side;
+  tp_quantity force_kn, capacity_kn; /* of one bolt */
+  tp_quantity length, spacing;       /* scene lengths; no spacing: one on the whole thickness */
+  tp_quantity rows, step_x, step_y;  /* from the first on; none given: one */
+  bool passive;                      /* counts as resistance; else takes from what overturns */
 } tp_anchor_description;
 
 /* Water behind the block, to a height over the up-dip end of the base joint, and below it. */
@@ -148,8 +159,8 @@ typedef struct tp_loads_description {
   bool direction_given;
   tp_seismic_direction direction; /* where the block lies on a slope: which way k_h acts */
   tp_water_description water;
-  long pressure_count, surcharge_count, anchor_count;
-  tp_line_load *pressures, *surcharges;
+  long pressure_count, surcharge_count, support_count, anchor_count;
+  tp_line_load *pressures, *surcharges, *supports;
   tp_anchor_description *anchors;
   tp_quantity bond_kpa, cohesion_kpa; /* of the contact */
 } tp_loads_description;

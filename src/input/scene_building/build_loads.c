@@ -101,6 +101,20 @@ tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_ex
                   &scene->loads.pressures, &scene->loads.pressure_count, message);
 }
 
+tp_status tp_scene_add_support_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
+                                        tp_exact y1, tp_exact first_kpa, tp_exact last_kpa,
+                                        bool passive, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_loads_description *loads = &scene->loads;
+  const tp_status status = add_line(scene, __func__, (tp_exact[]){x0, y0, x1, y1},
+                                    (tp_given[]){{"first_kpa", first_kpa, TP_RULE_NOT_NEGATIVE},
+                                                 {"last_kpa", last_kpa, TP_RULE_NOT_NEGATIVE}},
+                                    &loads->supports, &loads->support_count, message);
+  if (status == TP_OK) loads->supports[loads->support_count - 1].passive = passive;
+  return status;
+}
+
 tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                  tp_exact y1, tp_exact kpa, tp_message *message) {
   TP_GUARD_HOST;
@@ -111,16 +125,16 @@ tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_e
                   &scene->loads.surcharge_count, message);
 }
 
-tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact direction_deg,
-                              tp_exact force_kn, bool passive, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
+/* With its direction or its dip. */
+static tp_status add_anchor(tp_scene *scene, const char *call, tp_exact x, tp_exact y,
+                            tp_given direction, tp_exact force_kn, bool passive,
+                            tp_message *message) {
   const tp_given given[] = {{"x", x, TP_RULE_ANY},
                             {"y", y, TP_RULE_ANY},
-                            {"direction_deg", direction_deg, TP_RULE_ANY},
+                            direction,
                             {"force_kn", force_kn, TP_RULE_NOT_NEGATIVE}};
   tp_build build;
-  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  tp_status status = tp_build_begin(&build, scene, call, message);
   if (status == TP_OK) status = tp_build_read(&build, given, 4);
   if (status == TP_OK) {
     tp_loads_description *loads = &scene->loads;
@@ -136,8 +150,117 @@ tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact 
     anchor->passive = passive;
     tp_build_put(&build, &anchor->x, 0);
     tp_build_put(&build, &anchor->y, 1);
-    tp_build_put(&build, &anchor->direction_deg, 2);
+    tp_build_put(&build, direction.rule == TP_RULE_DIP ? &anchor->dip_deg : &anchor->direction_deg,
+                 2);
     tp_build_put(&build, &anchor->force_kn, 3);
+  }
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact direction_deg,
+                              tp_exact force_kn, bool passive, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given direction = {"direction_deg", direction_deg, TP_RULE_ANY};
+  return add_anchor(scene, __func__, x, y, direction, force_kn, passive, message);
+}
+
+/* ---- bolts -------------------------------------------------------------------------------------
+ */
+
+tp_status tp_scene_add_bolt(tp_scene *scene, tp_exact x, tp_exact y, tp_exact dip_deg,
+                            tp_exact force_kn, bool passive, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given dip = {"dip_deg", dip_deg, TP_RULE_DIP};
+  return add_anchor(scene, __func__, x, y, dip, force_kn, passive, message);
+}
+
+/* One that was added, which the call gives more; a message where there is none of the number. */
+static tp_status find_bolt(tp_anchor_description **bolt, const tp_build *build, size_t number) {
+  const tp_loads_description *loads = &build->scene->loads;
+  if (number >= 1 && number <= (size_t)loads->anchor_count) {
+    *bolt = loads->anchors + (number - 1);
+    return TP_OK;
+  }
+  return tp_refuse(build->message, TP_FAULT_ARGUMENT, build->place,
+                   "there is no bolt of this number: they count from 1, and the scene has %ld",
+                   loads->anchor_count);
+}
+
+tp_status tp_scene_set_bolt_towards(tp_scene *scene, size_t number, tp_direction towards,
+                                    tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_build build;
+  tp_anchor_description *bolt = NULL;
+  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK) status = find_bolt(&bolt, &build, number);
+  if (status == TP_OK && towards != TP_TOWARDS_LEFT && towards != TP_TOWARDS_RIGHT) {
+    status = tp_refuse(message, TP_FAULT_ARGUMENT, build.place, "there is no such direction");
+  }
+  if (status == TP_OK) bolt->side = towards == TP_TOWARDS_LEFT ? TP_BOLT_LEFT : TP_BOLT_RIGHT;
+  tp_build_end(&build);
+  return status;
+}
+
+/* One number more of a bolt: that at an offset in it. */
+static tp_status set_bolt(tp_scene *scene, const char *call, size_t number, tp_given given,
+                          size_t offset, tp_message *message) {
+  tp_build build;
+  tp_anchor_description *bolt = NULL;
+  tp_status status = tp_build_begin(&build, scene, call, message);
+  if (status == TP_OK) status = find_bolt(&bolt, &build, number);
+  if (status == TP_OK) status = tp_build_read(&build, &given, 1);
+  if (status == TP_OK) {
+    tp_build_put(&build, (tp_quantity *)(void *)((char *)bolt + offset), 0);
+  }
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_set_bolt_length(tp_scene *scene, size_t number, tp_exact length,
+                                   tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_bolt(scene, __func__, number, (tp_given){"length", length, TP_RULE_ABOVE_ZERO},
+                  offsetof(tp_anchor_description, length), message);
+}
+
+tp_status tp_scene_set_bolt_capacity_kn(tp_scene *scene, size_t number, tp_exact capacity_kn,
+                                        tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_bolt(scene, __func__, number,
+                  (tp_given){"capacity_kn", capacity_kn, TP_RULE_ABOVE_ZERO},
+                  offsetof(tp_anchor_description, capacity_kn), message);
+}
+
+tp_status tp_scene_set_bolt_spacing(tp_scene *scene, size_t number, tp_exact spacing,
+                                    tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_bolt(scene, __func__, number, (tp_given){"spacing", spacing, TP_RULE_ABOVE_ZERO},
+                  offsetof(tp_anchor_description, spacing), message);
+}
+
+tp_status tp_scene_set_bolt_rows(tp_scene *scene, size_t number, long rows, tp_exact dx,
+                                 tp_exact dy, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"rows", tp_exact_of((double)rows), TP_RULE_COUNT},
+                            {"dx", dx, TP_RULE_ANY},
+                            {"dy", dy, TP_RULE_ANY}};
+  tp_build build;
+  tp_anchor_description *bolt = NULL;
+  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK) status = find_bolt(&bolt, &build, number);
+  if (status == TP_OK) status = tp_build_read(&build, given, 3);
+  if (status == TP_OK) {
+    tp_build_put(&build, &bolt->rows, 0);
+    tp_build_put(&build, &bolt->step_x, 1);
+    tp_build_put(&build, &bolt->step_y, 2);
   }
   tp_build_end(&build);
   return status;

@@ -73,7 +73,8 @@ static tp_status read_kpa(const tp_reader *reader, tp_line_load *load, const tp_
 }
 
 static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long *count,
-                            const tp_node *node, const char *what, bool two) {
+                            const tp_node *node, const tp_key_map *map, const char *what,
+                            bool two) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, TP_FAULT_FORMAT, node,
@@ -86,7 +87,8 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
     tp_line_load *load = *loads + (*count)++;
     tp_line_load_init(load);
     load->place = tp_node_place(n, reader->scene->path);
-    status = tp_read_keys(reader, n, &tp_key_map_loads_pressures, what);
+    load->passive = map == &tp_key_map_loads_support_pressures;
+    status = tp_read_map(reader, load, n, map, what);
     if (status == TP_OK) status = read_required_point(reader, &load->x0, &load->y0, n, "from");
     if (status == TP_OK) status = read_required_point(reader, &load->x1, &load->y1, n, "to");
     if (status == TP_OK) status = read_kpa(reader, load, n, two);
@@ -94,12 +96,28 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
   return status;
 }
 
+static tp_status read_side(const tp_reader *reader, tp_bolt_side *side, const tp_node *node) {
+  if (node == NULL) return TP_OK;
+  if (node->kind == TP_NODE_SCALAR && strcmp(node->text, "left") == 0) *side = TP_BOLT_LEFT;
+  if (node->kind == TP_NODE_SCALAR && strcmp(node->text, "right") == 0) *side = TP_BOLT_RIGHT;
+  return *side != TP_BOLT_UP_DIP
+             ? TP_OK
+             : tp_read_fail(reader, TP_FAULT_KEY, node, "towards must be left or right");
+}
+
 static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anchor,
                              const tp_node *node) {
   anchor->place = tp_node_place(node, reader->scene->path);
-  const tp_status status =
-      tp_read_map(reader, anchor, node, &tp_key_map_loads_anchors, "an anchor");
-  return status == TP_OK ? read_required_point(reader, &anchor->x, &anchor->y, node, "at") : status;
+  tp_status status = tp_read_map(reader, anchor, node, &tp_key_map_loads_anchors, "an anchor");
+  if (status == TP_OK) {
+    status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
+  }
+  if (status == TP_OK) status = read_side(reader, &anchor->side, tp_node_get(node, "towards"));
+  const tp_node *step = tp_node_get(node, "row_step");
+  if (status == TP_OK && step != NULL) {
+    status = tp_read_point(reader, &anchor->step_x, &anchor->step_y, step, "row_step");
+  }
+  return status;
 }
 
 static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
@@ -107,7 +125,7 @@ static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, TP_FAULT_FORMAT, node,
-                        "anchors are a list of {at: [x, y], direction_deg: -30, force_kn: 50}");
+                        "anchors are a list of {at: [x, y], dip_deg: 15, force_kn: 50}");
   }
   loads->anchors = calloc((size_t)node->count + 1, sizeof *loads->anchors);
   if (loads->anchors == NULL) return tp_fail_memory(reader->message, "the loads");
@@ -130,12 +148,19 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
   if (status == TP_OK) status = read_seismic(reader, tp_node_get(node, "seismic"));
   if (status == TP_OK) status = read_water(reader, tp_node_get(node, "water"));
   if (status == TP_OK) {
-    status = read_lines(reader, &loads->pressures, &loads->pressure_count,
-                        tp_node_get(node, "pressures"), "pressures", true);
+    status =
+        read_lines(reader, &loads->pressures, &loads->pressure_count,
+                   tp_node_get(node, "pressures"), &tp_key_map_loads_pressures, "pressures", true);
   }
   if (status == TP_OK) {
     status = read_lines(reader, &loads->surcharges, &loads->surcharge_count,
-                        tp_node_get(node, "surcharges"), "surcharges", false);
+                        tp_node_get(node, "surcharges"), &tp_key_map_loads_pressures, "surcharges",
+                        false);
+  }
+  if (status == TP_OK) {
+    status = read_lines(reader, &loads->supports, &loads->support_count,
+                        tp_node_get(node, "support_pressures"), &tp_key_map_loads_support_pressures,
+                        "support_pressures", true);
   }
   if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
   return status == TP_OK ? tp_read_values(reader, scene, node, &tp_key_map_loads) : status;

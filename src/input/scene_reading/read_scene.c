@@ -4,6 +4,7 @@
 /* Reads a scene file as a whole: version, units, parameters, then section by section in fixed
  * order, and checks that every override was used. */
 
+#include "scene/anchor.h"
 #include "scene/check_tilt_test.h"
 #include "scene_reading/read.h"
 
@@ -134,6 +135,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_slope(reader, tp_node_get(root, "slope"));
+  if (status == TP_OK) status = tp_anchors_check(scene, reader->message);
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));
   if (status == TP_OK) status = tp_read_shaking(reader, tp_node_get(root, "shaking"));
   if (status == TP_OK) status = tp_read_section_used(reader, tp_node_get(root, "section"));

@@ -119,6 +119,13 @@ static double draw_entry(double *y, cairo_t *cr, const entry *e, double at, doub
   return at + needed + 10;
 }
 
+/* Is a bolt drawn with its length? */
+static bool has_length(const tp_loads_description *loads) {
+  bool any = false;
+  for (long k = 0; k < loads->anchor_count; k++) any = any || loads->anchors[k].length.given;
+  return any;
+}
+
 static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
                         const tp_drawn_names *names, double scale, double x, double width) {
   bool reacts = false, shakes = false, lines = false, turns = false, combined = false,
@@ -154,7 +161,9 @@ static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
       {loads->water.given, TINT, TP_INK_SKY, "water pressure"},
       {loads->anchor_count > 0, ARROW, TP_INK_PURPLE, "anchor"},
       {loads->pressure_count + loads->surcharge_count > 0, ARROW, TP_INK_PURPLE,
-       "pressure or surcharge"}};
+       "pressure or surcharge"},
+      {loads->support_count > 0, ARROW, TP_INK_PURPLE, "pressure of a lining or a wall"},
+      {has_length(loads), LINE, TP_INK_PURPLE, "length of bolts beyond the block"}};
   *y += PITCH;
   double at = x + scale_bar(cr, figure, scale, x, *y) + 14;
   for (size_t k = 0; k < sizeof entries / sizeof entries[0]; k++) {

@@ -2,9 +2,12 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Loads that act at a point or on a line: water, pressures, surcharges, anchors. Their sizes are
- * not to scale. */
+ * not to scale, but lengths of bolts are. */
 
 #include "figure/figure.h"
+
+#include "load/bolt_way.h"
+#include "scene/anchor.h"
 
 #include <math.h>
 
@@ -96,11 +99,45 @@ static void draw_line_load(tp_panel *p, const tp_line_load *load, bool surcharge
   }
 }
 
-static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
-  const double angle = fmpq_get_d(anchor->direction_deg.value) * atan(1) / 45;
-  const tp_spot at = tp_view_spot(&p->view, tp_shape_of_scene(&p->figure->shape, p->figure->problem,
-                                                              anchor->x.value, anchor->y.value));
-  const tp_spot d = tp_view_direction(&p->view, (tp_spot){cos(angle), sin(angle)});
+static void draw_line(const tp_panel *p, tp_spot from, tp_spot to, double width) {
+  cairo_new_path(p->cr);
+  cairo_move_to(p->cr, from.x, from.y);
+  cairo_line_to(p->cr, to.x, to.y);
+  cairo_set_line_width(p->cr, width);
+  cairo_stroke(p->cr);
+}
+
+/* A bolt of a length: its head across it, the bar, and thicker what is beyond the block. */
+static void draw_bolt(tp_panel *p, const tp_anchor_description *anchor, const fmpq_t x,
+                      const fmpq_t y, const fmpq_t direction_deg, tp_spot along) {
+  enum { BITS = 64, HEAD = 5 };
+  const tp_problem *problem = p->figure->problem;
+  const tp_spot own = tp_shape_of_scene(&p->figure->shape, problem, x, y);
+  const double length = in_units(p, anchor->length.value);
+  arb_t way;
+  arb_init(way);
+  (void)tp_bolt_way(way, problem->section.rings, x, y, direction_deg, BITS);
+  const double share = arf_get_d(arb_midref(way), ARF_RND_NEAR) / fmpq_get_d(anchor->length.value);
+  arb_clear(way);
+  const tp_spot at = tp_view_spot(&p->view, own);
+  const tp_spot end =
+      tp_view_spot(&p->view, (tp_spot){own.x + length * along.x, own.y + length * along.y});
+  const tp_spot out = {at.x + share * (end.x - at.x), at.y + share * (end.y - at.y)};
+  const tp_spot d = tp_view_direction(&p->view, along);
+  draw_line(p, (tp_spot){at.x - HEAD * d.y, at.y + HEAD * d.x},
+            (tp_spot){at.x + HEAD * d.y, at.y - HEAD * d.x}, 2.2);
+  draw_line(p, at, out, 0.9);
+  draw_line(p, out, end, 2.6);
+  tp_label_room_line(&p->room, at, end);
+}
+
+static void draw_row(tp_panel *p, const tp_anchor_description *anchor, const fmpq_t x,
+                     const fmpq_t y, const fmpq_t direction_deg) {
+  const double angle = fmpq_get_d(direction_deg) * atan(1) / 45;
+  const tp_spot along = {cos(angle), sin(angle)};
+  const tp_spot at =
+      tp_view_spot(&p->view, tp_shape_of_scene(&p->figure->shape, p->figure->problem, x, y));
+  const tp_spot d = tp_view_direction(&p->view, along);
   const tp_spot tip = {at.x + 2 * LOAD_ARROW * d.x, at.y + 2 * LOAD_ARROW * d.y};
   tp_figure_ink(p->cr, TP_INK_PURPLE);
   cairo_new_path(p->cr);
@@ -108,12 +145,29 @@ static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
   cairo_fill(p->cr);
   tp_figure_arrow(p->cr, at, tip, 1.4);
   tp_label_room_line(&p->room, at, tip);
+  if (anchor->length.given) draw_bolt(p, anchor, x, y, direction_deg, along);
+}
+
+static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
+  fmpq_t x, y, direction;
+  fmpq_init(x);
+  fmpq_init(y);
+  fmpq_init(direction);
+  tp_anchor_direction(direction, p->figure->problem->scene, anchor);
+  for (long row = 0; row < tp_anchor_rows(anchor); row++) {
+    tp_anchor_point(x, y, anchor, row);
+    draw_row(p, anchor, x, y, direction);
+  }
+  fmpq_clear(x);
+  fmpq_clear(y);
+  fmpq_clear(direction);
 }
 
 void tp_figure_draw_loads(tp_panel *p) {
   const tp_loads_description *loads = &p->figure->problem->scene->loads;
   draw_water(p);
   for (long k = 0; k < loads->pressure_count; k++) draw_line_load(p, loads->pressures + k, false);
+  for (long k = 0; k < loads->support_count; k++) draw_line_load(p, loads->supports + k, false);
   for (long k = 0; k < loads->surcharge_count; k++) draw_line_load(p, loads->surcharges + k, true);
   for (long k = 0; k < loads->anchor_count; k++) draw_anchor(p, loads->anchors + k);
 }

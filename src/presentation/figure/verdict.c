@@ -176,6 +176,7 @@ static void add_loads(tp_text *t, const tp_figure *figure) {
                                                      : "water"},
                {l->pressure_count > 0, "pressure"},
                {l->surcharge_count > 0, "surcharge"},
+               {l->support_count > 0, "support pressure"},
                {l->anchor_count > 0, l->anchor_count > 1 ? "anchors" : "anchor"},
                {l->bond_kpa.given, "bond"},
                {l->cohesion_kpa.given, "cohesion"}};

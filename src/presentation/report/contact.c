@@ -9,6 +9,7 @@
 #include "report/earthquakes.h"
 #include "report/joint.h"
 #include "report/parts_json.h"
+#include "report/supports.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -190,6 +191,7 @@ void tp_page_add_contact(tp_page *p) {
   add_within(p);
   add_frame(p);
   tp_page_add_earthquakes(p);
+  tp_page_add_supports(p);
   tp_text_add(&p->text, "Base     ");
   if (c->mated || c->shifted) {
     tp_text_add(&p->text, c->mated

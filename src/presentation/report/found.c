@@ -63,9 +63,19 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   char number[TP_NUMBER_SIZE];
   tp_encode_plain(&t, f->key);
   tp_text_add(&t, " for %s = %.15g\n", tp_find_target_name(options->target), options->value);
+  if (f->least_over != NULL) {
+    tp_text_add(&t, "  least at ");
+    tp_encode_plain(&t, f->least_over);
+    tp_text_add(&t, " = %.4f: the direction is a search in doubles; the force there is proven\n",
+                f->direction_deg);
+  }
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
                 f->solutions[k].error);
+    if (f->per_metre != NULL) {
+      tp_text_add(&t, "    %s kN per metre along the slope, of all rows\n",
+                  tp_text_significant(number, f->per_metre[k], 9));
+    }
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
   }
   for (size_t k = 0; k < f->touching_count; k++) {

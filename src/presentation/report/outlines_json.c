@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "problem/problem.h"
 #include "report/solution_json.h"
+#include "scene/anchor.h"
 #include "shape/shape.h"
 
 #include <math.h>
@@ -97,14 +98,29 @@ static void add_line_load(tp_json *j, const tp_shape *s, const tp_problem *probl
   tp_json_close(j);
 }
 
+/* A row of bolts as one that bears what they do on the thickness. */
+static void add_row(tp_json *j, const tp_shape *s, const tp_problem *problem,
+                    const tp_anchor_description *anchor, long row) {
+  fmpq_t x, y, number;
+  fmpq_init(x);
+  fmpq_init(y);
+  fmpq_init(number);
+  tp_anchor_point(x, y, anchor, row);
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  add_at(j, (const char *[]){"x_m", "y_m"}, tp_shape_of_scene(s, problem, x, y), s->unit_m);
+  tp_anchor_direction(number, problem->scene, anchor);
+  tp_json_double(j, "direction_deg", fmpq_get_d(number));
+  tp_anchor_row_force(number, problem->scene, anchor);
+  tp_json_double(j, "force_kn", fmpq_get_d(number));
+  tp_json_close(j);
+  fmpq_clear(x);
+  fmpq_clear(y);
+  fmpq_clear(number);
+}
+
 static void add_anchor(tp_json *j, const tp_shape *s, const tp_problem *problem,
                        const tp_anchor_description *anchor) {
-  tp_json_object(j, NULL, TP_JSON_LINE);
-  add_at(j, (const char *[]){"x_m", "y_m"},
-         tp_shape_of_scene(s, problem, anchor->x.value, anchor->y.value), s->unit_m);
-  tp_json_double(j, "direction_deg", fmpq_get_d(anchor->direction_deg.value));
-  tp_json_double(j, "force_kn", fmpq_get_d(anchor->force_kn.value));
-  tp_json_close(j);
+  for (long row = 0; row < tp_anchor_rows(anchor); row++) add_row(j, s, problem, anchor, row);
 }
 
 static void add_loads(tp_json *j, const tp_shape *s, const tp_problem *problem) {
@@ -121,6 +137,9 @@ static void add_loads(tp_json *j, const tp_shape *s, const tp_problem *problem) 
   tp_json_array(j, "pressures", TP_JSON_LIST);
   for (long k = 0; k < loads->pressure_count; k++) {
     add_line_load(j, s, problem, loads->pressures + k, false);
+  }
+  for (long k = 0; k < loads->support_count; k++) {
+    add_line_load(j, s, problem, loads->supports + k, false);
   }
   tp_json_close(j);
   tp_json_array(j, "surcharges", TP_JSON_LIST);

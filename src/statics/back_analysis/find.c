@@ -13,16 +13,18 @@
  * come so close that the bound does not tell whether it touches it: a double solution, or none.
  * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
+#include "back_analysis/find_least.h"
 #include "back_analysis/find_search.h"
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
+#include "scene/anchor.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-TP_OPTIONS_END(tp_find_options, high);
+TP_OPTIONS_END(tp_find_options, least_over);
 
 void tp_find_options_init(tp_find_options *options, size_t size) {
   const tp_find_options defaults = {.size = sizeof defaults, .target = TP_FIND_CRITICAL_ANGLE};
@@ -36,6 +38,8 @@ void tp_found_free(tp_found *found) {
   free(found->touching);
   free(found->intervals);
   free(found->governing);
+  free(found->per_metre);
+  free(found->least_over);
   free(found);
 }
 
@@ -159,6 +163,64 @@ static void tell_governing(tp_search *s) {
   }
 }
 
+/* The bolts whose force is looked for; NULL: it is another number. */
+static const tp_anchor_description *found_bolts(const tp_search *s) {
+  static const char begin[] = "loads.anchors.";
+  const tp_loads_description *loads = &s->varied.scene->loads;
+  char *end = NULL;
+  if (strncmp(s->options->key, begin, strlen(begin)) != 0) return NULL;
+  const long number = strtol(s->options->key + strlen(begin), &end, 10);
+  const bool known = number >= 1 && number <= loads->anchor_count;
+  return known && strcmp(end, ".force_kn") == 0 ? loads->anchors + (number - 1) : NULL;
+}
+
+/* A force of bolts at a spacing: what that is per metre, of all rows. */
+static void tell_per_metre(tp_search *s) {
+  tp_found *found = s->found;
+  const tp_anchor_description *bolts = found_bolts(s);
+  if (bolts == NULL || !bolts->spacing.given || found->count == 0) return;
+  found->per_metre = calloc(found->count, sizeof *found->per_metre);
+  if (found->per_metre == NULL) {
+    s->status = tp_fail_memory(s->message, "the solutions");
+    return;
+  }
+  fmpq_t rows;
+  fmpq_init(rows);
+  fmpq_mul(rows, bolts->spacing.value, s->varied.scene->metres_per_unit);
+  fmpq_inv(rows, rows);
+  fmpq_mul_si(rows, rows, tp_anchor_rows(bolts));
+  const double factor = fmpq_get_d(rows);
+  fmpq_clear(rows);
+  for (size_t k = 0; k < found->count; k++) {
+    const tp_bounded own = found->solutions[k];
+    found->per_metre[k] =
+        (tp_bounded){.value = factor * own.value,
+                     .error = factor * (own.error * (1 + 0x1p-50) + fabs(own.value) * 0x1p-50)};
+  }
+}
+
+/* The scene with the direction of the least force; unless a range is given, the force is looked for
+ * up to twice what the search came to. */
+static void turn_to_least(tp_search *s, tp_scene **turned) {
+  const tp_find_options *o = s->options;
+  tp_found *found = s->found;
+  double force = 0;
+  found->least_over = strdup(o->least_over);
+  s->status = found->least_over != NULL ? tp_search_least(&found->direction_deg, &force, s)
+                                        : tp_fail_memory(s->message, "the solutions");
+  if (s->status == TP_OK) {
+    s->status = tp_scene_with(turned, s->varied.scene, o->least_over,
+                              tp_exact_of(found->direction_deg), s->message);
+  }
+  if (s->status == TP_OK) {
+    s->varied.scene = *turned;
+    s->status = tp_scene_key_find(s->varied.keys, *turned, o->key, s->message);
+  }
+  if (s->status == TP_OK && !o->has_high) found->high = 2 * force;
+  found->least.value = INFINITY;
+  found->greatest.value = -INFINITY;
+}
+
 tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options *options,
                   tp_message *message) {
   TP_GUARD_HOST;
@@ -190,8 +252,12 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   if (s.status == TP_OK) s.status = check_reach(&s);
   if (s.status == TP_OK) s.status = set_range(&s, own);
   s.found = own;
+  tp_scene *turned = NULL;
+  if (s.status == TP_OK && options->least_over != NULL) turn_to_least(&s, &turned);
   if (s.status == TP_OK) tp_search_scan(&s);
   if (s.status == TP_OK) tell_governing(&s);
+  if (s.status == TP_OK) tell_per_metre(&s);
+  tp_scene_free(turned);
   if (s.status == TP_OK) {
     *found = own;
   } else {

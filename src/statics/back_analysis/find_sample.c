@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
+bool tp_search_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
   const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
   const bool slides = own->sliding.known && !own->sliding.never;
   const bool has_angle = slides && !own->sliding.always;
@@ -59,7 +59,7 @@ tp_sample tp_search_sample(tp_search *s, double x) {
   tp_solution *solution = NULL;
   const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
   if (status == TP_OK && solution->case_count > 0) {
-    at.known = target_value(&at.gap, solution->cases, s->options->target);
+    at.known = tp_search_value(&at.gap, solution->cases, s->options->target);
     take_digits(at.digits, at.gap);
     at.gap.digits = NULL;
     if (at.known) note_result(s->found, at.gap);

@@ -30,6 +30,9 @@ typedef struct tp_sample {
   char digits[TP_SAMPLE_DIGITS];
 } tp_sample;
 
+/* The result of a case that a number is found for; false where it is none. */
+bool tp_search_value(tp_bounded *value, const tp_case *own, tp_find_target target);
+
 tp_sample tp_search_sample(tp_search *search, double x);
 
 /* 1 above the wanted value, -1 below; 0 where that is not certain. */

@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* An anchor: a force of fixed size and direction in the block's frame, at a point of the block. */
+/* An anchor: a force of fixed size and direction in the block's frame, at a point of the block; of
+ * bolts at a spacing what a row bears on the whole thickness. */
 
 #include "load/setting.h"
 
 #include "number/ball.h"
+#include "scene/anchor.h"
 
-void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor,
+void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor, long row,
                     const tp_load_setting *s) {
+  fmpq_t number;
+  tp_quantity at[2];
   tp_trig fx, fy;
   arb_t x, y, force;
   tp_trig_init(&fx);
@@ -16,14 +20,23 @@ void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor,
   arb_init(x);
   arb_init(y);
   arb_init(force);
-  tp_ball_sin_cos_degrees(fy.of + TP_ONE, fx.of + TP_ONE, anchor->direction_deg.value, s->bits);
+  fmpq_init(number);
+  fmpq_init(at[0].value);
+  fmpq_init(at[1].value);
+  tp_anchor_direction(number, s->scene, anchor);
+  tp_ball_sin_cos_degrees(fy.of + TP_ONE, fx.of + TP_ONE, number, s->bits);
   if (s->mirrored) arb_neg(fx.of + TP_ONE, fx.of + TP_ONE);
-  arb_set_fmpq(force, anchor->force_kn.value, s->bits);
+  tp_anchor_row_force(number, s->scene, anchor);
+  arb_set_fmpq(force, number, s->bits);
   arb_mul_ui(force, force, TP_KILO, s->bits);
   arb_mul(fx.of + TP_ONE, fx.of + TP_ONE, force, s->bits);
   arb_mul(fy.of + TP_ONE, fy.of + TP_ONE, force, s->bits);
-  tp_load_point(x, y, &anchor->x, &anchor->y, s);
+  tp_anchor_point(at[0].value, at[1].value, anchor, row);
+  tp_load_point(x, y, &at[0], &at[1], s);
   tp_wrench_add_force(wrench, &fx, &fy, x, y, s->bits);
+  fmpq_clear(number);
+  fmpq_clear(at[0].value);
+  fmpq_clear(at[1].value);
   tp_trig_clear(&fx);
   tp_trig_clear(&fy);
   arb_clear(x);

@@ -1,35 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Geometry of loads in rationals: points in the outline by counting crossings of a ray, pressures
- * and surcharges on its edges, anchors at points of the block. */
+/* Geometry of loads in rationals: pressures and surcharges on edges of the outline, anchors at
+ * points of the block. */
 
 #include "load/check.h"
 
-static bool between(const fmpq *value, const fmpq *a, const fmpq *b) {
-  return (fmpq_cmp(a, value) <= 0 && fmpq_cmp(value, b) <= 0) ||
-         (fmpq_cmp(b, value) <= 0 && fmpq_cmp(value, a) <= 0);
-}
-
-bool tp_loads_on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y) {
-  const long next = k + 1 == ring->count ? 0 : k + 1;
-  const fmpq *x0 = ring->x + k, *y0 = ring->y + k, *x1 = ring->x + next, *y1 = ring->y + next;
-  return tp_points_turn(x0, y0, x1, y1, x, y) == 0 && between(x, x0, x1) && between(y, y0, y1);
-}
-
-/* By crossings of a ray to the right. */
-bool tp_loads_in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y) {
-  bool inside = false;
-  for (long k = 0; k < ring->count; k++) {
-    const long next = k + 1 == ring->count ? 0 : k + 1;
-    if (tp_loads_on_edge(ring, k, x, y)) return true;
-    const bool above = fmpq_cmp(ring->y + k, y) > 0, next_above = fmpq_cmp(ring->y + next, y) > 0;
-    if (above == next_above) continue;
-    const int side = tp_points_turn(ring->x + k, ring->y + k, ring->x + next, ring->y + next, x, y);
-    if ((side > 0) == next_above) inside = !inside;
-  }
-  return inside;
-}
+#include "load/bolt_way.h"
 
 static bool is_point(const tp_line_load *load) {
   return fmpq_equal(load->x0.value, load->x1.value) && fmpq_equal(load->y0.value, load->y1.value);
@@ -178,12 +155,12 @@ tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_me
   if (status == TP_OK) {
     status = check_lines(loads->surcharges, loads->surcharge_count, ring, "surcharge", message);
   }
+  if (status == TP_OK) {
+    status = check_lines(loads->supports, loads->support_count, ring, "support pressure", message);
+  }
+  if (status == TP_OK) status = check_sense(loads->supports, loads->support_count, ring, message);
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
-    const tp_anchor_description *a = loads->anchors + k;
-    if (tp_loads_in_outline(ring, a->x.value, a->y.value)) continue;
-    status = tp_refuse(message, TP_FAULT_GEOMETRY, a->place,
-                       "this anchor does not hold the block: 'at' "
-                       "lies outside its outline");
+    status = tp_bolt_check(scene, loads->anchors + k, ring, message);
   }
   return status;
 }

@@ -8,6 +8,7 @@
 #define TP_LOAD_CHECK_H
 
 #include "block/section.h"
+#include "load/outline.h"
 
 /* Refuse anchors outside the block, and pressures and surcharges on lines that are no part of its
  * outline. */
@@ -19,9 +20,5 @@ TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *se
 TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
                                            const fmpq_t heel_x, const fmpq_t heel_y,
                                            const char *towards, tp_message *message);
-
-/* Does a point lie on the edge from the k-th vertex of the outline on, or in or on all of it? */
-bool tp_loads_on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y);
-bool tp_loads_in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y);
 
 #endif

@@ -6,10 +6,12 @@
 
 #include "load/loads.h"
 #include "common/clock.h"
+#include "scene/anchor.h"
 
 const char *tp_load_name(tp_load_kind kind) {
-  static const char *const names[] = {"weight",   "seismic",   "water", "uplift",
-                                      "pressure", "surcharge", "anchor"};
+  static const char *const names[] = {"weight",           "seismic",  "water",
+                                      "uplift",           "pressure", "surcharge",
+                                      "support pressure", "anchor"};
   return names[kind];
 }
 
@@ -21,10 +23,17 @@ static bool pushes(const tp_water_description *water) {
   return water->given && !water->lifts_alone;
 }
 
+/* Each row of bolts is a load. */
+static long anchor_count(const tp_loads_description *loads) {
+  long count = 0;
+  for (long k = 0; k < loads->anchor_count; k++) count += tp_anchor_rows(loads->anchors + k);
+  return count;
+}
+
 long tp_loads_count(const tp_loads_description *loads) {
   return 1 + is_seismic(loads) + pushes(&loads->water) +
          (loads->water.given && loads->water.uplift) + loads->pressure_count +
-         loads->surcharge_count + loads->anchor_count;
+         loads->surcharge_count + loads->support_count + anchor_count(loads);
 }
 
 bool tp_loads_are_called_for(const tp_loads_description *loads) {
@@ -45,6 +54,18 @@ static tp_load *next_line(tp_load **loads, tp_load_kind kind, const tp_line_load
   return own;
 }
 
+static void evaluate_rows(tp_load **loads, const tp_anchor_description *anchor,
+                          const tp_load_setting *s) {
+  for (long row = 0; row < tp_anchor_rows(anchor); row++) {
+    tp_load *own = next(loads, TP_LOAD_ANCHOR, anchor->place);
+    own->anchor = anchor;
+    own->row = row;
+    own->active = !anchor->passive;
+    own->passive = anchor->passive;
+    tp_load_anchor(&own->wrench, anchor, row, s);
+  }
+}
+
 void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
   const tp_loads_description *d = &s->scene->loads;
   tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
@@ -61,12 +82,12 @@ void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
     const tp_line_load *load = d->surcharges + k;
     tp_load_surcharge(&next_line(&loads, TP_LOAD_SURCHARGE, load)->wrench, load, s);
   }
-  for (long k = 0; k < d->anchor_count; k++) {
-    const tp_anchor_description *anchor = d->anchors + k;
-    tp_load *own = next(&loads, TP_LOAD_ANCHOR, anchor->place);
-    own->anchor = anchor;
-    own->active = !anchor->passive;
-    own->passive = anchor->passive;
-    tp_load_anchor(&own->wrench, anchor, s);
+  for (long k = 0; k < d->support_count; k++) {
+    const tp_line_load *load = d->supports + k;
+    tp_load *own = next_line(&loads, TP_LOAD_SUPPORT, load);
+    own->active = !load->passive;
+    own->passive = load->passive;
+    tp_load_pressure(&own->wrench, load, s);
   }
+  for (long k = 0; k < d->anchor_count; k++) evaluate_rows(&loads, d->anchors + k, s);
 }

@@ -15,6 +15,7 @@ typedef enum tp_load_kind {
   TP_LOAD_UPLIFT,
   TP_LOAD_PRESSURE,
   TP_LOAD_SURCHARGE,
+  TP_LOAD_SUPPORT,
   TP_LOAD_ANCHOR
 } tp_load_kind;
 
@@ -23,8 +24,9 @@ typedef enum tp_load_kind {
 typedef struct tp_load {
   tp_load_kind kind;
   tp_place place;
-  const tp_line_load *line;            /* of a pressure or a surcharge */
-  const tp_anchor_description *anchor; /* of an anchor */
+  const tp_line_load *line;            /* of a pressure, also of a support, or a surcharge */
+  const tp_anchor_description *anchor; /* of an anchor: */
+  long row;                            /* of its rows, counted from 0 */
   bool active, passive;
   double began; /* by tp_clock_now */
   tp_wrench wrench;

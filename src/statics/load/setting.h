@@ -40,7 +40,7 @@ void tp_load_water(tp_wrench *wrench, const tp_load_setting *setting);
 void tp_load_uplift(tp_wrench *wrench, const tp_load_setting *setting);
 void tp_load_pressure(tp_wrench *wrench, const tp_line_load *load, const tp_load_setting *setting);
 void tp_load_surcharge(tp_wrench *wrench, const tp_line_load *load, const tp_load_setting *setting);
-void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor,
+void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor, long row,
                     const tp_load_setting *setting);
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "load/vanish.h"
 
+#include "scene/anchor.h"
+
 void tp_exact_setting_init(tp_exact_setting *s, const tp_scene *scene, bool mirrored) {
   *s = (tp_exact_setting){.scene = scene, .mirrored = mirrored};
   fmpq *const all[] = {s->x,     s->y,     s->heel_x,  s->heel_y,
@@ -171,7 +173,7 @@ static bool set_surcharge(exact_force *f, const tp_line_load *load, const tp_exa
 
 /* Times the root of 2 where it pulls askew, at 45 degrees; at any other direction its tangent is
  * irrational, and it turns nothing about the point where it acts alone. */
-static bool set_anchor(exact_force *f, const tp_anchor_description *anchor,
+static bool set_anchor(exact_force *f, const tp_anchor_description *anchor, long row,
                        const tp_exact_setting *s) {
   static const int eighths[8][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
                                     {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
@@ -179,8 +181,15 @@ static bool set_anchor(exact_force *f, const tp_anchor_description *anchor,
   fmpz_t k;
   fmpq_init(turns);
   fmpz_init(k);
-  set_point(f->x, f->y, &anchor->x, &anchor->y, s);
-  fmpq_div_fmpz(turns, anchor->direction_deg.value, (const fmpz[]){45});
+  tp_quantity x, y;
+  fmpq_init(x.value);
+  fmpq_init(y.value);
+  tp_anchor_point(x.value, y.value, anchor, row);
+  set_point(f->x, f->y, &x, &y, s);
+  fmpq_clear(x.value);
+  fmpq_clear(y.value);
+  tp_anchor_direction(turns, s->scene, anchor);
+  fmpq_div_fmpz(turns, turns, (const fmpz[]){45});
   const bool rational = fmpz_is_one(fmpq_denref(turns)) != 0;
   const ulong eighth = rational ? fmpz_fdiv_ui(fmpq_numref(turns), 8) : 0;
   fmpq_set_si(f->fx + TP_ONE, (s->mirrored ? -1 : 1) * eighths[eighth][0], 1);
@@ -203,11 +212,12 @@ static bool set_force(exact_force *f, const tp_load *load, tp_load_part part,
   case TP_LOAD_UPLIFT:
     return set_uplift(f, s);
   case TP_LOAD_PRESSURE:
+  case TP_LOAD_SUPPORT:
     return set_pressure(f, load->line, s);
   case TP_LOAD_SURCHARGE:
     return set_surcharge(f, load->line, s);
   case TP_LOAD_ANCHOR:
-    return set_anchor(f, load->anchor, s);
+    return set_anchor(f, load->anchor, load->row, s);
   }
   return false;
 }

@@ -142,6 +142,10 @@ static tp_status put_all(tp_on_face *own, const face *f, tp_notes *notes, bool *
     status = put_lines(loads->surcharges, loads->surcharge_count, "surcharge", f, scene, notes, any,
                        message);
   }
+  if (status == TP_OK) {
+    status = put_lines(loads->supports, loads->support_count, "support pressure", f, scene, notes,
+                       any, message);
+  }
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
     fmpq_t moved;
     fmpq_init(moved);
@@ -171,6 +175,7 @@ static tp_status put_on(tp_on_face **own, const tp_scene *scene, const tp_polyli
   if (made == NULL) return tp_fail_memory(message, "the loads");
   made->scene = *scene;
   made->scene.loads.pressures = made->scene.loads.surcharges = NULL;
+  made->scene.loads.supports = NULL;
   made->scene.loads.anchors = NULL;
   face f = {.ring = ring};
   fmpq_t none;
@@ -194,7 +199,10 @@ static tp_status put_on(tp_on_face **own, const tp_scene *scene, const tp_polyli
 tp_status tp_on_face_init(tp_on_face **own, const tp_scene *scene, tp_notes *notes,
                           tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
-  if (loads->pressure_count + loads->surcharge_count + loads->anchor_count == 0) return TP_OK;
+  if (loads->pressure_count + loads->surcharge_count + loads->support_count + loads->anchor_count ==
+      0) {
+    return TP_OK;
+  }
   if (scene->block.form == TP_OUTLINE_VERTICES) {
     return put_on(own, scene, &scene->block.outline, notes, message);
   }

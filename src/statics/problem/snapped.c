@@ -140,7 +140,9 @@ static bool move_loads(tp_snapped *s, const tp_scene *scene, const tp_section *s
   return move_lines(&loads->pressures, &loads->pressure_count, own->pressures, own->pressure_count,
                     &outline) &&
          move_lines(&loads->surcharges, &loads->surcharge_count, own->surcharges,
-                    own->surcharge_count, &outline);
+                    own->surcharge_count, &outline) &&
+         move_lines(&loads->supports, &loads->support_count, own->supports, own->support_count,
+                    &outline);
 }
 
 static bool move(tp_snapped *s, const tp_scene *scene, const tp_section *section) {

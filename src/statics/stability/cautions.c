@@ -9,6 +9,7 @@
 #include "base/closeness.h"
 #include "common/notes.h"
 #include "evaluation/normal_stress.h"
+#include "scene/anchor.h"
 #include "stability/earthquakes.h"
 
 #include <stdio.h>
@@ -145,15 +146,26 @@ static bool pulls_off(const fmpq_t direction_deg) {
   return off;
 }
 
-static tp_status note_anchors(tp_notes *notes, const tp_loads_description *loads,
-                              tp_message *message) {
+static tp_status note_anchors(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  const tp_loads_description *loads = &scene->loads;
   tp_status status = TP_OK;
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
     const tp_anchor_description *a = loads->anchors + k;
-    if (fmpq_sgn(a->force_kn.value) <= 0 || !pulls_off(a->direction_deg.value)) continue;
-    status = tp_notes_add(notes, message, TP_CAUTION, a->direction_deg.place,
-                          "this anchor pulls the block off its base: 'direction_deg' is that of "
-                          "the pull on the block, from x towards y; into the base it is below 0");
+    fmpq_t direction;
+    fmpq_init(direction);
+    tp_anchor_direction(direction, scene, a);
+    const bool off = fmpq_sgn(tp_anchor_bolt_force(a)->value) > 0 && pulls_off(direction);
+    fmpq_clear(direction);
+    if (!off) continue;
+    status = a->direction_deg.given
+                 ? tp_notes_add(notes, message, TP_CAUTION, a->direction_deg.place,
+                                "this anchor pulls the block off its base: 'direction_deg' is that "
+                                "of the pull on the block, from x towards y; into the base it is "
+                                "below 0")
+                 : tp_notes_add(notes, message, TP_CAUTION,
+                                a->dip_deg.given ? a->dip_deg.place : a->direction_deg.place,
+                                "this bolt pulls the block off its base: 'dip_deg' is above 0 "
+                                "downwards; into the rock below it is steeper than this");
   }
   return status;
 }
@@ -172,7 +184,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   if (status == TP_OK) status = note_near(notes, problem, message);
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
   if (status == TP_OK) status = note_one_side(notes, scene, message);
-  if (status == TP_OK) status = note_anchors(notes, &scene->loads, message);
+  if (status == TP_OK) status = note_anchors(notes, scene, message);
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
   if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
   if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);

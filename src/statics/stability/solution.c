@@ -13,6 +13,7 @@
 #include "problem/effects.h"
 #include "scene_reading/result_unit.h"
 #include "scene_varying/settings.h"
+#include "stability/supports.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -34,6 +35,7 @@ void tp_solution_free(tp_solution *solution) {
   tp_settings_clear(&solution->settings);
   tp_effects_clear(solution);
   free(solution->friction_facets);
+  free(solution->supports);
   free(solution->title);
   free(solution);
 }
@@ -171,6 +173,7 @@ tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,
                                const tp_solve_options *options, tp_message *message) {
   tp_status status = describe_scene(solution, problem->scene, message);
   if (status == TP_OK) status = describe_facets(solution, problem, message);
+  if (status == TP_OK) status = tp_describe_supports(solution, problem, message);
   if (status != TP_OK) return status;
   describe_teeth(solution, problem->scene);
   tp_describe_frame(solution, problem);
