@@ -42,6 +42,7 @@
 #define TOPPLE_H
 
 #include "topple_accuracy.h"
+#include "topple_batch.h"
 #include "topple_blocks.h"
 #include "topple_chart.h"
 #include "topple_converge.h"

@@ -15,6 +15,7 @@ from . import records as _records, words as _words
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import accuracy_of_scene, accuracy_sweep
 from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
+from .batch import batch, batch_text
 from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
                      critical_angles, moments, outline_moments, verdicts)
 from .builder import Along, SeismicDirection, Towards, UndersideEnd
@@ -44,7 +45,7 @@ __all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution"
            "DependencyFailed", "FileNotFound", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",
            "PermissionDenied", "RoughnessBy", "Scene", "SeismicDirection", "Status", "Summary", "Sweep",
            "SystemFailed", "ToppleError", "Towards", "Undecided", "UndersideEnd", "Verdicts", "Wear",
-           "accuracy_of_scene", "accuracy_sweep", "chart_fos", "chart_map", "chart_mechanisms",
+           "accuracy_of_scene", "accuracy_sweep", "batch", "batch_text", "chart_fos", "chart_map", "chart_mechanisms",
            "chart_overturning", "chart_ranges", "chart_study", "chart_study_scatter", "chart_tilt_phase",
            "chart_tilt_reactions", "critical_angles", "csv", "derive", "derive_family", "explain", "find",
            "moments", "outline_moments", "profile_of_file", "profile_of_points", "profile_of_scene", "study",

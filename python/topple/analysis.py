@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ._library import ffi, lib
 from .chart import Chart, made
 from .errors import checked
-from .given import File, c_path
+from .given import File, c_path, c_text
 from .record import Record, struct_of
 from .report import drawing, sheet_options, written
 from .words import (FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
@@ -22,6 +22,36 @@ if TYPE_CHECKING:
 
     from .records import Solution, StudyShare, StudySpread
     from .scene import Scene
+
+
+class BatchMethods:
+    def report(self) -> str:
+        """The table, as `topple solve --batch` prints it."""
+        return written(lib.tp_report_batch, struct_of(self))
+
+    def markdown(self) -> str:
+        """The same in Markdown."""
+        return written(lib.tp_report_batch_markdown, struct_of(self))
+
+    def csv(self) -> str:
+        """The same as CSV, each number followed by its bound."""
+        return written(lib.tp_report_batch_csv, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_batch_json, struct_of(self))
+
+    def write(self, path: File) -> None:
+        """Write the table into a file: .csv, .json or .md."""
+        checked(lib.tp_batch_write_file, c_path(path), struct_of(self))
+
+    def write_page(self, path: File, figures: int = 60) -> None:
+        """Write a page of HTML with figures of the first blocks."""
+        checked(drawing().lib.tp_report_sheet_batch, c_path(path), struct_of(self), figures)
+
+    def write_figures(self, folder: File, ending: str = ".svg") -> None:
+        """Draw each block that was solved into a folder: .svg, .pdf or .png."""
+        checked(drawing().lib.tp_report_figures_batch, c_path(folder), c_text(ending), struct_of(self))
 
 
 class FoundMethods:

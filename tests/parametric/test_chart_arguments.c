@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Arguments of charts and maps that no call can do anything with (tests/library/test_arguments.c
- * has those of all others). */
+/* Arguments of charts, maps and surveys that no call can do anything with
+ * (tests/library/test_arguments.c has those of all others). */
 
 #include "refused.h"
 
@@ -34,6 +34,46 @@ START_TEST(charts) {
   ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
   tp_chart_free(NULL);
   tp_chart_free(own);
+}
+END_TEST
+
+START_TEST(surveys) {
+  tp_batch_options options = tp_batch_options_default();
+  tp_batch *batch = UNTOUCHED(tp_batch);
+  const tp_batch own = {.row_count = 0};
+  char *text = &untouched;
+  REFUSED(tp_batch_solve(NULL, "survey.csv", &options, &message), "'batch'");
+  REFUSED(tp_batch_solve(&batch, NULL, &options, &message), "'path'");
+  REFUSED(tp_batch_solve(&batch, "survey.csv", NULL, &message), "'options'");
+  REFUSED(tp_batch_solve_text(NULL, "a", "a", &options, &message), "'batch'");
+  REFUSED(tp_batch_solve_text(&batch, NULL, "a", &options, &message), "'text'");
+  REFUSED(tp_batch_solve_text(&batch, "a", NULL, &options, &message), "'name'");
+  REFUSED(tp_batch_solve_text(&batch, "a", "a", NULL, &message), "'options'");
+  options.size = 0;
+  REFUSED(tp_batch_solve(&batch, "survey.csv", &options, &message), "size");
+  UNWRITTEN(tp_report_batch(NULL, &own));
+  UNWRITTEN(tp_report_batch(&text, NULL));
+  UNWRITTEN(tp_report_batch_markdown(NULL, &own));
+  UNWRITTEN(tp_report_batch_markdown(&text, NULL));
+  UNWRITTEN(tp_report_batch_csv(NULL, &own));
+  UNWRITTEN(tp_report_batch_csv(&text, NULL));
+  UNWRITTEN(tp_report_batch_json(NULL, &own));
+  UNWRITTEN(tp_report_batch_json(&text, NULL));
+  REFUSED(tp_batch_write_file(NULL, &own, &message), "'path'");
+  REFUSED(tp_batch_write_file("/tmp/x.csv", NULL, &message), "'batch'");
+  REFUSED(tp_batch_write_file("/tmp/x.txt", &own, &message), ".csv");
+  REFUSED(tp_report_sheet_batch(NULL, &own, 1, &message), "'path'");
+  REFUSED(tp_report_sheet_batch("/tmp/x.html", NULL, 1, &message), "'batch'");
+  REFUSED(tp_report_sheet_batch("/tmp/x.pdf", &own, 1, &message), ".html");
+  REFUSED(tp_report_figures_batch(NULL, ".svg", &own, &message), "'folder'");
+  REFUSED(tp_report_figures_batch("/tmp", NULL, &own, &message), "'ending'");
+  REFUSED(tp_report_figures_batch("/tmp", ".svg", NULL, &message), "'batch'");
+  REFUSED(tp_report_figures_batch("/tmp", ".txt", &own, &message), ".svg");
+  ck_assert(!tp_batch_is_file_name(NULL) && !tp_batch_is_file_name("x.txt"));
+  ck_assert_str_eq(tp_batch_standing_name((tp_batch_standing)TP_BATCH_STANDINGS), "unknown");
+  ck_assert_ptr_eq(text, &untouched);
+  ck_assert_ptr_eq(batch, UNTOUCHED(tp_batch));
+  tp_batch_free(NULL);
 }
 END_TEST
 
@@ -127,6 +167,7 @@ int main(void) {
   TCase *tests = tcase_create("arguments of charts");
   tcase_set_timeout(tests, 600);
   tcase_add_test(tests, charts);
+  tcase_add_test(tests, surveys);
   tcase_add_test(tests, lists_of_a_chart);
   tcase_add_test(tests, maps);
   suite_add_tcase(suite, tests);

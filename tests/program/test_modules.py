@@ -45,6 +45,11 @@ class Missing(unittest.TestCase):
     def test_hdf5(self):
         self.misses("hdf5", "study", "study.yaml", "--rows", "rows.h5")
 
+    def test_xlsx(self):
+        (self.folder / "survey.csv").write_text("name,width (m),height (m),dip,friction\na,1,2,20,30\n")
+        self.misses("xlsx", "solve", "--batch", "survey.xlsx")
+        self.misses("xlsx", "solve", "--batch", "survey.csv", "--output", "table.xlsx")
+
     def test_mpi(self):
         self.misses("mpi", "study", "study.yaml", OMPI_COMM_WORLD_SIZE="2", OMPI_COMM_WORLD_RANK="0")
 

@@ -240,6 +240,33 @@ class Find(unittest.TestCase):
         self.assertRaises(topple.BadInput, topple.find, scene, "nonsense", "fos", 1)
         self.assertRaises(ValueError, topple.find, scene, key, "nonsense", 1)
 
+    def test_batch(self):
+        """What the program prints of a survey; each row's scene is what it was solved of."""
+        folder = ROOT / "examples" / "slope"
+        own = topple.batch(folder / "survey.csv", scene=folder / "survey_block.yaml", threads=2)
+        words = "solve", "--batch", folder / "survey.csv", "--template", folder / "survey_block.yaml"
+        self.assertEqual(own.csv(), run(*words, "--csv")[1])
+        self.assertEqual(own.to_json(), run(*words, "--json")[1])
+        self.assertEqual(own.report(), run(*words)[1])
+        self.assertIn("survey.csv", own.markdown())
+        self.assertEqual(own.rows[-1].standing, topple.BatchStanding.HOLDS)
+        self.assertEqual(sum(own.counts.values()), len(own.rows))
+        for row in own.rows:
+            fos = topple.Scene.from_text(row.scene, row.scene_name).solve().cases[0].governing_fos.fos
+            self.assertEqual(fos.value.value, row.fos.value.value)
+        with tempfile.TemporaryDirectory() as name:
+            target = pathlib.Path(name)
+            own.write(target / "table.csv")
+            self.assertEqual((target / "table.csv").read_text(encoding="utf-8"), own.csv())
+            own.write_page(target / "page.html", figures=1)
+            self.assertEqual((target / "page.html").read_text(encoding="utf-8").count("<figure>"), 1)
+            own.write_figures(target / "figures")
+            self.assertEqual(len(list((target / "figures").glob("*.svg"))), len(own.rows))
+        text = (folder / "survey.csv").read_text(encoding="utf-8")
+        again = topple.batch_text(text, "survey.csv", scene=folder / "survey_block.yaml")
+        self.assertEqual([row.fos for row in again.rows], [row.fos for row in own.rows])
+        self.assertRaises(topple.BadInput, topple.batch, folder / "survey_block.yaml")
+
     def test_convergence(self):
         """What the program prints over the settings of a test, but for times; a chart of it; and with an account of accuracy."""
         path = ROOT / "examples" / "tilt_block_a_peak.yaml"

@@ -197,7 +197,7 @@ class Mirrors(unittest.TestCase):
         """Members stand in the order of C and are called as there, and their words are the library's."""
         names = {"Mechanism": lib.tp_mechanism_name, "Level": lib.tp_level_name, "FindTarget": lib.tp_find_target_name,
                  "AccuracyMethod": lib.tp_accuracy_method_name, "FosDefinition": lib.tp_fos_definition_name,
-                 "SettlingEnd": lib.tp_settling_end_name,
+                 "BatchStanding": lib.tp_batch_standing_name, "SettlingEnd": lib.tp_settling_end_name,
                  "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name, "Fault": lib.tp_fault_name,
                  "ProfileResampling": lib.tp_profile_resampling_name, "ProfileDetrend": lib.tp_profile_detrend_name,
                  "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name,

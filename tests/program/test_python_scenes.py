@@ -156,6 +156,7 @@ class Scenes(unittest.TestCase):
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
             "tp_status_exit", "tp_version_number", "tp_plain_text",  # for programs and terminals
             "tp_figure_is_file_name", "tp_sheet_is_file_name", "tp_sheet_is_language", "tp_sheet_languages",
+            "tp_batch_is_file_name", "tp_batch_standing_name",
             "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
             "tp_accuracy_method_name", "tp_fos_definition_name", "tp_factor_standing_name", "tp_verdict_name", "tp_note_kind_name",
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",

@@ -106,7 +106,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "batch", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -205,6 +205,15 @@ class Schema(unittest.TestCase):
         slab = ROOT / "examples" / "slab_left.yaml"
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150")
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150", "--y", "block.slab.height=10:150")
+
+    def test_2_batch(self):
+        with tempfile.TemporaryDirectory() as name:
+            table = pathlib.Path(name) / "survey.csv"
+            table.write_text("name,width (m),height (m),dip (deg),friction (deg),required_fos\n"
+                             "a,1,2,20,30,1.3\nb,-1,2,20,30,1\nc,3,1,20,45,\nd,3,1,0,45,\n,1,2,20,30,\n", encoding="utf-8")
+            status, out, err = run("solve", "--batch", "--json", table)
+            self.assertEqual(status, 3, err)
+            self.fits("batch", out)
 
     def test_2_sweep(self):
         """With points that are wrong, and at more digits than a double has."""

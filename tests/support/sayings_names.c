@@ -30,6 +30,9 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_FOS_BY_TILT + 1; k++) {
     note_text(s, tp_fos_definition_name((tp_fos_definition)k));
   }
+  for (int k = 0; k <= TP_BATCH_STANDINGS; k++) {
+    note_text(s, tp_batch_standing_name((tp_batch_standing)k));
+  }
   for (int k = 0; k <= TP_FACTOR_SMOOTH + 1; k++) {
     note_text(s, tp_factor_standing_name((tp_factor_standing)k));
   }

@@ -76,6 +76,33 @@ static void say_sweep(sayings *s, const tp_scene *scene) {
                           &message));
 }
 
+typedef tp_status report_of_batch(char **text, const tp_batch *batch);
+
+/* A survey of blocks, one of whose rows is wrong. */
+static void say_batch(sayings *s) {
+  tp_message message = {.text = ""};
+  tp_batch *batch = NULL;
+  tp_batch_options options = tp_batch_options_default();
+  report_of_batch *const reports[] = {tp_report_batch, tp_report_batch_markdown,
+                                      tp_report_batch_csv, tp_report_batch_json};
+  options.scene = TP_EXAMPLES "/slope/survey_block.yaml";
+  SAY(tp_batch_solve(&batch, TP_EXAMPLES "/slope/survey.csv", &options, &message));
+  if (batch == NULL) return;
+  tp_batch *of_text = NULL;
+  SAY(tp_batch_solve_text(&of_text, "name,width (m)\nno height,1.5\n", "table", &options,
+                          &message));
+  if (of_text != NULL && tp_report_batch_csv(next_saying(s), of_text) != TP_OK) s->count--;
+  tp_batch_free(of_text);
+  for (size_t k = 0; k < sizeof reports / sizeof reports[0]; k++) {
+    if (reports[k](next_saying(s), batch) != TP_OK) s->count--;
+  }
+  note_number(s, tp_batch_is_file_name("a.csv"));
+  SAY(tp_batch_write_file("/nowhere/at/all.csv", batch, &message));
+  SAY(tp_report_sheet_batch("/nowhere/at/all.html", batch, 1, &message));
+  SAY(tp_report_figures_batch("/nowhere/at/all", ".svg", batch, &message));
+  tp_batch_free(batch);
+}
+
 static void say_with(sayings *s, const tp_scene *scene, const char *const keys[2]) {
   tp_message message = {.text = ""};
   tp_scene *once = NULL, *twice = NULL;
@@ -103,6 +130,7 @@ void say_varied(sayings *s) {
   if (scene == NULL) return;
   say_with(s, scene, of_file);
   say_sweep(s, scene);
+  say_batch(s);
   say_drawing(s, scene);
   say_number(s, scene, "c");
   say_number(s, scene, "none");

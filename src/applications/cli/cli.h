@@ -56,6 +56,12 @@ TP_MUST_USE tp_status tp_cli_write_tilt_sheet(const char *path, const tp_scene *
                                               const tp_tilt_test *test,
                                               const tp_sheet_options *options, tp_message *message);
 
+/* tp_report_sheet_batch and tp_report_figures_batch, likewise. */
+TP_MUST_USE tp_status tp_cli_write_batch_page(const char *path, const tp_batch *batch,
+                                              size_t figures, tp_message *message);
+TP_MUST_USE tp_status tp_cli_write_batch_figures(const char *folder, const char *ending,
+                                                 const tp_batch *batch, tp_message *message);
+
 /* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
  */
 int tp_cli_end(tp_status status, const tp_message *message, int ended);

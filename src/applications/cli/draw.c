@@ -244,3 +244,40 @@ tp_status tp_cli_write_tilt_sheet(const char *path, const tp_scene *scene, const
   const tilted own = {path, scene, test, options};
   return draw(draw_tilt, "tp_report_sheet_tilt", &own, (tp_figure_consent){agree, NULL}, message);
 }
+
+typedef struct surveyed {
+  const char *path, *ending; /* the file of the page, or the folder of the figures */
+  const tp_batch *batch;
+  size_t figures;
+} surveyed;
+
+static tp_status draw_page(void *call, const void *what, tp_figure_consent consent,
+                           tp_message *message) {
+  tp_status (*function)(const char *, const tp_batch *, size_t, tp_message *) = NULL;
+  const surveyed *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->batch, own->figures, message);
+}
+
+static tp_status draw_figures(void *call, const void *what, tp_figure_consent consent,
+                              tp_message *message) {
+  tp_status (*function)(const char *, const char *, const tp_batch *, tp_message *) = NULL;
+  const surveyed *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->ending, own->batch, message);
+}
+
+tp_status tp_cli_write_batch_page(const char *path, const tp_batch *batch, size_t figures,
+                                  tp_message *message) {
+  const surveyed own = {path, NULL, batch, figures};
+  return draw(draw_page, "tp_report_sheet_batch", &own, (tp_figure_consent){agree, NULL}, message);
+}
+
+tp_status tp_cli_write_batch_figures(const char *folder, const char *ending, const tp_batch *batch,
+                                     tp_message *message) {
+  const surveyed own = {folder, ending, batch, 0};
+  return draw(draw_figures, "tp_report_figures_batch", &own, (tp_figure_consent){agree, NULL},
+              message);
+}

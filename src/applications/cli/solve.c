@@ -312,6 +312,14 @@ static tp_status watch(const tp_solve_words *a, tp_message *message) {
 
 static tp_status solve(const void *words, int *ended, tp_message *message) {
   const tp_solve_words *a = words;
+  if (a->batch.asked) {
+    return tp_cli_solve_batch(&a->batch, a->scene,
+                              a->json    ? TP_CLI_BATCH_JSON
+                              : a->csv   ? TP_CLI_BATCH_CSV
+                              : a->table ? TP_CLI_BATCH_MARKDOWN
+                                         : TP_CLI_BATCH_TEXT,
+                              ended, message);
+  }
   if (a->watch && access(a->scene, R_OK) == 0) return watch(a, message);
   return a->table || a->csv ? print_table(a, ended, message) : print_one(a, ended, message);
 }

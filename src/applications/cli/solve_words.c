@@ -75,6 +75,7 @@ static const struct argp_option options[] = {
      "End of the search range (default ten times its present value, or 0 if that is below 0)", 1},
     {"least-force", KEY_LEAST_FORCE, NULL, 0,
      "With --find loads.anchors.N.force_kn: turn the anchor or bolt until the force is least", 1},
+    TP_CLI_BATCH_OPTIONS(2),
     {0}};
 
 static double read_number(const char *text, struct argp_state *state) {
@@ -156,9 +157,32 @@ static void check_find(tp_solve_words *a, struct argp_state *state) {
   }
 }
 
+/* What goes with a table of blocks. */
+static void check_batch(tp_solve_words *a, struct argp_state *state) {
+  tp_cli_batch_check(&a->batch, state);
+  if (!a->batch.asked) return;
+  if (a->scene_count > 1) {
+    tp_cli_refuse(state, "--batch takes one table; '%s' is one too many", a->scenes[1]);
+  }
+  if (a->json + a->csv + a->table > 1) {
+    tp_cli_refuse(state, "the table is printed in one way: --json, --csv or --table");
+  }
+  if (a->elements || a->figure != NULL || a->find.key != NULL || a->verbose || a->watch ||
+      a->report != NULL || a->profile != NULL || a->outlines || a->has_design_fos ||
+      a->pivots != TP_PIVOTS_BY_COUNT || tp_cli_settings_given(&a->settings)) {
+    tp_cli_refuse(state, "--batch goes with --template, --output, --figures, --threads, --csv, "
+                         "--json, --table, --digits and --level; numbers that hold for all rows "
+                         "stand in the template, required_fos too");
+  }
+  a->batch.options.digits = a->digits;
+  a->batch.options.level = a->level;
+}
+
 /* What goes with what. */
 static void check(tp_solve_words *a, struct argp_state *state) {
   const bool table = a->table || a->csv;
+  check_batch(a, state);
+  if (a->batch.asked) return;
   check_find(a, state);
   if (a->scene_count > 1 && !table) {
     tp_cli_refuse(state,
@@ -190,6 +214,7 @@ static void check(tp_solve_words *a, struct argp_state *state) {
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
   tp_solve_words *a = state->input;
+  if (tp_cli_batch_take(&a->batch, key, argument, state)) return 0;
   switch (key) {
   case 'j':
     a->json = true;
@@ -290,6 +315,8 @@ const struct argp tp_solve_parser = {
 
 tp_solve_words tp_solve_words_default(void) {
   const tp_solve_options solve = tp_solve_options_default();
-  return (tp_solve_words){
-      .digits = solve.digits, .level = solve.level, .find = tp_find_options_default()};
+  return (tp_solve_words){.digits = solve.digits,
+                          .level = solve.level,
+                          .find = tp_find_options_default(),
+                          .batch = {.options = tp_batch_options_default()}};
 }

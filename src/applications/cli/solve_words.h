@@ -6,6 +6,7 @@
 #ifndef TP_CLI_SOLVE_WORDS_H
 #define TP_CLI_SOLVE_WORDS_H
 
+#include "cli/batch.h"
 #include "cli/settings.h"
 
 typedef struct tp_solve_words {
@@ -18,6 +19,7 @@ typedef struct tp_solve_words {
   const char *profile;  /* file to write the base's profile into; NULL: none */
   bool json, elements, table, csv, verbose;
   bool outlines;            /* the geometry beside the JSON */
+  tp_cli_batch batch;       /* a table in place of the scene */
   bool watch;               /* again whenever a file changes */
   tp_cli_settings settings; /* numbers of the scenes that are others */
   tp_pivots_listed pivots;

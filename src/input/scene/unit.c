@@ -111,7 +111,7 @@ const char *tp_scene_unit(const tp_scene *scene, const char *key) {
 }
 
 const char *tp_key_unit(const tp_scene *scene, const char *key) {
-  const char *unit = tp_scene_unit(scene, key), *word = NULL;
+  const char *unit = scene != NULL ? tp_scene_unit(scene, key) : NULL, *word = NULL;
   if (unit != NULL) return unit;
   const size_t length = last_word(&word, key);
   return own_unit(word, length);

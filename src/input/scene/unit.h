@@ -23,7 +23,7 @@ void tp_parameter_uses(const tp_scene *scene, const char *parameter,
 const char *tp_scene_unit(const tp_scene *scene, const char *key);
 
 /* The same, and the unit that the name of the key ends in: deg, kPa, MPa, kN or kN/m3. NULL: it has
- * none, or none that is known. */
+ * none, or none that is known; of no scene, where `scene` is NULL, a length has none. */
 const char *tp_key_unit(const tp_scene *scene, const char *key);
 
 #endif

@@ -13,6 +13,10 @@
  * not asked for. */
 const char *tp_text_fos(tp_fos fos);
 
+/* Likewise of a block of a survey: unbounded, none or undecided; NULL where the factor is a number,
+ * or there is none. */
+const char *tp_text_batch_fos(const tp_batch_row *row);
+
 const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
 const char *tp_text_motion(tp_mechanism mechanism);  /* "sliding and toppling" */
 /* How the block of a case stands before its angle is told: "Tilted towards the left"; of a scene in

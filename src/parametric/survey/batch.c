@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A survey solved: rows are shared out to threads, each row a scene of its own, read, solved and
+ * judged by itself; then they are put in order, by what is found of them alone. */
+
+#include "batch/share.h"
+#include "common/host.h"
+#include "common/options.h"
+#include "common/outside.h"
+#include "scene/scene.h"
+#include "survey/judge.h"
+#include "survey/survey.h"
+#include "topple_solve.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+TP_OPTIONS_END(tp_batch_options, level);
+
+void tp_batch_options_init(tp_batch_options *options, size_t size) {
+  const tp_solve_options solve = tp_solve_options_default();
+  const tp_batch_options defaults = {
+      .size = sizeof defaults, .digits = solve.digits, .level = solve.level};
+  tp_options_fill(options, size, &defaults);
+}
+
+typedef struct work {
+  const tp_survey *survey;
+  tp_solve_options solve;
+  tp_batch *batch;
+} work;
+
+/* ---- one row -----------------------------------------------------------------------------------
+ */
+
+static tp_status solve_text(tp_batch_row *own, const work *w, const tp_scene_text *text,
+                            tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_status status = tp_scene_read_text(&scene, text->text, text->name, message);
+  if (status == TP_OK) {
+    scene->base.all_poses = false; /* a row has no place for them */
+    status = tp_solve(&solution, scene, &w->solve, message);
+  }
+  if (status == TP_OK) status = tp_batch_judge(own, solution, message);
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+  return status;
+}
+
+/* A row that was not solved: a file of it that is not there stops the others as little as a number
+ * that is wrong. */
+static tp_status note_failure(tp_batch_row *own, tp_status status, const work *w, size_t row,
+                              const tp_scene_text *text, tp_message *message) {
+  if (status == TP_OUT_OF_MEMORY || status == TP_DEPENDENCY_FAILED) return status;
+  tp_survey_locate(message, w->survey, row, text);
+  own->standing = status == TP_UNDECIDED ? TP_BATCH_UNDECIDED : TP_BATCH_UNSOLVED;
+  own->status = status;
+  free(own->remark);
+  own->remark = strdup(message->text);
+  return own->remark != NULL ? TP_BAD_INPUT : tp_fail_memory(message, "a table");
+}
+
+static char *make_name(const tp_survey *survey, size_t row) {
+  const char *name = tp_survey_cell(survey, row, TP_COLUMN_NAME);
+  char own[40];
+  if (name != NULL) return strdup(name);
+  snprintf(own, sizeof own, "row %zu", survey->cells.rows[row].line);
+  return strdup(own);
+}
+
+static tp_status solve_row(tp_workspace *workspace, const void *task, size_t number,
+                           tp_message *told) {
+  const work *w = task;
+  const size_t row = number + 1; /* behind the head */
+  tp_batch_row *own = w->batch->rows + number;
+  tp_scene_text text = {0};
+  tp_message message = {.text = ""};
+  (void)workspace;
+  own->line = w->survey->cells.rows[row].line;
+  own->name = make_name(w->survey, row);
+  if (own->name == NULL) return tp_fail_memory(told, "a table");
+  tp_status status = tp_survey_scene(&text, w->survey, row, &message);
+  if (status == TP_OK) status = solve_text(own, w, &text, &message);
+  if (status != TP_OK) status = note_failure(own, status, w, row, &text, &message);
+  own->scene = text.text;
+  own->scene_name = text.name;
+  text.text = text.name = NULL;
+  tp_scene_text_clear(&text);
+  if (own->scene_name == NULL) own->scene_name = strdup(w->survey->path);
+  if (own->scene_name == NULL) return tp_fail_memory(told, "a table");
+  if (status != TP_OK && told != NULL) *told = message;
+  return status;
+}
+
+/* ---- all rows ----------------------------------------------------------------------------------
+ */
+
+static tp_status add_source(tp_batch *batch, const char *path, tp_message *message) {
+  for (size_t k = 0; k < batch->source_count; k++) {
+    if (strcmp(batch->sources[k], path) == 0) return TP_OK;
+  }
+  char **sources = realloc(batch->sources, (batch->source_count + 1) * sizeof *sources);
+  if (sources == NULL) return tp_fail_memory(message, "a table");
+  batch->sources = sources;
+  sources[batch->source_count] = strdup(path);
+  if (sources[batch->source_count] == NULL) return tp_fail_memory(message, "a table");
+  batch->source_count++;
+  return TP_OK;
+}
+
+/* The table, and the files that its rows name, as far as they are many. */
+static tp_status add_sources(tp_batch *batch, const tp_survey *survey, tp_message *message) {
+  enum { MOST = 1000 }; /* of which each is compared with all others */
+  tp_status status = add_source(batch, survey->path, message);
+  for (size_t k = 0; k < batch->row_count && status == TP_OK; k++) {
+    if (batch->source_count < MOST) {
+      status = add_source(batch, batch->rows[k].scene_name, message);
+    }
+  }
+  return status;
+}
+
+static void count_rows(tp_batch *batch) {
+  for (size_t k = 0; k < batch->row_count; k++) {
+    const tp_batch_row *own = batch->rows + k;
+    batch->counts[own->standing]++;
+    batch->short_of += own->has_required_fos && own->meets_required == TP_DESIGN_NOT_MET;
+  }
+}
+
+static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
+                           const tp_batch_options *options, tp_message *message) {
+  enum { CHUNK = 1 };
+  const size_t count = survey->cells.row_count - 1;
+  work w = {.survey = survey, .solve = tp_solve_options_default(), .batch = batch};
+  tp_blocks_summary summary;
+  w.solve.digits = options->digits;
+  w.solve.level = options->level;
+  w.solve.pivots = TP_PIVOTS_GOVERNING;
+  w.solve.threads = 1;
+  batch->file = strdup(survey->path);
+  batch->rows = calloc(count, sizeof *batch->rows);
+  if (batch->file == NULL || batch->rows == NULL) return tp_fail_memory(message, "a table");
+  batch->row_count = count;
+  tp_status status = tp_share_out(&summary, solve_row, &w, count, CHUNK, options->threads, message);
+  if (status == TP_OK) status = add_sources(batch, survey, message);
+  if (status != TP_OK) return status;
+  count_rows(batch);
+  qsort(batch->rows, count, sizeof *batch->rows, tp_batch_compare);
+  return TP_OK;
+}
+
+/* Of the text, or where that is NULL of the file. */
+static tp_status solve(tp_batch **batch, const char *path, const char *text,
+                       const tp_batch_options *options, tp_message *message) {
+  tp_survey survey = {.scene = options->scene};
+  tp_batch *own = calloc(1, sizeof *own);
+  tp_status status = own != NULL ? tp_survey_read(&survey, path, text, message)
+                                 : tp_fail_memory(message, "a table");
+  if (status == TP_OK) status = solve_all(own, &survey, options, message);
+  tp_survey_clear(&survey);
+  if (status == TP_OK) {
+    *batch = own;
+  } else {
+    tp_batch_free(own);
+  }
+  return status;
+}
+
+tp_status tp_batch_solve(tp_batch **batch, const char *path, const tp_batch_options *options,
+                         tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, batch);
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, options);
+  tp_batch_options taken = tp_batch_options_default();
+  TP_TAKE_OPTIONS(message, taken, options);
+  return solve(batch, path, NULL, options, message);
+}
+
+tp_status tp_batch_solve_text(tp_batch **batch, const char *text, const char *name,
+                              const tp_batch_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, batch);
+  TP_REFUSE_NULL(message, text);
+  TP_REFUSE_NULL(message, name);
+  TP_REFUSE_NULL(message, options);
+  tp_batch_options taken = tp_batch_options_default();
+  TP_TAKE_OPTIONS(message, taken, options);
+  return solve(batch, name, text, options, message);
+}
+
+void tp_batch_free(tp_batch *batch) {
+  if (batch == NULL) return;
+  for (size_t k = 0; k < batch->row_count; k++) {
+    free(batch->rows[k].name);
+    free(batch->rows[k].remark);
+    free(batch->rows[k].scene_name);
+    free(batch->rows[k].scene);
+  }
+  for (size_t k = 0; k < batch->source_count; k++) free(batch->sources[k]);
+  free(batch->rows);
+  free(batch->sources);
+  free(batch->file);
+  free(batch);
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* How a block stands, by the worst direction that its scene looks at; the order of blocks. */
+
+#include "survey/judge.h"
+
+#include "common/message.h"
+#include "evaluation/case_numbers.h"
+#include "output/text.h"
+#include "topple_solve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Between the factor and what it is to be: the least certain value of it. */
+static double share_of(const tp_governing_fos *g) {
+  const double required = g->has_required_fos ? g->required_fos.value : 1;
+  switch (g->fos.state) {
+  case TP_FOS_NUMBER:
+    return g->fos.value.value / required;
+  case TP_FOS_NO_OVERTURNING:
+    return INFINITY;
+  default:
+    return -INFINITY;
+  }
+}
+
+static bool is_certain_to_stand(const tp_case *c) {
+  return c->mechanism == TP_STANDS || c->mechanism == TP_INTERLOCKED;
+}
+
+static tp_batch_standing standing_of(const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  const bool open = c->mechanism == TP_MECHANISM_UNDECIDED;
+  if (!open && !is_certain_to_stand(c)) return TP_BATCH_FAILS;
+  if (g->has_required_fos && g->meets_required == TP_DESIGN_NOT_MET && !open) return TP_BATCH_FAILS;
+  if (open || !g->complete || g->fos.state == TP_FOS_UNDECIDED) return TP_BATCH_UNDECIDED;
+  if (g->has_required_fos && g->meets_required != TP_DESIGN_MET) return TP_BATCH_UNDECIDED;
+  return TP_BATCH_HOLDS;
+}
+
+static const tp_case *worst_case(const tp_solution *s) {
+  const tp_case *worst = s->cases;
+  for (size_t k = 1; k < s->case_count; k++) {
+    const tp_case *own = s->cases + k;
+    const tp_batch_standing one = standing_of(own), other = standing_of(worst);
+    if (one < other ||
+        (one == other && share_of(&own->governing_fos) < share_of(&worst->governing_fos))) {
+      worst = own;
+    }
+  }
+  return worst;
+}
+
+/* The cautions, one after the other. */
+static char *make_remark(const tp_solution *s) {
+  tp_text text = {0};
+  char *remark = NULL;
+  for (size_t k = 0; k < s->notes.count; k++) {
+    const tp_note *note = s->notes.items + k;
+    if (note->kind == TP_CAUTION) {
+      tp_text_add(&text, "%s%s", text.length > 0 ? "; " : "", note->text);
+    }
+  }
+  tp_text_add(&text, "%s", "");
+  return tp_text_finish(&text, &remark) == TP_OK ? remark : NULL;
+}
+
+static tp_status check(const tp_solution *s, tp_message *message) {
+  if (!s->has_tilt_angle) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "it is not told at which dip the block lies; give a column dip (deg), or a "
+                     "scene with slope or tilt");
+  }
+  for (size_t k = 0; k < s->case_count; k++) {
+    if (s->cases[k].governing_fos.sliding_judged) continue;
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "it is not told at which friction the block slides; give a column friction "
+                     "(deg), or a scene with friction_angle_deg");
+  }
+  return TP_OK;
+}
+
+tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *message) {
+  const tp_status status = check(s, message);
+  if (status != TP_OK) return status;
+  const tp_case *c = worst_case(s);
+  const tp_governing_fos *g = &c->governing_fos;
+  const tp_factor *factor = tp_case_factor(c);
+  char *remark = make_remark(s);
+  if (remark == NULL) return tp_fail_memory(message, "a table");
+  free(row->remark);
+  row->remark = remark;
+  row->has_case = true;
+  row->as_it_lies = s->frame.world;
+  row->standing = standing_of(c);
+  row->status = tp_solution_is_undecided(s) ? TP_UNDECIDED : TP_OK;
+  if (row->status == TP_UNDECIDED && row->standing == TP_BATCH_HOLDS) {
+    row->standing = TP_BATCH_UNDECIDED;
+  }
+  row->tilt_deg = s->tilt_angle_deg;
+  row->towards = c->towards;
+  row->mechanism = c->mechanism;
+  row->fos = g->fos;
+  row->has_fos_mechanism = factor != NULL;
+  if (factor != NULL) row->fos_mechanism = factor->mechanism;
+  row->has_required_fos = g->has_required_fos;
+  row->required_fos = g->required_fos;
+  row->meets_required = g->meets_required;
+  row->has_margin = c->has_margin;
+  row->margin_deg = c->margin_deg;
+  row->tilt_deg.digits = row->fos.value.digits = row->required_fos.digits = row->margin_deg.digits =
+      NULL; /* which the solution owns */
+  return TP_OK;
+}
+
+static double share_of_row(const tp_batch_row *row) {
+  const tp_governing_fos g = {.fos = row->fos,
+                              .has_required_fos = row->has_required_fos,
+                              .required_fos = row->required_fos};
+  return row->has_case ? share_of(&g) : 0;
+}
+
+int tp_batch_compare(const void *one, const void *other) {
+  const tp_batch_row *a = one, *b = other;
+  const double x = share_of_row(a), y = share_of_row(b);
+  if (a->standing != b->standing) return a->standing < b->standing ? -1 : 1;
+  if (x < y || y < x) return x < y ? -1 : 1;
+  const int names = strcmp(a->name, b->name);
+  if (names != 0) return names;
+  return (a->line > b->line) - (a->line < b->line);
+}

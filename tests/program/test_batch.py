@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""`topple solve --batch`: a table of blocks that were surveyed. Each row's numbers are those of its scene solved alone, byte by
+byte, whatever the order of the rows and the number of threads; slabs are what closed forms say; a row that is wrong says where
+and what to do, and costs itself alone; the worst comes first."""
+
+import csv
+import html.parser
+import io
+import json
+import math
+import pathlib
+import random
+import tempfile
+import unittest
+import xml.etree.ElementTree as ET
+import zipfile
+
+from harness import PROGRAM, ROOT, main, run
+
+SLOPE = ROOT / "examples" / "slope"
+SCENE = """topple: 1
+length_unit: {unit}
+block: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: 26}}
+slope: {{dip_deg: {dip}, towards: right}}
+friction_angle_deg: {friction}
+loads: {{water: {{height: {water}}}, seismic: {{horizontal: {shaking}}}, cohesion_kpa: {cohesion}}}
+required_fos: {required}
+"""
+TEMPLATE = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 1}, unit_weight_kn_m3: 26}\nrequired_fos: 1.2\n"
+#: Columns of the table that `solve --csv` has too, under the same names.
+SHARED = ("verdict", "fos", "fos_error", "fos_mechanism")
+
+
+def rows(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def simplest(value):
+    return float(value) if value else math.nan
+
+
+MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+WORKBOOK = (f'<workbook xmlns="{MAIN}" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets>'
+            '<sheet name="A" sheetId="1" r:id="rId7"/><sheet name="B" sheetId="2" r:id="rId1"/></sheets></workbook>')
+RELATIONS = ('<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
+             '<Relationship Id="rId1" Target="worksheets/other.xml"/><Relationship Id="rId7" Target="worksheets/blocks.xml"/>'
+             "</Relationships>")
+STYLES = (f'<styleSheet xmlns="{MAIN}"><numFmts><numFmt numFmtId="164" formatCode="dd/mm/yyyy"/>'
+          '<numFmt numFmtId="165" formatCode="0.0&quot; days&quot;"/></numFmts><cellXfs><xf numFmtId="0"/><xf numFmtId="14"/>'
+          '<xf numFmtId="164"/><xf numFmtId="165"/></cellXfs></styleSheet>')
+
+
+class Page(html.parser.HTMLParser):
+    """The cells of a page, and its elements."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.elements, self.texts = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.elements.append(tag)
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def write(self, text, name="survey.csv", encoding="utf-8"):
+        path = self.folder / name
+        path.write_text(text, encoding=encoding)
+        return path
+
+    def batch(self, table, *words, status=0):
+        got, out, err = run("solve", "--batch", "--csv", table, *words)
+        self.assertEqual(got, status, err)
+        return {row["name"]: row for row in rows(out)}, err
+
+    def refused(self, text, *sayings, words=()):
+        got, out, err = run("solve", "--batch", self.write(text), *words)
+        self.assertEqual((got, out), (3, ""), err)
+        for saying in sayings:
+            self.assertIn(saying, err)
+
+    def test_rows_are_scenes(self):
+        """Thirty blocks at random: the row is what `solve --csv` says of a scene file with its numbers, and with the rows in
+        another order, or by another number of threads, the table is the same."""
+        random.seed(33)
+        table, scenes = [], {}
+        for k in range(30):
+            own = {"width": random.randint(2, 40) / 10, "height": random.randint(2, 40) / 10, "dip": random.randint(2, 50),
+                   "friction": random.randint(20, 50), "water": random.choice((0, 0.1, 0.2)), "shaking": random.choice((0, 0.1)),
+                   "cohesion": random.choice((0, 5)), "required": random.choice((1.1, 1.3, 1.5))}
+            scenes[f"B{k}"] = own
+            table.append(",".join([f"B{k}", *map(str, own.values())]))
+        head = "name,width (m),height (m),dip (deg),friction (deg),water (m),k_h,cohesion (kPa),required_fos,unit weight (kN/m3)\n"
+        table = [row + ",26" for row in table]
+        status, text, _ = run("solve", "--batch", "--csv", self.write(head + "\n".join(table) + "\n"))
+        found = rows(text)
+        self.assertIn(status, (0, 1))
+        self.assertEqual(len(found), 30)
+        for row in found:
+            alone = rows(run("solve", "--csv", self.write(SCENE.format(unit="m", **scenes[row["name"]]), "alone.yaml"))[1])
+            self.assertEqual(len(alone), 1)
+            for key in SHARED:
+                self.assertEqual(row[key], alone[0][key], (row["name"], key))
+        random.shuffle(table)
+        shuffled = self.write(head + "\n".join(table) + "\n")
+        for threads in (1, 2, 5):
+            again = rows(run("solve", "--batch", "--csv", shuffled, "--threads", threads)[1])
+            self.assertEqual([{**row, "line": ""} for row in again], [{**row, "line": ""} for row in found])
+
+    def test_closed_forms(self):
+        """Slabs without loads: the lesser of tan φ / tan β and w cos β / (h sin β), or below 1 the one that fails first; margin
+        the lesser of φ and atan(w/h), less β. In feet, in centimetres with a scene in metres, and by fractions they are the same."""
+        cases = [(1, 2, 20, 30), (3, 1, 25, 40), (1, 1, 30, 35), (2, 3, 10, 50)]
+        for unit, scale in (("m", 1), ("ft", 0.3048), ("cm", 100)):
+            text = f"name,width ({unit}),height ({unit}),dip (deg),friction (deg)\n"
+            text += "".join(f"{k},{w * scale!r},{h * scale!r},{b},{p}\n" for k, (w, h, b, p) in enumerate(cases))
+            template = ["--template", self.write(TEMPLATE.replace("required_fos: 1.2\n", ""), "t.yaml")] if unit == "cm" else []
+            found, _ = self.batch(self.write(text), *template)
+            for k, (w, h, b, p) in enumerate(cases):
+                tan = math.tan(math.radians(b))
+                row = found[str(k)]
+                self.assertAlmostEqual(float(row["fos"]), min(math.tan(math.radians(p)) / tan, w / h / tan), delta=1e-9)
+                self.assertAlmostEqual(float(row["margin_deg"]), min(p, math.degrees(math.atan2(w, h))) - b, delta=1e-9)
+                self.assertEqual(float(row["dip_deg"]), b)
+
+    def test_worst_first(self):
+        """What fails, what was not solved, what holds; each by the factor over that required; ties by name."""
+        head = "name,width (m),height (m),dip (deg),friction (deg),required_fos\n"
+        blocks = ["holds_well,3,1,10,40,1.3", "b_tie,3,1,20,40,1.3", "a_tie,3,1,20,40,1.3", "topples,1,3,25,40,1", "wrong,1,x,25,40,1",
+                  "short,3,1,30,40,1.5", "flat,3,1,0,40,1.3"]
+        found, err = self.batch(self.write(head + "\n".join(blocks) + "\n"), status=3)
+        self.assertEqual(list(found), ["topples", "short", "wrong", "a_tie", "b_tie", "holds_well", "flat"])
+        self.assertEqual([row["standing"] for row in found.values()], ["fails"] * 2 + ["not solved"] + ["holds"] * 4)
+        self.assertEqual((found["flat"]["fos"], found["flat"]["fos_is"]), ("", "unbounded"))
+        self.assertIn("2 of 7 blocks do not have the factor of safety that is required", err)
+
+    def test_without_a_requirement(self):
+        """A block that slides fails, and the exit status is 0: no factor was asked for."""
+        found, _ = self.batch(self.write("name;width_m;height_m;dip;phi\nslides;3;1;30;20\n"))
+        self.assertEqual((found["slides"]["standing"], found["slides"]["verdict"]), ("fails", "slides"))
+
+    def test_template_and_outlines(self):
+        """Cells go over a scene; an outline takes the place of its slab; a row's own scene that of all. Empty cells leave the
+        number of the scene."""
+        self.write("0,0\n2,0\n2,1\n0,1\n", "two_by_one.csv")
+        self.write("topple: 1\nlength_unit: m\nblock: {slab: {width: 4, height: 1}}\nslope: {dip_deg: 5, towards: left}\n"
+                   "friction_angle_deg: 20\n", "other.yaml")
+        template = self.write(TEMPLATE + "friction_angle_deg: 35\nslope: {dip_deg: 25, towards: left}\n", "template.yaml")
+        table = self.write("name,outline,scene,width,dip (deg)\ntwo,two_by_one.csv,,,\nwide,,,2,\nown,,other.yaml,,12\n")
+        found, _ = self.batch(table, "--template", template)
+        self.assertEqual(found["two"]["fos"], found["wide"]["fos"])
+        self.assertEqual(found["two"]["required_fos"], "1.2")
+        self.assertEqual((found["own"]["required_fos"], found["own"]["dip_deg"]), ("", "12"))
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.mkdir()
+        moved = elsewhere / "template.yaml"
+        moved.write_text(template.read_text(encoding="utf-8"), encoding="utf-8")
+        self.assertEqual(self.batch(table, "--template", moved)[0], found)
+
+    def test_drawing(self):
+        """A drawing gives the block; its unit is told by a key."""
+        (self.folder / "block.wkt").write_text("POLYGON ((0 0, 2000 0, 2000 1000, 0 1000, 0 0))\n", encoding="utf-8")
+        table = self.write("name,outline,drawing.unit,dip,towards,friction\na,block.wkt,mm,20,left,40\n")
+        found, _ = self.batch(table)
+        self.assertAlmostEqual(float(found["a"]["fos"]), math.tan(math.radians(40)) / math.tan(math.radians(20)), delta=1e-9)
+
+    def test_rows_that_are_wrong(self):
+        """Each says file, line, block and column, and what to do."""
+        head = "name,width (m),height (m),dip (deg),friction (deg),outline,scene\n"
+        cases = [("n,-1,2,20,30,,", "column 'width (m)'"), ("n,1,,20,30,,", "height"), ("n,1,2,95,30,,", "column 'dip (deg)'"),
+                 ("n,1,2,20,30°,,", "column 'friction (deg)'"), ("n,1,2,20,,,", "give a column friction"),
+                 ("n,1,2,,30,,", "give a column dip"), ("n,,,20,30,gone.csv,", "gone.csv"), ("n,1,2,20,30,,gone.yaml", "gone.yaml"),
+                 ("n,1,2,20,30,,gone.dxf", "column outline"), ('n,"1,5",2,20,30,,', "comma for its decimal point"),
+                 ("n,1,2,20,30,,,more", "stands below no name")]
+        text = head + "good,3,1,20,40,,\n" + "".join(row.replace("n,", f"n{k},", 1) + "\n" for k, (row, _) in enumerate(cases))
+        found, err = self.batch(self.write(text), status=3)
+        self.assertEqual(found["good"]["standing"], "holds")
+        for k, (row, saying) in enumerate(cases):
+            own = found[f"n{k}"]
+            self.assertEqual(own["standing"], "not solved", row)
+            self.assertIn(f"survey.csv:{k + 3}: block 'n{k}': ", own["remark"])
+            self.assertIn(saying, own["remark"], row)
+            self.assertIn(own["remark"], err)
+
+    def test_tables_that_are_wrong(self):
+        """A head that is wrong is refused before work begins."""
+        self.refused("", "the table is empty")
+        self.refused("name,width (m)\n", "no row below it")
+        self.refused("name,widht (m)\na,1\n", "survey.csv:1: column 2, 'widht (m)'", "did you mean 'width'")
+        self.refused("name,width (kPa)\na,1\n", "its unit is mm, cm, m, km, in or ft")
+        self.refused("name,friction (rad)\na,1\n", "it is given in deg")
+        self.refused("name,k_h (m)\na,1\n", "without a unit")
+        self.refused("name,width (m),block.slab.width\na,1,2\n", "an earlier column says the same")
+        self.refused('name,width (m)\n"a,1\n', "a quote that is not closed")
+        self.refused('name,width (m)\n"a"b,1\n', "behind the closing quote")
+        self.refused(",".join(["notes"] * 300) + "\na\n", "256 cells")
+        got, _, err = run("solve", "--batch", self.folder / "gone.csv")
+        self.assertEqual(got, 5, err)
+
+    def test_unit_is_asked_for(self):
+        found, _ = self.batch(self.write("name,width,height,dip,friction\na,1,2,20,30\n"), status=3)
+        self.assertIn("write it in the head, as height (m)", found["a"]["remark"])
+
+    def test_encodings(self):
+        """UTF-16 as spreadsheets save it, tabs, quotes with separators and line ends in them, comments."""
+        text = 'name\twidth (m)\theight (m)\tdip (deg)\tfriction (deg)\n# a comment\n"Bl\u00f6ck\t""7""\nupper"\t3\t1\t20\t40\n'
+        found, _ = self.batch(self.write(text, encoding="utf-16"))
+        self.assertEqual(len(found), 1)
+        self.assertIn("Bl\u00f6ck", next(iter(found)))
+
+    def test_written(self):
+        """Files appear, each as its kind; the page escapes what comes from outside and asks for no other file; none of them
+        takes the place of the table, and none appears where another option is wrong."""
+        table = self.write('name,width (m),height (m),dip (deg),friction (deg)\n"<script>alert(1)</script>",3,1,20,40\n=1+1,1,3,25,40\n')
+        names = [self.folder / f"out.{ending}" for ending in ("csv", "json", "md", "html")]
+        words = [word for name in names for word in ("--output", name)]
+        status, out, err = run("solve", "--batch", table, *words, "--figures", self.folder / "drawn")
+        self.assertEqual(status, 0, err)
+        self.assertIn("2 blocks: 1 fails, 1 holds.", out)
+        page = names[3].read_text(encoding="utf-8")
+        parsed = Page(page)
+        self.assertNotIn("script", parsed.elements)
+        self.assertEqual(parsed.elements.count("img"), 2)
+        self.assertIn("<script>alert(1)</script>", "".join(parsed.texts))
+        self.assertNotIn("http://", page.replace("http://www.w3.org", ""))
+        self.assertEqual(json.loads(names[1].read_text(encoding="utf-8"))["failing"], 1)
+        found = rows(names[0].read_text(encoding="utf-8"))
+        self.assertEqual(found[0]["name"], "'=1+1")
+        self.assertEqual(sorted(path.name for path in (self.folder / "drawn").iterdir()),
+                         ["2__script_alert_1___script_.svg", "3__1_1.svg"])
+        status, _, err = run("solve", "--batch", table, "--output", table)
+        self.assertEqual(status, 3, err)
+        for wrong in (["--output", "x.txt"], ["--figure", "x.svg"], ["--set", "a=1"], ["--csv", "--json"], ["--threads", "0"]):
+            self.assertEqual(run("solve", "--batch", table, *wrong)[0], 2, wrong)
+        self.assertEqual(run("solve", "--output", "x.csv", SLOPE / "anchored_block.yaml")[0], 2)
+
+    def workbook(self, cells, strings="", name="survey.xlsx", **parts):
+        """A workbook of these cells of its first sheet; parts in place of its own, by their names without folder and ending."""
+        path = self.folder / name
+        own = {"xl/workbook.xml": WORKBOOK, "xl/_rels/workbook.xml.rels": RELATIONS, "xl/styles.xml": STYLES,
+               "xl/sharedStrings.xml": f'<sst xmlns="{MAIN}">{strings}</sst>',
+               "xl/worksheets/blocks.xml": f'<worksheet xmlns="{MAIN}"><sheetData>{cells}</sheetData></worksheet>'}
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+            for part, text in own.items():
+                text = parts.get(pathlib.PurePath(part).name.split(".")[0], text)
+                if text is not None:
+                    file.writestr(part, text)
+        return path
+
+    HEADS = "".join(f'<c r="{column}2" t="s"><v>{k}</v></c>' for k, column in enumerate("ABCDEFG"))
+    STRINGS = "".join(f"<si><t>{name}</t></si>" for name in
+                      ("name", "width (m)", "height (m)", "dip (deg)", "friction (deg)", "date", "notes"))
+
+    def test_worksheets(self):
+        """Shared, rich and inline texts, the saved value of a formula, doubles as spreadsheets store them, dates, cells that are
+        missing: the same table as in CSV, each row at the number of its row in the sheet."""
+        if not (pathlib.Path(PROGRAM).parent / "libtopple-xlsx.so").exists():
+            self.skipTest("built without libzip and libxlsxwriter")
+        strings = self.STRINGS + "<si><r><t>B</t></r><r><t>1</t></r><rPh><t>no</t></rPh></si>"
+        cells = (f'<row r="2">{self.HEADS}</row><row r="4"><c r="A4" t="s"><v>7</v></c><c r="B4"><v>1.1000000000000001</v></c>'
+                 '<c r="C4"><f>1+1</f><v>2</v></c><c r="D4"><v>20</v></c><c r="E4"><v>30</v></c><c r="F4" s="2"><v>46351</v></c>'
+                 '<c r="G4" t="inlineStr"><is><t>=1+1 &amp; "more"</t></is></c></row>'
+                 '<row r="6"><c r="A6" t="str"><v>late</v></c><c r="B6"><v>3</v></c><c r="C6"><v>1</v></c><c r="D6"><v>20</v></c>'
+                 '<c r="E6" s="1"><v>45000</v></c></row>'
+                 '<row r="7"><c r="A7" t="str"><v>days</v></c><c r="B7" s="3"><v>3</v></c><c r="C7"><v>1</v></c><c r="D7"><v>20</v></c>'
+                 '<c r="E7"><v>40</v></c></row>')
+        found, _ = self.batch(self.workbook(cells, strings), status=3)
+        of_csv, _ = self.batch(self.write("name,width (m),height (m),dip,friction\n\n\nB1,1.1,2,20,30\n"))
+        self.assertEqual(found["B1"], of_csv["B1"])
+        self.assertEqual(found["B1"]["line"], "4")
+        self.assertEqual(found["days"]["standing"], "holds")
+        self.assertIn("survey.xlsx:6: block 'late': column 'friction (deg)'", found["late"]["remark"])
+        self.assertIn("March", found["late"]["remark"])
+
+    def test_hostile_workbooks(self):
+        """A bomb, an entity, a document type, a text that there is not, parts that are missing or no XML: said, and nothing more."""
+        if not (pathlib.Path(PROGRAM).parent / "libtopple-xlsx.so").exists():
+            self.skipTest("built without libzip and libxlsxwriter")
+        row = f'<row r="2">{self.HEADS}</row>'
+        for k, (make, saying) in enumerate([
+                (dict(cells=row, strings=" " * (100 << 20)), "unpacks to more"),
+                (dict(cells=row, blocks='<!DOCTYPE a [<!ENTITY b SYSTEM "file:///etc/passwd">]><a>&b;</a>'), "document type"),
+                (dict(cells='<row r="1"><c r="A1" t="s"><v>9</v></c></row>'), "text is not among"),
+                (dict(cells=row, blocks=None), "is missing"), (dict(cells=row, blocks="<a>"), "is no XML"),
+                (dict(cells=row, workbook="<a/>"), "has no worksheet"),
+                (dict(cells='<row r="2"/><row r="1"/>'), "out of order"),
+                (dict(cells='<row r="9999999"/>'), "a million rows"),
+                (dict(cells='<row r="1"><c r="ZZZ1"><v>1</v></c></row>'), "256 cells")]):
+            path = self.workbook(name=f"wrong{k}.xlsx", **make)
+            status, out, err = run("solve", "--batch", path)
+            self.assertEqual((status, out), (3, ""), err)
+            self.assertIn(saying, err)
+            self.assertIn(path.name, err)
+        no_zip = self.write("no workbook", "no.xlsx")
+        self.assertIn("no .xlsx workbook", run("solve", "--batch", no_zip)[2])
+        self.assertEqual(run("solve", "--batch", self.folder / "gone.xlsx")[0], 5)
+
+    def test_worksheet_written(self):
+        """Names that look like formulas are texts; numbers are those of the CSV; the same bytes each time."""
+        if not (pathlib.Path(PROGRAM).parent / "libtopple-xlsx.so").exists():
+            self.skipTest("built without libzip and libxlsxwriter")
+        table = self.write("name,width (m),height (m),dip (deg),friction (deg)\n=1+1,3,1,20,40\n@x,1,3,25,40\n")
+        paths = [self.folder / "one.xlsx", self.folder / "two.xlsx"]
+        for path in paths:
+            status, _, err = run("solve", "--batch", table, "--output", path)
+            self.assertEqual(status, 0, err)
+        self.assertEqual(paths[0].read_bytes(), paths[1].read_bytes())
+        with zipfile.ZipFile(paths[0]) as file:
+            sheet = ET.fromstring(file.read("xl/worksheets/sheet1.xml"))
+            shared = ["".join(own.itertext()) for own in ET.fromstring(file.read("xl/sharedStrings.xml"))]
+        self.assertEqual(list(sheet.iter(f"{{{MAIN}}}f")), [])
+        cells = {own.get("r"): own for own in sheet.iter(f"{{{MAIN}}}c")}
+        self.assertEqual([shared[int(cells[place][0].text)] for place in ("A2", "A3")], ["@x", "=1+1"])
+        found, _ = self.batch(table)
+        self.assertAlmostEqual(float(cells["C3"][0].text), float(found["'=1+1"]["fos"]), delta=1e-14)  # 16 digits are written
+        self.assertEqual(run("solve", "--batch", table, "--output", self.folder / "missing" / "x.xlsx")[0], 5)
+
+    def test_example(self):
+        """What docs/batch.md shows."""
+        status, out, err = run("solve", "--batch", "examples/slope/survey.csv", "--template", "examples/slope/survey_block.yaml",
+                               folder=ROOT)
+        self.assertEqual(status, 1, err)
+        shown = (ROOT / "docs" / "batch.md").read_text(encoding="utf-8")
+        self.assertIn(out.rstrip("\n"), shown)
+
+
+if __name__ == "__main__":
+    main()
