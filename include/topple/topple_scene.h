@@ -335,6 +335,47 @@ TP_MUST_USE tp_status tp_scene_set_water(tp_scene *scene, tp_exact height,
                                          tp_exact unit_weight_kn_m3, bool stays_level, bool uplift,
                                          tp_message *message);
 
+/* Which faces of a block water wets: those between the ends of its base joint and its top, up-dip
+ * of it or down-dip. Behind is taken, with a caution, where that is left open. */
+typedef enum tp_water_faces {
+  TP_WATER_FACES_UNSTATED,
+  TP_WATER_BEHIND,
+  TP_WATER_IN_FRONT,
+  TP_WATER_ON_BOTH
+} tp_water_faces;
+
+/* How it lifts the block: not at all; by a pressure that falls linearly to nothing at an end that
+ * it does not wet; or by the one of its level at both ends, which is taken where that is left open.
+ */
+typedef enum tp_water_uplift {
+  TP_WATER_UPLIFT_UNSTATED,
+  TP_WATER_UPLIFT_NONE,
+  TP_WATER_UPLIFT_TRIANGULAR,
+  TP_WATER_UPLIFT_FULL
+} tp_water_uplift;
+
+/* Water up to a level, or below a surface of `points` from left to right, presses on the faces that
+ * it wets (docs/loads.md). The level is an elevation: y in the frame of the world, else over the
+ * up-dip end of the base joint. The unit weight is not below 0. */
+TP_MUST_USE tp_status tp_scene_set_water_level(tp_scene *scene, tp_exact level,
+                                               tp_exact unit_weight_kn_m3, tp_water_faces faces,
+                                               tp_water_uplift uplift, tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_water_surface(tp_scene *scene, tp_coordinates points,
+                                                 tp_exact unit_weight_kn_m3, tp_water_faces faces,
+                                                 tp_water_uplift uplift, tp_message *message);
+
+/* A crack behind the block, filled to a level; or to a `height` over its foot, normal to the mean
+ * plane, which lies at a `distance` up-dip of the base joint. It may stand alone: water of 9.81
+ * kN/m3, with full uplift; or beside a level or a surface in front, set before. */
+TP_MUST_USE tp_status tp_scene_set_tension_crack_level(tp_scene *scene, tp_exact level,
+                                                       tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_tension_crack_height(tp_scene *scene, tp_exact height,
+                                                        tp_exact distance, tp_message *message);
+
+/* Ice on such water, set before: its pressure and its thickness, neither below 0. */
+TP_MUST_USE tp_status tp_scene_set_ice(tp_scene *scene, tp_exact ice_kpa, tp_exact ice_thickness,
+                                       tp_message *message);
+
 /* A pressure normal to a line on one edge of the outline, which runs counter-clockwise from (x0,
  * y0) to (x1, y1): `first_kpa` and `last_kpa` at its ends, not below 0, linear between them. */
 TP_MUST_USE tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,

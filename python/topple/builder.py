@@ -24,6 +24,24 @@ class SeismicDirection(Word):
     UP_DIP = "up_dip"
 
 
+class WaterFaces(Word):
+    """Which faces of the block water wets."""
+
+    UNSTATED = "unstated"  #: behind, with a caution
+    BEHIND = "behind"  #: up-dip of the block
+    FRONT = "front"
+    BOTH = "both"
+
+
+class WaterUplift(Word):
+    """How water lifts the block."""
+
+    UNSTATED = "unstated"  #: full, with a caution
+    NONE = "none"
+    TRIANGULAR = "triangular"  #: to nothing at an end of the joint that the water does not wet
+    FULL = "full"  #: the pressure of its level at both ends
+
+
 class UndersideEnd(Word):
     """An end of the underside."""
 
@@ -216,6 +234,34 @@ class Builder(TiltBuilder):
         vertical where it stays level; with uplift along the base, falling to nothing at the toe."""
         self._change(lib.tp_scene_set_water, c_number(height), c_number(unit_weight_kn_m3),
                      stays_level, uplift)
+
+    def set_water_level(self, level: Number, unit_weight_kn_m3: Number = "9.81",
+                        faces: WaterFaces | str = "unstated",
+                        uplift: WaterUplift | str = "unstated") -> None:
+        """Water up to an elevation: y in the frame of the world, else over the up-dip end of the base
+        joint."""
+        self._change(lib.tp_scene_set_water_level, c_number(level), c_number(unit_weight_kn_m3),
+                     number_of(WaterFaces, faces), number_of(WaterUplift, uplift))
+
+    def set_water_surface(self, points: Points, unit_weight_kn_m3: Number = "9.81",
+                          faces: WaterFaces | str = "unstated",
+                          uplift: WaterUplift | str = "unstated") -> None:
+        """Water below a surface, points from left to right that reach past the block."""
+        self._change_points(lib.tp_scene_set_water_surface, points, c_number(unit_weight_kn_m3),
+                            number_of(WaterFaces, faces), number_of(WaterUplift, uplift))
+
+    def set_tension_crack_level(self, level: Number) -> None:
+        """A crack behind the block, filled to an elevation, as that of set_water_level."""
+        self._change_numbers(lib.tp_scene_set_tension_crack_level, level)
+
+    def set_tension_crack_height(self, height: Number, distance: Number = 0) -> None:
+        """A crack behind the block, filled to a height over its foot, normal to the mean plane, at a
+        distance up-dip of the base joint."""
+        self._change_numbers(lib.tp_scene_set_tension_crack_height, height, distance)
+
+    def set_ice(self, ice_kpa: Number, ice_thickness: Number) -> None:
+        """Ice on water that was set before, which presses from its level down."""
+        self._change_numbers(lib.tp_scene_set_ice, ice_kpa, ice_thickness)
 
     def add_pressure(self, x0: Number, y0: Number, x1: Number, y1: Number, first_kpa: Number,
                      last_kpa: Number) -> None:

@@ -59,6 +59,25 @@ START_TEST(loads) {
   char *before = solve();
   REFUSED(tp_scene_set_water(scene, E(-1), E(10), false, false, &message), "height must not be");
   REFUSED(tp_scene_set_water(scene, E(1), E(-10), false, false, &message), "unit_weight_kn_m3");
+  REFUSED(tp_scene_set_water_level(scene, E(NAN), E(10), TP_WATER_BEHIND, TP_WATER_UPLIFT_NONE,
+                                   &message),
+          "level");
+  REFUSED(tp_scene_set_water_level(scene, E(1), E(-10), TP_WATER_BEHIND, TP_WATER_UPLIFT_NONE,
+                                   &message),
+          "unit_weight_kn_m3");
+  REFUSED(tp_scene_set_water_level(scene, E(1), E(10), (tp_water_faces)4, TP_WATER_UPLIFT_NONE,
+                                   &message),
+          "faces");
+  REFUSED(
+      tp_scene_set_water_level(scene, E(1), E(10), TP_WATER_BEHIND, (tp_water_uplift)4, &message),
+      "uplift");
+  REFUSED(tp_scene_set_water_surface(scene, tp_coordinates_of((double[]){0, 0}, 1), E(10),
+                                     TP_WATER_BEHIND, TP_WATER_UPLIFT_NONE, &message),
+          "two points");
+  REFUSED(tp_scene_set_tension_crack_level(scene, E(NAN), &message), "level");
+  REFUSED(tp_scene_set_tension_crack_height(scene, E(-1), E(0), &message), "height");
+  REFUSED(tp_scene_set_tension_crack_height(scene, E(1), E(-1), &message), "distance");
+  REFUSED(tp_scene_set_ice(scene, E(1), E(1), &message), "set that before");
   REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "horizontal");
   REFUSED(tp_scene_set_seismic_direction(scene, (tp_seismic_direction)3, &message), "direction");
   REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");

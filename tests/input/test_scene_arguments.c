@@ -83,6 +83,15 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_seismic_vertical(own, E(1), &message), why);
   REFUSED(tp_scene_set_seismic_direction(own, TP_SEISMIC_BOTH, &message), why);
   REFUSED(tp_scene_set_water(own, E(1), E(10), false, false, &message), why);
+  REFUSED(
+      tp_scene_set_water_level(own, E(1), E(10), TP_WATER_BEHIND, TP_WATER_UPLIFT_NONE, &message),
+      why);
+  REFUSED(tp_scene_set_water_surface(own, tp_coordinates_of(square, 2), E(10), TP_WATER_BEHIND,
+                                     TP_WATER_UPLIFT_NONE, &message),
+          why);
+  REFUSED(tp_scene_set_tension_crack_level(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tension_crack_height(own, E(1), E(0), &message), why);
+  REFUSED(tp_scene_set_ice(own, E(1), E(1), &message), why);
   REFUSED(tp_scene_add_pressure(own, E(1), E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_surcharge(own, E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_anchor(own, E(1), E(1), E(1), E(1), false, &message), why);

@@ -25,6 +25,7 @@ enum {
   SEISMIC,
   WATER,
   UPLIFT,
+  WET,
   PRESSURE,
   SURCHARGE,
   ANCHOR,
@@ -53,6 +54,8 @@ static long calls[EFFECTS];
 COUNTED(SEISMIC, void, tp_load_seismic, (tp_wrench * w, const tp_load_setting *s), (w, s))
 COUNTED(WATER, void, tp_load_water, (tp_wrench * w, const tp_load_setting *s), (w, s))
 COUNTED(UPLIFT, void, tp_load_uplift, (tp_wrench * w, const tp_load_setting *s), (w, s))
+COUNTED(WET, void, tp_load_wet_lines,
+        (tp_wrench * w, const tp_wet_lines *l, const tp_load_setting *s), (w, l, s))
 COUNTED(PRESSURE, void, tp_load_pressure,
         (tp_wrench * w, const tp_line_load *l, const tp_load_setting *s), (w, l, s))
 COUNTED(SURCHARGE, void, tp_load_surcharge,
@@ -121,6 +124,7 @@ START_TEST(only_what_is_called_for) {
       {-1, -1, SLAB, ""},
       {SEISMIC, LOADS, SLAB, "loads: {seismic: {horizontal: 0.1}}"},
       {WATER, LOADS, SLAB, "loads: {water: {height: 1}}"},
+      {WET, LOADS, SLAB, "loads: {water: {level: 1}}"},
       {PRESSURE, LOADS, SLAB, "loads: {pressures: [{from: [2, 0], to: [2, 5], kpa: 1}]}"},
       {SURCHARGE, LOADS, SLAB, "loads: {surcharges: [{from: [0, 5], to: [2, 5], kpa: 1}]}"},
       {ANCHOR, LOADS, SLAB, "loads: {anchors: [{at: [0, 4], direction_deg: 0, force_kn: 1}]}"},

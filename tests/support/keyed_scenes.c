@@ -67,6 +67,23 @@ static void build_loads(tp_scene *scene, const double *n) {
   DO(tp_scene_set_cohesion_kpa(scene, E(n[20]), &message));
 }
 
+static void build_level(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_set_water_level(scene, E(n[0]), E(n[1]), TP_WATER_ON_BOTH, TP_WATER_UPLIFT_FULL,
+                              &message));
+  DO(tp_scene_set_tension_crack_level(scene, E(n[2]), &message));
+  DO(tp_scene_set_ice(scene, E(n[3]), E(n[4]), &message));
+}
+
+static void build_surface(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_set_water_surface(scene, tp_coordinates_of(n, 2), E(10), TP_WATER_ON_BOTH,
+                                TP_WATER_UPLIFT_TRIANGULAR, &message));
+  DO(tp_scene_set_tension_crack_height(scene, E(n[4]), E(n[5]), &message));
+}
+
 static void build_support(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
@@ -147,6 +164,8 @@ enum {
   ARCS,
   CORNERS,
   LOADS,
+  LEVEL,
+  SURFACE,
   SUPPORT,
   PROFILE,
   BETWEEN,
@@ -197,6 +216,17 @@ static const keyed_scene kinds[] = {
                "  anchors: [{at: [@p, @q], direction_deg: @r, force_kn: @s}]\n"
                "  bond_kpa: @t\n  cohesion_kpa: @u\n",
                {0.0625, 0.125, 1, 9.75, 4, 1, 4, 5, 2, 3, 3, 6, 1, 6, 5, 0, 3, 200, 30, 2, 8}},
+    [LEVEL] = {build_level,
+               HEAD TEXT_SQUARE
+               "friction_angle_deg: 30\nloads:\n  water: {level: @a, unit_weight_kn_m3: @b, faces: "
+               "both, uplift: full, tension_crack: {level: @c}, ice_kpa: @d, ice_thickness: @e}\n",
+               {1, 9.75, 3, 40, 0.5}},
+    [SURFACE] = {build_surface,
+                 HEAD TEXT_SQUARE
+                 "friction_angle_deg: 30\nloads:\n  water: {surface: [[@a, @b], [@c, @d]], "
+                 "unit_weight_kn_m3: 10, faces: both, uplift: triangular, tension_crack: {height: "
+                 "@e, distance: @f}}\n",
+                 {-1, 1, 6, 2, 3, 0.5}},
     [SUPPORT] =
         {build_support,
          HEAD TEXT_SQUARE
@@ -299,6 +329,13 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + LOADS, "loads.anchors.1.force_kn", 's', 40},
     {kinds + LOADS, "loads.bond_kpa", 't', 1},
     {kinds + LOADS, "loads.cohesion_kpa", 'u', 4},
+    {kinds + LEVEL, "loads.water.level", 'a', 1.5},
+    {kinds + LEVEL, "loads.water.tension_crack.level", 'c', 3.5},
+    {kinds + LEVEL, "loads.water.ice_kpa", 'd', 50},
+    {kinds + LEVEL, "loads.water.ice_thickness", 'e', 0.25},
+    {kinds + SURFACE, "loads.water.surface.1.2", 'b', 1.5},
+    {kinds + SURFACE, "loads.water.tension_crack.height", 'e', 2.5},
+    {kinds + SURFACE, "loads.water.tension_crack.distance", 'f', 0.25},
     {kinds + SUPPORT, "loads.anchors.1.at.1", 'a', 0.5},
     {kinds + SUPPORT, "loads.anchors.1.at.2", 'b', 4},
     {kinds + SUPPORT, "loads.anchors.1.dip_deg", 'c', 20},

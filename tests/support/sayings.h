@@ -50,6 +50,7 @@ void say_reports(sayings *s, const tp_solution *solution);
 void say_built(sayings *s);
 void say_built_shapes(sayings *s);
 void say_built_loads(sayings *s);
+void say_built_water(sayings *s);
 void say_built_refused(sayings *s);
 /* Many blocks in arrays. */
 void say_blocks(sayings *s);

@@ -254,6 +254,25 @@ void say_built_loads(sayings *s) {
   tp_scene_free(scene);
 }
 
+/* Water by a level, a surface, a crack, and ice on it. */
+void say_built_water(sayings *s) {
+  static const double over[] = {-1, 4.5, 6, 3.25};
+  tp_message message = {.text = ""};
+  tp_scene *scene = begin_square(s);
+  if (scene == NULL) return;
+  SAY(tp_scene_set_tension_crack_height(scene, E(2.5), T("0.5"), &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_water_level(scene, T("3.3"), T("9.81"), TP_WATER_ON_BOTH, TP_WATER_UPLIFT_FULL,
+                               &message));
+  SAY(tp_scene_set_tension_crack_level(scene, E(3.5), &message));
+  SAY(tp_scene_set_ice(scene, E(40.5), T("0.3"), &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_water_surface(scene, tp_coordinates_of(over, 2), T("9.81"), TP_WATER_BEHIND,
+                                 TP_WATER_UPLIFT_TRIANGULAR, &message));
+  say_scene_built(s, scene);
+  tp_scene_free(scene);
+}
+
 /* Refused, by messages that tell numbers; the scene stays as it was. */
 void say_built_refused(sayings *s) {
   static const double wrong[] = {0, 0, 4, 0, 4, NAN, 0, 6}, tiny[] = {0, 0, 4, 0, 4, 1e-320};

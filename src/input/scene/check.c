@@ -309,6 +309,7 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK && scene->loads.place.file != NULL) {
     status = tp_check_loads_weighed(scene, scene->loads.place, message);
   }
+  if (status == TP_OK) status = tp_check_water(scene, message);
   if (status == TP_OK) status = tp_anchors_check(scene, message);
   if (status == TP_OK && scene->friction.load_dependent) {
     status = tp_check_law_weighed(scene, scene->friction_angle_deg.place, message);

@@ -60,6 +60,8 @@ TP_MUST_USE tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place pla
                                              tp_message *message);
 TP_MUST_USE tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place,
                                              tp_message *message);
+/* One of its forms, and what belongs to that. */
+TP_MUST_USE tp_status tp_check_water(const tp_scene *scene, tp_message *message);
 TP_MUST_USE tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place,
                                            tp_message *message);
 TP_MUST_USE tp_status tp_check_contact_width(const tp_scene *scene, tp_message *message);

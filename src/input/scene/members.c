@@ -17,10 +17,10 @@
   { array, sizeof(array) / sizeof(array)[0] }
 
 static const size_t numbers[] = {IN_SCENE(metres_per_unit), TP_SCENE_NUMBERS(OFFSET)};
-static const size_t lines[] = {IN_SCENE(block.outline),    IN_SCENE(base.between),
-                               IN_SCENE(base.profile),     IN_SCENE(base.rule.measured),
-                               IN_SCENE(mean_plane),       IN_SCENE(shaking[0].record),
-                               IN_SCENE(shaking[1].record)};
+static const size_t lines[] = {IN_SCENE(block.outline),     IN_SCENE(base.between),
+                               IN_SCENE(base.profile),      IN_SCENE(base.rule.measured),
+                               IN_SCENE(mean_plane),        IN_SCENE(loads.water.surface),
+                               IN_SCENE(shaking[0].record), IN_SCENE(shaking[1].record)};
 
 const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
 

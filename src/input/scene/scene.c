@@ -57,6 +57,10 @@ void tp_teeth_over(fmpq_t width, fmpq_t height, const fmpq_t amplitude, long cou
   fmpq_clear(factor);
 }
 
+bool tp_water_is_sited(const tp_water_description *water) {
+  return water->given && (water->level.given || water->surface.count > 0 || water->cracked);
+}
+
 void tp_line_load_init(tp_line_load *load) {
   fmpq_init(load->x0.value);
   fmpq_init(load->y0.value);
@@ -64,6 +68,15 @@ void tp_line_load_init(tp_line_load *load) {
   fmpq_init(load->y1.value);
   fmpq_init(load->first_kpa.value);
   fmpq_init(load->last_kpa.value);
+}
+
+void tp_line_load_clear(tp_line_load *load) {
+  fmpq_clear(load->x0.value);
+  fmpq_clear(load->y0.value);
+  fmpq_clear(load->x1.value);
+  fmpq_clear(load->y1.value);
+  fmpq_clear(load->first_kpa.value);
+  fmpq_clear(load->last_kpa.value);
 }
 
 void tp_anchor_init(tp_anchor_description *anchor) {

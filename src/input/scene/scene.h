@@ -140,16 +140,25 @@ typedef struct tp_anchor_description {
   bool passive;                      /* counts as resistance; else takes from what overturns */
 } tp_anchor_description;
 
-/* Water behind the block, to a height over the up-dip end of the base joint, and below it. */
+/* Water about the block. To a height over the up-dip end of the base joint it stands behind the
+ * block, on a face normal to the base; or it is sited: a level, a surface or a crack filled with it
+ * tells how deep each point of the outline lies below it (load/wetted.h). */
 typedef struct tp_water_description {
   bool given;
   tp_place place;
   tp_quantity height;            /* scene lengths, along the face */
   tp_quantity unit_weight_kn_m3; /* 9.81 where not given */
   bool stays_level;              /* the height is vertical, whatever the tilt */
-  bool uplift;                   /* along the base, falling to nothing at the toe */
-  bool lifts_alone; /* what it pushes down-dip is left out: the block goes up-dip (problem/world.h)
-                     */
+  bool uplift;                   /* along the base, of a shape; of a height triangular */
+  bool lifts_alone;  /* what it pushes down-dip is left out: the block goes up-dip (problem/world.h)
+                      */
+  tp_quantity level; /* an elevation */
+  tp_polyline surface; /* or points of it, from left to right */
+  tp_water_faces faces;
+  tp_water_uplift shape;
+  bool cracked; /* behind the block it stands in a crack, to a level of its own, */
+  tp_quantity crack_level, crack_height, crack_distance; /* or to a height over its foot */
+  tp_quantity ice_kpa, ice_thickness;                    /* 0: there is none */
 } tp_water_description;
 
 typedef struct tp_loads_description {
@@ -270,6 +279,9 @@ tp_place tp_scene_shift_place(const tp_scene *scene);
 /* Does the block lie at its place, on a slope or in the frame of the world; else on a table? */
 bool tp_scene_lies_in_place(const tp_scene *scene);
 
+/* Is its water told by a level, a surface or a crack? */
+bool tp_water_is_sited(const tp_water_description *water);
+
 /* What the scene has instead of the number at a node; NULL: nothing. */
 const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node);
 
@@ -293,6 +305,7 @@ void tp_teeth_over(fmpq_t width, fmpq_t height, const fmpq_t amplitude, long cou
 
 /* The numbers of what a scene holds several of; the rest is zero already. */
 void tp_line_load_init(tp_line_load *load);
+void tp_line_load_clear(tp_line_load *load);
 void tp_anchor_init(tp_anchor_description *anchor);
 void tp_arc_init(tp_arc_description *arc);
 void tp_corner_init(tp_corner_description *corner);

@@ -55,6 +55,12 @@ tp_status tp_scene_set_water(tp_scene *scene, tp_exact height, tp_exact unit_wei
     water->place = build.place;
     water->stays_level = stays_level;
     water->uplift = uplift;
+    water->faces = TP_WATER_FACES_UNSTATED;
+    water->shape = TP_WATER_UPLIFT_UNSTATED;
+    water->cracked = water->level.given = false;
+    water->crack_level.given = water->crack_height.given = water->crack_distance.given = false;
+    water->ice_kpa.given = water->ice_thickness.given = false;
+    tp_polyline_clear(&water->surface);
     tp_build_put(&build, &water->height, 0);
     tp_build_put(&build, &water->unit_weight_kn_m3, 1);
   }

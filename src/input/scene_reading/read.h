@@ -92,6 +92,7 @@ TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_water(const tp_reader *reader, const tp_node *node);
 /* The key friction, beside friction_angle_deg, which was read. */
 TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);

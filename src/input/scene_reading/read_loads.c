@@ -36,15 +36,6 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-static tp_status read_water(const tp_reader *reader, const tp_node *node) {
-  tp_water_description *water = &reader->scene->loads.water;
-  if (node == NULL) return TP_OK;
-  water->given = true;
-  water->place = tp_node_place(node, reader->scene->path);
-  fmpq_set_si(water->unit_weight_kn_m3.value, 981, 100);
-  return tp_read_map(reader, reader->scene, node, &tp_key_map_loads_water, "water");
-}
-
 static tp_status read_required_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
                                      const tp_node *parent, const char *key) {
   const tp_node *node = NULL;
@@ -146,7 +137,7 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
   tp_status status = tp_read_keys(reader, node, &tp_key_map_loads, "loads");
   if (status == TP_OK) status = tp_check_loads_weighed(scene, loads->place, reader->message);
   if (status == TP_OK) status = read_seismic(reader, tp_node_get(node, "seismic"));
-  if (status == TP_OK) status = read_water(reader, tp_node_get(node, "water"));
+  if (status == TP_OK) status = tp_read_water(reader, tp_node_get(node, "water"));
   if (status == TP_OK) {
     status =
         read_lines(reader, &loads->pressures, &loads->pressure_count,

@@ -69,6 +69,30 @@ static bool is_wet(const tp_scene *scene) {
   return scene->loads.water.given;
 }
 
+static bool is_sited(const tp_scene *scene) {
+  return tp_water_is_sited(&scene->loads.water);
+}
+
+static bool is_filled(const tp_scene *scene) {
+  return is_wet(scene) && !is_sited(scene);
+}
+
+static bool is_levelled(const tp_scene *scene) {
+  return scene->loads.water.level.given;
+}
+
+static bool is_under_surface(const tp_scene *scene) {
+  return scene->loads.water.surface.count > 0;
+}
+
+static bool is_cracked_to_level(const tp_scene *scene) {
+  return scene->loads.water.crack_level.given;
+}
+
+static bool is_cracked_to_height(const tp_scene *scene) {
+  return scene->loads.water.crack_height.given;
+}
+
 static bool is_recorded_across(const tp_scene *scene) {
   return scene->shaking[TP_SHAKING_HORIZONTAL].form == TP_SHAKING_RECORD;
 }

@@ -151,6 +151,8 @@ tp_rock tp_figure_rock(const tp_figure *figure);
 TP_MUST_USE bool tp_figure_draw_base(const tp_panel *panel);
 void tp_figure_draw_block(const tp_panel *panel);
 void tp_figure_draw_contact(const tp_panel *panel);
+/* Sited water: its levels, and its pressures as areas over the lines that they act on. */
+void tp_figure_draw_wetted(const tp_panel *panel);
 void tp_figure_draw_loads(tp_panel *panel);
 void tp_figure_draw_forces(tp_panel *panel);
 void tp_figure_draw_tilt(tp_panel *panel);

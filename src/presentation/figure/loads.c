@@ -165,7 +165,11 @@ static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
 
 void tp_figure_draw_loads(tp_panel *p) {
   const tp_loads_description *loads = &p->figure->problem->scene->loads;
-  draw_water(p);
+  if (tp_problem_has_wetted(p->figure->problem)) {
+    tp_figure_draw_wetted(p);
+  } else {
+    draw_water(p);
+  }
   for (long k = 0; k < loads->pressure_count; k++) draw_line_load(p, loads->pressures + k, false);
   for (long k = 0; k < loads->support_count; k++) draw_line_load(p, loads->supports + k, false);
   for (long k = 0; k < loads->surcharge_count; k++) draw_line_load(p, loads->surcharges + k, true);

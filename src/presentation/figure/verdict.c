@@ -171,9 +171,11 @@ static void add_loads(tp_text *t, const tp_figure *figure) {
     bool acts;
     const char *name;
   } kinds[] = {{l->horizontal.given || l->vertical.given, "earthquake"},
-               {l->water.given, l->water.lifts_alone ? "uplift of water"
-                                : l->water.uplift    ? "water and uplift"
-                                                     : "water"},
+               {l->water.given, l->water.lifts_alone && l->water.faces < TP_WATER_IN_FRONT
+                                    ? "uplift of water"
+                                : l->water.uplift ? "water and uplift"
+                                                  : "water"},
+               {!fmpq_is_zero(l->water.ice_kpa.value), "ice"},
                {l->pressure_count > 0, "pressure"},
                {l->surcharge_count > 0, "surcharge"},
                {l->support_count > 0, "support pressure"},

@@ -125,7 +125,9 @@ static void add_anchor(tp_json *j, const tp_shape *s, const tp_problem *problem,
 
 static void add_loads(tp_json *j, const tp_shape *s, const tp_problem *problem) {
   const tp_loads_description *loads = &problem->scene->loads;
-  if (loads->water.given && !loads->water.lifts_alone) {
+  const tp_wetted *wetted = problem->wetted + (problem->scene->towards_left ? 0 : 1);
+  const tp_wet_lines *const wet[] = {&wetted->faces, &wetted->joint, &wetted->ice};
+  if (loads->water.given && !loads->water.lifts_alone && !tp_problem_has_wetted(problem)) {
     tp_json_object(j, "water", TP_JSON_LINE);
     tp_json_double(j, "height_m",
                    fmpq_get_d(loads->water.height.value) *
@@ -137,6 +139,11 @@ static void add_loads(tp_json *j, const tp_shape *s, const tp_problem *problem) 
   tp_json_array(j, "pressures", TP_JSON_LIST);
   for (long k = 0; k < loads->pressure_count; k++) {
     add_line_load(j, s, problem, loads->pressures + k, false);
+  }
+  for (int kind = 0; kind < 3; kind++) {
+    for (long k = 0; k < wet[kind]->count; k++) {
+      add_line_load(j, s, problem, wet[kind]->items + k, false);
+    }
   }
   for (long k = 0; k < loads->support_count; k++) {
     add_line_load(j, s, problem, loads->supports + k, false);

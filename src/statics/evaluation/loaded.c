@@ -52,6 +52,7 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
   arb_div(s->y, sums + TP_Y6, sums + TP_A2, bits);
   arb_div_ui(s->y, s->y, 3, bits);
   to_metres(s->y, l->origin_y, e);
+  if (tp_problem_has_wetted(problem)) s->wetted = problem->wetted + (s->mirrored ? 1 : 0);
   if (!problem->scene->loads.water.given) return;
   set_joint_end(s->toe_x, s->toe_y, e, s->mirrored ? 1 : 0, s->mirrored);
   set_joint_end(s->heel_x, s->heel_y, e, s->mirrored ? 0 : 1, s->mirrored);

@@ -52,6 +52,7 @@ bool tp_loaded_vanishes(const tp_load *load, tp_load_part part, const tp_loaded 
   tp_lattice_metres_x(s.pivot_x, l, l->x + pivot.point);
   tp_lattice_metres_y(s.pivot_y, l, l->y + pivot.point);
   if (s.mirrored) fmpq_neg(s.pivot_x, s.pivot_x);
+  if (tp_problem_has_wetted(problem)) s.wetted = problem->wetted + (loaded->mirrored ? 1 : 0);
   s.has_centroid = set_centroid(&s, e);
   if (problem->scene->loads.water.given) set_joint(&s, &problem->joint);
   const bool vanishes = tp_load_vanishes(load, part, &s, problem->scene->tilt_angle_deg.value);

@@ -9,9 +9,8 @@
 #include "scene/anchor.h"
 
 const char *tp_load_name(tp_load_kind kind) {
-  static const char *const names[] = {"weight",           "seismic",  "water",
-                                      "uplift",           "pressure", "surcharge",
-                                      "support pressure", "anchor"};
+  static const char *const names[] = {"weight",   "seismic",   "water",            "uplift", "ice",
+                                      "pressure", "surcharge", "support pressure", "anchor"};
   return names[kind];
 }
 
@@ -23,6 +22,15 @@ static bool pushes(const tp_water_description *water) {
   return water->given && !water->lifts_alone;
 }
 
+static bool is_iced(const tp_loads_description *loads) {
+  return tp_water_is_sited(&loads->water) && !fmpq_is_zero(loads->water.ice_kpa.value);
+}
+
+/* Sited water may press on faces whichever way the block goes. */
+static bool presses(const tp_water_description *water) {
+  return pushes(water) || tp_water_is_sited(water);
+}
+
 /* Each row of bolts is a load. */
 static long anchor_count(const tp_loads_description *loads) {
   long count = 0;
@@ -31,8 +39,8 @@ static long anchor_count(const tp_loads_description *loads) {
 }
 
 long tp_loads_count(const tp_loads_description *loads) {
-  return 1 + is_seismic(loads) + pushes(&loads->water) +
-         (loads->water.given && loads->water.uplift) + loads->pressure_count +
+  return 1 + is_seismic(loads) + presses(&loads->water) +
+         (loads->water.given && loads->water.uplift) + is_iced(loads) + loads->pressure_count +
          loads->surcharge_count + loads->support_count + anchor_count(loads);
 }
 
@@ -46,6 +54,29 @@ static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {
   own->place = place;
   own->began = tp_clock_now();
   return own;
+}
+
+static void evaluate_water(tp_load **loads, const tp_load_setting *s) {
+  const tp_water_description *water = &s->scene->loads.water;
+  if (presses(water)) {
+    tp_load *own = next(loads, TP_LOAD_WATER, water->place);
+    if (s->wetted != NULL) {
+      tp_load_wet_lines(&own->wrench, &s->wetted->faces, s);
+    } else {
+      tp_load_water(&own->wrench, s);
+    }
+  }
+  if (water->given && water->uplift) {
+    tp_load *own = next(loads, TP_LOAD_UPLIFT, water->place);
+    if (s->wetted != NULL) {
+      tp_load_wet_lines(&own->wrench, &s->wetted->joint, s);
+    } else {
+      tp_load_uplift(&own->wrench, s);
+    }
+  }
+  if (is_iced(&s->scene->loads)) {
+    tp_load_wet_lines(&next(loads, TP_LOAD_ICE, water->ice_kpa.place)->wrench, &s->wetted->ice, s);
+  }
 }
 
 static tp_load *next_line(tp_load **loads, tp_load_kind kind, const tp_line_load *line) {
@@ -70,10 +101,7 @@ void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
   const tp_loads_description *d = &s->scene->loads;
   tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
   if (is_seismic(d)) tp_load_seismic(&next(&loads, TP_LOAD_SEISMIC, d->seismic_place)->wrench, s);
-  if (pushes(&d->water)) tp_load_water(&next(&loads, TP_LOAD_WATER, d->water.place)->wrench, s);
-  if (d->water.given && d->water.uplift) {
-    tp_load_uplift(&next(&loads, TP_LOAD_UPLIFT, d->water.place)->wrench, s);
-  }
+  evaluate_water(&loads, s);
   for (long k = 0; k < d->pressure_count; k++) {
     const tp_line_load *load = d->pressures + k;
     tp_load_pressure(&next_line(&loads, TP_LOAD_PRESSURE, load)->wrench, load, s);

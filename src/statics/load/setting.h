@@ -7,6 +7,7 @@
 #ifndef TP_LOAD_SETTING_H
 #define TP_LOAD_SETTING_H
 
+#include "load/wetted.h"
 #include "load/wrench.h"
 #include "scene/scene.h"
 
@@ -17,6 +18,7 @@ enum { TP_KILO = 1000 };
  * its centroid, the ends of the base joint where there is water, the thickness. */
 typedef struct tp_load_setting {
   const tp_scene *scene;
+  const tp_wetted *wetted; /* what its water presses on, where that is sited */
   bool mirrored;
   arb_t weight, x, y;                 /* of the weight */
   arb_t toe_x, toe_y, heel_x, heel_y; /* of the joint: its down-dip and its up-dip end */
@@ -38,6 +40,8 @@ void tp_load_weight(tp_wrench *wrench, const tp_load_setting *setting);
 void tp_load_seismic(tp_wrench *wrench, const tp_load_setting *setting);
 void tp_load_water(tp_wrench *wrench, const tp_load_setting *setting);
 void tp_load_uplift(tp_wrench *wrench, const tp_load_setting *setting);
+void tp_load_wet_lines(tp_wrench *wrench, const tp_wet_lines *lines,
+                       const tp_load_setting *setting);
 void tp_load_pressure(tp_wrench *wrench, const tp_line_load *load, const tp_load_setting *setting);
 void tp_load_surcharge(tp_wrench *wrench, const tp_line_load *load, const tp_load_setting *setting);
 void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor, long row,

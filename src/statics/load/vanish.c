@@ -154,6 +154,13 @@ static bool set_pressure(exact_force *f, const tp_line_load *load, const tp_exac
   return acts;
 }
 
+/* All that sited water presses on as a couple about the origin and a force there, per thickness. */
+static bool set_wet_lines(exact_force *f, const tp_wet_lines *lines, const tp_exact_setting *s) {
+  tp_wet_lines_sum(f->fx + TP_ONE, f->fy + TP_ONE, f->couple + TP_ONE, lines,
+                   s->scene->metres_per_unit, s->mirrored);
+  return lines->count > 0;
+}
+
 static bool set_surcharge(exact_force *f, const tp_line_load *load, const tp_exact_setting *s) {
   fmpq_t x, y;
   fmpq_init(x);
@@ -208,9 +215,11 @@ static bool set_force(exact_force *f, const tp_load *load, tp_load_part part,
   case TP_LOAD_SEISMIC:
     return set_seismic(f, s);
   case TP_LOAD_WATER:
-    return set_water(f, s);
+    return s->wetted != NULL ? set_wet_lines(f, &s->wetted->faces, s) : set_water(f, s);
   case TP_LOAD_UPLIFT:
-    return set_uplift(f, s);
+    return s->wetted != NULL ? set_wet_lines(f, &s->wetted->joint, s) : set_uplift(f, s);
+  case TP_LOAD_ICE:
+    return set_wet_lines(f, &s->wetted->ice, s);
   case TP_LOAD_PRESSURE:
   case TP_LOAD_SUPPORT:
     return set_pressure(f, load->line, s);

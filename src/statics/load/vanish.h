@@ -18,6 +18,7 @@
 /* In metres, x mirrored towards the right as in tp_load_setting. */
 typedef struct tp_exact_setting {
   const tp_scene *scene;
+  const tp_wetted *wetted;
   bool mirrored;
   bool has_centroid; /* of the weight: known exactly */
   fmpq_t x, y;

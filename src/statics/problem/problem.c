@@ -14,6 +14,7 @@
 #include "problem/contact_width.h"
 #include "problem/effects.h"
 #include "problem/lay.h"
+#include "problem/water_site.h"
 #include "scene/check.h"
 
 #include <math.h>
@@ -27,6 +28,8 @@ void tp_problem_clear(tp_problem *problem) {
   tp_contact_clear(&problem->contact);
   tp_facet_friction_clear(&problem->friction);
   tp_base_joint_clear(&problem->joint);
+  tp_wetted_clear(problem->wetted);
+  tp_wetted_clear(problem->wetted + 1);
   tp_elements_clear(&problem->elements);
   tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
@@ -190,6 +193,19 @@ static tp_status check_water(const tp_problem *problem, bool left, tp_message *m
   return status;
 }
 
+bool tp_problem_has_wetted(const tp_problem *problem) {
+  return tp_water_is_sited(&problem->scene->loads.water);
+}
+
+static tp_status meet_water(tp_problem *problem, bool left, const tp_solve_options *options,
+                            tp_message *message) {
+  if (!tp_problem_has_wetted(problem)) return check_water(problem, left, message);
+  const tp_water_site site = {problem->scene, problem->section.rings, &problem->joint,
+                              problem->world};
+  return tp_water_site_find(problem->wetted + (left ? 0 : 1), &site, left, options->digits,
+                            message);
+}
+
 static tp_status check_loads(tp_problem *problem, const tp_solve_options *options,
                              tp_message *message) {
   const tp_scene *scene = problem->scene;
@@ -212,8 +228,10 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
   }
   if (scene->loads.water.given) find_joint(problem);
   tp_status status = tp_loads_check(scene, &problem->section, message);
-  if (status == TP_OK && scene->towards_left) status = check_water(problem, true, message);
-  if (status == TP_OK && scene->towards_right) status = check_water(problem, false, message);
+  if (status == TP_OK && scene->towards_left) status = meet_water(problem, true, options, message);
+  if (status == TP_OK && scene->towards_right) {
+    status = meet_water(problem, false, options, message);
+  }
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include "base/contact.h"
 #include "block/corners.h"
 #include "block/elements.h"
+#include "load/wetted.h"
 #include "problem/base_joint.h"
 #include "problem/facet_friction.h"
 #include "problem/jointed.h"
@@ -36,6 +37,7 @@ typedef struct tp_problem {
   tp_facet_friction friction; /* of facets that have their own; else empty */
   tp_sole sole;               /* on a profile: its underside */
   tp_base_joint joint;        /* where there is water: what it fills */
+  tp_wetted wetted[2];        /* sited water: what it presses on as the block goes left, right */
   bool *admissible[2];        /* by direction of tilt, for each contact point */
   tp_corners corners;         /* rounded ones */
   bool loaded;                /* the scene calls for loads besides the weight */
@@ -52,6 +54,9 @@ void tp_problem_clear(tp_problem *problem);
 
 /* Do rounded corners or loads rule out exact arithmetic? */
 bool tp_problem_is_enclosed(const tp_problem *problem);
+
+/* Does its water press as problem.wetted has it? */
+bool tp_problem_has_wetted(const tp_problem *problem);
 
 /* Vertices of all rings of the section. */
 long tp_problem_vertex_count(const tp_problem *problem);

@@ -11,6 +11,7 @@
 #include "evaluation/normal_stress.h"
 #include "scene/anchor.h"
 #include "stability/earthquakes.h"
+#include "stability/water_cautions.h"
 
 #include <stdio.h>
 
@@ -185,6 +186,9 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
   if (status == TP_OK) status = note_one_side(notes, scene, message);
   if (status == TP_OK) status = note_anchors(notes, scene, message);
+  if (status == TP_OK && tp_problem_has_wetted(problem)) {
+    return tp_water_cautions(notes, problem, message);
+  }
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
   if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
   if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);

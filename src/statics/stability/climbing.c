@@ -73,10 +73,11 @@ static tp_status add_tilts(tp_climbing *c, const tp_tilts *tilts, tp_message *me
 }
 
 /* Alone are told: what keeps texts, or makes an account by elements; and a scene that is turned
- * from the world's frame, whose tilt is not the problem's. */
+ * from the world's frame, whose tilt is not the problem's, or whose water stands at a level, which
+ * another tilt wets otherwise. */
 static bool may_share(const tp_climbing *c) {
   return c->solution->decimals == NULL && c->problem->world == NULL && !c->options->elements &&
-         c->problem->scene->tilt_angle_deg.given;
+         !tp_problem_has_wetted(c->problem) && c->problem->scene->tilt_angle_deg.given;
 }
 
 tp_status tp_climbing_init(tp_climbing *c, tp_solution *solution, const tp_problem *problem,

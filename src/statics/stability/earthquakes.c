@@ -172,7 +172,8 @@ static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_
   tp_message why = {.text = ""};
   const tp_water_description *water = &scene->loads.water;
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
-  const bool wets = water->given && !fmpq_is_zero(water->height.value);
+  const bool sited = tp_water_is_sited(water) && water->faces != TP_WATER_IN_FRONT;
+  const bool wets = sited || (water->given && !fmpq_is_zero(water->height.value));
   if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
     return tp_earthquake_note_water(&l->governs->notes, water, message);
   }

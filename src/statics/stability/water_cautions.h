@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What is said of water that is sited: what its scene leaves open, and where it stands above the
+ * block or below it. */
+
+#ifndef TP_STABILITY_WATER_CAUTIONS_H
+#define TP_STABILITY_WATER_CAUTIONS_H
+
+#include "common/notes.h"
+#include "problem/problem.h"
+
+TP_MUST_USE tp_status tp_water_cautions(tp_notes *notes, const tp_problem *problem,
+                                        tp_message *message);
+
+#endif
