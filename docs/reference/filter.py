@@ -54,7 +54,7 @@ def is_outside(text, at):
 
 
 def edits_of(text, comment, number):
-    """What becomes of a comment: begin, end, and what stands there instead."""
+    """Where a comment begins and ends, and what replaces it."""
     begin, end = comment.span()
     body = plain(comment[1])
     if number < 2:

@@ -29,8 +29,8 @@ static tp_status solve_slab(tp_solution **solution, double height, int digits,
 /* The same two angles, and 45 less both in units of the last decimal: what is left goes from one
  * decimal to the next. */
 static bool add_up(const tp_case *half, const tp_case *third) {
-  const char *one = half->pivots[half->governing].critical_angle_deg.digits;
-  const char *other = third->pivots[third->governing].critical_angle_deg.digits;
+  const char *one = half->pivots[half->toppling_pivot].critical_angle_deg.digits;
+  const char *other = third->pivots[third->toppling_pivot].critical_angle_deg.digits;
   long rest = strlen(one) == strlen(other) ? 0 : 1000;
   for (size_t k = 0; one[k] != '\0' && rest < 1000 && rest > -1000; k++) {
     const int of_45 = k == 0 ? 4 : k == 1 ? 5 : 0;

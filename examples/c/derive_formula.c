@@ -33,8 +33,8 @@ static tp_status derive(bool *same, tp_message *message) {
   if (status == TP_OK) status = tp_derive(&derivation, scene, &options, message);
   for (size_t k = 0; status == TP_OK && k < derivation->pivot_count; k++) {
     if (!derivation->pivots[k].governs) continue;
-    printf("tan alpha = %s\n", derivation->pivots[k].tangent.formula);
-    *same = strcmp(derivation->pivots[k].tangent.formula, TEXT(TANGENT)) == 0;
+    printf("tan alpha = %s\n", derivation->pivots[k].tan_critical_angle.formula);
+    *same = strcmp(derivation->pivots[k].tan_critical_angle.formula, TEXT(TANGENT)) == 0;
   }
   tp_derivation_free(derivation);
   tp_scene_free(scene);
@@ -44,10 +44,10 @@ static tp_status derive(bool *same, tp_message *message) {
 static tp_status compare(bool *same, double a, double b, double c, tp_message *message) {
   const double outline[] = {0, 0, a, c, 2 * a, 0, 3 * a, c, 3 * a, b + c, 0, b + c};
   tp_solution *solution = NULL;
-  const tp_status status = tp_solve_outline(&solution, "mm", outline, 6, 30, 0, message);
+  const tp_status status = tp_solve_outline(&solution, outline, 6, "mm", 30, 0, message);
   if (status != TP_OK) return status;
   const tp_case *left = &solution->cases[0];
-  const tp_bounded angle = left->pivots[left->governing].critical_angle_deg;
+  const tp_bounded angle = left->pivots[left->toppling_pivot].critical_angle_deg;
   const double formula = atan(TANGENT) * 57.295779513082320877; /* a radian in degrees */
   const double bound = angle.error + 1e-14 * formula; /* and what doubles round the formula by */
   printf("%5g %5g %5g   %.8f   %.8f   %.1e\n", a, b, c, formula, angle.value, bound);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* How much of the angle at which a block lets go is chance? One block, set down on ten bases that
- * are equally rough: self-affine, of the same JRC, each by a seed of its own. JRC is put as the Z2
- * that it has by the regression of Tse and Cruden (1979),
+/* How much of the angle at which a block begins to move is chance? One block, set down on ten bases
+ * that are equally rough: self-affine, of the same JRC, each by a seed of its own. JRC is put as
+ * the Z2 that it has by the regression of Tse and Cruden (1979),
  *
  *     JRC = 32.2 + 32.47 log10 Z2,
  *

@@ -29,7 +29,7 @@ int main(void) {
                              (27 * a * b + 14 * a * c) / (9 * b * b - 3 * c * c)};
   tp_solution *solution = NULL;
   tp_message message;
-  tp_status status = tp_solve_outline(&solution, "mm", outline, 6, friction, tilt, &message);
+  tp_status status = tp_solve_outline(&solution, outline, 6, "mm", friction, tilt, &message);
   if (status != TP_OK) {
     fprintf(stderr, "%s\n", message.text);
     return tp_status_exit(status);
@@ -37,9 +37,9 @@ int main(void) {
   bool all = true;
   printf("towards   topples at   formula      bound    FoS      at 20 deg  by forces at\n");
   for (size_t k = 0; k < solution->case_count; k++) {
-    const tp_case *one = &solution->cases[k];
-    const tp_pivot *toe = &one->pivots[one->governing];
-    const tp_bounded angle = toe->critical_angle_deg, fos = toe->fos_resultant.value;
+    const tp_case *one = tp_solution_case(solution, k);
+    const tp_pivot *toe = &one->pivots[one->toppling_pivot];
+    const tp_bounded angle = toe->critical_angle_deg, fos = toe->fos.value;
     const double formula = atan(tangents[k]) * radian;
     printf("%-8s  %.7f   %.7f   %.1e  %.5f  %-9s  %.7f\n", k == 0 ? "valley" : "peak", angle.value,
            formula, angle.error, fos.value, tp_mechanism_name(one->mechanism),

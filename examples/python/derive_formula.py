@@ -20,7 +20,7 @@ scene = topple.Scene.from_text("""
     parameters: {a: 30, b: 120, c: 5}
     block: {teeth: {count: 3, width: a, height: b, depth: c, left_end: valley}}
     tilt: {towards: left}""")
-tangent = topple.derive(scene).governing("left").tangent
+tangent = topple.derive(scene).governing("left").tan_critical_angle
 print("tan alpha =", tangent)
 
 a, b, c = np.array([[30, 120, 5], [15, 94, 5], [15, 144, 5], [7.5, 20, 0.125]]).T

@@ -32,7 +32,7 @@ solution = topple.Scene("mm", outline=outline, friction_angle_deg=30, tilt_angle
 agree = True
 print("towards   topples at   formula      bound    FoS      at 20 deg  by forces at")
 for case, (toe, tangent) in zip(solution.cases, tangents.items()):
-    angle, fos = case.governing_pivot.critical_angle_deg, case.governing_pivot.fos_resultant.value
+    angle, fos = case.governing_pivot.critical_angle_deg, case.governing_pivot.fos.value
     formula = math.degrees(math.atan(tangent))
     print(f"{toe:8}  {angle:.7f}   {formula:.7f}   {angle.error:.1e}  {fos:.5f}  "
           f"{case.mechanism:9}  {case.limit.critical_angle_deg:.7f}")

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """One scene, solved for one friction angle phi after another: block E of Alejano et al. towards its
 peak. It has to climb the flanks of its teeth to slide, and turns about its peak to topple; what
-comes first as the table is tilted is told from contact forces, and must be the lesser of
+comes first as the table is tilted is found from contact forces, and must be the lesser of
 
     sliding    alpha = phi + i,  tan i = c / a                               Eqs. (6), (7)
     toppling   tan alpha = (27 a b + 14 a c) / (9 b^2 - 3 c^2)               (A1.4)

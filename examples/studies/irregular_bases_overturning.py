@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Rocking, seating anew, overturning: what becomes of the shifted blocks of irregular_bases.py
+"""Rocking, seating anew, overturning: the outcomes of the shifted blocks of irregular_bases.py
 (docs/irregular_bases.md) on a table that is raised to the left at 20 degrees per minute until they
 fall, by rigid contacts with impacts (docs/rigid_contact.md), with a friction angle of 35 degrees.
 
@@ -55,7 +55,7 @@ tilt_test: {{engine: dynamics, protocol: ramp, until_deg: 60, duration_s: 300}}
     (moments,) = scene.solve().cases
     fell = [event.angle_deg for event in case.events
             if event.kind is topple.TiltEventKind.OVERTURNS]
-    first = 0.0 if case.most_deg is None or case.onset_deg < 0 else case.most_deg
+    first = 0.0 if case.lets_go_at_deg is None or case.onset_deg < 0 else case.lets_go_at_deg
     return (moments.governing_pivot.critical_angle_deg.value, max(case.onset_deg, 0.0),
             max(case.limit_deg, 0.0), first, fell[0] if fell else np.nan)
 

@@ -86,17 +86,17 @@ def case_of(row, test, goes_on):
 def bracket(case):
     """Both ends; one number where they differ by less than its last digit; or that a run was not
     decided."""
-    if case.most_deg is None:
+    if case.lets_go_at_deg is None:
         return "undecided"
-    least, most = f"{case.least_deg:.3f}", f"{case.most_deg:.3f}"
-    return least if case.most_deg - case.least_deg < 1e-4 else f"{least}–{most}"
+    least, most = f"{case.stands_at_deg:.3f}", f"{case.lets_go_at_deg:.3f}"
+    return least if case.lets_go_at_deg - case.stands_at_deg < 1e-4 else f"{least}–{most}"
 
 
 def agrees(case):
     """Within the window, widened by what is asked; where onset and limit are one, at it. What is
     undecided says nothing."""
-    return case.most_deg is None or (case.converged and case.most_deg >= case.onset_deg - AGREEMENT_DEG
-            and case.least_deg <= case.limit_deg + AGREEMENT_DEG)
+    return case.lets_go_at_deg is None or (case.converged and case.lets_go_at_deg >= case.onset_deg - AGREEMENT_DEG
+            and case.stands_at_deg <= case.limit_deg + AGREEMENT_DEG)
 
 
 def starred(angle):
@@ -116,7 +116,7 @@ def head(*cells):
 
 def away(row, case):
     """The paper's number less the middle of the bracket."""
-    return f"{float(row[8].rstrip('*')) - (case.least_deg + case.most_deg) / 2:+.2f}"
+    return f"{float(row[8].rstrip('*')) - (case.stands_at_deg + case.lets_go_at_deg) / 2:+.2f}"
 
 
 def cost_of(row, test, goes_on, case):
@@ -153,7 +153,7 @@ def last_slip(case, facet):
     """The tilt from which a facet slips until the block begins to move."""
     tilts = [event.angle_deg for event in case.events
              if event.kind == topple.TiltEventKind.SLIPS and event.facet == facet
-             and event.angle_deg < case.least_deg]
+             and event.angle_deg < case.stands_at_deg]
     return f"{tilts[-1]:.2f}" if tilts else "–"
 
 

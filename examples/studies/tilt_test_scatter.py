@@ -97,7 +97,7 @@ def quantiles(angle):
 def strongest(study):
     """The number that goes with the limit most, and its rank correlation."""
     place = list(topple.StudyQuantity).index(topple.StudyQuantity.LIMIT_DEG)
-    ranks = {variable.key: variable.ranks[place].value for variable in study.variables}
+    ranks = {variable.key: variable.rank_correlations[place].value for variable in study.variables}
     key = max(ranks, key=lambda name: abs(ranks[name]))
     short = {"friction_angle_deg": "friction", "block.rounded.corners.1.radius": "radius"}
     return f"{short.get(key, key[-1])} {ranks[key]:.2f}"

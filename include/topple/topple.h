@@ -28,14 +28,14 @@
  * __flint_set_memory_functions and mp_set_memory_functions, as src/applications/cli/memory.c does.
  * What FLINT keeps for the next call of a thread is given back by tp_cleanup().
  *
- * What the calling thread has set is its own: every call puts the locale, the floating-point
+ * What the calling thread has set stays as it is: every call puts the locale, the floating-point
  * environment (rounding, traps, flushing to zero) and MPFR's range of exponents aside, and brings
  * them back as it returns; one that is left by a jump, from a function for memory, does not.
- * Threads may call at the same time, each on objects of its own; a scene that nobody changes or
+ * Threads may call at the same time, each on different objects; a scene that nobody changes or
  * frees may be read by several at once. Options begin with their size, which `…_default()` fills
  * in: a program that was compiled with an older library, whose structs of options end sooner, takes
  * the defaults for what it does not know; a size of 0, or above what the library knows, is bad
- * input. No pointer may be NULL, but for a message, which then is not told, and what a _free
+ * input. No pointer may be NULL, but for a message, which then is not written, and what a _free
  * function is given; a call that gets one is TP_BAD_INPUT, and its message names it. */
 
 #ifndef TOPPLE_H

@@ -38,8 +38,8 @@ typedef struct tp_accuracy_run {
   size_t vertices; /* of the block */
   double seconds;  /* of one evaluation: median of several */
   bool has_bound;  /* a limit in doubles alone has none */
-  double bound, log10_bound;           /* if has_bound: proven, rounded up */
-  double true_error, log10_true_error; /* against the exact value */
+  double bound, bound_log10;           /* if has_bound: proven, rounded up */
+  double true_error, true_error_log10; /* against the exact value */
 } tp_accuracy_run;
 
 /* The result of one method, within the bound of every arithmetic. */
@@ -51,6 +51,7 @@ typedef struct tp_accuracy_value {
 
 /* What was measured; owns what it points to. */
 typedef struct tp_accuracy {
+  size_t size;                    /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;         /* of the scene, or NULL */
   bool sweep;                     /* over sizes, not of one scene */
   tp_direction towards;           /* of the tilt */

@@ -28,7 +28,7 @@ const char *tp_version(void);
 /* The same as TP_VERSION_NUMBER. */
 int tp_version_number(void);
 
-/* Of a call whose status must be looked at. */
+/* Of a call whose status must be used. */
 #if defined(__GNUC__)
 #define TP_MUST_USE __attribute__((warn_unused_result))
 #else
@@ -89,6 +89,11 @@ typedef struct tp_message {
   int system_error; /* errno, where the system refused a file, else 0 */
   tp_fault fault;   /* the kind of input that is wrong, else TP_FAULT_NONE */
 } tp_message;
+
+/* Has a result, which begins with its size, this member? An older library, which a program finds
+ * beside newer headers, made it without those that were added since. */
+#define TP_HAS_MEMBER(result, member)                                                              \
+  ((const char *)(&(result)->member + 1) <= (const char *)(result) + (result)->size)
 
 /* Frees a text that a call of the library made (a report, an explanation); NULL is allowed. */
 void tp_text_free(char *text);

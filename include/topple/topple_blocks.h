@@ -50,7 +50,7 @@ tp_outlines tp_outlines_of(const double *xy, size_t count, size_t vertices);
  * each one begins. */
 tp_outlines tp_outlines_ragged(const double *xy, size_t count, const size_t *first);
 
-/* How many blocks are gone through. */
+/* How the blocks are computed. */
 typedef struct tp_blocks_options {
   size_t size;    /* of this struct, as `…_default()` has it */
   size_t threads; /* that compute; 0: as many as the process may run on; 1: none is started */

@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Numbers of the caller, TP_CHART_LIST_MAX at most: a chart has as many colours that the
- * colour-blind tell apart. More are bad input. */
+ * colour-blind distinguish. More are bad input. */
 enum { TP_CHART_LIST_MAX = 6 };
 
 /* A list of them. */
@@ -91,7 +91,7 @@ typedef struct tp_chart_axis {
  * axis is the tilt. Over two other numbers it shows the first motion; where the scene has a tilt
  * angle (or lies as it does in the world), what the block does at that tilt, which the title says.
  * Every border is a root: on its two sides, as close as doubles lie, the
- * certified mechanism differs. A change and its reversal between two of the points that are looked
+ * certified mechanism differs. A change and its reversal between two of the points that are tried
  * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
  * between motions from rest as well (tp_onset.ranges). */
 typedef struct tp_chart_map_options {
@@ -119,7 +119,7 @@ TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options 
                                    tp_message *message);
 
 /* What a study came to: the probability against tilt with its band, the distribution of the angle
- * at which samples begin to move by what becomes of them, rank correlations of that angle with what
+ * at which samples begin to move by outcome, rank correlations of that angle with what
  * varies, and how the estimate settled. And that angle against each number that varies, of the
  * first
  * 8. To be freed by tp_chart_free. TP_NO_ANSWER where no sample has such an angle. */
@@ -150,7 +150,7 @@ bool tp_chart_format_read(tp_chart_format *format, const char *path);
 /* Write the chart into the file `path`, whole or not at all; one that is there keeps its owner and
  * mode, and one that the chart was computed from is bad input. All but CSV are drawn by gnuplot,
  * which must be installed. TP_SYSTEM_FAILED where it is not, or the file cannot be written. */
-TP_MUST_USE tp_status tp_report_chart_file(const tp_chart *chart, const char *path,
+TP_MUST_USE tp_status tp_report_chart_file(const char *path, const tp_chart *chart,
                                            tp_chart_format format, tp_message *message);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Where a block touches its base, as a solution tells it. Included by topple.h. */
+/* Where a block touches its base, as a solution has it. Included by topple.h. */
 
 #ifndef TOPPLE_CONTACT_H
 #define TOPPLE_CONTACT_H
@@ -25,17 +25,17 @@ typedef enum tp_contact_end {
  * plane and normal to it: turned about one point, whose coordinates do not change; of an earthquake
  * up-dip they are along the horizontal and the vertical, as the block lies. */
 typedef struct tp_frame_result {
-  bool stated;                     /* the scene says what they lie along */
-  bool world;                      /* y runs up: the block lies as it lies */
-  bool slope;                      /* if world: of a given dip, with x along it, as given */
-  bool level;                      /* results are along the horizontal: an earthquake up-dip */
-  bool fitted;                     /* the mean plane, to the contact; else given */
-  bool dips;                       /* the mean plane is not level */
-  tp_direction dips_towards;       /* if dips: its lower side */
-  tp_bounded dip_deg;              /* if dips: its angle, 0 to 90: part of the tilt angle */
-  bool has_dip_direction;          /* if slope: the scene gives it, or the strike */
-  tp_bounded dip_direction_deg;    /* if has_dip_direction: its azimuth, from north, 0 to 360 */
-  tp_bounded about_x_m, about_y_m; /* if world: the point that stays */
+  bool stated;                  /* the scene says what they lie along */
+  bool world;                   /* y runs up: the block lies as it lies */
+  bool slope;                   /* if world: of a given dip, with x along it, as given */
+  bool level;                   /* results are along the horizontal: an earthquake up-dip */
+  bool fitted;                  /* the mean plane, to the contact; else given */
+  bool dips;                    /* the mean plane is not level */
+  tp_direction dips_towards;    /* if dips: its lower side */
+  tp_bounded dip_deg;           /* if dips: its angle, 0 to 90: part of the tilt angle */
+  bool has_dip_direction;       /* if slope: the scene gives it, or the strike */
+  tp_bounded dip_direction_deg; /* if has_dip_direction: its azimuth, from north, 0 to 360 */
+  tp_bounded turned_about_x_m, turned_about_y_m; /* if world: the point that stays */
   bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
   tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
 } tp_frame_result;
@@ -44,18 +44,20 @@ typedef struct tp_frame_result {
 typedef struct tp_contact_result {
   bool mated;         /* the base is the counterpart of the underside; else a separate profile */
   bool shifted;       /* it was mated, before the block was shifted along it ('joint') */
-  bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
-  tp_bounded beyond_left_m, beyond_right_m;            /* how far the base goes on past the block */
-  tp_contact_end left_end, right_end;                  /* why the contact begins, and ends, there */
-  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* its ends */
+  bool beyond_stated; /* false: the scene does not say how far the base extends past the block;
+                         taken as 0 */
+  tp_bounded beyond_left_m, beyond_right_m; /* how far the base extends past the block */
+  tp_contact_end left_end, right_end;       /* why the contact begins, and ends, there */
+  tp_bounded left_end_x_m, left_end_y_m, right_end_x_m, right_end_y_m; /* its ends */
   bool steep; /* some facet lies at more than 45 degrees from the mean plane */
   tp_bounded
       steepest_deg; /* of the steepest facet to the mean plane, 0 to 180: beyond 90 it overhangs */
-  tp_bounded reach; /* the highest contact over the lowest, a share of the block's height */
-  bool reaches_far; /* above a half */
-  size_t facets, points;       /* facets of positive length; contacts in a single point */
-  size_t corner_points;        /* of the points: a corner on a corner, which gives no restraint */
-  tp_bounded length_m;         /* along the facets */
+  tp_bounded
+      share_of_height;   /* the highest contact over the lowest, a share of the block's height */
+  bool reaches_far;      /* above a half */
+  size_t facets, points; /* facets of positive length; contacts in a single point */
+  size_t corner_points;  /* of the points: a corner on a corner, which gives no restraint */
+  tp_bounded length_m;   /* along the facets */
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   bool has_contact_ratio;      /* on a profile, if the block has an underside there: */
   tp_bounded contact_ratio;    /* that length over that of the underside */
@@ -64,7 +66,7 @@ typedef struct tp_contact_result {
                                      weight, and its contact a length */
 } tp_contact_result;
 
-/* Facets of the base with a friction angle of their own: from one number to another, counted from 1
+/* Facets of the base with a different friction angle: from one number to another, counted from 1
  * from left to right, along the profile or the underside that the base is mated with. */
 typedef struct tp_facet_friction_result {
   size_t first, last;   /* these numbers */
@@ -77,7 +79,7 @@ typedef struct tp_facet_friction_result {
 typedef struct tp_rest_result {
   bool known;                               /* the scene asks for it */
   size_t turns;                             /* each about another point, or the other way round */
-  size_t touches;                           /* points of contact at rest */
+  size_t contacts;                          /* points of contact at rest */
   tp_bounded turned_deg;                    /* in all, -180 to 180, counter-clockwise above 0 */
   tp_bounded moved_x_m, moved_y_m;          /* its centroid */
   tp_bounded margin_left_m, margin_right_m; /* along x from the outermost contacts to the weight's

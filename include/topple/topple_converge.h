@@ -52,13 +52,13 @@ const char *tp_converge_verdict_name(tp_converge_verdict verdict);
 
 /* The test with one setting at one value, all others being as they are set. */
 typedef struct tp_converge_level {
-  tp_converge_setting setting; /* which is varied */
-  double value;                /* in the unit of it; INFINITY: the limit of stiff contacts */
-  bool own;                    /* it is as the scene has it, or as it was refined before */
-  bool known;                  /* a bracket was found: */
-  double least, most;          /* if known: degrees, or factors */
-  size_t runs;                 /* of the engine */
-  double seconds;              /* that they took: of what is short the least of several */
+  tp_converge_setting setting;        /* which is varied */
+  double value;                       /* in the unit of it; INFINITY: the limit of stiff contacts */
+  bool own;                           /* it is as the scene has it, or as it was refined before */
+  bool known;                         /* a bracket was found: */
+  double bracket_least, bracket_most; /* if known: degrees, or factors */
+  size_t runs;                        /* of the engine */
+  double seconds;                     /* that they took: of what is short the least of several */
 } tp_converge_level;
 
 /* The result for one setting. Its levels follow each other from coarse to fine; of a ratio of
@@ -75,22 +75,23 @@ typedef struct tp_converge_finding {
 
 /* One direction of tilt. */
 typedef struct tp_tilt_convergence_case {
-  tp_direction towards;        /* which */
-  bool has_onset, has_limit;   /* statics knows: */
-  double onset_deg, limit_deg; /* alpha_s and alpha_w */
-  bool known;                  /* the test as it is set has a bracket: */
-  double own_least, own_most;  /* if known: that */
-  double least, most;   /* if known: of it and of the finest levels together; where settings were
-                           refined of the levels after that */
-  bool converged;       /* every setting holds, or was refined */
-  size_t finding_count; /* of the findings */
-  tp_converge_finding *findings; /* a setting each */
-  size_t level_count;            /* of the levels */
-  tp_converge_level *levels;     /* by setting, then from coarse to fine */
+  tp_direction towards;                           /* which */
+  bool has_onset, has_limit;                      /* statics knows: */
+  double onset_deg, limit_deg;                    /* alpha_s and alpha_w */
+  bool known;                                     /* the test as it is set has a bracket: */
+  double as_set_least, as_set_most;               /* if known: that */
+  double over_settings_least, over_settings_most; /* if known: of it and of the finest levels
+                         together; where settings were refined of the levels after that */
+  bool converged;                                 /* every setting holds, or was refined */
+  size_t setting_count;                           /* of the findings */
+  tp_converge_finding *settings;                  /* a setting each */
+  size_t level_count;                             /* of the levels */
+  tp_converge_level *levels;                      /* by setting, then from coarse to fine */
 } tp_tilt_convergence_case;
 
 /* The result. Simulated numbers: no bound is proven. */
 typedef struct tp_tilt_convergence {
+  size_t size;                   /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;        /* of the scene; NULL: none */
   tp_tilt_settings settings;     /* of the test */
   tp_converge_quantity quantity; /* what was asked to converge */

@@ -40,30 +40,31 @@ typedef struct tp_derived_element {
  * the side where it is at the scene's values. Where c = 0 it is fos_cot cot(alpha) + fos_constant,
  * as in (A1.3). */
 typedef struct tp_derived_pivot {
-  tp_direction towards; /* of the tilt */
-  tp_pivot_kind kind;   /* where it lies */
-  bool admissible;      /* to first order, at the scene's values */
-  bool governs;         /* its critical angle is the least there */
-  tp_fraction x, y;     /* in scene lengths */
-  tp_fraction tangent;  /* of the critical angle; FoS, resultant form, is tangent cot(alpha) */
-  tp_bounded critical_angle_deg;                        /* at the scene's values */
-  bool has_elements;                                    /* the elements form was asked for */
-  bool splits;                                          /* c = 0 */
-  tp_fraction fos_cot, fos_constant;                    /* if has_elements && splits */
-  tp_fraction normal_stabilising, parallel_stabilising; /* if has_elements: a, b */
-  tp_fraction normal_overturning, parallel_overturning; /* if has_elements: c, d */
+  tp_direction towards;                         /* of the tilt */
+  tp_pivot_kind kind;                           /* where it lies */
+  bool admissible;                              /* to first order, at the scene's values */
+  bool governs;                                 /* its critical angle is the least there */
+  tp_fraction x, y;                             /* in scene lengths */
+  tp_fraction tan_critical_angle;               /* of the critical angle; FoS, resultant form, is
+                                                   tan_critical_angle cot(alpha) */
+  tp_bounded critical_angle_deg;                /* at the scene's values */
+  bool has_elements;                            /* the elements form was asked for */
+  bool splits;                                  /* c = 0 */
+  tp_fraction fos_cot, fos_constant;            /* if has_elements && splits */
+  tp_fraction stabilising_cos, stabilising_sin; /* if has_elements: a, b */
+  tp_fraction overturning_cos, overturning_sin; /* if has_elements: c, d */
 } tp_derived_pivot;
 
 /* The corner at the governing pivot of one direction, rounded (Appendix B): the axis moves along
  * the facet up-dip by the length r, with the mass kept. In the scene's parameters, r, sin(i) and
  * cos(i) with i the angle of that facet, and tan(alpha). */
 typedef struct tp_derived_rounding {
-  bool known;          /* it was derived */
-  tp_pivot_kind kind;  /* where that lies */
-  tp_fraction tangent; /* of the critical angle; FoS is tangent cot(alpha) */
-  tp_fraction length;  /* the r at which the block topples at alpha, (A2.4) */
-  bool has_radius;     /* the side at the corner is normal to the base */
-  tp_fraction radius;  /* the r_c that this r belongs to, (A2.6) */
+  bool known;                     /* it was derived */
+  tp_pivot_kind kind;             /* where that lies */
+  tp_fraction tan_critical_angle; /* of the critical angle; FoS is tan_critical_angle cot(alpha) */
+  tp_fraction rounding_length;    /* the r at which the block topples at alpha, (A2.4) */
+  bool has_radius;                /* the side at the corner is normal to the base */
+  tp_fraction corner_radius;      /* the r_c that this r belongs to, (A2.6) */
 } tp_derived_rounding;
 
 /* A force that holds the block at its limit: along the edge n + t tan(phi) of the friction cone at
@@ -83,10 +84,10 @@ typedef enum tp_check_verdict {
   TP_CHECK_UNDECIDED /* at the precision allowed */
 } tp_check_verdict;
 
-/* A condition looked at from both sides in numbers: just inside the solver agrees with the formula,
+/* A condition tested in numbers from both sides: just inside the solver agrees with the formula,
  * just outside it finds what `beyond` says. */
 typedef struct tp_derived_check {
-  size_t number;           /* of the condition */
+  size_t condition;        /* of the condition */
   char *inside, *outside;  /* the scene's numbers that were changed, as in "c = 7.41, b = 100" */
   tp_check_verdict beyond; /* outside */
 } tp_derived_check;
@@ -107,13 +108,13 @@ typedef struct tp_derived_checks {
 typedef struct tp_derived_limit {
   bool known;                       /* false: interlocked, or nothing holds it */
   tp_mechanism mechanism;           /* what happens there */
-  bool base_beyond_toe;             /* the base goes on past the toe */
-  tp_fraction tangent;              /* of the critical angle */
+  bool base_beyond_toe;             /* the base extends past the toe */
+  tp_fraction tan_critical_angle;   /* of the critical angle */
   tp_bounded critical_angle_deg;    /* at the scene's values */
   tp_derived_reaction reactions[2]; /* the two forces */
   bool has_centre;                  /* of rotation */
   tp_fraction centre_x, centre_y;   /* where it is, in scene lengths */
-  bool positive;                    /* all parameters are, and the conditions suppose so */
+  bool parameters_above_zero;       /* all parameters are, and the conditions suppose so */
   size_t condition_count;           /* of the conditions */
   tp_fraction *conditions;          /* not below zero where the formula holds */
   tp_derived_checks checks;         /* of the conditions */
@@ -133,23 +134,24 @@ typedef struct tp_derived_row {
  * to which no motion can begin. It holds wherever all conditions, formulas, are above zero; they
  * are enough for that, and it may hold beyond them. */
 typedef struct tp_derived_onset {
-  tp_onset_kind kind;            /* at the scene's values */
-  tp_mechanism mechanism;        /* what can begin there */
-  bool below_limit;              /* certainly, at the scene's values */
-  bool known;                    /* false: there is no angle, or */
-  const char *reason;            /* why it is not derived, a static text; else NULL */
-  bool same_as_limit;            /* one formula serves for both */
-  tp_fraction tangent;           /* if known: of its angle */
-  tp_bounded critical_angle_deg; /* if known: at the scene's values */
-  tp_derived_row rows[2];        /* if known: what balances the weight there */
-  bool positive;                 /* as for the limit */
-  size_t condition_count;        /* of the conditions */
-  tp_fraction *conditions;       /* above zero where the formula is sure to hold */
-  tp_derived_checks checks;      /* of the conditions */
+  tp_onset_kind kind;             /* at the scene's values */
+  tp_mechanism mechanism;         /* what can begin there */
+  bool below_limit;               /* certainly, at the scene's values */
+  bool known;                     /* false: there is no angle, or */
+  const char *reason;             /* why it is not derived, a static text; else NULL */
+  bool same_as_limit;             /* one formula serves for both */
+  tp_fraction tan_critical_angle; /* if known: of its angle */
+  tp_bounded critical_angle_deg;  /* if known: at the scene's values */
+  tp_derived_row balance[2];      /* if known: what balances the weight there */
+  bool parameters_above_zero;     /* as for the limit */
+  size_t condition_count;         /* of the conditions */
+  tp_fraction *conditions;        /* above zero where the formula is sure to hold */
+  tp_derived_checks checks;       /* of the conditions */
 } tp_derived_onset;
 
 /* The formulas of a scene. */
 typedef struct tp_derivation {
+  size_t size;                          /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;               /* of the scene, or NULL */
   tp_notation notation;                 /* how they are written */
   tp_fraction area, x_moment, y_moment; /* about the scene's origin, weighted by relative density */
@@ -203,10 +205,10 @@ enum { TP_FAMILY_FIXED = 4, TP_FAMILY_CHECKED = 6 };
 /* One formula for every number of teeth of one parity: the tangent of the critical angle about the
  * toe of one direction of tilt. */
 typedef struct tp_family_formula {
-  tp_direction towards; /* of the tilt */
-  bool even;            /* the number of teeth is */
-  tp_pivot_kind kind;   /* of the toe */
-  tp_fraction tangent;  /* of the critical angle about it */
+  tp_direction towards;           /* of the tilt */
+  bool even;                      /* the number of teeth is */
+  tp_pivot_kind kind;             /* of the toe */
+  tp_fraction tan_critical_angle; /* of the critical angle about it */
 } tp_family_formula;
 
 /* The formulas of a toothed block for every number N of teeth. The sums over the underside add
@@ -215,16 +217,17 @@ typedef struct tp_family_formula {
  * TP_FAMILY_FIXED members fix, so the formulas hold for every N. TP_FAMILY_CHECKED further members
  * were found to agree exactly. */
 typedef struct tp_family {
-  TP_OUTSIDE char *title;             /* of the scene, or NULL */
-  tp_notation notation;               /* how the formulas are written */
-  char *count;                        /* what N is: a symbol, or 2 dx / lambda */
-  bool count_is_symbol;               /* of its own, besides the scene's */
-  size_t symbol_count;                /* of both: */
-  TP_OUTSIDE char **symbols;          /* as the formulas write them */
-  TP_OUTSIDE char **parameters;       /* symbol_count of them: as the scene calls them */
-  long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
-  long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
-  tp_family_formula formulas[4];      /* odd left, odd right, even left, even right */
+  size_t size;                           /* of this struct, as the library has it (TP_HAS_MEMBER) */
+  TP_OUTSIDE char *title;                /* of the scene, or NULL */
+  tp_notation notation;                  /* how the formulas are written */
+  char *count;                           /* what N is: a symbol, or 2 dx / lambda */
+  bool count_is_symbol;                  /* beside those of the scene */
+  size_t symbol_count;                   /* of both: */
+  TP_OUTSIDE char **symbols;             /* as the formulas write them */
+  TP_OUTSIDE char **parameters;          /* symbol_count of them: as the scene calls them */
+  long fixed_by[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
+  long checked_on[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
+  tp_family_formula formulas[4];         /* odd left, odd right, even left, even right */
 } tp_family;
 
 /* One formula for every number of teeth, for the scene's left end. Scenes of other blocks are bad

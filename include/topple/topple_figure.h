@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A solved scene as a drawing: docs/figure.md tells what it shows. Included by topple.h;
- * tp_report_figure is in a library of its own, topple-figure, which alone needs Cairo. */
+/* A solved scene as a drawing: docs/figure.md explains what it shows. Included by topple.h;
+ * tp_report_figure is in a separate library, topple-figure, which alone needs Cairo. */
 
 #ifndef TOPPLE_FIGURE_H
 #define TOPPLE_FIGURE_H
@@ -21,7 +21,7 @@ bool tp_figure_is_file_name(const char *path);
  * file that the scene was read from is bad input. The triangles of the account
  * by elements are drawn where the solution has one. The colours are legible to the colour-blind.
  * The same program draws the same bytes each time it is run. Fontconfig, which finds the letters,
- * crashes where memory is exhausted: a program that must not is to draw in a process of its own.
+ * crashes where memory is exhausted: a program that must not is to draw in a separate process.
  * TP_SYSTEM_FAILED where the file cannot be written, TP_DEPENDENCY_FAILED where Cairo fails. */
 TP_MUST_USE tp_status tp_report_figure(const char *path, const tp_scene *scene,
                                        const tp_solution *solution, tp_message *message);

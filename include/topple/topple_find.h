@@ -31,7 +31,7 @@ typedef struct tp_find_options {
   const char *key;        /* what is varied */
   tp_find_target target;  /* of which result, */
   double value;           /* and what it is to be */
-  bool has_low, has_high; /* where one is not given: 0, or ten times the scene's own value */
+  bool has_low, has_high; /* where one is not given: 0, or ten times the value in the scene */
   double low, high;       /* the range, in the units of the scene */
   const char *least_over; /* NULL: nothing; else the key of the dip_deg or direction_deg of an
                              anchor, of which `key` is the force: at the direction for which it is
@@ -50,29 +50,30 @@ static inline tp_find_options tp_find_options_default(void) {
 /* A stretch of solutions: the target has the same value, to 30 digits, at 9 numbers spread over it
  * and at its ends, and its bound holds the wanted one. Each end is bisected between a number where
  * that is so and one where it is not, or is an end of the range. What lies between the numbers that
- * were looked at is not proven. */
+ * were tried is not proven. */
 typedef struct tp_found_interval {
   tp_bounded low, high; /* its ends */
 } tp_found_interval;
 
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
  * each it is certain to lie on different sides. `touching`: numbers within whose bounds the target
- * comes so close to the value that its own bound does not tell whether it reaches it, and at whose
+ * comes so close to the value that its bound does not decide whether it reaches it, and at whose
  * ends it is certain to lie on the same side: a double solution, or none; or beyond which, at an
  * end of the range, the scene has no answer. Of a target that turns more than once between two of
- * the 512 points of the range that were looked at, solutions may be missed. */
+ * the 512 points of the range that were tried, solutions may be missed. */
 typedef struct tp_found {
+  size_t size;                  /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *key;         /* as it was asked for */
   double low, high;             /* the range, cut to where the scene has an answer */
-  tp_bounded least, greatest;   /* of the results at the numbers that were looked at */
+  tp_bounded least, greatest;   /* of the results at the numbers that were tried */
   size_t count;                 /* 0: none in the range */
   tp_bounded *solutions;        /* count of them: at which it has the value */
   size_t touching_count;        /* of those that touch */
-  tp_bounded *touching;         /* as told above */
+  tp_bounded *touching;         /* as explained above */
   size_t interval_count;        /* of the intervals */
   tp_found_interval *intervals; /* throughout which it has the value */
   tp_governing_fos *governing;  /* if governing != NULL: of each solution, where a factor of safety
-                                   was looked for: the factors there, and which of them governs */
+                                   was asked for: the factors there, and which of them governs */
   tp_bounded *per_metre;        /* if per_metre != NULL: of each solution that is the force of bolts
                                    at a spacing, kN per metre along the slope, of all their rows */
   TP_OUTSIDE char *least_over;  /* if least_over != NULL: the key of a direction, as asked for: */

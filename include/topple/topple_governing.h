@@ -32,7 +32,7 @@ typedef enum tp_fos_definition {
   TP_FOS_BY_REDUCTION, /* the divisor of all strength at which a motion can just begin, or, where
                           more strength lets one begin, its multiple: tp_onset.fos */
   TP_FOS_BY_TILT       /* tan(tilt at which motions begin) / tan(tilt); where they end as the tilt
-                          rises, the inverse. Where strength tells nothing */
+                          rises, the inverse. Where strength decides nothing */
 } tp_fos_definition;
 
 /* moments, shear strength, shear strength with roughness, strength reduction, or tilt. */
@@ -80,9 +80,9 @@ typedef struct tp_governing_fos {
   bool has_required_fos;    /* the scene gives one: */
   tp_bounded required_fos;  /* that it asks of every case */
   tp_design meets_required; /* if has_required_fos: has the case it certainly (tp_case_meets)? */
-  bool tie;            /* one against another mechanism is the same, as far as their bounds tell */
-  bool up_dip;         /* none: at this tilt it fails up-dip */
-  bool beyond;         /* none: it fails at a lower tilt, though forces would hold it at this one */
+  bool tie;    /* one against another mechanism is the same, as far as their bounds decide */
+  bool up_dip; /* none: at this tilt it fails up-dip */
+  bool beyond; /* none: it fails at a lower tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */

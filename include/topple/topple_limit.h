@@ -27,10 +27,10 @@ typedef enum tp_limit_kind {
 typedef struct tp_reaction {
   tp_bounded x_m, y_m;         /* where it acts */
   tp_bounded share_x, share_y; /* of the weight, along x and y of the scene */
-  bool of_facet;               /* false: of the base that goes on, where the scene's ends */
-  size_t facet;                /* from left to right along the contact, those in a point included */
-  bool at_right_end;           /* of the facet */
-  bool against_slip;           /* friction acts up-dip; else down-dip */
+  bool of_facet;     /* false: of a base that extends past the toe, where the scene's ends */
+  size_t facet;      /* from left to right along the contact, those in a point included */
+  bool at_right_end; /* of the facet */
+  bool against_slip; /* friction acts up-dip; else down-dip */
 } tp_reaction;
 
 /* The limit of a case on one base (mechanics.md, section 6). */
@@ -44,7 +44,7 @@ typedef struct tp_limit {
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
   bool tie;                      /* another mechanism has the same limit: */
   tp_mechanism tied_with;        /* if tie: that one */
-  long tie_bits;     /* 0: exactly; else half of so many bits do not tell the two apart */
+  long tie_bits;     /* 0: exactly; else half of so many bits do not distinguish the two */
   bool turns_up_dip; /* against the sense of toppling */
   bool has_centre;   /* of rotation */
   tp_bounded centre_x_m, centre_y_m; /* where it is: a contact point where it topples */
@@ -55,7 +55,7 @@ typedef struct tp_limit {
   tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which forces
                  just hold it at the scene's tilt */
   tp_mechanism fos_mechanism; /* what happens there; TP_MECHANISM_UNDECIDED where there is no fos */
-  bool base_beyond_toe;       /* of the base that this is the limit for: it goes on past the toe */
+  bool base_beyond_toe;       /* of the base that this is the limit for: it extends past the toe */
 } tp_limit;
 
 #ifdef __cplusplus

@@ -40,7 +40,7 @@ typedef struct tp_window {
   tp_bounded to_deg;         /* if !to_above: its upper end */
   tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
   bool from_by_strength, to_by_strength; /* a little more or less of all strength moves that end;
-                                            told of the ends next to the scene's tilt */
+                                            known of the ends next to the scene's tilt */
 } tp_window;
 
 /* Tilts from one to another throughout which the same motions can begin. */
@@ -62,13 +62,13 @@ typedef enum tp_contact_state {
 
 /* An end of a facet in a motion, and the force on the block there as a share of its weight. */
 typedef struct tp_motion_contact {
-  size_t facet;                /* from left to right along the contact, those in a point included */
-  bool of_facet;               /* false: of the base that goes on, where the scene's ends */
-  bool at_right_end;           /* of that facet */
-  tp_contact_state state;      /* sticks, or slips */
-  bool has_pivot;              /* it is one of the contact's points, */
-  size_t pivot;                /* of the case's pivots this one */
-  bool has_force;              /* false: nothing fixes how the contacts that stay share the load */
+  size_t facet;           /* from left to right along the contact, those in a point included */
+  bool of_facet;          /* false: of a base that extends past the toe, where the scene's ends */
+  bool at_right_end;      /* of that facet */
+  tp_contact_state state; /* sticks, or slips */
+  bool has_pivot;         /* it is one of the contact's points, */
+  size_t pivot;           /* of the case's pivots this one */
+  bool has_force;         /* false: nothing fixes how the contacts that stay share the load */
   tp_bounded share_x, share_y; /* if has_force: along x and y of the scene */
 } tp_motion_contact;
 
@@ -113,7 +113,7 @@ typedef struct tp_onset {
   tp_mechanism mechanism;            /* if kind == TP_ONSET_AT_ANGLE: what can begin there */
   bool tie;                          /* another mechanism can begin at the same tilt: */
   tp_mechanism tied_with;            /* if tie: that one */
-  long tie_bits;                     /* 0: exactly; else so many bits do not tell the two apart */
+  long tie_bits;                     /* 0: exactly; else so many bits do not distinguish the two */
   bool has_centre;                   /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m; /* where it is */
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them the

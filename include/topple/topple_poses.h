@@ -39,12 +39,12 @@ typedef struct tp_basin {
 
 /* Does a block stand in a pose, when the table is tilted in one direction? */
 typedef struct tp_pose_verdict {
-  tp_direction towards;       /* which */
-  tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as it is tilted */
-  tp_mechanism first;         /* what happens first as the table is tilted from level */
-  bool has_first_angle;       /* that is at an angle */
-  tp_bounded first_angle_deg; /* where it happens */
-  tp_fos fos;                 /* the governing one, at the scene's tilt */
+  tp_direction towards;          /* which */
+  tp_mechanism mechanism;        /* at the scene's tilt; without one, the first as it is tilted */
+  tp_mechanism first;            /* what happens first as the table is tilted from level */
+  bool has_critical_angle;       /* that is at an angle */
+  tp_bounded critical_angle_deg; /* where it happens */
+  tp_fos fos;                    /* the governing one, at the scene's tilt */
   bool least; /* of all poses this one begins to move first as the table is tilted */
 } tp_pose_verdict;
 
@@ -52,12 +52,13 @@ typedef struct tp_pose_verdict {
  * starting position; its numbers here are those from the middle of its widest basin. */
 typedef struct tp_resting_pose {
   size_t basins;           /* how many basins lead to it */
-  size_t widest;           /* index of the widest of them */
+  size_t widest_basin;     /* index of the widest of them */
   tp_bounded share;        /* of these basins, of all starting positions */
   tp_bounded shift_m;      /* the starting position that its numbers are of */
   tp_rest_result rest;     /* turn, shift of its centroid, margins */
   tp_bounded centroid_y_m; /* how high it lies: its energy over its weight */
-  tp_bounded first_x_m, first_y_m, last_x_m, last_y_m; /* of its points of contact, along x */
+  tp_bounded first_contact_x_m, first_contact_y_m, last_contact_x_m,
+      last_contact_y_m;        /* of its points of contact, along x */
   size_t verdict_count;        /* as many as the solution has cases; 0: it cannot be solved there */
   tp_pose_verdict verdicts[2]; /* in their order */
 } tp_resting_pose;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* How rough is a profile: docs/profile.md tells every number with its formula. Included by
+/* How rough is a profile: docs/profile.md has every number with its formula. Included by
  * topple.h.
  *
  * Lengths are in the profile's length unit. A profile is a chain of points from left to right, with
@@ -117,13 +117,13 @@ typedef enum tp_jrc_state {
 
 /* JRC by one correlation; the texts are static. */
 typedef struct tp_profile_jrc {
-  const char *authors;  /* and year, or the equation of Alejano et al. */
-  const char *equation; /* as text */
-  const char *step;     /* that it is meant for, as text; empty: any */
-  double own_step;      /* at which its input was measured: 0, the profile's points */
-  tp_bounded input;     /* Z2, A, A/L or theta*max / (C + 1) in degrees */
-  tp_bounded jrc;       /* what it comes to */
-  tp_jrc_state state;   /* is it meant for the profile? */
+  const char *source;         /* and year, or the equation of Alejano et al. */
+  const char *equation;       /* as text */
+  const char *meant_for_step; /* that it is meant for, as text; empty: any */
+  double own_step;            /* at which its input was measured: 0, the profile's points */
+  tp_bounded input;           /* Z2, A, A/L or theta*max / (C + 1) in degrees */
+  tp_bounded jrc;             /* its value */
+  tp_jrc_state state;         /* is it meant for the profile? */
 } tp_profile_jrc;
 
 /* As reports have it: "meant for it"; "unknown" where it is none. */
@@ -139,6 +139,7 @@ typedef enum tp_profile_origin {
 
 /* How rough a profile is; owns what it points to. */
 typedef struct tp_profile {
+  size_t size;                /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;     /* of the scene, or the name of the file; NULL: of points */
   tp_profile_origin origin;   /* what it was taken from */
   const char *length_unit;    /* a static string */
@@ -156,14 +157,14 @@ typedef struct tp_profile {
   double step;                     /* mean distance along x */
   double least_step, largest_step; /* the least and the largest of them */
 
-  tp_bounded length;     /* along x */
-  tp_bounded along;      /* along the profile */
-  tp_bounded amplitude;  /* from the lowest to the highest point */
-  tp_bounded rms_height; /* about the mean height */
+  tp_bounded length;       /* along x */
+  tp_bounded length_along; /* along the profile */
+  tp_bounded amplitude;    /* from the lowest to the highest point */
+  tp_bounded rms_height;   /* about the mean height */
   tp_bounded trend_deg; /* of the line of least squares, before any is taken off; or by which it was
                            turned */
   tp_bounded mean_slope;          /* from end to end */
-  tp_bounded absolute_slope;      /* mean of the slopes' sizes */
+  tp_bounded mean_absolute_slope; /* mean of the slopes' sizes */
   tp_bounded z2;                  /* root mean square of the slope: Eq. (13) with its root */
   tp_bounded effective_angle_deg; /* i: atan of the mean size of the slope; Eq. (7) of teeth */
   tp_bounded rp;                  /* along / length */
@@ -182,8 +183,8 @@ typedef struct tp_profile {
   double structure_fit[2];                /* the least and the largest distance of the first fit */
   double spectrum_fit[2];                 /* the least and the largest frequency of the second */
 
-  size_t jrc_count;             /* of the correlations */
-  tp_profile_jrc *jrc;          /* each of them */
+  size_t correlation_count;     /* of the correlations */
+  tp_profile_jrc *correlations; /* each of them */
   size_t jrc_meant;             /* so many are meant for this profile: */
   tp_bounded jrc_low, jrc_high; /* if jrc_meant > 0: the least and the largest JRC by these */
   tp_bounded jrc_median;        /* if jrc_meant > 0: and their median */
@@ -210,7 +211,7 @@ TP_MUST_USE tp_status tp_profile_of_points(tp_profile **profile, tp_coordinates 
 TP_MUST_USE tp_status tp_profile_of_scene(tp_profile **profile, const tp_scene *scene,
                                           const tp_profile_options *options, tp_message *message);
 
-/* NULL is let pass. */
+/* NULL is allowed. */
 void tp_profile_free(tp_profile *profile);
 
 /* A page; JSON (docs/json.md), with every facet, lag and ordinate of the spectrum where

@@ -17,9 +17,9 @@
  * checked by the same rules; what is not given is as in a file without the key. Calls come in any
  * order. A set call replaces what was set before, an add call adds one more; what is given is
  * copied. A call that fails leaves the scene as it was; its message begins with its name, and names
- * the argument. What needs several calls, or geometry, is told by the call that uses the scene. A
- * place in its messages and reports is the name of a call, with the number of the point, or of what
- * was added, from 1 on. A scene read from a file is not changed by these calls.
+ * the argument. Errors that involve several calls, or geometry, are reported by the call that uses
+ * the scene. A place in its messages and reports is the name of a call, with the number of the
+ * point, or of what was added, from 1 on. A scene read from a file is not changed by these calls.
  *
  * Lengths are in the scene's length unit, angles in degrees, stresses in kPa or MPa, as names say.
  * Widths, heights, thicknesses and unit weights are above 0; depths, radii, stresses and forces not
@@ -89,9 +89,10 @@ tp_coordinates tp_coordinates_text(const char *const *xy, size_t count);
 
 /* A number by its key in a scene file (docs/scene.md), as "joint.closure" or
  * "loads.seismic.horizontal", in the unit and range of that key: of those that stand by themselves,
- * in no list and no form of the block, of the base or of a law of friction. What must be said
- * besides is missed when the scene is solved, as of a file. The calls for one number below do the
- * same. */
+ * in no list and no form of the block, of the base or of a law of friction. It replaces what was
+ * set before, also by a key that it excludes. What must be said besides is missed when the scene is
+ * solved, as of a file. The three numbers that most scenes have can be set by a call of that name
+ * too: thickness, unit weight and tilt angle. */
 TP_MUST_USE tp_status tp_scene_set_number(tp_scene *scene, const char *key, tp_exact value,
                                           tp_message *message);
 
@@ -128,7 +129,7 @@ TP_MUST_USE tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_ex
 TP_MUST_USE tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height,
                                            tp_exact flat, tp_message *message);
 
-/* A hole in the block, or a part of it with a unit weight of its own: rings as the outline is,
+/* A hole in the block, or a part of it with a different unit weight: rings as the outline is,
  * inside of it. */
 TP_MUST_USE tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline,
                                         tp_message *message);
@@ -194,36 +195,21 @@ TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_mes
  * starting positions from which it comes to it; else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_message *message);
 
-/* What of the block lies closer than `within`, above 0, to the profile that was set is taken to
- * touch it, and is moved there (docs/rest.md); unless set what touches does so exactly. */
-TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
-                                                  tp_message *message);
-
-/* The contact is so wide along the mean plane, above 0, where the law barton takes the mean normal
- * stress; unless set the width in contact, and a block that touches only in points is refused. */
-TP_MUST_USE tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width,
-                                                 tp_message *message);
-
-/* The block is shifted along the mated base that it fits, and set down there until it rests
- * (docs/rest.md): by `shift`, to the right above 0; or, to the right or `leftwards`, by the least
- * at which no more than `matching` of its underside, in [0, 1], is closed. The last one set is
- * taken; unless set the block lies where it fits. Closed are gaps up to `closure`, above 0, which
- * the second needs. */
-TP_MUST_USE tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift,
-                                               tp_message *message);
+/* The block is shifted along the mated base that it fits, to the right or `leftwards`, and set down
+ * there until it rests (docs/rest.md), by the least at which no more than `matching` of its
+ * underside, in [0, 1], is closed: gaps up to the number `joint.closure`. It takes the place of
+ * `joint.shift`, which gives the shift itself, to the right above 0. */
 TP_MUST_USE tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching,
                                                   bool leftwards, tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_joint_closure(tp_scene *scene, tp_exact closure,
-                                                 tp_message *message);
 
 /* The profile of the base, given, read or generated (docs/generate.md), as CSV of x, y with all of
  * its digits: into `text`, which the caller frees; and into the file `path`, which appears whole or
  * not at all. TP_SYSTEM_FAILED where it cannot be written; a mated base has none. */
 TP_MUST_USE tp_status tp_scene_profile_csv(char **text, const tp_scene *scene, tp_message *message);
-TP_MUST_USE tp_status tp_scene_write_profile(const tp_scene *scene, const char *path,
+TP_MUST_USE tp_status tp_scene_write_profile(const char *path, const tp_scene *scene,
                                              tp_message *message);
 
-/* By how much a mated base goes on past the contact, to the `left` and to the `right`: not below 0,
+/* By how much a mated base extends past the contact, to the `left` and to the `right`: not below 0,
  * and 0 unless set. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
                                                tp_message *message);
@@ -269,7 +255,7 @@ TP_MUST_USE tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene,
                                                              tp_exact roughness_angle_deg,
                                                              tp_exact jcs_mpa, tp_message *message);
 
-/* A friction angle of their own, `angle_deg` in [0, 90), for facets of the base: from the one with
+/* A different friction angle, `angle_deg` in [0, 90), for facets of the base: from the one with
  * the number `first` to `last`, counted from 1 from left to right, along the profile or, of a mated
  * base, along the underside that it is mated with. All other facets have that of the contact, which
  * is one angle or Patton's law. No facet is given two. */
@@ -281,7 +267,7 @@ TP_MUST_USE tp_status tp_scene_add_friction_facets(tp_scene *scene, size_t first
 TP_MUST_USE tp_status tp_scene_add_friction_between(tp_scene *scene, tp_exact x0, tp_exact x1,
                                                     tp_exact angle_deg, tp_message *message);
 
-/* The directions of tilt that are looked at: `left`, `right`, or both, as it is unless set. */
+/* The directions of tilt that are solved: `left`, `right`, or both, as it is unless set. */
 TP_MUST_USE tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right,
                                                 tp_message *message);
 
@@ -303,9 +289,6 @@ TP_MUST_USE tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates tw
  * is added to the dip. */
 TP_MUST_USE tp_status tp_scene_set_slope(tp_scene *scene, tp_exact dip_deg, tp_direction towards,
                                          tp_message *message);
-/* The azimuth that a slope dips to, clockwise from north, in [0, 360]: for reports. */
-TP_MUST_USE tp_status tp_scene_set_dip_direction_deg(tp_scene *scene, tp_exact dip_direction_deg,
-                                                     tp_message *message);
 
 /* Which way the horizontal part of an earthquake acts on a block on a slope or in the frame of the
  * world: both ways, and the worse one governs, unless it is restricted to one. */
@@ -321,14 +304,10 @@ TP_MUST_USE tp_status tp_scene_set_seismic_direction(tp_scene *scene,
                                                      tp_seismic_direction direction,
                                                      tp_message *message);
 
-/* Loads, which a block with a unit weight can bear (docs/loads.md). A seismic `coefficient` is a
- * share of the weight at the centroid: k_h towards down-dip, k_v up. */
-TP_MUST_USE tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,
-                                                      tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
-                                                    tp_message *message);
-
-/* Water behind the block, of `unit_weight_kn_m3` (9.81 in most scenes), to `height` over the up-dip
+/* Loads, which a block with a unit weight can bear (docs/loads.md); those of one number have keys,
+ * as "loads.seismic.horizontal" and "loads.cohesion_kpa".
+ *
+ * Water behind the block, of `unit_weight_kn_m3` (9.81 in most scenes), to `height` over the up-dip
  * end of the contact: along the face, or vertical whatever the tilt where `stays_level`; where
  * `uplift` below the block too, falling to nothing at the toe. Neither number is below 0. */
 TP_MUST_USE tp_status tp_scene_set_water(tp_scene *scene, tp_exact height,
@@ -388,7 +367,7 @@ TP_MUST_USE tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_ex
 
 /* An anchor at the point (x, y) of the block, of `force_kn` not below 0 on its whole thickness.
  * `direction_deg` is that of its pull on the block, from x towards y. Where `passive` it counts as
- * resistance; else it is taken from what overturns. */
+ * resistance; else it is subtracted from the overturning moment. */
 TP_MUST_USE tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y,
                                           tp_exact direction_deg, tp_exact force_kn, bool passive,
                                           tp_message *message);
@@ -424,14 +403,6 @@ TP_MUST_USE tp_status tp_scene_add_support_pressure(tp_scene *scene, tp_exact x0
                                                     tp_exact last_kpa, bool passive,
                                                     tp_message *message);
 
-/* Tensile strength of the contact, normal to its facets, not below 0. */
-TP_MUST_USE tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa,
-                                            tp_message *message);
-
-/* Cohesion of the contact, along its facets, not below 0. */
-TP_MUST_USE tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa,
-                                                tp_message *message);
-
 /* The numbers of a scene have keys: the way to them in a scene file, as in friction_angle_deg,
  * block.outline.3.1 (x of the third point) or block.rounded.corners.1.radius, with entries of lists
  * counted from 1; or, of a file, the name of a parameter. A scene built in memory has the keys of
@@ -451,7 +422,7 @@ TP_MUST_USE tp_status tp_scene_number_text(char **text, const tp_scene *scene, c
  * other: they are changed, and freed, each by itself. */
 TP_MUST_USE tp_status tp_scene_with(tp_scene **varied, const tp_scene *scene, const char *key,
                                     tp_exact value, tp_message *message);
-/* The same with `count` numbers at once, each of its own key. */
+/* The same with `count` numbers at once, each of a different key. */
 TP_MUST_USE tp_status tp_scene_with_numbers(tp_scene **varied, const tp_scene *scene,
                                             const char *const *keys, const tp_exact *values,
                                             size_t count, tp_message *message);
@@ -459,7 +430,7 @@ TP_MUST_USE tp_status tp_scene_with_numbers(tp_scene **varied, const tp_scene *s
 /* The same by `count` settings "KEY=FORMULA", as `topple solve --set` takes them: each number is
  * what its formula says as if it stood there in the file, in the parameters as all settings leave
  * them. Without parameters, in memory, formulas are of numbers alone, as "3*2". The
- * solution tells what was set (tp_solution.settings). */
+ * solution lists what was set (tp_solution.settings). */
 TP_MUST_USE tp_status tp_scene_with_settings(tp_scene **varied, const tp_scene *scene,
                                              const char *const *settings, size_t count,
                                              tp_message *message);

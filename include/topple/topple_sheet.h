@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/* What a sheet tells besides results. */
+/* What a sheet states besides results. */
 typedef struct tp_sheet_options {
   size_t size;      /* of this struct, as `…_default()` has it */
   const char *date; /* when it was made, as it is to be printed; NULL: it has none */

@@ -5,7 +5,7 @@
  * limits, the mechanism and its margin. Plain structs, made by tp_solve (topple_solve.h), that own
  * what they point to: tp_solution_free frees it all. A field is to be read where the one beside it,
  * or its kind or state, says so; else it is 0. Lengths are in metres along the axes of the frame
- * that topple.h tells of, angles in degrees. */
+ * that topple.h explains, angles in degrees. */
 
 #ifndef TOPPLE_SOLUTION_H
 #define TOPPLE_SOLUTION_H
@@ -33,18 +33,18 @@ typedef struct tp_pivot {
   tp_pivot_kind kind; /* where it lies */
   bool rounded;       /* the corner is: (x, y) is where the axis then lies */
   bool admissible;    /* to first order: turning about it opens every contact facet */
-  bool told;          /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
+  bool computed;      /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
   bool never;         /* loads keep it from toppling about this pivot at any tilt */
   bool always; /* loads keep it from standing on this pivot at any tilt: there is no critical angle
                 */
-  tp_bounded x_m, y_m;           /* if told: the point, or the axis */
-  tp_bounded critical_angle_deg; /* if told && !never && !always: -180 to 180; above 90 it never
+  tp_bounded x_m, y_m;           /* if computed: the point, or the axis */
+  tp_bounded critical_angle_deg; /* if computed && !never && !always: -180 to 180; above 90 it never
                                     topples, below 0 not even level */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it fails, or is held again */
   tp_bounded *limits_deg; /* owned by the case */
-  tp_fos fos_resultant; /* if told: Eq. (2): tan(critical angle) / tan(tilt); with loads stabilising
+  tp_fos fos; /* if computed: Eq. (2): tan(critical angle) / tan(tilt); with loads stabilising
                            over overturning moment */
-  tp_fos fos_elements;  /* if told: (A1.3): each element's components by their own sign */
+  tp_fos fos_elements; /* if computed: (A1.3): each element's components by their own sign */
 } tp_pivot;
 
 /* What a section is cut into (section 5.1 of the paper): triangles, of a toothed block slabs too.
@@ -65,8 +65,8 @@ typedef struct tp_element {
 
 /* The account of moments by elements about the governing pivot (Appendix A1 of the paper). */
 typedef struct tp_account {
-  size_t count;           /* 0 when the account was not asked for */
-  tp_element *elements;   /* `count` of them */
+  size_t account_count;   /* 0 when the account was not asked for */
+  tp_element *account;    /* account_count of them */
   bool at_critical_angle; /* the scene gives no tilt angle: the account is drawn up at the limit */
   tp_bounded angle_deg;   /* the tilt that it is for */
   tp_bounded stabilising, overturning; /* the sums */
@@ -83,7 +83,7 @@ typedef struct tp_sliding {
   bool opens;  /* sliding along this facet is not blocked by another one */
   bool uneven; /* facets parallel to this one have more friction: it slides along all of them */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides; of facets with
-                                    frictions of their own the least along which it slides */
+                                    different frictions the least along which it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its ends, left and right */
   tp_bounded critical_angle_deg; /* if !never && !always: with loads, from the forces along and
@@ -94,9 +94,9 @@ typedef struct tp_sliding {
 
 /* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
  * weight on it? Only if the reaction lies in the friction cone of the facets at the toe, that is up
- * to phi_b + i of the steepest of them, or where facets have frictions of their own to the largest.
- * If not, the block may let go before its critical angle: contact forces decide, which moments do
- * not see. */
+ * to phi_b + i of the steepest of them, or where facets have different frictions to the largest.
+ * If not, the block may begin to move before its critical angle: contact forces decide, which
+ * moments do not see. */
 typedef struct tp_toe {
   bool known;   /* the scene gives a friction angle, and a pivot governs */
   bool holds;   /* it can */
@@ -123,10 +123,10 @@ typedef struct tp_case {
   tp_direction towards;    /* which */
   size_t pivot_count;      /* of the pivots */
   tp_pivot *pivots;        /* from left to right along the contact */
-  bool has_governing;      /* some pivot is admissible: */
-  size_t governing;        /* index of the admissible pivot with the least critical angle */
-  bool governing_tie;      /* another admissible pivot has the same critical angle: */
-  long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
+  bool has_toppling_pivot; /* some pivot is admissible: */
+  size_t toppling_pivot;   /* index of the admissible pivot with the least critical angle */
+  bool toppling_tie;       /* another admissible pivot has the same critical angle: */
+  long toppling_tie_bits;  /* 0: exactly; else so many bits do not distinguish the two */
   tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
   bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest */
   tp_bounded rest_turn_deg; /* if rests: by what it turns on its base */
@@ -134,12 +134,12 @@ typedef struct tp_case {
   tp_toe toe;               /* can it bear what moments put on it? */
   tp_limit limit;           /* with the base of the scene */
   tp_limit limit_otherwise; /* if limit_otherwise.kind != TP_LIMIT_NOT_ASKED: with a base that ends
-                               at the toe, or goes on, if the scene's does not */
+                               at the toe, or extends past it, if the scene's does not */
   bool base_matters;        /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
   tp_onset onset;           /* up to which tilt no motion can begin, with the base of the scene */
-  tp_limit limit_back; /* if limit_back.kind != TP_LIMIT_NOT_ASKED: by contact forces, as the table
-                          is tilted the other way under the same loads: at tilts below minus its
-                          angle the block begins to move up-dip */
+  tp_limit limit_holds_from;  /* if limit_holds_from.kind != TP_LIMIT_NOT_ASKED: by contact forces,
+                           as the table is tilted the other way under the same loads: at tilts below
+                           minus its angle the block begins to move up-dip */
   tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
                                  Where it moves, what can begin there: of several motions that
                                  of the limit if it is among them, else the first of the onset's
@@ -154,7 +154,7 @@ typedef struct tp_case {
   bool slides_sooner;   /* the friction that a bond adds apart, it slides before `limit` */
   bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
   tp_governing_fos governing_fos; /* at the scene's tilt */
-  tp_account account;             /* if account.count > 0: by elements, where asked for */
+  tp_account elements;            /* if elements.account_count > 0: by elements, where asked for */
   tp_bounded *limits;             /* of all pivots, with loads */
   size_t load_count;     /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads; /* about the governing pivot */
@@ -241,7 +241,7 @@ typedef struct tp_result_units {
   tp_result_unit stress; /* Pa */
 } tp_result_units;
 
-/* An earthquake that was looked at: of a block that lies on a slope one down-dip and one up-dip,
+/* An earthquake that was analysed: of a block that lies on a slope one down-dip and one up-dip,
  * each with the vertical part of the scene and without it. */
 typedef struct tp_earthquake {
   tp_direction towards;   /* the side to which its horizontal part drives the block */
@@ -256,6 +256,7 @@ enum { TP_EARTHQUAKES_MAX = 4 };
 
 /* A scene solved. */
 typedef struct tp_solution {
+  size_t size;                  /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;       /* of the scene, or NULL */
   const char *length_unit;      /* that reports print in: the scene's, unless it asks for another; a
                                    static string */
@@ -274,29 +275,36 @@ typedef struct tp_solution {
   tp_joint_result joint;         /* of a block that was shifted along its mated base */
   tp_within_result within;       /* of a block that was moved onto its profile where it is near */
   tp_frame_result frame;         /* what the coordinates lie along */
-  size_t earthquake_count;       /* where several were looked at; else 0 */
+  size_t earthquake_count;       /* where several were analysed; else 0 */
   tp_earthquake earthquakes[TP_EARTHQUAKES_MAX]; /* the first of them governs: the cases are its */
   tp_contact_result contact;                     /* where the block touches its base */
   bool loaded;                                   /* the scene calls for loads besides the weight */
   size_t case_count;                             /* directions that the scene tilts in, */
-  tp_case cases[2];                              /* left before right */
-  tp_notes notes;                                /* of the scene's reading and of its solution */
-  size_t effect_count;                           /* what ran: */
-  tp_effect *effects;                            /* in the order in which it first did */
-  tp_level level;                                /* the arithmetic that certified the numbers */
-  long bits;                                     /* working precision of the last evaluation */
-  int digits;                                    /* asked of every number */
-  bool open_number; /* one is not certain to them, and is given with its actual bound: 0, as a
-                       rule */
+  size_t case_size;    /* of a tp_case, as the library has it (tp_solution_case) */
+  tp_case *cases;      /* left before right */
+  tp_notes notes;      /* of the scene's reading and of its solution */
+  size_t effect_count; /* what ran: */
+  tp_effect *effects;  /* in the order in which it first did */
+  tp_level level;      /* the arithmetic that certified the numbers */
+  long bits;           /* working precision of the last evaluation */
+  int digits;          /* asked of every number */
+  bool open_number;    /* one is not certain to them, and is given with its actual bound: 0, as a
+                          rule */
   long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do
-                     not tell from zero, besides the ties that say so themselves */
+                     not distinguish from zero, besides the ties reported as such */
   tp_settings settings;                      /* what was set in the scene */
-  size_t friction_facet_count;               /* entries of facets with their own friction, */
+  size_t friction_facet_count;               /* entries of facets with different friction, */
   tp_facet_friction_result *friction_facets; /* in the order of the scene */
   size_t support_count;                      /* bolts and pressures of a support, */
   tp_support *supports;                      /* in the order of the scene */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
+
+/* Case `k`, from 0, of a solution: where it lies also if the library, newer than the program, has
+ * more members in a case than the program knows. */
+static inline const tp_case *tp_solution_case(const tp_solution *solution, size_t k) {
+  return (const tp_case *)(const void *)((const char *)solution->cases + k * solution->case_size);
+}
 
 #ifdef __cplusplus
 }

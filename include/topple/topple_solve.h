@@ -39,8 +39,8 @@ typedef struct tp_solve_options {
   int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
   tp_level level; /* the costliest arithmetic allowed; TP_UNDECIDED where it is not enough */
   tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
-  size_t threads; /* that sum the moments of a ring, at most 16, the same bits by any number: 0: one
-                     up to 800 000 edges, then as many as there are cores; 1: none is started */
+  size_t threads; /* that compute; 0: as many as the process may run on; 1: none is started. They
+                     share the moments of a ring of more than 800 000 edges, at most 16 of them */
 } tp_solve_options;
 
 /* The defaults: the limit with strength reduction, 9 digits, every level, all pivots. `size` is
@@ -67,8 +67,8 @@ TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
  * The block tilts both ways: cases[0] of the solution is towards the left, cases[1] towards the
  * right. `length_unit` is mm, cm, m, km, in or ft; the angles are in degrees. Statuses as of
  * tp_solve. */
-TP_MUST_USE tp_status tp_solve_outline(tp_solution **solution, const char *length_unit,
-                                       const double *outline, size_t vertices,
+TP_MUST_USE tp_status tp_solve_outline(tp_solution **solution, const double *outline,
+                                       size_t vertices, const char *length_unit,
                                        double friction_angle_deg, double tilt_angle_deg,
                                        tp_message *message);
 
@@ -86,7 +86,7 @@ bool tp_solution_is_undecided(const tp_solution *solution);
 tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
 
 /* The same of one case. */
-tp_design tp_case_meets(const tp_case *own, double design_fos);
+tp_design tp_case_meets(const tp_case *one, double design_fos);
 
 /* Reports, as `topple solve` prints them: the page, the account of moments by elements, JSON
  * (docs/json.md). Of every report `*text` is allocated with malloc and is the caller's to free; it
@@ -120,8 +120,9 @@ TP_MUST_USE tp_status tp_report_json_outlines(char **text, const tp_scene *scene
 
 /* A table of `count` solutions, a row for each direction of each: tilt, verdict, governing factor,
  * and the angles by every way. In Markdown, with the limit on a base that ends at the toe and on
- * one that goes on; in CSV, each number followed by its bound, with the limit on the scene's base.
- * A factor that is but an upper bound, since another is undecided, is left out of CSV. */
+ * one that extends past it; in CSV, each number followed by its bound, with the limit on the
+ * scene's base. A factor that is but an upper bound, since another is undecided, is left out of
+ * CSV. */
 TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
                                       size_t count);
 TP_MUST_USE tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count);

@@ -5,8 +5,8 @@
  * from a table, as a study file says (docs/study.md). Included by topple.h.
  *
  * Every sample is what tp_solve says of the scene with the sample's numbers, each a decimal that
- * the scene takes exactly. What is undecided, what history decides, and a sample of which there is
- * no scene are counted as such; none is left out. */
+ * the scene takes exactly. What is undecided, what depends on loading history, and a sample of
+ * which there is no scene are counted as such; none is left out. */
 
 #ifndef TOPPLE_STUDY_H
 #define TOPPLE_STUDY_H
@@ -57,8 +57,8 @@ const char *tp_study_outcome_name(tp_study_outcome outcome);
 
 /* A share of the samples, with Wilson's interval of 95 %. */
 typedef struct tp_study_share {
-  size_t count;     /* of the samples */
-  double share;     /* count over all samples */
+  size_t samples;   /* of the samples */
+  double share;     /* of all samples */
   double low, high; /* of the probability */
 } tp_study_share;
 
@@ -69,9 +69,9 @@ typedef struct tp_study_tilt {
   bool has_tilt;    /* false: the scene has none, or lies as it lies */
   bool tilt_varies; /* it is the scene's, and has no one value */
   double tilt_deg;  /* the tilt; where it varies, that of the scene file */
-  tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by what becomes of them */
-  tp_study_share stands;                      /* certain to stand: stands and interlocked */
-  tp_study_share moves; /* certain to move: slides, topples, both, leaves its base */
+  tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by outcome */
+  tp_study_share certain_to_stand;            /* certain to stand: stands and interlocked */
+  tp_study_share certain_to_move; /* certain to move: slides, topples, both, leaves its base */
 } tp_study_tilt;
 
 /* The numbers that a sample has; in rows and columns infinity where it holds at every tilt, or
@@ -93,22 +93,22 @@ const char *tp_study_quantity_name(tp_study_quantity quantity);
 typedef struct tp_study_quantile {
   double probability;      /* 0.01, 0.05, 0.25, 0.5, 0.75, 0.95 or 0.99 */
   double value, low, high; /* may be infinite; `low` minus infinity, `high` infinity where the
-                              samples are too few to tell */
+                              samples are too few for a statement */
 } tp_study_quantile;
 
 /* How a quantity is distributed. */
 typedef struct tp_study_spread {
-  size_t count; /* of the samples kept that have it; 0: no quantiles */
-  tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* if count > 0: by rising probability */
+  size_t samples; /* of the samples kept that have it; 0: no quantiles */
+  tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* if samples > 0: by rising probability */
 } tp_study_spread;
 
 /* The factors of safety of samples that one definition governs at the scene's tilt. Each tells in
  * its own way how far a block is from 1, so that they are no one distribution: just beyond toppling
  * the one by moments is little below 1, and strength reduction, where it governs, far below. */
 typedef struct tp_study_factor {
-  tp_fos_definition definition; /* by which the governing factor is reckoned */
+  tp_fos_definition definition; /* by which the governing factor is computed */
   tp_study_share governs;       /* of all samples */
-  size_t below;                 /* of these, with a factor below 1 */
+  size_t below_1;               /* of these, with a factor below 1 */
   tp_study_spread spread;       /* of the factors of the samples kept */
 } tp_study_factor;
 
@@ -133,12 +133,12 @@ typedef struct tp_study_rare {
   bool known;                    /* it has an answer */
   double probability, low, high; /* if known: with its interval of 95 % */
   double variation;              /* if known: its deviation over itself */
-  size_t calls;                  /* if known: scenes solved for it */
+  size_t scenes;                 /* if known: scenes solved for it */
   char *why;                     /* where it is not known: plain; else NULL */
 } tp_study_rare;
 
 /* A design point: of the points at which an angle is the tilt, or a factor of safety 1, one that is
- * more likely than all around it. Each way to fail has one of its own, or several. */
+ * more likely than all around it. Each way to fail has one or several. */
 typedef struct tp_study_design_point {
   double beta;        /* its distance in deviations, below 0 where the means fail */
   double probability; /* Phi(-beta) */
@@ -155,10 +155,10 @@ typedef struct tp_study_reliability {
   double beta;        /* if known: the index: the distance of the design point in deviations */
   double probability; /* if known: of first order, Phi(-beta), that the quantity is not above; both
                          NaN where there is no design point */
-  size_t calls;       /* if known: scenes solved for it */
-  tp_study_rare importance, subset; /* sampling of rare events, where asked for */
-  size_t point_count;               /* of the design points */
-  tp_study_design_point *points;    /* the nearest first */
+  size_t scenes;      /* if known: scenes solved for it */
+  tp_study_rare importance, subset;     /* sampling of rare events, where asked for */
+  size_t design_point_count;            /* of the design points */
+  tp_study_design_point *design_points; /* the nearest first */
 } tp_study_reliability;
 
 /* The design value of one number: put into the scene, with all other numbers as they stand there,
@@ -175,19 +175,19 @@ typedef struct tp_study_design {
       low_is_safe; /* if known: of the interval, else the high one: there is less of the quantity */
   double quantity_value; /* if known: of the scene with it */
   double scene_value;    /* the number as it stands in the scene */
-  size_t calls;          /* scenes solved for it */
+  size_t scenes;         /* scenes solved for it */
   char *why;             /* where it is not known: plain; else NULL */
 } tp_study_design;
 
 /* A number that varies. */
 typedef struct tp_study_variable {
-  TP_OUTSIDE char *key;                        /* the scene's */
-  const char *kind;                            /* normal, list and so on; a static string */
-  const char *unit;                            /* deg, m, kPa and so on, or NULL; likewise */
-  char *law;                                   /* "mean 36, deviation 3, between 25 and 50" */
-  double least, greatest;                      /* of the samples kept */
-  tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
-  tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
+  TP_OUTSIDE char *key;   /* the scene's */
+  const char *kind;       /* normal, list and so on; a static string */
+  const char *unit;       /* deg, m, kPa and so on, or NULL; likewise */
+  char *law;              /* "mean 36, deviation 3, between 25 and 50" */
+  double least, greatest; /* of the samples kept */
+  tp_study_rank rank_correlations[TP_STUDY_QUANTITIES]; /* with each quantity */
+  tp_study_index sobol_indices[TP_STUDY_QUANTITIES];    /* for each quantity */
   double design_value; /* where reliability is known: at the nearest design point; NaN: none */
   double importance;   /* its share of the variance there, as if all were independent */
 } tp_study_variable;
@@ -203,15 +203,15 @@ typedef struct tp_study_measure {
   const char *name;       /* amplitude, rms_height, z2, effective_angle_deg, jrc; last peak_deg,
                              Eq. (15), and valley_deg, Eq. (16); a static string */
   const char *unit;       /* mm, deg and so on; NULL: none */
-  size_t count;           /* of the samples kept that have it */
-  double least, greatest; /* if count > 0: of these */
-  tp_study_rank ranks[TP_STUDY_QUANTITIES]; /* with each quantity */
+  size_t samples;         /* of the samples kept that have it */
+  double least, greatest; /* if samples > 0: of these */
+  tp_study_rank rank_correlations[TP_STUDY_QUANTITIES]; /* with each quantity */
 } tp_study_measure;
 
 /* The estimate as samples came in. */
 typedef struct tp_study_step {
-  size_t samples;       /* the first so many */
-  tp_study_share moves; /* as in the first tilt */
+  size_t of_samples;              /* the first so many */
+  tp_study_share certain_to_move; /* as in the first tilt */
 } tp_study_step;
 
 /* A sample of which there is no scene. */
@@ -238,12 +238,13 @@ typedef struct tp_study_column {
 /* The summary of a study. Quantiles, ranks, ranges and columns are of the first `kept` samples, 262
  * 144 at most, all else is of all. */
 typedef struct tp_study_result {
+  size_t size;             /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;  /* of the study, else of the scene, or NULL */
   TP_OUTSIDE char *scene;  /* the file */
   const char *method;      /* monte carlo, latin hypercube, sobol, or none: nothing is drawn */
   size_t seed;             /* of the draws */
   size_t planned, samples; /* of the study, and done */
-  size_t kept;             /* as told above */
+  size_t kept;             /* as explained above */
   tp_study_end end;        /* why no more */
   size_t shard, shards;    /* of several, from 1; 1 of 1 */
   double half_width;       /* asked of every interval; 0: none was asked for */
@@ -251,32 +252,32 @@ typedef struct tp_study_result {
                   undecided */
   size_t
       by_doubles; /* samples solved in doubles with proven bounds; the others in higher precision */
-  double doubles_seconds, ladder_seconds;       /* of computing, of those solved in this run */
-  size_t tilt_count;                            /* 1 at least */
-  tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
-  size_t variable_count;                        /* of the numbers that vary */
-  tp_study_variable *variables;                 /* as the study lists them */
-  size_t correlation_count;                     /* of the correlations */
-  tp_study_correlation *correlations;           /* of the variables, in their order */
-  tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
-  tp_study_factor factors[TP_FOS_DEFINITIONS];  /* by tp_fos_definition */
-  size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
+  double doubles_seconds, ladder_seconds;          /* of computing, of those solved in this run */
+  size_t tilt_count;                               /* 1 at least */
+  tp_study_tilt *tilts;                            /* that of the scene, then those of the study */
+  size_t variable_count;                           /* of the numbers that vary */
+  tp_study_variable *variables;                    /* as the study lists them */
+  size_t correlation_count;                        /* of the correlations */
+  tp_study_correlation *correlations;              /* of the variables, in their order */
+  tp_study_spread quantities[TP_STUDY_QUANTITIES]; /* of each quantity */
+  tp_study_factor governing_factors[TP_FOS_DEFINITIONS]; /* by tp_fos_definition */
+  size_t sensitivity_samples;       /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
-  size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
-  tp_study_measure *measures;       /* in the order of the rows */
+  size_t roughness_count;           /* of what is measured of the base; 0: it is not asked for */
+  tp_study_measure *roughness;      /* in the order of the rows */
   size_t bracketed, within;  /* samples kept that have both angles of Eqs. (15) and (16), and of
                                 these those whose critical angle by moments lies between */
-  size_t design_count;       /* of the design values asked for; as reliability */
-  tp_study_design *designs;  /* as the study lists them */
-  size_t step_count;         /* of the steps */
-  tp_study_step *steps;      /* at each power of two from 16 on, and at the end */
-  size_t bad_count;          /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;         /* these */
-  size_t column_count;       /* of the columns */
-  tp_study_column *columns;  /* the numbers that vary, the quantities, outcomes at each tilt,
-                                tp_fos_definition of the governing factor (NaN: none), the factors
-                                by moments and of sliding, and what is measured of the base */
-  size_t source_count;       /* of the sources */
+  size_t design_value_count; /* of the design values asked for; as reliability */
+  tp_study_design *design_values; /* as the study lists them */
+  size_t convergence_count;       /* of the steps */
+  tp_study_step *convergence;     /* at each power of two from 16 on, and at the end */
+  size_t invalid_count;           /* of the first invalid samples, 5 at most */
+  tp_study_bad *invalid;          /* these */
+  size_t column_count;            /* of the columns */
+  tp_study_column *columns;       /* the numbers that vary, the quantities, outcomes at each tilt,
+                                     tp_fos_definition of the governing factor (NaN: none), the factors
+                                     by moments and of sliding, and what is measured of the base */
+  size_t source_count;            /* of the sources */
   TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
                                 is written over them */
 } tp_study_result;
@@ -284,16 +285,16 @@ typedef struct tp_study_result {
 /* How a study is run. */
 typedef struct tp_study_options {
   size_t size;          /* of this struct, as `…_default()` has it */
-  size_t threads;       /* 0: as many as the process may run on; the same bytes by any number */
+  size_t threads;       /* that compute; 0: as many as the process may run on; 1: none is started */
   size_t shard, shards; /* the part of the study, from 1, and of how many; 1 of 1 */
   const char *rows;     /* a CSV file for a row of each sample, or NULL. Beside it a file of that
-                           name and .progress tells how far it is: a study that was interrupted goes
+                           name and .progress says how far it is: a study that was interrupted goes
                            on from there */
   bool restart;         /* do not go on, begin anew, over rows of any study */
   void *context;        /* of the calls below */
   bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
-  void (*progress)(void *context, size_t done, size_t of); /* told by the thread that runs it after
-                                                              each chunk, or NULL */
+  void (*progress)(void *context, size_t done, size_t of); /* called by the thread that runs it
+                                                              after each chunk, or NULL */
 } tp_study_options;
 
 /* All of it, by as many threads as there are, without rows. `size` is that of the struct as the

@@ -94,9 +94,9 @@ TP_MUST_USE tp_status tp_sweep_write(tp_sweep_summary *summary, const tp_scene *
 
 /* The same into the file `path`, which appears whole or not at all: until then the text is in
  * memory. TP_SYSTEM_FAILED where it cannot be written. */
-TP_MUST_USE tp_status tp_sweep_write_file(tp_sweep_summary *summary, const tp_scene *scene,
-                                          const tp_sweep_options *options, tp_sweep_format format,
-                                          const char *path, tp_message *message);
+TP_MUST_USE tp_status tp_sweep_write_file(tp_sweep_summary *summary, const char *path,
+                                          const tp_scene *scene, const tp_sweep_options *options,
+                                          tp_sweep_format format, tp_message *message);
 
 #ifdef __cplusplus
 }

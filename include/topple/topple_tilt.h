@@ -30,7 +30,7 @@ typedef enum tp_tilt_engine {
 typedef enum tp_tilt_protocol {
   TP_TILT_RAMP,   /* at a steady speed from level */
   TP_TILT_STEPS,  /* a fresh start at each angle, the least that moves it bracketed by bisection */
-  TP_TILT_RELEASE /* held at an angle, let go */
+  TP_TILT_RELEASE /* held at an angle, released */
 } tp_tilt_protocol;
 
 /* An event at a contact, or of the whole block. */
@@ -49,7 +49,7 @@ typedef enum tp_tilt_event_kind {
 
 /* One of these events. */
 typedef struct tp_tilt_event {
-  tp_tilt_event_kind kind; /* what happened */
+  tp_tilt_event_kind what; /* what happened */
   double time_s;           /* from the start of the run; 0 on a quasi-static path */
   double angle_deg;        /* of the table */
   double x_m, y_m;         /* where on the base; of the whole block: its centroid */

@@ -24,34 +24,11 @@ TP_MUST_USE tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine eng
                                              tp_tilt_protocol protocol, bool set_down,
                                              tp_message *message);
 
-/* Its numbers, each as the key of its name (docs/tilt.md): the speed of the table, above 0, of a
- * ramp in time; up to which tilt, in [0, 90]; the wanted width of the bracket, above 0; the longest
- * time of one run, above 0. */
-TP_MUST_USE tp_status tp_scene_set_tilt_test_speed_deg_min(tp_scene *scene, tp_exact speed_deg_min,
-                                                           tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_until_deg(tp_scene *scene, tp_exact until_deg,
-                                                       tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_tolerance_deg(tp_scene *scene, tp_exact tolerance_deg,
-                                                           tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_duration_s(tp_scene *scene, tp_exact duration_s,
-                                                        tp_message *message);
-
-/* Of contacts that are springs: stiffness of the contact per unit of its area, both above 0; local
- * damping, in [0, 1]; the radius by which corners are rounded, in scene lengths, and the time step,
- * above 0. */
+/* Of contacts that are springs: stiffness of the contact per unit of its area, both above 0. All
+ * other numbers of a test are set by tp_scene_set_number, as "tilt_test.until_deg". */
 TP_MUST_USE tp_status tp_scene_set_tilt_test_stiffness_gpa_m(tp_scene *scene, tp_exact normal_gpa_m,
                                                              tp_exact shear_gpa_m,
                                                              tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_damping(tp_scene *scene, tp_exact damping,
-                                                     tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_rounding(tp_scene *scene, tp_exact rounding,
-                                                      tp_message *message);
-TP_MUST_USE tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exact time_step_s,
-                                                         tp_message *message);
-
-/* Of rigid contacts: the restitution of impacts, in [0, 1]. */
-TP_MUST_USE tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
-                                                         tp_message *message);
 
 /* Of the path: stress locked in on a facet of the base before the start, in kilopascal; on all of
  * the contact that lies on that facet. Normal stress, linear from the facet's left end to its right
@@ -84,7 +61,7 @@ TP_MUST_USE tp_status tp_scene_set_shaking_record(tp_scene *scene, tp_shaking_ax
 /* What is asked of a test beyond what the scene says. */
 typedef struct tp_tilt_options {
   size_t size;      /* of this struct, as `…_default()` has it */
-  size_t moments;   /* of the history of the motion, some so many at most, 2 to 1 000 000 */
+  size_t moments;   /* of the history of the motion, about so many at most, 2 to 1 000 000 */
   bool overturning; /* of a block whose base shakes: which factors on that of the scene overturn it,
                        or throw it off its base, of those of a grid */
   bool (*stop)(void *context); /* asked now and then, or NULL: true ends the test with what is known
@@ -113,7 +90,7 @@ typedef struct tp_tilt_settings {
   bool set_down;             /* at each angle; else placed level and tilted */
   double speed_deg_min;      /* of the table */
   double until_deg;          /* of the table, at most */
-  double release_deg;        /* where the block is let go */
+  double release_deg;        /* where the block is released */
   double from_deg;           /* of a ramp: where it starts, level or set down */
   double tolerance_deg;      /* wanted width of the bracket */
   double duration_s;         /* of a run at a steady tilt, at most */
@@ -121,7 +98,7 @@ typedef struct tp_tilt_settings {
   bool stiffness_given;  /* by the scene; else the paper's 1000 and 10 GPa/m */
   double damping;        /* of springs, local */
   double rounding_m;     /* of corners */
-  double time_step_s;    /* 0: the method's own choice */
+  double time_step_s;    /* 0: chosen by the method */
   double restitution;    /* of impacts */
   size_t traction_count; /* facets with stress locked in before the start */
 } tp_tilt_settings;
@@ -185,15 +162,15 @@ typedef struct tp_overturning_range {
       spared_above; /* the next higher one tried does not overturn it; NaN: none was tried there */
 } tp_overturning_range;
 
-/* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
+/* One direction of tilt. Simulated numbers: no bound is proven; what was reached is stated. */
 typedef struct tp_tilt_case {
-  tp_direction towards; /* which */
-  bool has_bracket;     /* it stands at one tilt, and begins to move at another: */
-  double least_deg;     /* it stands there; if it never moves, the last tilt tried; NaN: no run
-                           stood */
-  double most_deg;      /* if has_bracket: it begins to move there */
-  bool converged;       /* the bracket is as narrow as was asked */
-  bool has_softening;   /* of a path on contacts whose stiffness the scene gives: */
+  tp_direction towards;  /* which */
+  bool has_bracket;      /* it stands at one tilt, and begins to move at another: */
+  double stands_at_deg;  /* it stands there; if it never moves, the last tilt tried; NaN: no run
+                        stood */
+  double lets_go_at_deg; /* if has_bracket: it begins to move there */
+  bool converged;        /* the bracket is as narrow as was asked */
+  bool has_softening;    /* of a path on contacts whose stiffness the scene gives: */
   double softening_deg; /* by which it begins to move sooner on these very springs than in the limit
                            of stiff ones, which the bracket is for */
   size_t jumps;         /* times that a path gave way and came to rest at the same tilt */
@@ -215,11 +192,11 @@ typedef struct tp_tilt_case {
   double energy_scale_j;         /* weight times extent, for comparison */
   bool overturning_scanned;      /* it was asked which factors on its shaking overturn it */
   bool has_overturning;          /* some factor that was tried does: */
-  double overturning_least; /* if has_overturning: the next below the least of these, which spares
-                               it; 0: none tried */
-  double overturning_most;  /* if has_overturning: the least that was found */
-  size_t overturning_grid_count;            /* of the grids that were tried */
-  tp_overturning_grid overturning_grids[2]; /* all the range; below the least that was found */
+  double spared_by;     /* if has_overturning: the next below the least of these, which spares
+                                   it; 0: none tried */
+  double overturned_by; /* if has_overturning: the least that was found */
+  size_t overturning_tried_count;           /* of the grids that were tried */
+  tp_overturning_grid overturning_tried[2]; /* all the range; below the least that was found */
   size_t overturning_range_count;           /* of the ranges */
   tp_overturning_range *overturning_ranges; /* upwards */
   size_t event_count;                       /* of the events */
@@ -243,13 +220,14 @@ typedef struct tp_tilt_case {
 typedef struct tp_tilt_shaking {
   bool given;               /* by the scene */
   double peak_m_s2;         /* if given: PGA */
-  double velocity_m_s;      /* if given: PGV */
+  double peak_velocity_m_s; /* if given: PGV */
   double last_velocity_m_s; /* if given: what its baseline leaves at the end */
   double duration_s;        /* if given: of the shaking */
 } tp_tilt_shaking;
 
 /* The result of a test. */
 typedef struct tp_tilt_test {
+  size_t size;                /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title;     /* of the scene; NULL: none */
   const char *length_unit;    /* of the scene; a static string */
   double metres_per_unit;     /* of it */
@@ -283,7 +261,7 @@ TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *
  * `moving` the one that moves, as .svg, or as .webm or .gif, made by gnuplot and ffmpeg.
  * TP_SYSTEM_FAILED where one of these is not installed or fails, or the file cannot be written;
  * TP_NO_ANSWER where there is nothing to draw. */
-TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
+TP_MUST_USE tp_status tp_report_tilt_file(const char *path, const tp_tilt_test *test, bool moving,
                                           tp_message *message);
 
 /* Charts of it, to be freed by tp_chart_free, written by tp_report_chart_file (topple_chart.h). The

@@ -32,7 +32,7 @@ const char *tp_verdict_name(tp_verdict verdict);
 
 /* A claim, its texts as its file has them, and the verdict on it. */
 typedef struct tp_claim_result {
-  TP_OUTSIDE char *id;         /* a name of its own */
+  TP_OUTSIDE char *id;         /* its name */
   TP_OUTSIDE char *where;      /* where it is printed */
   TP_OUTSIDE char *geometry;   /* of which scene it is; NULL: none */
   TP_OUTSIDE char *quantity;   /* what it is of */
@@ -41,22 +41,23 @@ typedef struct tp_claim_result {
   TP_OUTSIDE char *note;       /* on the claim; NULL: none */
   tp_verdict verdict;          /* on what is printed */
   bool is_formula;             /* else a number */
-  TP_OUTSIDE char *derived;    /* the quantity in closed form; NULL: none */
-  TP_OUTSIDE char *difference; /* of a refuted formula, printed minus derived; NULL: none */
-  bool is_tangent;             /* derived and difference are of tangents of angles */
+  TP_OUTSIDE char *computed;   /* the quantity in closed form; NULL: none */
+  TP_OUTSIDE char *difference; /* of a refuted formula, printed minus computed; NULL: none */
+  bool of_tangents;            /* computed and difference are of tangents of angles */
   TP_OUTSIDE char *mend;       /* the printed formula, mended by one change; NULL: none found */
   TP_OUTSIDE char *change;     /* what the change is; NULL: likewise */
   TP_OUTSIDE char *condition;  /* what keeps the verdict from being more, or where a formula holds;
                                   NULL: none */
   bool has_values;             /* there are numbers at */
-  TP_OUTSIDE char *values;     /* these values of the symbols: */
-  tp_bounded printed_value,
-      computed;       /* if has_values: of what is printed, and of what is derived */
+  TP_OUTSIDE char *at;         /* these values of the symbols: */
+  tp_bounded printed_there,
+      computed_there; /* if has_values: of what is printed, and of what is computed */
   int digits, points; /* of a formula that agrees in numbers */
 } tp_claim_result;
 
 /* The verdicts on a file of claims. */
 typedef struct tp_verification {
+  size_t size;                     /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *title, *source; /* of the file; NULL: none */
   size_t count;                    /* of the claims */
   tp_claim_result *claims;         /* in the order of the file */

@@ -170,7 +170,7 @@ class StudyResultMethods(Record):
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
         """Of one quantity."""
-        return self.spreads[list(StudyQuantity).index(StudyQuantity(quantity))]
+        return self.quantities[list(StudyQuantity).index(StudyQuantity(quantity))]
 
     def report(self) -> str:
         """The summary, as `topple study` prints it."""
@@ -214,7 +214,7 @@ class TiltTestMethods:
 
     def draw(self, path: File, moving: bool = False) -> None:
         """Frames, or where `moving` the one that moves, into an .svg."""
-        checked(lib.tp_report_tilt_file, struct_of(self), c_path(path), moving)
+        checked(lib.tp_report_tilt_file, c_path(path), struct_of(self), moving)
 
     def write_report(self, path: File, scene: Scene, date: str | None = None,
                      times: bool = True, lines: int = 400) -> None:

@@ -116,7 +116,7 @@ class BaseBuilder:
         self._change(lib.tp_scene_set_base_worn, number_of(Wear, wear), c_number(depth))
 
     def set_base_beyond(self, left: Number, right: Number) -> None:
-        """By how much a mated base goes on past the block."""
+        """By how much a mated base extends past the block."""
         self._change_numbers(lib.tp_scene_set_base_beyond, left, right)
 
     def set_base_between(self, two_vertices: Points) -> None:
@@ -137,24 +137,8 @@ class BaseBuilder:
         """Set the block down likewise, and list all its resting poses besides."""
         self._change(lib.tp_scene_set_base_poses, all_poses)
 
-    def set_contact_within(self, within: Number) -> None:
-        """What of the block lies closer than that to the profile is moved there, to touch it."""
-        self._change_numbers(lib.tp_scene_set_contact_within, within)
-
-    def set_contact_width(self, width: Number) -> None:
-        """The contact is so wide where the law barton takes the mean normal stress."""
-        self._change_numbers(lib.tp_scene_set_contact_width, width)
-
-    def set_joint_shift(self, shift: Number) -> None:
-        """The block is shifted along the mated base that it fits, to the right above 0, and set
-        down there until it rests."""
-        self._change_numbers(lib.tp_scene_set_joint_shift, shift)
-
     def set_joint_matching(self, matching: Number, leftwards: bool = False) -> None:
         """The block is shifted by the least at which no more than a share of its underside is
         closed; the scene needs a closure."""
         self._change(lib.tp_scene_set_joint_matching, c_number(matching), leftwards)
 
-    def set_joint_closure(self, closure: Number) -> None:
-        """Up to which gap the joint of a shifted block counts as closed."""
-        self._change_numbers(lib.tp_scene_set_joint_closure, closure)

@@ -207,7 +207,7 @@ class Builder(TiltBuilder):
         'left' or 'right'; on the map, in reports, to the azimuth `dip_direction_deg`."""
         self._change(lib.tp_scene_set_slope, c_number(dip_deg), number_of(Direction, towards))
         if dip_direction_deg is not None:
-            self._change_numbers(lib.tp_scene_set_dip_direction_deg, dip_direction_deg)
+            self.set_number("slope.dip_direction_deg", dip_direction_deg)
 
     def set_mean_plane(self, two_points: Points) -> None:
         """The frame of the world, with the mean plane through two points, the left one first, shape
@@ -215,14 +215,6 @@ class Builder(TiltBuilder):
         self._change_points(lib.tp_scene_set_mean_plane, two_points)
 
     # Loads, which a block with a unit weight can bear.
-
-    def set_seismic_horizontal(self, coefficient: Number) -> None:
-        """k_h, a share of the weight, towards down-dip."""
-        self._change_numbers(lib.tp_scene_set_seismic_horizontal, coefficient)
-
-    def set_seismic_vertical(self, coefficient: Number) -> None:
-        """k_v, a share of the weight, up."""
-        self._change_numbers(lib.tp_scene_set_seismic_vertical, coefficient)
 
     def set_seismic_direction(self, direction: SeismicDirection | str) -> None:
         """Which way k_h acts on a block in the frame of the world: 'both', 'down_dip', 'up_dip'."""
@@ -310,11 +302,3 @@ class Builder(TiltBuilder):
         """A pressure of a lining or a wall along a line of the outline, at its two ends."""
         self._change(lib.tp_scene_add_support_pressure,
                      *map(c_number, (x0, y0, x1, y1, first_kpa, last_kpa)), passive)
-
-    def set_bond_kpa(self, bond_kpa: Number) -> None:
-        """The tensile bond of the contact."""
-        self._change_numbers(lib.tp_scene_set_bond_kpa, bond_kpa)
-
-    def set_cohesion_kpa(self, cohesion_kpa: Number) -> None:
-        """The cohesion of the contact."""
-        self._change_numbers(lib.tp_scene_set_cohesion_kpa, cohesion_kpa)

@@ -39,7 +39,7 @@ class Chart:
         name, kind = c_path(path), ffi.new("tp_chart_format *")
         if not lib.tp_chart_format_read(kind, name):
             raise BadInput(f"{os.fspath(path)!r} must end in .svg, .pdf, .png or .csv")
-        checked(lib.tp_report_chart_file, self._c, name, kind[0])
+        checked(lib.tp_report_chart_file, name, self._c, kind[0])
 
     def svg(self) -> str:
         """The figure as SVG."""

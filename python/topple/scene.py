@@ -37,7 +37,8 @@ class Scene(Builder):
         scene = topple.Scene("mm", outline=points, friction_angle_deg=30)
 
     What is given by name means what the call `set_…` of that name means: `outline`,
-    `friction_angle_deg`. A call of several arguments takes a sequence or a mapping of them,
+    `friction_angle_deg`, or a number that `set_number` takes by its key: `joint_shift` is
+    "joint.shift", `bond_kpa` "loads.bond_kpa". A call of several arguments takes a sequence or a mapping of them,
     slab=(50, 100), water={"height": 40, "uplift": True}; what is added (`holes`, `anchors`), a list
     of such. What is not given is as in a scene file without the key: a mated base, tilt both ways,
     no friction. `length_unit` is mm, cm, m, km, in or ft.
@@ -188,7 +189,7 @@ class Scene(Builder):
 
     def write_profile(self, path: File) -> None:
         """The same into a file, which appears whole or not at all."""
-        self._use(lib.tp_scene_write_profile, self._c, c_path(path))
+        self._use(lib.tp_scene_write_profile, c_path(path), self._c)
 
     def varied(self, numbers: Mapping[str, Number]) -> Scene:
         """Another scene, in which the numbers at some keys are others, exactly, and all else is as
@@ -220,7 +221,7 @@ class Scene(Builder):
         account of moments by elements. `limit`: the static limit and the onset of motion, where the
         scene gives friction. `strength_reduction`: its factor of safety. `motion_ranges`: which
         motions can begin at every tilt. `level`: the costliest arithmetic allowed. `pivots`: which
-        get their numbers. `threads`: that sum the moments of a ring, 0 (as many as serve) to 16.
+        get their numbers. `threads` compute; 0: as many as the process may run on.
         None: as `topple solve` does.
 
         A caution is issued as a warning, `topple.Caution`; all notes are in `notes` of the
@@ -313,6 +314,14 @@ def _spread(call: Any) -> Any:
     return spread
 
 
+def _by_key(key: str) -> Any:
+    """A number that stands by itself."""
+    def put(scene: Scene, value: Number) -> None:
+        scene.set_number(key, value)
+
+    return put
+
+
 SET = {
     "title": Scene.set_title,
     "outline": Scene.set_outline,
@@ -337,11 +346,11 @@ SET = {
     "base_bound": _spread(Scene.set_base_bound),
     "base_rest": Scene.set_base_rest,
     "base_poses": Scene.set_base_poses,
-    "contact_within": Scene.set_contact_within,
-    "contact_width": Scene.set_contact_width,
-    "joint_shift": Scene.set_joint_shift,
+    "contact_within": _by_key("contact.within"),
+    "contact_width": _by_key("contact.width"),
+    "joint_shift": _by_key("joint.shift"),
     "joint_matching": _spread(Scene.set_joint_matching),
-    "joint_closure": Scene.set_joint_closure,
+    "joint_closure": _by_key("joint.closure"),
     "friction_angle_deg": Scene.set_friction_angle_deg,
     "friction_patton": _spread(Scene.set_friction_patton),
     "friction_barton": _spread(Scene.set_friction_barton),
@@ -352,8 +361,8 @@ SET = {
     "frame": Scene.set_frame,
     "slope": _spread(Scene.set_slope),
     "mean_plane": Scene.set_mean_plane,
-    "seismic_horizontal": Scene.set_seismic_horizontal,
-    "seismic_vertical": Scene.set_seismic_vertical,
+    "seismic_horizontal": _by_key("loads.seismic.horizontal"),
+    "seismic_vertical": _by_key("loads.seismic.vertical"),
     "seismic_direction": Scene.set_seismic_direction,
     "water": _spread(Scene.set_water),
     "water_level": _spread(Scene.set_water_level),
@@ -361,18 +370,18 @@ SET = {
     "tension_crack_level": Scene.set_tension_crack_level,
     "tension_crack_height": _spread(Scene.set_tension_crack_height),
     "ice": _spread(Scene.set_ice),
-    "bond_kpa": Scene.set_bond_kpa,
-    "cohesion_kpa": Scene.set_cohesion_kpa,
+    "bond_kpa": _by_key("loads.bond_kpa"),
+    "cohesion_kpa": _by_key("loads.cohesion_kpa"),
     "tilt_test": _spread(Scene.set_tilt_test),
-    "tilt_test_speed_deg_min": Scene.set_tilt_test_speed_deg_min,
-    "tilt_test_until_deg": Scene.set_tilt_test_until_deg,
-    "tilt_test_tolerance_deg": Scene.set_tilt_test_tolerance_deg,
-    "tilt_test_duration_s": Scene.set_tilt_test_duration_s,
+    "tilt_test_speed_deg_min": _by_key("tilt_test.speed_deg_min"),
+    "tilt_test_until_deg": _by_key("tilt_test.until_deg"),
+    "tilt_test_tolerance_deg": _by_key("tilt_test.tolerance_deg"),
+    "tilt_test_duration_s": _by_key("tilt_test.duration_s"),
     "tilt_test_stiffness_gpa_m": _spread(Scene.set_tilt_test_stiffness_gpa_m),
-    "tilt_test_damping": Scene.set_tilt_test_damping,
-    "tilt_test_rounding": Scene.set_tilt_test_rounding,
-    "tilt_test_time_step_s": Scene.set_tilt_test_time_step_s,
-    "tilt_test_restitution": Scene.set_tilt_test_restitution,
+    "tilt_test_damping": _by_key("tilt_test.damping"),
+    "tilt_test_rounding": _by_key("tilt_test.rounding"),
+    "tilt_test_time_step_s": _by_key("tilt_test.time_step_s"),
+    "tilt_test_restitution": _by_key("tilt_test.restitution"),
 }
 ADD = {
     "holes": Scene.add_hole,

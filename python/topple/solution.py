@@ -29,7 +29,7 @@ class CaseMethods:
     @property
     def governing_pivot(self: Any) -> Pivot | None:
         """The governing pivot."""
-        return None if self.governing is None else self.pivots[self.governing]
+        return None if self.toppling_pivot is None else self.pivots[self.toppling_pivot]
 
     def meets(self: Any, design_fos: float) -> Design:
         """Is the governing factor of safety certainly as much, at a tilt at which the block

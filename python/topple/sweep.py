@@ -89,8 +89,7 @@ def write_sweep(scene: Scene, path: File, x: str, y: str | None = None, *,
     options = options_of("sweep", x=keep[0], y=keep[1], threads=threads, digits=digits,
                          level=None if level is None else number_of(Level, level))
     json = os.fspath(path).lower().endswith(".json")
-    scene._use(lib.tp_sweep_write_file, ffi.new("tp_sweep_summary *"), scene._c, options,
-               lib.TP_SWEEP_JSON if json else lib.TP_SWEEP_CSV, c_path(path))
+    scene._use(lib.tp_sweep_write_file, ffi.new("tp_sweep_summary *"), c_path(path), scene._c, options, lib.TP_SWEEP_JSON if json else lib.TP_SWEEP_CSV)
 
 
 def _columns(text: str) -> Sweep:

@@ -20,41 +20,9 @@ class TiltBuilder(BaseBuilder):
         self._change(lib.tp_scene_set_tilt_test, number_of(TiltEngine, engine),
                      number_of(TiltProtocol, protocol), set_down)
 
-    def set_tilt_test_speed_deg_min(self, speed_deg_min: Number) -> None:
-        """The speed of the table."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_speed_deg_min, speed_deg_min)
-
-    def set_tilt_test_until_deg(self, until_deg: Number) -> None:
-        """The last tilt of the table."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_until_deg, until_deg)
-
-    def set_tilt_test_tolerance_deg(self, tolerance_deg: Number) -> None:
-        """The wanted width of the bracket."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_tolerance_deg, tolerance_deg)
-
-    def set_tilt_test_duration_s(self, duration_s: Number) -> None:
-        """The longest time of a run at a steady tilt."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_duration_s, duration_s)
-
     def set_tilt_test_stiffness_gpa_m(self, normal_gpa_m: Number, shear_gpa_m: Number) -> None:
         """The stiffness of the contact's springs per unit of its area."""
         self._change_numbers(lib.tp_scene_set_tilt_test_stiffness_gpa_m, normal_gpa_m, shear_gpa_m)
-
-    def set_tilt_test_damping(self, damping: Number) -> None:
-        """Local damping of springs, 0 to 1."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_damping, damping)
-
-    def set_tilt_test_rounding(self, rounding: Number) -> None:
-        """The radius by which springs see corners rounded."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_rounding, rounding)
-
-    def set_tilt_test_time_step_s(self, time_step_s: Number) -> None:
-        """The time step of springs."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_time_step_s, time_step_s)
-
-    def set_tilt_test_restitution(self, restitution: Number) -> None:
-        """The restitution of impacts of rigid contacts, 0 to 1."""
-        self._change_numbers(lib.tp_scene_set_tilt_test_restitution, restitution)
 
     def add_tilt_test_traction(self, facet: int, first_kpa: Number, last_kpa: Number,
                                shear_kpa: Number) -> None:

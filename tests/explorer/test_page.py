@@ -220,7 +220,7 @@ class Drawn(PageCase):
             self.assertEqual(self.value(f"document.elementFromPoint({x}, {y}).closest('.handle').dataset.handle"), key)
 
     def test_base_without_words_gets_both_ends(self):
-        """A scene that says nothing of how far the base goes on: the core wants both sides where one is told."""
+        """A scene that says nothing of how far the base extends: the core wants both sides where one is told."""
         self.example("block_e_wkt")
         self.drag("base beyond the block to the right", 30, 0)
         self.answered()

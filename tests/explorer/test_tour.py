@@ -58,7 +58,7 @@ class Tour(PanelCase):
         self.button("Next", ".tour")
         self.found("ends at the toe block E is held up to 28.735°")
         self.button("Let the base go on by 30 mm", ".tour")
-        self.found("goes on past the toe block E is held up to 35.201°, then it topples")
+        self.found("extends past the toe block E is held up to 35.201°, then it topples")
         longer = solve("examples/block_e_valley.yaml", "--set", "base.beyond.left=30")["cases"][0]
         self.assertAlmostEqual(longer["limit"]["critical_angle_deg"]["value"], 35.201, delta=0.0005)
         self.assertIn("left: 30", self.text())

@@ -23,6 +23,12 @@
     return tp_scene_##name(scene, message);                                                        \
   }
 
+/* A number by its key. */
+#define DEFINE_KEY(name, key)                                                                      \
+  static tp_status name(tp_scene *scene, const build_call *call, tp_message *message) {            \
+    return tp_scene_set_number(scene, key, N(0), message);                                         \
+  }
+
 DEFINE(set_outline, P)
 DEFINE(set_slab, N(0), N(1))
 DEFINE(set_teeth, call->count, N(0), N(1), N(2), (tp_left_end)call->choice)
@@ -57,16 +63,16 @@ DEFINE_BARE(set_frame_base)
 DEFINE_BARE(set_frame_world)
 DEFINE(set_slope, N(0), (tp_direction)call->choice)
 DEFINE(set_mean_plane, P)
-DEFINE(set_seismic_horizontal, N(0))
-DEFINE(set_seismic_vertical, N(0))
+DEFINE_KEY(set_seismic_horizontal, "loads.seismic.horizontal")
+DEFINE_KEY(set_seismic_vertical, "loads.seismic.vertical")
 DEFINE(set_water, N(0), N(1), (call->choice & 1) != 0, (call->choice & 2) != 0)
 DEFINE(add_pressure, N(0), N(1), N(2), N(3), N(4), N(5))
 DEFINE(add_surcharge, N(0), N(1), N(2), N(3), N(4))
 DEFINE(add_anchor, N(0), N(1), N(2), N(3), (call->choice & 1) != 0)
 DEFINE(add_bolt, N(0), N(1), N(2), N(3), (call->choice & 1) != 0)
 DEFINE(add_support_pressure, N(0), N(1), N(2), N(3), N(4), N(5), (call->choice & 1) != 0)
-DEFINE(set_bond_kpa, N(0))
-DEFINE(set_cohesion_kpa, N(0))
+DEFINE_KEY(set_bond_kpa, "loads.bond_kpa")
+DEFINE_KEY(set_cohesion_kpa, "loads.cohesion_kpa")
 
 static tp_status set_title(tp_scene *scene, const build_call *call, tp_message *message) {
   static const char *const titles[] = {"Built", "\xff\x1b[1m", NULL, "\"]}"};

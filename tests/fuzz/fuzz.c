@@ -52,10 +52,10 @@ static void check_case(const tp_case *c) {
     check_bounded(pivot->x_m);
     check_bounded(pivot->y_m);
     if (!pivot->never && !pivot->always) check_bounded(pivot->critical_angle_deg);
-    check_fos(pivot->fos_resultant);
+    check_fos(pivot->fos);
     check_fos(pivot->fos_elements);
   }
-  FUZZ_EXPECT(!c->has_governing || c->governing < c->pivot_count);
+  FUZZ_EXPECT(!c->has_toppling_pivot || c->toppling_pivot < c->pivot_count);
   check_limit(&c->limit);
   check_limit(&c->limit_otherwise);
   if (c->has_margin) check_bounded(c->margin_deg);

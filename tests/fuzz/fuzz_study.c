@@ -23,12 +23,12 @@ static void check(const tp_study_result *result) {
   for (size_t k = 0; k < result->tilt_count && result->samples > 0; k++) {
     size_t counted = 0;
     for (int j = 0; j < TP_STUDY_OUTCOMES; j++) {
-      counted += result->tilts[k].outcomes[j].count;
+      counted += result->tilts[k].outcomes[j].samples;
       check_share(result->tilts[k].outcomes[j]);
     }
     FUZZ_EXPECT(counted == result->samples);
-    check_share(result->tilts[k].stands);
-    check_share(result->tilts[k].moves);
+    check_share(result->tilts[k].certain_to_stand);
+    check_share(result->tilts[k].certain_to_move);
   }
   char *text = NULL;
   FUZZ_EXPECT(tp_report_study(&text, result) == TP_OK);

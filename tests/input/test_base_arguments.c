@@ -17,13 +17,13 @@ START_TEST(profiles) {
   char *text = UNTOUCHED(char);
   REFUSED(tp_scene_profile_csv(NULL, scene, &message), "'text' must not be NULL");
   REFUSED(tp_scene_profile_csv(&text, NULL, &message), "'scene' must not be NULL");
-  REFUSED(tp_scene_profile_csv(&text, scene, &message), "the base has no profile of its own");
-  REFUSED(tp_scene_write_profile(NULL, "x.csv", &message), "'scene' must not be NULL");
-  REFUSED(tp_scene_write_profile(scene, NULL, &message), "'path' must not be NULL");
-  REFUSED(tp_scene_write_profile(scene, "x.csv", &message), "the base has no profile of its own");
+  REFUSED(tp_scene_profile_csv(&text, scene, &message), "the base has no separate profile");
+  REFUSED(tp_scene_write_profile("x.csv", NULL, &message), "'scene' must not be NULL");
+  REFUSED(tp_scene_write_profile(NULL, scene, &message), "'path' must not be NULL");
+  REFUSED(tp_scene_write_profile("x.csv", scene, &message), "the base has no separate profile");
   ck_assert_ptr_eq(text, UNTOUCHED(char));
   DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 2), &message));
-  ck_assert_int_eq(tp_scene_write_profile(scene, "/dev/null/x.csv", &message), TP_SYSTEM_FAILED);
+  ck_assert_int_eq(tp_scene_write_profile("/dev/null/x.csv", scene, &message), TP_SYSTEM_FAILED);
   DO(tp_scene_profile_csv(&text, scene, &message));
   ck_assert_str_eq(text, "x,y\n-1,0\n5,0\n");
   free(text);
@@ -78,7 +78,7 @@ START_TEST(loads) {
   REFUSED(tp_scene_set_tension_crack_height(scene, E(-1), E(0), &message), "height");
   REFUSED(tp_scene_set_tension_crack_height(scene, E(1), E(-1), &message), "distance");
   REFUSED(tp_scene_set_ice(scene, E(1), E(1), &message), "set that before");
-  REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "horizontal");
+  REFUSED(tp_scene_set_number(scene, "loads.seismic.horizontal", E(NAN), &message), "horizontal");
   REFUSED(tp_scene_set_seismic_direction(scene, (tp_seismic_direction)3, &message), "direction");
   REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");
   REFUSED(tp_scene_add_surcharge(scene, E(0), E(0), E(0), E(1), E(-1), &message), "kpa");
@@ -88,8 +88,10 @@ START_TEST(loads) {
   REFUSED(tp_scene_set_bolt_length(scene, 0, E(1), &message), "no bolt of this number");
   REFUSED(tp_scene_add_support_pressure(scene, E(0), E(0), E(0), E(1), E(-1), E(1), true, &message),
           "first_kpa");
-  REFUSED(tp_scene_set_bond_kpa(scene, E(-1), &message), "bond_kpa must not be negative");
-  REFUSED(tp_scene_set_cohesion_kpa(scene, E(-1), &message), "cohesion_kpa must not be negative");
+  REFUSED(tp_scene_set_number(scene, "loads.bond_kpa", E(-1), &message),
+          "bond_kpa must not be negative");
+  REFUSED(tp_scene_set_number(scene, "loads.cohesion_kpa", E(-1), &message),
+          "cohesion_kpa must not be negative");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);

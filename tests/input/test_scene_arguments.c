@@ -50,11 +50,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_base_mated(own, true, &message), why);
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
   REFUSED(tp_scene_set_base_poses(own, true, &message), why);
-  REFUSED(tp_scene_set_contact_within(own, E(1), &message), why);
-  REFUSED(tp_scene_set_contact_width(own, E(1), &message), why);
-  REFUSED(tp_scene_set_joint_shift(own, E(1), &message), why);
   REFUSED(tp_scene_set_joint_matching(own, E(0.5), true, &message), why);
-  REFUSED(tp_scene_set_joint_closure(own, E(1), &message), why);
   REFUSED(tp_scene_set_base_profile(own, s, &message), why);
   REFUSED(tp_scene_set_base_teeth(own, &teeth, &message), why);
   REFUSED(tp_scene_set_base_self_affine(own, &rough, &message), why);
@@ -77,10 +73,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_frame_base(own, &message), why);
   REFUSED(tp_scene_set_frame_world(own, &message), why);
   REFUSED(tp_scene_set_slope(own, E(1), TP_TOWARDS_LEFT, &message), why);
-  REFUSED(tp_scene_set_dip_direction_deg(own, E(1), &message), why);
   REFUSED(tp_scene_set_mean_plane(own, tp_coordinates_of(square, 2), &message), why);
-  REFUSED(tp_scene_set_seismic_horizontal(own, E(1), &message), why);
-  REFUSED(tp_scene_set_seismic_vertical(own, E(1), &message), why);
   REFUSED(tp_scene_set_seismic_direction(own, TP_SEISMIC_BOTH, &message), why);
   REFUSED(tp_scene_set_water(own, E(1), E(10), false, false, &message), why);
   REFUSED(
@@ -103,8 +96,6 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_bolt_capacity_kn(own, 1, E(1), &message), why);
   REFUSED(tp_scene_set_bolt_spacing(own, 1, E(1), &message), why);
   REFUSED(tp_scene_set_bolt_rows(own, 1, 2, E(0), E(1), &message), why);
-  REFUSED(tp_scene_set_bond_kpa(own, E(1), &message), why);
-  REFUSED(tp_scene_set_cohesion_kpa(own, E(1), &message), why);
 }
 
 START_TEST(scenes) {
@@ -228,12 +219,12 @@ END_TEST
 START_TEST(outlines_at_once) {
   tp_solution *solution = UNTOUCHED(tp_solution);
 #define AT_ONCE(xy, count, friction, tilt)                                                         \
-  tp_solve_outline(&solution, "m", xy, count, friction, tilt, &message)
-  REFUSED(tp_solve_outline(NULL, "m", square, 4, 30, 20, &message),
+  tp_solve_outline(&solution, xy, count, "m", friction, tilt, &message)
+  REFUSED(tp_solve_outline(NULL, square, 4, "m", 30, 20, &message),
           "tp_solve_outline: 'solution' must not be NULL");
-  REFUSED(tp_solve_outline(&solution, NULL, square, 4, 30, 20, &message), "'length_unit'");
+  REFUSED(tp_solve_outline(&solution, square, 4, NULL, 30, 20, &message), "'length_unit'");
   REFUSED(AT_ONCE(NULL, 4, 30, 20), "tp_solve_outline: 'outline' must not be NULL");
-  REFUSED(tp_solve_outline(&solution, "yd", square, 4, 30, 20, &message), "one of mm, cm, m");
+  REFUSED(tp_solve_outline(&solution, square, 4, "yd", 30, 20, &message), "one of mm, cm, m");
   REFUSED(AT_ONCE(square, 0, 30, 20), "tp_scene_set_outline");
   REFUSED(AT_ONCE(square, 2, 30, 20), "tp_scene_set_outline");
   REFUSED(AT_ONCE(square, SIZE_MAX / 2 + 2, 30, 20), "at most 100 million");
@@ -241,7 +232,7 @@ START_TEST(outlines_at_once) {
   REFUSED(AT_ONCE(square, 4, NAN, 20), "tp_scene_set_friction_angle_deg: angle_deg must be");
   REFUSED(AT_ONCE(square, 4, 30, -1), "tp_scene_set_tilt_angle_deg: angle_deg must lie");
   REFUSED(AT_ONCE(square, 4, 30, INFINITY), "tp_scene_set_tilt_angle_deg: angle_deg must be");
-  ck_assert_int_eq(tp_solve_outline(&solution, "m", square, 4, 90, 20, NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_solve_outline(&solution, square, 4, "m", 90, 20, NULL), TP_BAD_INPUT);
   ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
 }
 END_TEST
@@ -260,8 +251,8 @@ START_TEST(whole_scenes) {
   tp_scene_free(empty);
   REFUSED(tp_derive(&derivation, scene, &derive, &message), "built in memory");
   REFUSED(tp_derive_family(&family, scene, TP_NOTATION_TEXT, &message), "built in memory");
-  DO(tp_scene_set_bond_kpa(scene, E(1), &message));
-  REFUSED(SOLVE(scene), "tp_scene_set_bond_kpa: loads are weighed against the block");
+  DO(tp_scene_set_number(scene, "loads.bond_kpa", E(1), &message));
+  REFUSED(SOLVE(scene), "loads.bond_kpa: loads are weighed against the block");
   DO(tp_scene_set_friction_barton(scene, E(30), E(8), E(100), &message));
   DO(tp_scene_set_unit_weight_kn_m3(scene, E(25), &message));
   DO(tp_scene_add_arc_bulge(scene, E(0), E(0), E(1), &message));

@@ -44,7 +44,7 @@ END_TEST
 START_TEST(outline_at_once) {
   tp_solution *solution = NULL;
   char *text = NULL;
-  DO(tp_solve_outline(&solution, "cm", feet, 6, 31.5, 12.25, &message));
+  DO(tp_solve_outline(&solution, feet, 6, "cm", 31.5, 12.25, &message));
   ck_assert_int_eq(solution->case_count, 2);
   ck_assert_str_eq(tp_mechanism_name(solution->cases[0].mechanism), "stands");
   ck_assert_int_eq(tp_report_csv(&text, (const tp_solution *const *)&solution, 1), TP_OK);
@@ -185,7 +185,7 @@ START_TEST(bases) {
   expect_equal(json, solve(read, 9));
   tp_scene_free(read);
   DO(tp_scene_set_base_poses(scene, false, &message));
-  DO(tp_scene_set_contact_within(scene, E(0.125), &message));
+  DO(tp_scene_set_number(scene, "contact.within", E(0.125), &message));
   json = solve(scene, 9);
   DO(tp_scene_read_text(&read,
                         BLOCK "base: {profile: [[-1, 0], [2, 0], [2, -1], [5, 0]]}\n"
@@ -196,8 +196,8 @@ START_TEST(bases) {
   DO(tp_scene_set_base_mated(scene, true, &message)); /* the profile is dropped, and the rest */
   DO(tp_scene_set_base_rest(scene, true, &message));
   DO(tp_scene_set_joint_matching(scene, E(0.5), true, &message)); /* replaced */
-  DO(tp_scene_set_joint_closure(scene, E(0.125), &message));
-  DO(tp_scene_set_joint_shift(scene, E(-0.125), &message));
+  DO(tp_scene_set_number(scene, "joint.closure", E(0.125), &message));
+  DO(tp_scene_set_number(scene, "joint.shift", E(-0.125), &message));
   json = solve(scene, 9);
   DO(tp_scene_read_text(&read,
                         BLOCK "base: {mated: whole}\njoint: {shift: -0.125, closure: 0.125}\n", "x",
@@ -274,7 +274,7 @@ START_TEST(slope) {
   DO(tp_scene_set_slab(scene, E(1.5), E(4), &message));
   DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
   DO(tp_scene_set_slope(scene, E(14.5), TP_TOWARDS_LEFT, &message));
-  DO(tp_scene_set_dip_direction_deg(scene, E(135), &message));
+  DO(tp_scene_set_number(scene, "slope.dip_direction_deg", E(135), &message));
   expect_same(scene, "topple: 1\nlength_unit: m\nblock: {slab: {width: 1.5, height: 4}}\n"
                      "friction_angle_deg: 30\n"
                      "slope: {dip_deg: 14.5, towards: left, dip_direction_deg: 135}\n");

@@ -23,8 +23,8 @@ static tp_scene *weighed_square(void) {
 START_TEST(loads) {
   tp_scene *scene = weighed_square();
   DO(tp_scene_set_friction_angle_deg(scene, E(35), &message));
-  DO(tp_scene_set_seismic_horizontal(scene, T("0.1"), &message));
-  DO(tp_scene_set_seismic_vertical(scene, T("-0.05"), &message));
+  DO(tp_scene_set_number(scene, "loads.seismic.horizontal", T("0.1"), &message));
+  DO(tp_scene_set_number(scene, "loads.seismic.vertical", T("-0.05"), &message));
   DO(tp_scene_set_water(scene, E(3), T("9.81"), false, true, &message));
   DO(tp_scene_add_pressure(scene, E(4), E(1), E(4), E(3), E(5), E(10), &message));
   DO(tp_scene_add_pressure(scene, E(4), E(4), E(4), E(5), E(2), E(2), &message));
@@ -49,12 +49,12 @@ START_TEST(loads) {
               "row_step: [0, -1], passive: true}]\n"
               "  support_pressures: [{from: [0, 4], to: [0, 1], kpa: [3, 2], passive: false}]\n");
   scene = weighed_square();
-  DO(tp_scene_set_bond_kpa(scene, E(30), &message));
+  DO(tp_scene_set_number(scene, "loads.bond_kpa", E(30), &message));
   DO(tp_scene_set_water(scene, E(2), E(10), true, false, &message));
   expect_same(scene, WEIGHED "loads: {bond_kpa: 30, water: {height: 2, unit_weight_kn_m3: 10, "
                              "stays_level: true}}\n");
   scene = weighed_square();
-  DO(tp_scene_set_cohesion_kpa(scene, E(12), &message));
+  DO(tp_scene_set_number(scene, "loads.cohesion_kpa", E(12), &message));
   DO(tp_scene_set_friction_angle_deg(scene, E(28), &message));
   expect_same(scene, WEIGHED "loads: {cohesion_kpa: 12}\nfriction_angle_deg: 28\n");
 }

@@ -76,9 +76,9 @@ START_TEST(sweeps) {
   REFUSED(tp_sweep_write(NULL, scene, &o, TP_SWEEP_CSV, texts, &message), "'summary'");
   REFUSED(tp_sweep_write(&sum, scene, &o, (tp_sweep_format)9, texts, &message), "no such format");
   REFUSED(tp_sweep_write(&sum, scene, &o, TP_SWEEP_CSV, no_texts, &message), "'sink.take'");
-  REFUSED(tp_sweep_write_file(NULL, scene, &o, TP_SWEEP_CSV, path, &message), "'summary'");
-  REFUSED(tp_sweep_write_file(&sum, scene, &o, TP_SWEEP_CSV, NULL, &message), "'path'");
-  ck_assert_int_eq(tp_sweep_write_file(&sum, scene, &o, TP_SWEEP_CSV, path, &message),
+  REFUSED(tp_sweep_write_file(NULL, path, scene, &o, TP_SWEEP_CSV, &message), "'summary'");
+  REFUSED(tp_sweep_write_file(&sum, NULL, scene, &o, TP_SWEEP_CSV, &message), "'path'");
+  ck_assert_int_eq(tp_sweep_write_file(&sum, path, scene, &o, TP_SWEEP_CSV, &message),
                    TP_SYSTEM_FAILED);
   tp_sweep_options_init(NULL, sizeof o);
   ck_assert_uint_eq(sum.count, 7);

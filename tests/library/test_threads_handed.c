@@ -73,9 +73,12 @@ START_TEST(threads_within_a_call) {
     free(of_thread[k]);
   }
   char *by_one = solved_by(scene, 1), *by_seven = solved_by(scene, 7);
+  char *by_most = solved_by(scene, SIZE_MAX); /* more than serve, as for a sweep or a study */
   ck_assert_str_eq(by_one, by_seven);
+  ck_assert_str_eq(by_one, by_most);
   free(by_one);
   free(by_seven);
+  free(by_most);
   sayings_forget(&alone);
   tp_scene_free(scene);
 }

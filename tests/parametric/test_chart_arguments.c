@@ -24,10 +24,10 @@ START_TEST(charts) {
   UNWRITTEN(tp_report_chart_csv(&text, NULL));
   UNWRITTEN(tp_report_chart_json(NULL, own));
   UNWRITTEN(tp_report_chart_json(&text, NULL));
-  REFUSED(tp_report_chart_file(NULL, "/tmp/x.csv", TP_CHART_CSV, &message), "'chart'");
-  REFUSED(tp_report_chart_file(own, NULL, TP_CHART_CSV, &message), "'path'");
-  REFUSED(tp_report_chart_file(own, "/tmp/x.csv", (tp_chart_format)4, &message), "format");
-  REFUSED(tp_report_chart_file(own, "/tmp/x.csv", (tp_chart_format)-1, &message), "format");
+  REFUSED(tp_report_chart_file("/tmp/x.csv", NULL, TP_CHART_CSV, &message), "'chart'");
+  REFUSED(tp_report_chart_file(NULL, own, TP_CHART_CSV, &message), "'path'");
+  REFUSED(tp_report_chart_file("/tmp/x.csv", own, (tp_chart_format)4, &message), "format");
+  REFUSED(tp_report_chart_file("/tmp/x.csv", own, (tp_chart_format)-1, &message), "format");
   tp_chart_format format = TP_CHART_SVG;
   ck_assert(!tp_chart_format_read(NULL, "x.svg") && !tp_chart_format_read(&format, NULL));
   ck_assert_ptr_eq(text, &untouched);

@@ -33,7 +33,7 @@ static bool take(void *context, const tp_sweep_point *point) {
   ck_assert_int_eq(point->solution != NULL, point->message[0] == '\0');
   if (point->solution != NULL) {
     const tp_case *c = point->solution->cases;
-    own->moments_deg[own->count] = c->pivots[c->governing].critical_angle_deg.value;
+    own->moments_deg[own->count] = c->pivots[c->toppling_pivot].critical_angle_deg.value;
   } else {
     snprintf(own->message, sizeof own->message, "%.199s", point->message);
   }

@@ -24,7 +24,7 @@ START_TEST(json_of_what_is_no_number) {
   json_has(&s, "\"critical_angle_is\": \"never\", \"fos\": null, \"fos_is\": \"unbounded: ");
   c->sliding = (tp_sliding){.known = true, .always = true};
   json_has(&s, "\"critical_angle_deg\": null, \"critical_angle_is\": \"always\", \"fos\": {");
-  c->limit_back.kind = TP_LIMIT_NOWHERE;
+  c->limit_holds_from.kind = TP_LIMIT_NOWHERE;
   json_has(&s, "\"holds_from_deg\": null, \"holds_from_is\": \"at no tilt\", ");
   c->limit.tie = true;
   c->limit.tied_with = TP_TOPPLES;
@@ -38,10 +38,10 @@ END_TEST
 /* A factor below zero is the governing pivot's alone. */
 START_TEST(json_of_pivots) {
   tp_solution s = filled();
-  tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .told = true, .never = true},
-                     {.kind = TP_PIVOT_VALLEY, .told = true}};
+  tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .computed = true, .never = true},
+                     {.kind = TP_PIVOT_VALLEY, .computed = true}};
   for (int k = 0; k < 2; k++) {
-    own[k].fos_resultant = (tp_fos){.state = TP_FOS_NUMBER, .value = {.value = -2}};
+    own[k].fos = (tp_fos){.state = TP_FOS_NUMBER, .value = {.value = -2}};
     own[k].fos_elements = (tp_fos){.state = TP_FOS_UNDEFINED};
   }
   own[1].admissible = true;

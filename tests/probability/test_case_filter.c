@@ -91,10 +91,10 @@ static void meets_factor(tp_fos_told own, tp_case_state state, tp_bounded other,
 static void compare(const tp_case_told *told, const tp_case_told_at *at, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   ck_assert_int_eq(c->limit.kind, TP_LIMIT_AT_ANGLE);
-  ck_assert(c->has_governing);
-  meets(told->moments_deg, c->pivots[c->governing].critical_angle_deg, "moments");
-  meets(told->pivot_x_m, c->pivots[c->governing].x_m, "the pivot's x");
-  meets(told->pivot_y_m, c->pivots[c->governing].y_m, "the pivot's y");
+  ck_assert(c->has_toppling_pivot);
+  meets(told->moments_deg, c->pivots[c->toppling_pivot].critical_angle_deg, "moments");
+  meets(told->pivot_x_m, c->pivots[c->toppling_pivot].x_m, "the pivot's x");
+  meets(told->pivot_y_m, c->pivots[c->toppling_pivot].y_m, "the pivot's y");
   meets(told->limit_deg, c->limit.critical_angle_deg, "the limit");
   ck_assert_str_eq(tp_mechanism_name(told->limit), tp_mechanism_name(c->limit.mechanism));
   ck_assert_int_eq(c->onset.kind, told->never ? TP_ONSET_NEVER : TP_ONSET_AT_ANGLE);

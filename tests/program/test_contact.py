@@ -22,7 +22,7 @@ OTHERS = [(2, 1), (2, -1), (3, 1), (3, -2), (1, 2), (1, -3), (4, -1), (5, 3), (0
 
 
 class Scene:
-    """A block on a base; `base` is a profile, or how far a mated base goes on."""
+    """A block on a base; `base` is a profile, or how far a mated base extends."""
 
     def __init__(self, outline, corners, base, model, friction):
         self.outline, self.corners, self.base = outline, corners, base

@@ -120,8 +120,8 @@ class InPlaceOfAScene(unittest.TestCase):
             self.assertIn(why, err)
 
     def test_refused(self):
-        for words, why in ((("solve", "--unit", "mm", "scene.yaml"), "a scene says its own length_unit"),
-                           (("profile", "--unit", "mm", "scene.yaml"), "a scene says its own length_unit"),
+        for words, why in ((("solve", "--unit", "mm", "scene.yaml"), "a scene states it length_unit"),
+                           (("profile", "--unit", "mm", "scene.yaml"), "a scene states it length_unit"),
                            (("derive", "section.wkt"), "--unit mm"),
                            (("sweep", "--unit", "yd", "--x", "friction_angle_deg=1,2", "section.wkt"),
                             "unit must be one of mm, cm, m, km, in, ft"),

@@ -204,7 +204,7 @@ class Generate(GenerateCase):
             self.assertIn(expected, err, made)
             self.assertFalse((self.path / "none.csv").exists())
         status, _, err = run("solve", ROOT / "examples" / "slab.yaml", "--write-profile", self.path / "none.csv")
-        self.assertIn("the base has no profile of its own", err)
+        self.assertIn("the base has no separate profile", err)
 
 
 if __name__ == "__main__":

@@ -172,7 +172,7 @@ class Governing(GoverningCase):
         report = run("solve", self.scene(APEXES))[1]
         self.assertIn("Does not stand: no forces of the base hold it at any tilt", report)
         self.assertNotIn("up-dip", report)
-        self.assertNotIn("By contact forces, on a base that goes on past the toe: \n", report)
+        self.assertNotIn("By contact forces, on a base that extends past the toe: \n", report)
 
 
 if __name__ == "__main__":

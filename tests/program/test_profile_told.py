@@ -85,7 +85,7 @@ class Refused(ProfileCase):
         self.refused(path, "a normal stress beside JCS", "--jcs", "100")
         self.refused(path, "JCS beside the normal stress", "--stress", "100")
         self.refused(ROOT / "examples" / "block_e_valley.yaml", "JCS beside", "--stress", "100")
-        self.refused(ROOT / "examples" / "slab.yaml", "a scene says its own length_unit", "--unit", "mm")
+        self.refused(ROOT / "examples" / "slab.yaml", "a scene states it length_unit", "--unit", "mm")
         for wrong in (("--step", "0"), ("--step", "-1"), ("--step", "x"), ("--scale", "0"), ("--detrend", "both"),
                       ("--resample", "fourier"), ("--window", "bartlett"), ("--jcs", "nan"), ("--all",), ("--json", "--csv"),
                       ("-o", "x.txt"), (path,)):

@@ -50,8 +50,8 @@ class Formulas(unittest.TestCase):
         self.assertEqual(own.report(), printed("derive", "--elements", "--rounded", "--limit", BLOCK))
         self.assertEqual(list(own.symbols), told["symbols"])
         for pivot, mine in zip(told["pivots"], own.pivots, strict=True):
-            self.assertEqual(pivot["tan_critical_angle"], {"numerator": mine.tangent.numerator,
-                                                           "denominator": mine.tangent.denominator})
+            self.assertEqual(pivot["tan_critical_angle"], {"numerator": mine.tan_critical_angle.numerator,
+                                                           "denominator": mine.tan_critical_angle.denominator})
             self.assertEqual((pivot["towards"], pivot["kind"], pivot["governs"]),
                              (mine.towards.value, mine.kind.value, mine.governs))
             self.assertEqual(pivot["critical_angle_deg"]["value"], mine.critical_angle_deg.value)
@@ -74,17 +74,17 @@ class Formulas(unittest.TestCase):
         crosses = [(p, q, p[0] * q[1] - q[0] * p[1]) for p, q in zip(points, points[1:] + points[:1])]
         x, y = (sum((p[k] + q[k]) * cross for p, q, cross in crosses) for k in (0, 1))
         derivation = topple.derive(topple.Scene.read(BLOCK), limit=True)
-        tangent = derivation.governing("left").tangent
+        tangent = derivation.governing("left").tan_critical_angle
         self.assertEqual(tangent(a=30, b=120, c=5), x / y)
         self.assertEqual(tangent({"a": a}, b=b, c=c), x / y)
         self.assertAlmostEqual(tangent(a=30.0, b=120.0, c=5.0), float(x / y), delta=1e-15)
         widths = numpy.linspace(10, 50, 5)
         self.assertEqual(list(tangent(a=widths, b=120, c=5)), [tangent(a=w, b=120, c=5) for w in widths])
         limit = derivation.limit[topple.Direction.LEFT]
-        angle = limit.tangent({"tan(phi)": math.tan(math.radians(30))}, a=30, b=120, c=5)
+        angle = limit.tan_critical_angle({"tan(phi)": math.tan(math.radians(30))}, a=30, b=120, c=5)
         self.assertAlmostEqual(math.degrees(math.atan(angle)), limit.critical_angle_deg.value, delta=1e-12)
         self.assertRaises(KeyError, tangent, a=1, b=2)
-        latex = topple.derive(topple.Scene.read(BLOCK), notation="latex").governing("left").tangent
+        latex = topple.derive(topple.Scene.read(BLOCK), notation="latex").governing("left").tan_critical_angle
         self.assertIn("\\frac", str(latex))
         self.assertRaises(ValueError, latex, a=30, b=120, c=5)
 
@@ -94,8 +94,8 @@ class Formulas(unittest.TestCase):
         self.assertEqual(json.loads(family.to_json()), json.loads(printed("derive", "--json", "--for-all=count", BLOCK)))
         self.assertEqual(family.report(), printed("derive", "--for-all=count", BLOCK))
         (odd,) = [f for f in family.formulas if f.towards is topple.Direction.LEFT and not f.even]
-        self.assertEqual(odd.tangent(a=30, b=120, c=5, N=3),
-                         topple.derive(topple.Scene.read(BLOCK)).governing("left").tangent(a=30, b=120, c=5))
+        self.assertEqual(odd.tan_critical_angle(a=30, b=120, c=5, N=3),
+                         topple.derive(topple.Scene.read(BLOCK)).governing("left").tan_critical_angle(a=30, b=120, c=5))
 
 
 class Claims(unittest.TestCase):
@@ -277,7 +277,7 @@ class Find(unittest.TestCase):
 
         self.assertEqual(timeless(own.to_json()), timeless(printed("tilt", "--converge", "--json", path)))
         self.assertTrue(own.cases[0].converged)
-        self.assertEqual({finding.setting for finding in own.cases[0].findings},
+        self.assertEqual({finding.setting for finding in own.cases[0].settings},
                          {topple.ConvergeSetting.STIFFNESS, topple.ConvergeSetting.STIFFNESS_RATIO,
                           topple.ConvergeSetting.TOLERANCE})
         self.assertIn("Converged to the 0.01°", own.report())
@@ -345,7 +345,7 @@ class Find(unittest.TestCase):
                 self.assertTrue(own.columns["moments_deg"][k] != own.columns["moments_deg"][k])
                 continue
             case = scene.varied({"friction_angle_deg": angle, "c": depth}).solve().cases[0]
-            self.assertEqual(own.columns["moments_deg"][k], float(case.pivots[case.governing].critical_angle_deg))
+            self.assertEqual(own.columns["moments_deg"][k], float(case.pivots[case.toppling_pivot].critical_angle_deg))
             self.assertEqual(own.columns["first"][k], case.first.value)
         self.assertRaises(topple.BadInput, topple.sweep, scene, "c=1:2")
         with tempfile.TemporaryDirectory() as folder:

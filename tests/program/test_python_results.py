@@ -18,11 +18,9 @@ from topple.words import Word
 EXAMPLES = example_scenes()
 #: Keys of JSON by the record that they stand in, and where Python has them.
 ELSEWHERE = {
-    "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
-                "right_end": lambda c: (c.right_end, c.right_x_m, c.right_y_m), "share_of_height": lambda c: c.reach},
-    "Frame": {"turned_about": lambda f: (f.about_x_m, f.about_y_m)},
-    "Rest": {"contacts": lambda r: r.touches},
-    "Pivot": {"fos": lambda p: p.fos_resultant},
+    "Contact": {"left_end": lambda c: (c.left_end, c.left_end_x_m, c.left_end_y_m),
+                "right_end": lambda c: (c.right_end, c.right_end_x_m, c.right_end_y_m)},
+    "Frame": {"turned_about": lambda f: (f.turned_about_x_m, f.turned_about_y_m)},
     "Sliding": {"facet": lambda s: ((s.facet_x0_m, s.facet_y0_m), (s.facet_x1_m, s.facet_y1_m))},
     "GoverningFos": {key: (lambda name: lambda g: getattr(g.factors[g.factor], name) if g.factor is not None else None)(key)
                      for key in ("mechanism", "definition", "pivot")},
@@ -34,7 +32,7 @@ WORDS = {"index", "critical_angle_is", "method", "tie_is", "fos_is", "fos_elemen
          "cut_by_default", "weight_unit", "limit_angle_is", "too_dear", "mean_plane"}
 CHECKED_APART = {"Limit": {"otherwise", "holds_from", "holds_from_deg", "holds_from_is", "base_matters", "slides_sooner",
                            "facet", "fos_mechanism"},
-                 "Frame": {"about_x_m", "about_y_m", "dip_deg", "dips_towards", "stated"},
+                 "Frame": {"turned_about_x_m", "turned_about_y_m", "dip_deg", "dips_towards", "stated"},
                  "Onset": {"ranges"}, "MotionContact": {"facet"}, "Motion": {"strength"}}
 
 
@@ -90,9 +88,9 @@ class Solutions(unittest.TestCase):
         for pivot in told["pivots"]:
             same.same(pivot, case.pivots[pivot["index"]], f"{way}.pivots")
         if told["toppling"] is not None:
-            self.assertEqual(told["toppling"]["pivot"], case.governing, way)
+            self.assertEqual(told["toppling"]["pivot"], case.toppling_pivot, way)
             same.same(told["toppling"]["critical_angle_deg"], case.governing_pivot.critical_angle_deg, way)
-        for key in ("sliding", "toe", "account"):
+        for key in ("sliding", "toe", "elements"):
             if told.get(key) is not None:
                 same.same(told[key], getattr(case, key), f"{way}.{key}")
         if told.get("limit") is not None and told["limit"]["mechanism"] != "holds nowhere":
@@ -176,7 +174,7 @@ GIVEN = {"tp_message", "tp_notes", "tp_settings", "tp_sweep_point", "tp_sweep_si
          "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis", "tp_derived_checks", "tp_numbers",
          "tp_outlines", "tp_study_column", "tp_figure_consent", "topple_run"}
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
-FLAGS = {"known", "limits", "decimals"}
+FLAGS = {"known", "limits", "decimals", "size", "case_size"}
 
 
 class Mirrors(unittest.TestCase):

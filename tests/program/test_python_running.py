@@ -105,7 +105,7 @@ class Copies(unittest.TestCase):
         """Made in every way that there is, and changed after that."""
         built = topple.Scene("mm", outline=numpy.array(SQUARE, dtype=float), friction_angle_deg="33.3", tilt_angle_deg=12,
                              unit_weight_kn_m3=26)
-        built.set_cohesion_kpa("1/3")
+        built.set_number("loads.cohesion_kpa", "1/3")
         built.set_thickness(2)
         read = topple.Scene.read(ROOT / "examples" / "block_e_valley.yaml")
         return {"built": built, "read": read, "varied": read.varied({"a": "100/3"}), "set": read.with_settings("b=4*a+1/7"),

@@ -158,6 +158,7 @@ class Scenes(unittest.TestCase):
             "tp_numbers_of", "tp_numbers_each", "tp_outlines_of", "tp_outlines_ragged",  # likewise
             "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
             "tp_sweep",  # said by tp_sweep_write
+            "tp_solution_case",  # of structs that a C program was compiled with
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
             "tp_status_exit", "tp_version_number", "tp_plain_text",  # for programs and terminals
             "tp_figure_is_file_name", "tp_sheet_is_file_name", "tp_sheet_is_language", "tp_sheet_languages",

@@ -53,20 +53,20 @@ class Spectrum(unittest.TestCase):
         """A whole period of a sine overturns a slab after one impact or before any, and between these it is spared (Zhang and
         Makris 2001): just inside of each edge of such an island Housner's slab is spared, just outside it is overturned."""
         rows = self.rows(self.write(SLAB + PULSE.format(form="full_sine", f=1)), "1.2:2.4:4")
-        edges = [row for row in rows if row["panel_of"] == "frequency" and row["edge"] in ("spared again from", "spared up to")]
+        edges = [row for row in rows if row["panel_of"] == "frequency" and row["edge"] in ("stands again from", "stands up to")]
         self.assertEqual(len(edges), 8)
         for row in edges:
             frequency, peak, half = float(row["x"]), float(row["pga_g"]), float(row["y_error"])
             below = overturns((peak - half) * (1 - 5e-4), frequency, 1)
             above = overturns((peak + half) * (1 + 5e-4), frequency, 1)
-            self.assertEqual((below, above), (True, False) if row["edge"] == "spared again from" else (False, True), row)
+            self.assertEqual((below, above), (True, False) if row["edge"] == "stands again from" else (False, True), row)
 
     def test_record(self):
         """At the speed of its record: the two ends of the bracket, and of an island, as the test itself runs them."""
         boulder = ROOT / "examples" / "shaken_boulder.yaml"
         rows = [row for row in self.rows(boulder, "1:1.5:2") if row["panel_of"] == "frequency" and float(row["x"]) == 1]
         peak = json.loads(run("tilt", "--json", boulder)[1])["shaking"]["horizontal"]["peak_g"]
-        edges = {"least found that overturns": (False, True), "spared again from": (True, False), "spared up to": (False, True)}
+        edges = {"least found that overturns": (False, True), "stands again from": (True, False), "stands up to": (False, True)}
         self.assertEqual({row["edge"] for row in rows}, set(edges))
         for row in rows:
             for sign, overturned in zip((-1, 1), edges[row["edge"]]):
@@ -80,7 +80,7 @@ class Spectrum(unittest.TestCase):
         scene = self.write(SLAB + PULSE.format(form="full_sine", f=1))
         self.assertEqual(run("tilt", "--json", "--spectrum", path, "--frequencies", "1.6:2:2", scene)[0], 0)
         text = path.read_text()
-        for words in ("Frequency of the pulse (Hz)", "PGV (m/s)", "PGA (g)", "spared again", "static limit"):
+        for words in ("Frequency of the pulse (Hz)", "PGV (m/s)", "PGA (g)", "stands again", "static limit"):
             self.assertTrue(words in text, words)
 
     def test_refused(self):

@@ -138,7 +138,7 @@ class Domain(unittest.TestCase):
         self.assertEqual(ordered["verdict"], "proven")
         zero, other = self.verify([("a*b", "a*b*(a-1)/(a-1)", ""), ("a*b", "a*b*(a-2)/(a-2)", "")])
         self.assertEqual((zero["verdict"], other["verdict"]), ("undecided", "agrees"))
-        self.assertIn("no value at the claim's own values", zero["condition"])
+        self.assertIn("no value at the values of the claim", zero["condition"])
         self.assertEqual(other["condition"], "an identity except where a - 2 = 0")
 
     # Angles x and y in (0, 90) degrees: text, and the same in Python; a rational multiple at the end.
@@ -195,7 +195,7 @@ class Domain(unittest.TestCase):
 
     def test_wrong_domains(self):
         for more, message in ((", domain: {a: 1}", "a domain is two ends"), (", domain: [a]", "'domain' is a map of names"),
-                              (", domain: {a: [2, 3]}", "the claim's own value of 'a' lies outside this domain"),
+                              (", domain: {a: [2, 3]}", "the claim's value of 'a' lies outside this domain"),
                               (", domain: {area: [2, 3]}", "'area' is not a symbol that takes a value"),
                               (", domain: {a: [0, q]}", "unknown name 'q'"),
                               (", domain: {a: [0, sqrt(2)]}", "the end of a domain is a number"),

@@ -52,7 +52,7 @@ START_TEST(slab_runs_past_the_end_and_leaves) {
   }
   ck_assert_int_eq(o.end, TP_RUN_LEFT_BASE);
   const tp_tilt_event *last = o.history.events + o.history.event_count - 1;
-  ck_assert_int_eq(last->kind, TP_EVENT_LEAVES_BASE);
+  ck_assert_int_eq(last->what, TP_EVENT_LEAVES_BASE);
   tp_history_clear(&o.history);
   body_stage_clear(&s);
 }
@@ -65,7 +65,7 @@ END_TEST
 static double tilt_of(const tp_history *h, tp_tilt_event_kind kind, long facet, double from_deg) {
   for (size_t k = 0; k < h->event_count; k++) {
     const tp_tilt_event *e = h->events + k;
-    if (e->kind == kind && e->facet == facet && e->angle_deg >= from_deg) return e->angle_deg;
+    if (e->what == kind && e->facet == facet && e->angle_deg >= from_deg) return e->angle_deg;
   }
   ck_abort_msg("no event %d at facet %ld from %g degrees on", (int)kind, facet, from_deg);
   return 0;

@@ -44,7 +44,7 @@ static void near_to(double value, double expected, double within, const char *wh
 
 static const tp_tilt_event *event_of(const tp_history *h, tp_tilt_event_kind kind) {
   for (size_t k = 0; k < h->event_count; k++) {
-    if (h->events[k].kind == kind) return h->events + k;
+    if (h->events[k].what == kind) return h->events + k;
   }
   ck_abort_msg("no event %d", (int)kind);
 }

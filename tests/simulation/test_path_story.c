@@ -132,8 +132,8 @@ static void compare_story(const tp_history *h, const told *story, size_t count) 
   ck_assert_int_eq(h->event_count, count);
   for (size_t k = 0; k < count; k++) {
     const tp_tilt_event *own = h->events + k;
-    ck_assert_msg(own->kind == story[k].kind && own->facet == story[k].facet,
-                  "event %zu: %d at %ld", k, (int)own->kind, own->facet);
+    ck_assert_msg(own->what == story[k].kind && own->facet == story[k].facet,
+                  "event %zu: %d at %ld", k, (int)own->what, own->facet);
     if (own->facet > 0) near_to(own->x_m * 1000, story[k].x_mm, 1.5, "where");
     ck_assert(k == 0 || own->angle_deg >= own[-1].angle_deg);
   }

@@ -237,7 +237,7 @@ START_TEST(loads_turn_the_block_as_in_the_account) {
     const tp_body_force all = tp_drive_force(&drive, b, 0);
     b->loads.given = false;
     const tp_body_force weight = tp_drive_force(&drive, b, 0);
-    const tp_pivot *pivot = own->pivots + own->governing;
+    const tp_pivot *pivot = own->pivots + own->toppling_pivot;
     const double x = b->origin.x - pivot->x_m.value, y = b->origin.y - pivot->y_m.value;
     const double turned = all.moment_nm + x * (all.y_n - weight.y_n) - y * (all.x_n - weight.x_n);
     const double overturning = side == 0 ? turned : -turned;
@@ -352,7 +352,7 @@ START_TEST(history_keeps_what_is_appended) {
   enum { MANY = 100 };
   tp_history h = {0};
   for (int k = 0; k < MANY; k++) {
-    ck_assert(tp_history_event(&h, (tp_tilt_event){.kind = TP_EVENT_SLIPS, .facet = k}));
+    ck_assert(tp_history_event(&h, (tp_tilt_event){.what = TP_EVENT_SLIPS, .facet = k}));
     ck_assert(tp_history_moment(&h, (tp_tilt_moment){.time_s = k}));
     ck_assert(tp_history_reaction(&h, k, k, -k));
   }

@@ -38,7 +38,7 @@ static tp_run_end run_for(tp_history *history, tp_body_state *last, const tp_rig
 
 static const tp_tilt_event *find_event(const tp_history *h, tp_tilt_event_kind kind, size_t nth) {
   for (size_t k = 0; k < h->event_count; k++) {
-    if (h->events[k].kind == kind && nth-- == 0) return h->events + k;
+    if (h->events[k].what == kind && nth-- == 0) return h->events + k;
   }
   ck_abort_msg("no such event");
 }
@@ -130,7 +130,7 @@ START_TEST(rocking_dies_out_by_the_restitution_of_angular_momentum) {
   const double ratio = 1 - 1.5 * sin(r.alpha) * sin(r.alpha);
   ck_assert_int_eq(run_for(&h, &last, &r.stage.body, &level, &start, 100, 0, bounce), TP_RUN_RESTS);
   size_t impacts = 0;
-  for (size_t k = 0; k < h.event_count; k++) impacts += h.events[k].kind == TP_EVENT_CLOSES;
+  for (size_t k = 0; k < h.event_count; k++) impacts += h.events[k].what == TP_EVENT_CLOSES;
   ck_assert_int_gt(impacts, 40);
   for (size_t k = 1; k < impacts; k++) {
     const tp_tilt_event *a = find_event(&h, TP_EVENT_CLOSES, k - 1);

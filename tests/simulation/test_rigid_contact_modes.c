@@ -158,7 +158,7 @@ START_TEST(table_lets_go_at_the_onset_of_the_solve) {
   const double onset = s.solution->cases[0].onset.critical_angle_deg.value;
   bool let_go = false;
   for (size_t e = 0; e < h.event_count; e++) {
-    if (h.events[e].kind != TP_EVENT_COLLAPSES) continue;
+    if (h.events[e].what != TP_EVENT_COLLAPSES) continue;
     ck_assert_msg(fabs(h.events[e].angle_deg - onset) < 1e-8, "begins to move at %.12g, not %.12g",
                   h.events[e].angle_deg, onset);
     let_go = true;
@@ -204,7 +204,7 @@ END_TEST
 
 static bool has_event(const tp_history *h, tp_tilt_event_kind kind, long facet) {
   for (size_t k = 0; k < h->event_count; k++) {
-    if (h->events[k].kind == kind && (facet < 0 || h->events[k].facet == facet)) return true;
+    if (h->events[k].what == kind && (facet < 0 || h->events[k].facet == facet)) return true;
   }
   return false;
 }
@@ -229,7 +229,7 @@ START_TEST(blocks_e_and_f_slip_and_then_fall) {
     ck_assert_msg(account.worst_balance < 1e-11, "energy off by %g", account.worst_balance);
     const double onset = s.solution->cases[0].onset.critical_angle_deg.value;
     for (size_t e = 0; e < h.event_count; e++) {
-      if (h.events[e].kind != TP_EVENT_COLLAPSES) continue;
+      if (h.events[e].what != TP_EVENT_COLLAPSES) continue;
       ck_assert(fabs(h.events[e].angle_deg - onset) < 1e-8);
     }
     ck_assert(has_event(&h, TP_EVENT_COLLAPSES, -1) && has_event(&h, TP_EVENT_OPENS, -1));

@@ -35,10 +35,10 @@ static tp_run_end run_corner(tp_body_state *last, const tp_run *run, void *engin
   if (angle > own->open_above) return TP_RUN_UNDECIDED;
   if (angle < own->lets_go) return TP_RUN_STANDS;
   if (run->history != NULL) {
-    const tp_tilt_event event = {.kind = TP_EVENT_COLLAPSES,
+    const tp_tilt_event event = {.what = TP_EVENT_COLLAPSES,
                                  .time_s = (own->lets_go - run->drive->angle) / run->drive->speed,
                                  .angle_deg = tp_tilt_degrees(own->lets_go)};
-    const tp_tilt_event later = {.kind = TP_EVENT_OPENS, .time_s = event.time_s + 1};
+    const tp_tilt_event later = {.what = TP_EVENT_OPENS, .time_s = event.time_s + 1};
     ck_assert(tp_history_event(run->history, event) && tp_history_event(run->history, later));
   }
   return TP_RUN_MOVES;
@@ -76,9 +76,9 @@ static void begin(stage *s, double lets_go_deg) {
 
 static void check_bracket(const stage *s, double lets_go_deg) {
   ck_assert(s->own.has_bracket && s->own.converged);
-  ck_assert_double_le(s->own.least_deg, lets_go_deg);
-  ck_assert_double_ge(s->own.most_deg, lets_go_deg);
-  ck_assert_double_le(s->own.most_deg - s->own.least_deg, s->settings.tolerance_deg);
+  ck_assert_double_le(s->own.stands_at_deg, lets_go_deg);
+  ck_assert_double_ge(s->own.lets_go_at_deg, lets_go_deg);
+  ck_assert_double_le(s->own.lets_go_at_deg - s->own.stands_at_deg, s->settings.tolerance_deg);
 }
 
 /* ---- brackets ---------------------------------------------------------------------------------
@@ -105,10 +105,10 @@ START_TEST(blocks_that_never_or_always_let_go) {
   stage s;
   begin(&s, 200);
   ck_assert_int_eq(tp_tilting_bracket(&s.tilting, tp_tilting_look, 0, 0, 90), TP_OK);
-  ck_assert(!s.own.has_bracket && s.own.converged && s.own.least_deg == 90);
+  ck_assert(!s.own.has_bracket && s.own.converged && s.own.stands_at_deg == 90);
   begin(&s, -1);
   ck_assert_int_eq(tp_tilting_bracket(&s.tilting, tp_tilting_look, 0, 0, 90), TP_OK);
-  ck_assert(s.own.has_bracket && s.own.most_deg == 0);
+  ck_assert(s.own.has_bracket && s.own.lets_go_at_deg == 0);
 }
 END_TEST
 
@@ -118,7 +118,7 @@ START_TEST(undecided_runs_are_told) {
   begin(&s, 20);
   s.block.open_above = tp_tilt_radians(15);
   ck_assert_int_eq(tp_tilting_bracket(&s.tilting, tp_tilting_look, 12, 0, 90), TP_OK);
-  ck_assert(!s.own.has_bracket && !s.own.converged && s.own.least_deg == 12);
+  ck_assert(!s.own.has_bracket && !s.own.converged && s.own.stands_at_deg == 12);
   ck_assert_int_eq(s.own.end, TP_TILT_OPEN);
 }
 END_TEST
@@ -136,7 +136,7 @@ START_TEST(a_test_that_is_stopped_has_its_bracket) {
   ck_assert(s.own.has_bracket && !s.own.converged);
   ck_assert_uint_eq(s.own.runs, 4);
   ck_assert_int_eq(s.own.end, TP_TILT_STOPPED);
-  ck_assert(s.own.least_deg <= 20 && s.own.most_deg >= 20);
+  ck_assert(s.own.stands_at_deg <= 20 && s.own.lets_go_at_deg >= 20);
 }
 END_TEST
 

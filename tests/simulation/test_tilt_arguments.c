@@ -13,15 +13,7 @@ static const double record[] = {0, 0, 0.1, 0.2, 0.2, -0.1};
 
 static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_test(own, TP_TILT_PATH, TP_TILT_RAMP, false, &message), why);
-  REFUSED(tp_scene_set_tilt_test_speed_deg_min(own, E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_until_deg(own, E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_tolerance_deg(own, E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_duration_s(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(own, E(1), E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_damping(own, E(0.5), &message), why);
-  REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
-  REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
   REFUSED(tp_scene_add_tilt_test_traction(own, 1, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
                                      &message),
@@ -45,19 +37,25 @@ START_TEST(numbers) {
           "tp_scene_set_tilt_test: 'engine'");
   REFUSED(tp_scene_set_tilt_test(scene, TP_TILT_PATH, (tp_tilt_protocol)-1, false, &message),
           "'protocol'");
-  REFUSED(tp_scene_set_tilt_test_speed_deg_min(scene, E(0), &message),
-          "tp_scene_set_tilt_test_speed_deg_min: speed_deg_min must be above zero");
-  REFUSED(tp_scene_set_tilt_test_until_deg(scene, E(91), &message), "until_deg must lie in");
-  REFUSED(tp_scene_set_tilt_test_tolerance_deg(scene, E(0), &message), "tolerance_deg must be");
-  REFUSED(tp_scene_set_tilt_test_duration_s(scene, E(-1), &message), "duration_s must be above");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.speed_deg_min", E(0), &message),
+          "tilt_test.speed_deg_min: speed_deg_min must be above zero");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.until_deg", E(91), &message),
+          "until_deg must lie in");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.tolerance_deg", E(0), &message),
+          "tolerance_deg must be");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.duration_s", E(-1), &message),
+          "duration_s must be above");
   REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(0), E(1), &message),
           "normal_gpa_m must be above zero, not 0");
   REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1), E(-1), &message),
           "shear_gpa_m must be above zero, not -1");
-  REFUSED(tp_scene_set_tilt_test_damping(scene, E(1.5), &message), "damping must lie in [0, 1]");
-  REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
-  REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
-  REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.damping", E(1.5), &message),
+          "damping must lie in [0, 1]");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.rounding", E(0), &message),
+          "rounding must be above zero");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.time_step_s", E(NAN), &message), "time_step_s");
+  REFUSED(tp_scene_set_number(scene, "tilt_test.restitution", E(-0.5), &message),
+          "restitution must lie in");
   REFUSED(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message),
           "tp_scene_add_tilt_test_traction: facets of the base are counted from 1");
   REFUSED(tp_scene_add_tilt_test_traction(scene, 1, E(1), E(NAN), E(1), &message), "last_kpa");
@@ -100,8 +98,8 @@ START_TEST(together) {
   DO(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_STEPS, true, &message));
   REFUSED(RUN, "need both 'normal_stiffness_gpa_m' and 'shear_stiffness_gpa_m'");
   DO(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1000), E(10), &message));
-  DO(tp_scene_set_tilt_test_time_step_s(scene, E(1), &message));
-  REFUSED(RUN, "tp_scene_set_tilt_test_time_step_s: steps of 1 s are not stable");
+  DO(tp_scene_set_number(scene, "tilt_test.time_step_s", E(1), &message));
+  REFUSED(RUN, "tilt_test.time_step_s: steps of 1 s are not stable");
   DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
   REFUSED(RUN, "'time_step_s' belongs to 'engine: dynamics' by 'method: springs'");
   options.moments = 1;
@@ -191,11 +189,11 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_tilt_csv(NULL, &empty));
   UNWRITTEN(tp_report_tilt_frames(NULL, &empty));
   UNWRITTEN(tp_report_tilt_animation(NULL, &empty));
-  REFUSED(tp_report_tilt_file(none, "x.svg", false, &message), "'test'");
-  REFUSED(tp_report_tilt_file(&empty, NULL, false, &message), "'path'");
-  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg, .webm or .gif");
-  REFUSED(tp_report_tilt_file(&empty, "x.gif", false, &message), "ends in .svg");
-  ck_assert_int_eq(tp_report_tilt_file(&empty, "x.gif", true, &message), TP_NO_ANSWER);
+  REFUSED(tp_report_tilt_file("x.svg", none, false, &message), "'test'");
+  REFUSED(tp_report_tilt_file(NULL, &empty, false, &message), "'path'");
+  REFUSED(tp_report_tilt_file("x.png", &empty, true, &message), "ends in .svg, .webm or .gif");
+  REFUSED(tp_report_tilt_file("x.gif", &empty, false, &message), "ends in .svg");
+  ck_assert_int_eq(tp_report_tilt_file("x.gif", &empty, true, &message), TP_NO_ANSWER);
   const tp_sheet_options sheet = tp_sheet_options_default();
   const tp_sheet_options sized = {.size = 4096};
   REFUSED(tp_report_sheet_tilt(NULL, scene, &empty, &sheet, &message), "'path'");

@@ -23,8 +23,8 @@ static made_up make(tp_converge_setting setting, size_t count, size_t own, const
                                       .value = ldexp(1, -(int)k),
                                       .own = k == own,
                                       .known = true,
-                                      .least = answers[k] - 0.005,
-                                      .most = answers[k] + 0.005};
+                                      .bracket_least = answers[k] - 0.005,
+                                      .bracket_most = answers[k] + 0.005};
   }
   return m;
 }
@@ -78,12 +78,12 @@ END_TEST
 START_TEST(widths_agree_where_brackets_meet) {
   static const double answers[] = {20, 20.004, 20.004};
   made_up m = make(TP_CONVERGE_TOLERANCE, 3, 1, answers);
-  m.levels[0].least = 15;
-  m.levels[0].most = 25;
+  m.levels[0].bracket_least = 15;
+  m.levels[0].bracket_most = 25;
   ck_assert_double_eq(judged(m, 0.001).spread, 0);
   ck_assert_int_eq(judged(m, 0.001).verdict, TP_CONVERGE_HOLDS);
-  m.levels[2].least = 20.5;
-  m.levels[2].most = 20.6;
+  m.levels[2].bracket_least = 20.5;
+  m.levels[2].bracket_most = 20.6;
   ck_assert_int_eq(judged(m, 0.001).verdict, TP_CONVERGE_DEPENDS);
   ck_assert_double_eq_tol(judged(m, 0.001).spread, 20.5 - 20.009, 1e-12);
 }
@@ -115,25 +115,31 @@ END_TEST
 /* All together: its own answer and the finest ones; after a refinement those alone. */
 START_TEST(the_answer_over_all_settings) {
   tp_converge_level levels[] = {
-      {.setting = TP_CONVERGE_STIFFNESS, .known = true, .least = 19, .most = 19.1},
-      {.setting = TP_CONVERGE_STIFFNESS, .known = true, .least = 19.5, .most = 19.6},
-      {.setting = TP_CONVERGE_DAMPING, .known = true, .least = 19.4, .most = 19.5},
-      {.setting = TP_CONVERGE_DAMPING, .known = true, .least = 19.55, .most = 19.65}};
+      {.setting = TP_CONVERGE_STIFFNESS, .known = true, .bracket_least = 19, .bracket_most = 19.1},
+      {.setting = TP_CONVERGE_STIFFNESS,
+       .known = true,
+       .bracket_least = 19.5,
+       .bracket_most = 19.6},
+      {.setting = TP_CONVERGE_DAMPING, .known = true, .bracket_least = 19.4, .bracket_most = 19.5},
+      {.setting = TP_CONVERGE_DAMPING,
+       .known = true,
+       .bracket_least = 19.55,
+       .bracket_most = 19.65}};
   tp_converge_finding findings[] = {
       {.setting = TP_CONVERGE_STIFFNESS, .verdict = TP_CONVERGE_HOLDS, .first = 0, .count = 2},
       {.setting = TP_CONVERGE_DAMPING, .verdict = TP_CONVERGE_HOLDS, .first = 2, .count = 2}};
   tp_tilt_convergence_case own = {.known = true,
-                                  .own_least = 18.9,
-                                  .own_most = 19,
-                                  .finding_count = 2,
-                                  .findings = findings,
+                                  .as_set_least = 18.9,
+                                  .as_set_most = 19,
+                                  .setting_count = 2,
+                                  .settings = findings,
                                   .level_count = 4,
                                   .levels = levels};
   tp_converge_summarise(&own);
-  ck_assert(own.converged && own.least == 18.9 && own.most == 19.65);
+  ck_assert(own.converged && own.over_settings_least == 18.9 && own.over_settings_most == 19.65);
   findings[0].verdict = TP_CONVERGE_REFINED;
   tp_converge_summarise(&own);
-  ck_assert(own.converged && own.least == 19.5 && own.most == 19.65);
+  ck_assert(own.converged && own.over_settings_least == 19.5 && own.over_settings_most == 19.65);
   findings[1].verdict = TP_CONVERGE_DEPENDS;
   tp_converge_summarise(&own);
   ck_assert(!own.converged);

@@ -79,8 +79,9 @@ static void claim_verdict(const verdicts *v, size_t k) {
   ck_assert_int_eq(v->onset_kind[k], one->onset.kind);
   claim_same(v->angle[k], one->has_first_angle, one->first_angle_deg);
   claim_same(v->error[k], one->has_first_angle, (tp_bounded){one->first_angle_deg.error, 0, NULL});
-  claim_same(v->critical[k], one->has_governing,
-             one->has_governing ? one->pivots[one->governing].critical_angle_deg : (tp_bounded){0});
+  claim_same(v->critical[k], one->has_toppling_pivot,
+             one->has_toppling_pivot ? one->pivots[one->toppling_pivot].critical_angle_deg
+                                     : (tp_bounded){0});
   claim_same(v->limit[k], one->limit.kind == TP_LIMIT_AT_ANGLE, one->limit.critical_angle_deg);
   claim_same(v->onset[k], one->onset.kind == TP_ONSET_AT_ANGLE, one->onset.critical_angle_deg);
   claim_same(v->fos[k], one->governing_fos.fos.state == TP_FOS_NUMBER,

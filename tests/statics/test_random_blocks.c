@@ -102,8 +102,8 @@ static tp_status solve_alone(tp_block_turning *own, const random_block *block,
   tp_scene_free(scene);
   if (status != TP_OK) return status;
   const tp_case *one = solution->cases;
-  if (one->has_governing) {
-    const tp_pivot *pivot = one->pivots + one->governing;
+  if (one->has_toppling_pivot) {
+    const tp_pivot *pivot = one->pivots + one->toppling_pivot;
     *own = (tp_block_turning){pivot->critical_angle_deg.value, pivot->critical_angle_deg.error, -1};
     for (long k = 0; k < block->whole.count; k++) {
       if (block->xy[2 * k] == pivot->x_m.value && block->xy[2 * k + 1] == pivot->y_m.value) {
@@ -111,7 +111,7 @@ static tp_status solve_alone(tp_block_turning *own, const random_block *block,
       }
     }
   }
-  status = one->has_governing ? TP_OK : TP_NO_ANSWER;
+  status = one->has_toppling_pivot ? TP_OK : TP_NO_ANSWER;
   tp_solution_free(solution);
   return status;
 }

@@ -128,7 +128,7 @@ static void claim_direction(counts *seen, const random_scene *scene, const resul
   if (one->solution != NULL && other.solution != NULL) {
     tp_solution half = *one->solution;
     half.case_count = 1;
-    half.cases[0] = one->solution->cases[side];
+    half.cases = one->solution->cases + side;
     claim(solutions_agree(why, &half, other.solution, &r), "one direction", why, other.text);
     seen->compared[DIRECTIONS_APART]++;
   }

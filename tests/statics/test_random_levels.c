@@ -8,6 +8,7 @@
 #include "compare_solutions.h"
 #include "random_scenes.h"
 #include "runner.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 
 #include <string.h>
@@ -25,7 +26,7 @@ static void claim(bool condition, const char *what, const char *why) {
 static tp_solution *solve_prepared(tp_status *status, const tp_problem *problem,
                                    tp_solve_options options) {
   tp_message message;
-  tp_solution *solution = calloc(1, sizeof *solution);
+  tp_solution *solution = tp_solution_new();
   *status = tp_solve_problem(solution, problem, &options, &message);
   claim(*status == TP_OK || *status == TP_UNDECIDED, "no failure but undecided", message.text);
   return solution;
@@ -84,7 +85,7 @@ static void claim_scene(counts *seen, const tp_scene *scene, random_numbers *sta
   char *first = report(exact), *second = report(again);
   claim(strcmp(first, second) == 0, "the same bytes", second);
   claim_levels(seen, &problem, exact, digits[draw_below(state, 6)]);
-  for (size_t k = 0; k < exact->case_count; k++) seen->ties += exact->cases[k].governing_tie;
+  for (size_t k = 0; k < exact->case_count; k++) seen->ties += exact->cases[k].toppling_tie;
   free(first);
   free(second);
   tp_solution_free(prepared);

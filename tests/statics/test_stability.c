@@ -125,9 +125,9 @@ static void check_moments(const grid_scene *s, const tp_pivot *pivot, tp_directi
   set_degrees(truth, &arm.x, &arm.y, 0);
   check_ball(&pivot->critical_angle_deg, truth, "critical angle");
   const bool has_fos = fmpq_sgn(&arm.x) > 0 && fmpq_sgn(&arm.y) > 0;
-  if (has_fos) ck_assert_int_eq(pivot->fos_resultant.state, TP_FOS_NUMBER);
+  if (has_fos) ck_assert_int_eq(pivot->fos.state, TP_FOS_NUMBER);
   if (has_fos) fmpq_div(ratio, &arm.x, &arm.y);
-  if (has_fos) check_rational(&pivot->fos_resultant.value, ratio, "factor");
+  if (has_fos) check_rational(&pivot->fos.value, ratio, "factor");
   exact_point_clear(&arm);
   fmpq_clear(ratio);
   arb_clear(truth);
@@ -148,9 +148,9 @@ static void check_pivots(const grid_scene *s, const tp_case *c) {
     any = any || pivot->admissible;
     if (pivot->admissible) least = fmin(least, pivot->critical_angle_deg.value);
   }
-  ck_assert_int_eq(c->has_governing, any);
+  ck_assert_int_eq(c->has_toppling_pivot, any);
   if (!any) return;
-  const tp_pivot *governing = c->pivots + c->governing;
+  const tp_pivot *governing = c->pivots + c->toppling_pivot;
   ck_assert(governing->admissible);
   ck_assert(governing->critical_angle_deg.value <= least + governing->critical_angle_deg.error);
 }
@@ -246,15 +246,15 @@ static void check_sliding(const grid_scene *s, const tp_case *c) {
 
 /* The toe holds up to phi + i of what rises most steeply from it. */
 static void check_toe(const grid_scene *s, const tp_case *c) {
-  if (!c->has_governing) return;
-  const grid_point toe = place_of(c->pivots + c->governing);
+  if (!c->has_toppling_pivot) return;
+  const grid_point toe = place_of(c->pivots + c->toppling_pivot);
   const steepest found = find_steepest(s, c->towards, is_at, &toe);
   ck_assert_int_eq(c->toe.known, found.best != NULL || found.blocked);
   ck_assert_int_eq(c->toe.upright, found.blocked);
   if (found.best == NULL || found.blocked) return;
   const double limit =
       check_inclination(&c->toe.limit_angle_deg, found.best, c->towards, s->friction_deg, "toe");
-  const double angle = c->pivots[c->governing].critical_angle_deg.value;
+  const double angle = c->pivots[c->toppling_pivot].critical_angle_deg.value;
   if (fabs(angle - limit) > 1e-9) ck_assert_int_eq(c->toe.holds, angle < limit);
 }
 
@@ -272,7 +272,7 @@ START_TEST(small_blocks_on_small_bases) {
       check_pivots(&s, c);
       check_sliding(&s, c);
       check_toe(&s, c);
-      governed += c->has_governing;
+      governed += c->has_toppling_pivot;
       blocked += c->sliding.never;
       slid += c->sliding.known && !c->sliding.never;
     }

@@ -41,7 +41,7 @@ START_TEST(a_tie_is_one_at_every_size) {
   for (int size = LEAST; size < LEAST + SIZES; size++) {
     tp_solution *solution = solve_square(size);
     const tp_case *own = solution->cases;
-    const tp_limit *limits[] = {&own->limit, &own->limit_otherwise, &own->limit_back};
+    const tp_limit *limits[] = {&own->limit, &own->limit_otherwise, &own->limit_holds_from};
     for (int k = 0; k < 3; k++) {
       ck_assert_msg(limits[k]->kind == TP_LIMIT_AT_ANGLE, "limit %d at 7^%d", k, size);
       ck_assert_msg(limits[k]->tie, "no tie of limit %d at 7^%d", k, size);

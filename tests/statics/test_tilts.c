@@ -65,14 +65,14 @@ static void same_case(const tp_case *one, const tp_case *other) {
   ck_assert_msg(one->falls_backwards == other->falls_backwards, "%s", of);
   ck_assert_msg(one->has_margin == other->has_margin && one->rolls == other->rolls, "%s", of);
   if (one->has_margin) same_number(one->margin_deg, other->margin_deg);
-  ck_assert_msg(one->has_governing == other->has_governing, "%s", of);
-  ck_assert_msg(one->governing == other->governing, "%s", of);
+  ck_assert_msg(one->has_toppling_pivot == other->has_toppling_pivot, "%s", of);
+  ck_assert_msg(one->toppling_pivot == other->toppling_pivot, "%s", of);
   for (size_t k = 0; k < one->pivot_count; k++) {
-    same_factor(one->pivots[k].fos_resultant, other->pivots[k].fos_resultant);
+    same_factor(one->pivots[k].fos, other->pivots[k].fos);
   }
   same_factor(one->sliding.fos, other->sliding.fos);
   same_limit(&one->limit, &other->limit);
-  same_limit(&one->limit_back, &other->limit_back);
+  same_limit(&one->limit_holds_from, &other->limit_holds_from);
   same_limit(&one->limit_otherwise, &other->limit_otherwise);
   same_onset(&one->onset, &other->onset);
   same_factor(one->governing_fos.fos, other->governing_fos.fos);

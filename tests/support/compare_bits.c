@@ -48,12 +48,12 @@ static void compare_cases(const comparison *c, const tp_case *one, const tp_case
     need_scaled(c, p->x_m, q->x_m, 1, "pivot");
     need_scaled(c, p->y_m, q->y_m, 1, "pivot");
     need_scaled(c, p->critical_angle_deg, q->critical_angle_deg, 0, "critical angle");
-    need_fos(c, p->fos_resultant, q->fos_resultant, "factor of a pivot");
+    need_fos(c, p->fos, q->fos, "factor of a pivot");
     need_fos(c, p->fos_elements, q->fos_elements, "factor of a pivot by elements");
   }
   need(c,
-       one->has_governing == other->has_governing && one->governing == other->governing &&
-           one->governing_tie == other->governing_tie,
+       one->has_toppling_pivot == other->has_toppling_pivot &&
+           one->toppling_pivot == other->toppling_pivot && one->toppling_tie == other->toppling_tie,
        "governing pivot");
   need(c, one->mechanism == other->mechanism && one->first == other->first, "mechanism");
   need_scaled(c, one->first_angle_deg, other->first_angle_deg, 0, "first angle");

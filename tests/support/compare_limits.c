@@ -95,7 +95,7 @@ static void compare_sliding(const comparison *c, const tp_case *one, const tp_ca
     compare_fos(c, a->fos, b->fos, "factor of sliding");
     compare_fos(c, a->fos_strength, b->fos_strength, "factor of sliding by strength");
   }
-  if (one->governing_tie) return; /* two toes */
+  if (one->toppling_tie) return; /* two toes */
   const tp_toe *s = &one->toe, *t = &other->toe;
   compare_need(c, s->known == t->known && s->holds == t->holds && s->upright == t->upright, "toe");
   if (s->known && !s->upright) {
@@ -129,7 +129,7 @@ void compare_all_limits(const comparison *c, const tp_case *one, const tp_case *
   compare_limits(c, &one->limit, &other->limit, "limit");
   if (c->r->turned) return;
   compare_limits(c, &one->limit_otherwise, &other->limit_otherwise, "limit otherwise");
-  compare_limits(c, &one->limit_back, &other->limit_back, "limit of tilting back");
+  compare_limits(c, &one->limit_holds_from, &other->limit_holds_from, "limit of tilting back");
   compare_onsets(c, one, other);
   compare_sliding(c, one, other);
   compare_verdicts(c, one, other);

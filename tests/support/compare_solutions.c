@@ -90,7 +90,7 @@ static size_t counterpart(const comparison *c, const tp_case *one, const tp_case
     const tp_pivot *p = one->pivots + k, *q = other->pivots + i;
     if (p->kind == q->kind && p->admissible == q->admissible && meet(p->x_m, q->x_m) &&
         meet(p->y_m, q->y_m) && meet(p->critical_angle_deg, q->critical_angle_deg) &&
-        limits_meet(p, q) && factors_meet(p->fos_resultant, q->fos_resultant)) {
+        limits_meet(p, q) && factors_meet(p->fos, q->fos)) {
       return i;
     }
   }
@@ -142,20 +142,20 @@ static void compare_pivots(const comparison *c, const tp_case *one, const tp_cas
     if (!p->never && !p->always) {
       compare_angle(c, p->critical_angle_deg, q->critical_angle_deg, "critical angle of a pivot");
     }
-    compare_fos(c, p->fos_resultant, q->fos_resultant, "factor of safety of a pivot");
+    compare_fos(c, p->fos, q->fos, "factor of safety of a pivot");
   }
   compare_rolling(c, one, other);
-  compare_need(c, one->has_governing == other->has_governing, "some pivot governs");
-  if (c->r->uncertain || !one->has_governing || goes_round(c, one)) return;
-  compare_need(c, one->governing_tie == other->governing_tie, "tie of pivots");
-  if (c->why[0] != '\0' || one->governing_tie) return;
-  compare_need(c, counterpart(c, one, other, one->governing) == other->governing,
+  compare_need(c, one->has_toppling_pivot == other->has_toppling_pivot, "some pivot governs");
+  if (c->r->uncertain || !one->has_toppling_pivot || goes_round(c, one)) return;
+  compare_need(c, one->toppling_tie == other->toppling_tie, "tie of pivots");
+  if (c->why[0] != '\0' || one->toppling_tie) return;
+  compare_need(c, counterpart(c, one, other, one->toppling_pivot) == other->toppling_pivot,
                "governing pivot");
 }
 
 /* The section keeps its thickness where it is scaled: weights grow as areas, moments as volumes. */
 static void compare_loads(const comparison *c, const tp_case *one, const tp_case *other) {
-  if (c->r->turned || one->governing_tie) return;
+  if (c->r->turned || one->toppling_tie) return;
   compare_need(c, one->load_count == other->load_count, "number of loads");
   for (size_t k = 0; k < one->load_count && c->why[0] == '\0'; k++) {
     compare_need(c, one->loads[k].side == other->loads[k].side, "side of a load");

@@ -57,14 +57,14 @@ static void build_corners(tp_scene *scene, const double *n) {
 static void build_loads(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
-  DO(tp_scene_set_seismic_horizontal(scene, E(n[0]), &message));
-  DO(tp_scene_set_seismic_vertical(scene, E(n[1]), &message));
+  DO(tp_scene_set_number(scene, "loads.seismic.horizontal", E(n[0]), &message));
+  DO(tp_scene_set_number(scene, "loads.seismic.vertical", E(n[1]), &message));
   DO(tp_scene_set_water(scene, E(n[2]), E(n[3]), false, true, &message));
   DO(tp_scene_add_pressure(scene, E(n[4]), E(n[5]), E(n[6]), E(n[7]), E(n[8]), E(n[9]), &message));
   DO(tp_scene_add_surcharge(scene, E(n[10]), E(n[11]), E(n[12]), E(n[13]), E(n[14]), &message));
   DO(tp_scene_add_anchor(scene, E(n[15]), E(n[16]), E(n[17]), E(n[18]), false, &message));
-  DO(tp_scene_set_bond_kpa(scene, E(n[19]), &message));
-  DO(tp_scene_set_cohesion_kpa(scene, E(n[20]), &message));
+  DO(tp_scene_set_number(scene, "loads.bond_kpa", E(n[19]), &message));
+  DO(tp_scene_set_number(scene, "loads.cohesion_kpa", E(n[20]), &message));
 }
 
 static void build_level(tp_scene *scene, const double *n) {
@@ -99,8 +99,8 @@ static void build_support(tp_scene *scene, const double *n) {
 static void build_profile(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_base_profile(scene, tp_coordinates_of(n, 2), &message));
-  DO(tp_scene_set_contact_within(scene, E(n[7]), &message));
-  DO(tp_scene_set_contact_width(scene, E(n[8]), &message));
+  DO(tp_scene_set_number(scene, "contact.within", E(n[7]), &message));
+  DO(tp_scene_set_number(scene, "contact.width", E(n[8]), &message));
   DO(tp_scene_set_friction_barton(scene, E(n[4]), E(n[5]), E(n[6]), &message));
 }
 
@@ -112,14 +112,14 @@ static void build_between(tp_scene *scene, const double *n) {
 
 static void build_joint(tp_scene *scene, const double *n) {
   set_square(scene);
-  DO(tp_scene_set_joint_shift(scene, E(n[0]), &message));
-  DO(tp_scene_set_joint_closure(scene, E(n[1]), &message));
+  DO(tp_scene_set_number(scene, "joint.shift", E(n[0]), &message));
+  DO(tp_scene_set_number(scene, "joint.closure", E(n[1]), &message));
 }
 
 static void build_matching(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_joint_matching(scene, E(n[0]), true, &message));
-  DO(tp_scene_set_joint_closure(scene, E(n[1]), &message));
+  DO(tp_scene_set_number(scene, "joint.closure", E(n[1]), &message));
 }
 
 static void build_bounds(tp_scene *scene, const double *n) {
@@ -142,7 +142,7 @@ static void build_dip(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
   DO(tp_scene_set_slope(scene, E(n[0]), TP_TOWARDS_RIGHT, &message));
-  DO(tp_scene_set_dip_direction_deg(scene, E(n[1]), &message));
+  DO(tp_scene_set_number(scene, "slope.dip_direction_deg", E(n[1]), &message));
 }
 
 static void build_facets(tp_scene *scene, const double *n) {

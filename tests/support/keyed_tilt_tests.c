@@ -20,14 +20,14 @@ static void set_square(tp_scene *scene) {
 static void build_springs(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_RAMP, false, &message));
-  DO(tp_scene_set_tilt_test_speed_deg_min(scene, E(n[0]), &message));
-  DO(tp_scene_set_tilt_test_until_deg(scene, E(n[1]), &message));
-  DO(tp_scene_set_tilt_test_tolerance_deg(scene, E(n[2]), &message));
-  DO(tp_scene_set_tilt_test_duration_s(scene, E(n[3]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.speed_deg_min", E(n[0]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.until_deg", E(n[1]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.tolerance_deg", E(n[2]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.duration_s", E(n[3]), &message));
   DO(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(n[4]), E(n[5]), &message));
-  DO(tp_scene_set_tilt_test_damping(scene, E(n[6]), &message));
-  DO(tp_scene_set_tilt_test_rounding(scene, E(n[7]), &message));
-  DO(tp_scene_set_tilt_test_time_step_s(scene, E(n[8]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.damping", E(n[6]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.rounding", E(n[7]), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.time_step_s", E(n[8]), &message));
 }
 
 /* Let go, level, on a base that shakes along both axes. */
@@ -35,7 +35,7 @@ static void let_go(tp_scene *scene, double restitution) {
   set_square(scene);
   DO(tp_scene_set_tilt_angle_deg(scene, E(0), &message));
   DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, false, &message));
-  DO(tp_scene_set_tilt_test_restitution(scene, E(restitution), &message));
+  DO(tp_scene_set_number(scene, "tilt_test.restitution", E(restitution), &message));
 }
 
 static void set_pulses(tp_scene *scene, tp_pulse_shape shape, const double *n) {

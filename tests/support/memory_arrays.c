@@ -65,7 +65,7 @@ void solve_outline(void) {
   static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
   tp_solution *solution = NULL;
   tp_message message = {.text = ""};
-  DONE(tp_solve_outline(&solution, "mm", outline, 6, 30, 20, &message), solution);
+  DONE(tp_solve_outline(&solution, outline, 6, "mm", 30, 20, &message), solution);
   tp_solution_free(solution);
 }
 

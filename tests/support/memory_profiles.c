@@ -61,7 +61,7 @@ void make_profiles(void) {
     if (done(status, scene, &message)) {
       status = tp_scene_profile_csv(&csv, scene, &message);
       (void)done(status, csv, &message);
-      status = tp_scene_write_profile(scene, "/dev/null", &message);
+      status = tp_scene_write_profile("/dev/null", scene, &message);
       (void)done(status, status == TP_OK ? scene : NULL, &message);
     }
     free(csv);

@@ -194,12 +194,12 @@ static const char *judge_case(const tp_case *own, const random_scene *s, const m
   bool tie = false;
   for (size_t k = 0; k < own->pivot_count && wrong == NULL; k++) {
     if (!own->pivots[k].admissible) continue;
-    if (!own->has_governing) wrong = "an admissible pivot does not govern";
-    const int side = compare(arms + k, arms + own->governing);
+    if (!own->has_toppling_pivot) wrong = "an admissible pivot does not govern";
+    const int side = compare(arms + k, arms + own->toppling_pivot);
     if (side < 0) wrong = "another pivot governs";
-    tie = tie || (side == 0 && k != own->governing);
+    tie = tie || (side == 0 && k != own->toppling_pivot);
   }
-  if (wrong == NULL && own->has_governing && tie != own->governing_tie) wrong = "tie of pivots";
+  if (wrong == NULL && own->has_toppling_pivot && tie != own->toppling_tie) wrong = "tie of pivots";
   for (size_t k = 0; k < own->pivot_count; k++) {
     fmpq_clear(arms[k].x);
     fmpq_clear(arms[k].y);

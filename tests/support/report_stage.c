@@ -13,7 +13,14 @@ tp_bounded number(double value) {
 }
 
 tp_solution filled(void) {
-  tp_solution s = {.length_unit = "m", .metres_per_unit = 1, .has_tilt_angle = true};
+  static tp_case cases[2]; /* of the solution that was filled last */
+  memset(cases, 0, sizeof cases);
+  tp_solution s = {.size = sizeof s,
+                   .case_size = sizeof cases[0],
+                   .cases = cases,
+                   .length_unit = "m",
+                   .metres_per_unit = 1,
+                   .has_tilt_angle = true};
   s.tilt_angle_deg = (tp_bounded){.value = 20};
   s.has_friction = true;
   s.friction_angle_deg = (tp_bounded){.value = 40};

@@ -115,7 +115,7 @@ static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
     tp_message why = {.text = ""};
     char path[100];
     snprintf(path, sizeof path, "%s/chart.svg", s->folder);
-    note_status(s, tp_report_chart_file(chart, path, TP_CHART_SVG, &why), &why);
+    note_status(s, tp_report_chart_file(path, chart, TP_CHART_SVG, &why), &why);
     say_file(s, path);
   }
   tp_chart_free(chart);

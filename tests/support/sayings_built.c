@@ -103,7 +103,7 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_slope(scene, tp_exact_text("12.5"), TP_TOWARDS_LEFT, &message));
   say_scene_built(s, scene);
-  SAY(tp_scene_set_dip_direction_deg(scene, tp_exact_text("135"), &message));
+  SAY(tp_scene_set_number(scene, "slope.dip_direction_deg", tp_exact_text("135"), &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_frame_base(scene, &message));
   SAY(tp_scene_set_base_mated(scene, false, &message));
@@ -119,14 +119,14 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_base_rest(scene, true, &message));
   say_scene_built(s, scene);
-  SAY(tp_scene_set_contact_within(scene, T("0.125"), &message));
+  SAY(tp_scene_set_number(scene, "contact.within", T("0.125"), &message));
   say_scene_built(s, scene);
-  SAY(tp_scene_set_contact_width(scene, T("2.5"), &message));
+  SAY(tp_scene_set_number(scene, "contact.width", T("2.5"), &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_outline(scene, tp_coordinates_text(feet, 6), &message));
   SAY(tp_scene_set_base_mated(scene, true, &message));
-  SAY(tp_scene_set_joint_shift(scene, T("-0.125"), &message));
-  SAY(tp_scene_set_joint_closure(scene, T("0.1"), &message));
+  SAY(tp_scene_set_number(scene, "joint.shift", T("-0.125"), &message));
+  SAY(tp_scene_set_number(scene, "joint.closure", T("0.1"), &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_joint_matching(scene, T("0.75"), false, &message));
   say_scene_built(s, scene);
@@ -148,7 +148,7 @@ static void say_generated(sayings *s) {
   if (scene == NULL) return;
   SAY(tp_scene_profile_csv(next_saying(s), scene, &message));
   snprintf(path, sizeof path, "%s/profile.csv", s->folder);
-  SAY(tp_scene_write_profile(scene, path, &message));
+  SAY(tp_scene_write_profile(path, scene, &message));
   say_file(s, path);
   say_scene_built(s, scene);
   tp_scene_free(scene);
@@ -192,7 +192,7 @@ static void say_outline_solved(sayings *s) {
   static const double outline[] = {0, 0, 4.1, 0, 4.3, 6.7, 0.3, 6.5};
   tp_message message = {.text = ""};
   tp_solution *solution = NULL;
-  SAY(tp_solve_outline(&solution, "ft", outline, 4, 31.7, 12.3, &message));
+  SAY(tp_solve_outline(&solution, outline, 4, "ft", 31.7, 12.3, &message));
   if (solution == NULL) return;
   same_times(solution);
   say_reports(s, solution);
@@ -230,8 +230,8 @@ void say_built_loads(sayings *s) {
   tp_message message = {.text = ""};
   tp_scene *scene = begin_square(s);
   if (scene == NULL) return;
-  SAY(tp_scene_set_seismic_horizontal(scene, T("0.1"), &message));
-  SAY(tp_scene_set_seismic_vertical(scene, E(-0.05), &message));
+  SAY(tp_scene_set_number(scene, "loads.seismic.horizontal", T("0.1"), &message));
+  SAY(tp_scene_set_number(scene, "loads.seismic.vertical", E(-0.05), &message));
   SAY(tp_scene_set_seismic_direction(scene, TP_SEISMIC_DOWN_DIP, &message));
   SAY(tp_scene_set_water(scene, E(2.9), T("9.81"), false, true, &message));
   say_scene_built(s, scene);
@@ -247,9 +247,9 @@ void say_built_loads(sayings *s) {
   SAY(tp_scene_add_support_pressure(scene, E(0), E(4), E(0), E(1), T("2.5"), E(1.5), true,
                                     &message));
   say_scene_built(s, scene);
-  SAY(tp_scene_set_cohesion_kpa(scene, T("2.5"), &message));
+  SAY(tp_scene_set_number(scene, "loads.cohesion_kpa", T("2.5"), &message));
   say_scene_built(s, scene);
-  SAY(tp_scene_set_bond_kpa(scene, E(1.5), &message));
+  SAY(tp_scene_set_number(scene, "loads.bond_kpa", E(1.5), &message));
   say_scene_built(s, scene);
   tp_scene_free(scene);
 }

@@ -19,7 +19,7 @@ static void say_drawn(sayings *s, const tp_tilt_test *test) {
   tp_message message = {.text = ""};
   char path[400];
   snprintf(path, sizeof path, "%s/tilt.svg", s->folder);
-  SAY(tp_report_tilt_file(test, path, true, &message));
+  SAY(tp_report_tilt_file(path, test, true, &message));
   say_file(s, path);
 }
 
@@ -88,15 +88,15 @@ static void say_convergence(sayings *s, const tp_scene *scene) {
 static void say_tilted(sayings *s, tp_scene *scene) {
   tp_message message = {.text = ""};
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
-  SAY(tp_scene_set_tilt_test_until_deg(scene, E(60.5), &message));
-  SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.until_deg", E(60.5), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.tolerance_deg", T("0.05"), &message));
   say_test(s, scene, false);
   say_convergence(s, scene);
   SAY(tp_scene_add_tilt_test_traction(scene, 1, E(1.5), T("0.25"), E(-0.5), &message));
   SAY(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message));
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_STEPS, true, &message));
-  SAY(tp_scene_set_tilt_test_restitution(scene, T("0.25"), &message));
-  SAY(tp_scene_set_tilt_test_duration_s(scene, E(1.5), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.restitution", T("0.25"), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.duration_s", E(1.5), &message));
   say_test(s, scene, false);
 }
 
@@ -105,14 +105,14 @@ static void say_springs(sayings *s, tp_scene *scene) {
   tp_message message = {.text = ""};
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_RELEASE, true, &message));
   SAY(tp_scene_set_tilt_angle_deg(scene, E(25), &message));
-  SAY(tp_scene_set_tilt_test_duration_s(scene, T("0.01"), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.duration_s", T("0.01"), &message));
   SAY(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1), T("0.5"), &message));
-  SAY(tp_scene_set_tilt_test_damping(scene, E(0.75), &message));
-  SAY(tp_scene_set_tilt_test_rounding(scene, T("1e-5"), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.damping", E(0.75), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.rounding", T("1e-5"), &message));
   say_test(s, scene, false);
-  SAY(tp_scene_set_tilt_test_time_step_s(scene, E(1.5), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.time_step_s", E(1.5), &message));
   say_test(s, scene, false);
-  SAY(tp_scene_set_tilt_test_speed_deg_min(scene, E(20.5), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.speed_deg_min", E(20.5), &message));
   say_test(s, scene, false);
 }
 
@@ -148,7 +148,7 @@ static void say_shaken(sayings *s) {
                                  E(1.5), &message));
   SAY(tp_scene_set_shaking_record(scene, TP_SHAKES_VERTICALLY, tp_coordinates_text(shakes, 4),
                                   E(0.5), &message));
-  SAY(tp_scene_set_tilt_test_duration_s(scene, E(0.5), &message));
+  SAY(tp_scene_set_number(scene, "tilt_test.duration_s", E(0.5), &message));
   say_test(s, scene, false);
   say_spectrum(s, scene);
   tp_scene_free(scene);

@@ -72,7 +72,7 @@ static void say_sweep(sayings *s, const tp_scene *scene) {
   SAY(tp_sweep(&summary, scene, &options, (tp_sweep_sink){say_point, s}, &message));
   SAY(tp_sweep_write(&summary, scene, &options, TP_SWEEP_CSV, (tp_text_sink){say_text, s},
                      &message));
-  SAY(tp_sweep_write_file(&summary, scene, &options, TP_SWEEP_JSON, "/nowhere/at/all.json",
+  SAY(tp_sweep_write_file(&summary, "/nowhere/at/all.json", scene, &options, TP_SWEEP_JSON,
                           &message));
 }
 

@@ -35,7 +35,8 @@ tp_scene *build_square(double friction_angle_deg) {
   if (status == TP_OK) {
     status = tp_scene_set_friction_angle_deg(scene, tp_exact_of(friction_angle_deg), NULL);
   }
-  if (status == TP_OK) status = tp_scene_set_bond_kpa(scene, tp_exact_text("1.1"), NULL);
+  if (status == TP_OK)
+    status = tp_scene_set_number(scene, "loads.bond_kpa", tp_exact_text("1.1"), NULL);
   if (status == TP_OK) status = tp_scene_set_tilt_angle_deg(scene, tp_exact_of(12.5), NULL);
   return built(scene, status);
 }

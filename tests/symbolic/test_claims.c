@@ -36,12 +36,12 @@ static tp_claim_result decide(bench *b, const char *quantity, const char *text) 
 }
 
 static void drop(tp_claim_result *result) {
-  free(result->derived);
+  free(result->computed);
   free(result->difference);
   free(result->mend);
   free(result->change);
   free(result->condition);
-  free(result->values);
+  free(result->at);
 }
 
 /* Right: proven, and nothing to add. Angles are compared by their tangents. */
@@ -59,7 +59,7 @@ START_TEST(a_right_formula_is_proven) {
     tp_claim_result result = decide(&b, cases[k][0], cases[k][1]);
     ck_assert_msg(result.verdict == TP_VERDICT_PROVEN, "%s: %s", cases[k][1],
                   tp_verdict_name(result.verdict));
-    ck_assert_ptr_nonnull(result.derived);
+    ck_assert_ptr_nonnull(result.computed);
     ck_assert_ptr_null(result.mend);
     ck_assert_ptr_null(result.difference);
     ck_assert_ptr_null(result.condition);
@@ -89,8 +89,8 @@ START_TEST(a_wrong_formula_is_mended) {
     ck_assert_ptr_nonnull(result.difference);
     ck_assert_msg(result.mend != NULL && result.change != NULL, "%s", cases[k][1]);
     ck_assert(result.has_values);
-    ck_assert_double_gt(fabs(result.printed_value.value - result.computed.value),
-                        result.printed_value.error + result.computed.error);
+    ck_assert_double_gt(fabs(result.printed_there.value - result.computed_there.value),
+                        result.printed_there.error + result.computed_there.error);
     tp_claim_result again = decide(&b, cases[k][0], result.mend);
     ck_assert_msg(again.verdict == TP_VERDICT_PROVEN, "%s", result.mend);
     drop(&again);
@@ -108,8 +108,8 @@ START_TEST(right_at_a_point_is_refuted) {
   tp_claim_result result = decide(&b, "area", "w + 4");
   ck_assert_int_eq(result.verdict, TP_VERDICT_REFUTED);
   ck_assert(result.has_values);
-  ck_assert_double_gt(fabs(result.printed_value.value - result.computed.value), 0);
-  ck_assert_ptr_null(strstr(result.values, "w = 2, h = 3"));
+  ck_assert_double_gt(fabs(result.printed_there.value - result.computed_there.value), 0);
+  ck_assert_ptr_null(strstr(result.at, "w = 2, h = 3"));
   drop(&result);
   bench_clear(&b);
 }

@@ -249,8 +249,8 @@ START_TEST(formulas_of_a_slab) {
     if (!p->governs) continue;
     governed = true;
     ck_assert_str_eq(p->x.formula, "0");
-    ck_assert_str_eq(p->tangent.numerator, "w");
-    ck_assert_str_eq(p->tangent.denominator, "h");
+    ck_assert_str_eq(p->tan_critical_angle.numerator, "w");
+    ck_assert_str_eq(p->tan_critical_angle.denominator, "h");
     ck_assert(p->has_elements && p->splits);
     ck_assert_str_eq(p->fos_cot.numerator, "w");
     ck_assert_str_eq(p->fos_cot.denominator, "h");

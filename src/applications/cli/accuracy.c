@@ -104,7 +104,7 @@ static tp_status measure(tp_accuracy **accuracy, const arguments *a, tp_message 
 static tp_status draw(const tp_accuracy *accuracy, const arguments *a, tp_message *message) {
   tp_chart *chart = NULL;
   tp_status status = tp_chart_accuracy(&chart, accuracy, message);
-  if (status == TP_OK) status = tp_report_chart_file(chart, a->output, a->format, message);
+  if (status == TP_OK) status = tp_report_chart_file(a->output, chart, a->format, message);
   tp_chart_free(chart);
   return status;
 }

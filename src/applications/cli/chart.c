@@ -43,7 +43,7 @@ static tp_status compute_and_tell(const void *words, int *ended, tp_message *mes
   tp_chart *chart = NULL;
   tp_status status = compute(&chart, a, message);
   if (status == TP_OK) {
-    status = a->output != NULL ? tp_report_chart_file(chart, a->output, a->format, message)
+    status = a->output != NULL ? tp_report_chart_file(a->output, chart, a->format, message)
                                : print(chart, a->json, ended);
   }
   tp_chart_free(chart);

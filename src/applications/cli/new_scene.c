@@ -70,7 +70,7 @@ static void write_base(FILE *out, const tp_cli_new_scene *scene) {
           "                           # opened or worn: give its measured profile: my_base.csv "
           "instead\n"
           "  beyond: {left: 0, right: 0}\n"
-          "  # how far the base goes on past the block; neither 0 nor more is always "
+          "  # how far the base extends past the block; neither 0 nor more is always "
           "safer;\n"
           "  # the report says if the other choice is less safe\n");
 }

@@ -280,7 +280,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
     status = write_report(a, scene, solution, message);
   }
   if (status == TP_OK && *ended == 0 && a->profile != NULL) {
-    status = tp_scene_write_profile(scene, a->profile, message);
+    status = tp_scene_write_profile(a->profile, scene, message);
   }
   if (status == TP_OK && *ended == 0 && a->find.key == NULL) {
     *ended = end_open(solution, a, a->scene);

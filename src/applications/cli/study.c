@@ -231,7 +231,7 @@ static tp_status draw(chart_of *make, const tp_study_result *result, const char 
                       tp_chart_format format, tp_message *message) {
   tp_chart *chart = NULL;
   tp_status status = make(&chart, result, message);
-  if (status == TP_OK) status = tp_report_chart_file(chart, path, format, message);
+  if (status == TP_OK) status = tp_report_chart_file(path, chart, format, message);
   tp_chart_free(chart);
   return status;
 }

@@ -32,7 +32,8 @@ static const struct argp_option options[] = {
      "Allow no arithmetic costlier than double, compensated, ball or exact (exact unless "
      "given)",
      0},
-    {"threads", KEY_THREADS, "N", 0, "Number of threads (default: one per core)", 0},
+    {"threads", KEY_THREADS, "N", 0,
+     "Number of threads (default: as many as the process may run on)", 0},
     {0}};
 
 static long read_count(const char *text, long most, const char *option,
@@ -154,7 +155,7 @@ static tp_status sweep(const void *words, int *ended, tp_message *message) {
   tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) {
     status = a->output != NULL
-                 ? tp_sweep_write_file(&summary, scene, &a->sweep, a->format, a->output, message)
+                 ? tp_sweep_write_file(&summary, a->output, scene, &a->sweep, a->format, message)
                  : tp_sweep_write(&summary, scene, &a->sweep, a->format,
                                   (tp_text_sink){print, ended}, message);
   }

@@ -212,10 +212,10 @@ static tp_status tell(const arguments *a, const tp_scene *scene, const tp_tilt_t
                               : tp_report_tilt(&report, test);
   status = tp_cli_print_report(status, report, ended);
   if (status == TP_OK && *ended == 0 && a->figure != NULL) {
-    status = tp_report_tilt_file(test, a->figure, false, message);
+    status = tp_report_tilt_file(a->figure, test, false, message);
   }
   if (status == TP_OK && *ended == 0 && a->animation != NULL) {
-    status = tp_report_tilt_file(test, a->animation, true, message);
+    status = tp_report_tilt_file(a->animation, test, true, message);
   }
   if (status == TP_OK && *ended == 0) status = tp_tilt_charts_write(&a->charts, test, message);
   if (status == TP_OK && *ended == 0 && a->report != NULL) {

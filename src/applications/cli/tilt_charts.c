@@ -61,7 +61,7 @@ static tp_status write_chart(const tp_tilt_chart *wish, chart_maker *make, const
   tp_chart *chart = NULL;
   if (wish->path == NULL) return TP_OK;
   tp_status status = make(&chart, test, message);
-  if (status == TP_OK) status = tp_report_chart_file(chart, wish->path, wish->format, message);
+  if (status == TP_OK) status = tp_report_chart_file(wish->path, chart, wish->format, message);
   tp_chart_free(chart);
   return status;
 }
@@ -106,7 +106,7 @@ tp_status tp_tilt_charts_spectrum(const tp_tilt_charts *a, const tp_scene *scene
   tp_status status = tp_chart_overturning(&chart, scene, &own, message);
   if (course.tells) tp_cli_clear_progress();
   if (status == TP_OK) {
-    status = tp_report_chart_file(chart, a->spectrum.path, a->spectrum.format, message);
+    status = tp_report_chart_file(a->spectrum.path, chart, a->spectrum.format, message);
   }
   tp_chart_free(chart);
   if (status == TP_OK && tp_cli_is_interrupted(NULL)) {

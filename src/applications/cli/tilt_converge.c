@@ -11,7 +11,7 @@ static tp_status draw(const tp_cli_converge *asked, const tp_tilt_convergence *c
   tp_chart *chart = NULL;
   tp_status status = tp_chart_tilt_convergence(&chart, convergence, message);
   if (status == TP_OK) {
-    status = tp_report_chart_file(chart, asked->figure, asked->format, message);
+    status = tp_report_chart_file(asked->figure, chart, asked->format, message);
   }
   tp_chart_free(chart);
   return status;

@@ -48,7 +48,7 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
   }
   if (!S_ISREG(own.st_mode)) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, place,
-                     "HDF5 needs a file of its own; name another one");
+                     "HDF5 needs a separate file; name another one");
   }
   if (tp_study_reads(study, &own)) {
     return tp_refuse(

@@ -156,8 +156,7 @@ tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace
               "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n"
               "# That is no more than the precision in the picture: two hands that draw one block "
               "may\n# differ by much more.\n",
-              options->outline.count > 0 ? "a click tells a place within its pixel"
-                                         : "its edge is found",
+              options->outline.count > 0 ? "a click is exact to its pixel" : "its edge is found",
               deviation, options->unit, deviation);
   if (misses(trace, options)) {
     tp_text_add(

@@ -8,7 +8,7 @@ for each member, typed and commented as there.
 
 A field is None where the member's comment begins with a condition that does not hold ("if has_closure: …"), where has_NAME is
 false, or where its struct is not `known`. A member that counts the items of another one, or says whether it is there (has_…,
-known), is no field. A class XMethods of a Python MODULE of the package is a base of X."""
+known), is no field, nor is the size of a struct. A class XMethods of a Python MODULE of the package is a base of X."""
 
 import pathlib
 import re
@@ -165,6 +165,8 @@ class Writer:
         inner = self.structs.of(member.kind)
         if member.kind not in PLAIN and member.kind not in self.words and member.kind != "char" and inner is None:
             return None
+        if member.name in ("size", "case_size") and member.kind == "size_t":
+            return None  # of structs, for programs in C
         if member.kind in BY_HAND or len(member.sizes) > 1:
             return None
         count = struct.count_of(member)

@@ -133,7 +133,7 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
     const long count = whole_teeth(beyond->value, &scene->block.teeth, &piece);
     if (count < 0) {
       return tp_refuse(message, TP_FAULT_GEOMETRY, beyond->place,
-                       "the base goes on for more than a million teeth");
+                       "the base extends for more than a million teeth");
     }
     done = add_teeth(base, &scene->block.teeth, count, piece, beyond->value, side);
   } else {

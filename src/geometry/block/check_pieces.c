@@ -58,7 +58,7 @@ static tp_status fail_pieces(const tp_section *section, int hole, long pieces,
   return tp_refuse(
       message, TP_FAULT_GEOMETRY, tp_polyline_place(section->rings + hole, -1),
       "%s%s the block into %ld pieces that meet in points at most; leave rock beside it, "
-      "or give each piece a scene of its own",
+      "or give each piece a separate scene",
       name, section->hole_count > 1 ? ", alone or with others, cuts" : " cuts", pieces);
 }
 

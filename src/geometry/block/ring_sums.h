@@ -62,8 +62,8 @@ enum { TP_SUMS_THREADS = 16 };
 typedef struct tp_sums_plan {
   int sum_count; /* TP_AREA_SUM_COUNT or TP_SUM_COUNT */
   tp_instructions instructions;
-  int threads; /* at most TP_SUMS_THREADS; 0: as many as there are cores, one up to 3 * 2^18 edges
-                */
+  int threads; /* at most TP_SUMS_THREADS; 0: as many as the process may run on, one up to
+                  3 * 2^18 edges */
 } tp_sums_plan;
 
 /* In double with a proven bound: |sums[k] - truth| <= bounds[k], for coordinates that are exact

@@ -4,13 +4,13 @@
 /* The blocks of a large ring, by as many threads as there are, joined in the order of the ring. */
 
 #include "block/ring_sums_kernel.h"
+#include "common/threads.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Levels of blocks: 63 bits of a count of edges less the 18 of a block, and one. Threads beyond
  * TP_SUMS_THREADS wait for memory. */
@@ -88,7 +88,7 @@ static void join_blocks(double rows[TP_ROW_COUNT], const work *w) {
 /* One thread for two blocks, for one costs about as much to start as a block takes. */
 static int threads_of(tp_sums_plan plan, long block_count) {
   long threads = plan.threads;
-  if (threads == 0 && block_count >= 4) threads = sysconf(_SC_NPROCESSORS_ONLN);
+  if (threads == 0 && block_count >= 4) threads = (long)tp_threads_present();
   if (plan.threads == 0 && threads > block_count / 2) threads = block_count / 2;
   return threads < 1 ? 1 : threads > TP_SUMS_THREADS ? TP_SUMS_THREADS : (int)threads;
 }

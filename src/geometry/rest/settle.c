@@ -167,7 +167,7 @@ tp_status tp_settle_fail_blind(tp_place place, tp_message *message) {
   return tp_refuse(
       message, TP_FAULT_GEOMETRY, place,
       "block and profile have lengths too far apart to set the one down on the other: "
-      "16 digits do not tell of any of %d pairs of corners and edges when they touch; "
+      "16 digits do not decide for any of %d pairs of corners and edges when they touch; "
       "check the lengths of both, or let the block lie where its coordinates put it, by "
       "'place: as_given'",
       TP_BUDGET_REST_BLIND);

@@ -142,8 +142,8 @@ static int compare(const void *a, const void *b) {
 static void spread(tp_profile *p) {
   tp_bounded meant[CORRELATIONS];
   size_t count = 0;
-  for (size_t k = 0; k < p->jrc_count; k++) {
-    if (p->jrc[k].state == TP_JRC_MEANT) meant[count++] = p->jrc[k].jrc;
+  for (size_t k = 0; k < p->correlation_count; k++) {
+    if (p->correlations[k].state == TP_JRC_MEANT) meant[count++] = p->correlations[k].jrc;
   }
   p->jrc_meant = count;
   if (count == 0) return;
@@ -162,10 +162,10 @@ tp_status tp_jrc_measure(tp_profile *p, const tp_course *points, tp_message *mes
                          .z2 = p->z2,
                          .facing = mean_facing(p->facing)};
   sampled anew = {0};
-  p->jrc = calloc(CORRELATIONS, sizeof *p->jrc);
-  if (p->jrc == NULL) return tp_fail_memory(message, "the correlations");
-  for (; p->jrc_count < CORRELATIONS; p->jrc_count++) {
-    const correlation *c = correlations + p->jrc_count;
+  p->correlations = calloc(CORRELATIONS, sizeof *p->correlations);
+  if (p->correlations == NULL) return tp_fail_memory(message, "the correlations");
+  for (; p->correlation_count < CORRELATIONS; p->correlation_count++) {
+    const correlation *c = correlations + p->correlation_count;
     const sampled *at = &as_is;
     bool resampled = false;
     if (has_own_step(c) && !is_whole_step(c, as_is.step)) {
@@ -177,10 +177,10 @@ tp_status tp_jrc_measure(tp_profile *p, const tp_course *points, tp_message *mes
       if (resampled) at = &anew;
     }
     const tp_bounded input = input_of(c, p, at), jrc = bounded_jrc(c, input);
-    p->jrc[p->jrc_count] =
-        (tp_profile_jrc){.authors = c->authors,
+    p->correlations[p->correlation_count] =
+        (tp_profile_jrc){.source = c->authors,
                          .equation = c->equation,
-                         .step = c->step,
+                         .meant_for_step = c->step,
                          .own_step = resampled ? at->step / (p->metres_per_unit * 1e3) : 0,
                          .input = input,
                          .jrc = jrc,

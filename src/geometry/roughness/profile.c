@@ -35,7 +35,7 @@ void tp_profile_free(tp_profile *profile) {
   free(profile->y);
   free(profile->lags);
   free(profile->densities);
-  free(profile->jrc);
+  free(profile->correlations);
   free(profile);
 }
 
@@ -73,11 +73,11 @@ static void measure_slopes(tp_profile *p, const tp_course *points) {
   p->largest_step = points->extent.largest_step;
   p->step = s.length.value / (double)(points->count - 1);
   p->length = s.length;
-  p->along = s.along;
+  p->length_along = s.along;
   p->amplitude = s.amplitude;
   p->rms_height = s.rms_height;
   p->mean_slope = s.mean_slope;
-  p->absolute_slope = s.absolute_slope;
+  p->mean_absolute_slope = s.absolute_slope;
   p->z2 = s.z2;
   p->effective_angle_deg = s.effective_angle_deg;
   p->rp = s.rp;
@@ -196,6 +196,7 @@ tp_status tp_profile_measure(tp_profile **profile, const tp_profile_subject *sub
   }
   tp_profile *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the profile");
+  own->size = sizeof *own;
   own->options = *options;
   own->origin = subject->origin;
   own->length_unit = subject->length_unit;

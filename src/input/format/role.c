@@ -79,7 +79,7 @@ tp_status tp_role_check_only(const tp_drawing *chains, const tp_drawing_role *ro
         message, TP_FAULT_KEY, tp_drawing_place(own),
         role == TP_DRAWING_BLOCK
             ? "a second outline of the block, besides the one at line %s; put holes on "
-              "the layer of holes, and other blocks on layers of their own"
+              "the layer of holes, and other blocks on separate layers"
             : "a second line of the base, which does not meet the one at line %s; join "
               "them, or say drawing: {gap: …}",
         there + 1);

@@ -126,7 +126,7 @@ static bool transform(reader *r, frame *own, const char *const *attributes,
   const char *value = tp_svg_attribute(attributes, "transform");
   if (value == NULL) return true;
   if (!is_about_origin(values)) {
-    fail(r, "a transform about an origin of its own (transform-origin or transform-box), which is "
+    fail(r, "a transform about another origin (transform-origin or transform-box), which is "
             "not read; let the drawing program apply it to the points, or write it as a matrix");
     return false;
   }
@@ -157,9 +157,8 @@ static bool check_frame(reader *r, const char *name, const char *const *attribut
   if (strcmp(name, "svg") != 0) return true;
   const char *fit = tp_svg_attribute(attributes, "preserveAspectRatio");
   if (r->depth > 1) {
-    fail(r,
-         "an <svg> within the drawing has coordinates of its own, which are not read; ungroup it "
-         "in the drawing program, or make a <g> of it");
+    fail(r, "an <svg> within the drawing has separate coordinates, which are not read; ungroup it "
+            "in the drawing program, or make a <g> of it");
   } else if (fit != NULL && strstr(fit, "none") != NULL &&
              tp_svg_attribute(attributes, "viewBox") != NULL) {
     fail(r, "preserveAspectRatio=\"none\" stretches x and y differently, which is not read; leave "
@@ -304,7 +303,7 @@ static void document_type(void *context, const XML_Char *name, const XML_Char *s
   (void)system;
   (void)public;
   if (internal != 0) {
-    fail(r, "a document type of its own (<!DOCTYPE … [ … ]>), with which entities come, is not "
+    fail(r, "a document type definition (<!DOCTYPE … [ … ]>), with which entities come, is not "
             "read; save it as plain SVG");
   } else if (has_entities(r->file)) {
     fail(r, entities);

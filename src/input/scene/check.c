@@ -186,7 +186,7 @@ tp_status tp_check_facet_range(const tp_facet_friction_description *facets, tp_m
 tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place, tp_message *message) {
   if (scene->block.unit_weight_kn_m3.given) return TP_OK;
   return tp_refuse(message, TP_FAULT_KEY, place,
-                   "parts of another density need the block's own 'unit_weight_kn_m3' too");
+                   "parts of another density need the block's 'unit_weight_kn_m3' too");
 }
 
 tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place, tp_message *message) {
@@ -215,14 +215,14 @@ tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place, tp_mess
   if (!scene->friction_angle_deg.given) {
     return tp_refuse(
         message, TP_FAULT_KEY, place,
-        "some facets have their own friction angle: give the friction_angle_deg of all "
+        "some facets have a separate friction angle: give the friction_angle_deg of all "
         "others too");
   }
   if (!scene->friction.load_dependent) return TP_OK;
   return tp_refuse(
       message, TP_FAULT_KEY, place,
       "the law barton is for the contact as a whole, by its mean normal stress; facets "
-      "with a friction angle of their own go with friction_angle_deg, or with the law "
+      "with a separate friction angle go with friction_angle_deg, or with the law "
       "patton");
 }
 

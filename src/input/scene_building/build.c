@@ -67,6 +67,12 @@ static void note_maps(tp_build *build, const char *key) {
   if (is_under(key, "tilt_test.") && test->file == NULL) *test = build->place;
 }
 
+/* A number takes the place of another one that excludes it: the last one set is taken. */
+static void drop_other(tp_scene *scene, const char *key) {
+  if (strcmp(key, "joint.shift") == 0) scene->base.matching.given = false;
+  if (strcmp(key, "joint.matching") == 0) scene->base.shift.given = false;
+}
+
 tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_exact value,
                        tp_message *message) {
   const tp_key_value *own = find_number(key);
@@ -84,6 +90,7 @@ tp_status tp_build_set(tp_scene *scene, const char *call, const char *key, tp_ex
   if (status == TP_OK) {
     tp_build_put(&build, (tp_quantity *)(void *)((char *)scene + own->offset), 0);
     note_maps(&build, key);
+    drop_other(scene, key);
   }
   tp_build_end(&build);
   return status;
@@ -94,7 +101,9 @@ tp_status tp_scene_set_number(tp_scene *scene, const char *key, tp_exact value,
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, key);
-  return tp_build_set(scene, __func__, key, value, message);
+  const tp_key_value *own =
+      find_number(key); /* its key is the place that messages and notes name */
+  return tp_build_set(scene, own != NULL ? own->key : __func__, key, value, message);
 }
 
 tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size) {

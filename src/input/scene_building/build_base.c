@@ -79,42 +79,13 @@ tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_message *message
   return set_rest(scene, all, all, __func__, message);
 }
 
-tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "contact.within", within, message);
-}
-
-tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "contact.width", width, message);
-}
-
-tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  const tp_status status = tp_build_set(scene, __func__, "joint.shift", shift, message);
-  if (status == TP_OK) scene->base.matching.given = false;
-  return status;
-}
-
 tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching, bool leftwards,
                                       tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   const tp_status status = tp_build_set(scene, __func__, "joint.matching", matching, message);
-  if (status == TP_OK) {
-    scene->base.shift.given = false;
-    scene->base.shift_left = leftwards;
-  }
+  if (status == TP_OK) scene->base.shift_left = leftwards;
   return status;
-}
-
-tp_status tp_scene_set_joint_closure(tp_scene *scene, tp_exact closure, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "joint.closure", closure, message);
 }
 
 /* The base of a scene that says more of it than that it is mated. */

@@ -7,20 +7,6 @@
 #include "common/host.h"
 #include "scene_building/build.h"
 
-tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,
-                                          tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "loads.seismic.horizontal", coefficient, message);
-}
-
-tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
-                                        tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "loads.seismic.vertical", coefficient, message);
-}
-
 tp_status tp_scene_set_seismic_direction(tp_scene *scene, tp_seismic_direction direction,
                                          tp_message *message) {
   TP_GUARD_HOST;
@@ -270,16 +256,4 @@ tp_status tp_scene_set_bolt_rows(tp_scene *scene, size_t number, long rows, tp_e
   }
   tp_build_end(&build);
   return status;
-}
-
-tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "loads.bond_kpa", bond_kpa, message);
-}
-
-tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "loads.cohesion_kpa", cohesion_kpa, message);
 }

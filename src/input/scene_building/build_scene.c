@@ -106,13 +106,6 @@ tp_status tp_scene_set_slope(tp_scene *scene, tp_exact dip_deg, tp_direction tow
   return status;
 }
 
-tp_status tp_scene_set_dip_direction_deg(tp_scene *scene, tp_exact dip_direction_deg,
-                                         tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "slope.dip_direction_deg", dip_direction_deg, message);
-}
-
 tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);

@@ -29,60 +29,6 @@ tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine, tp_tilt
   return TP_OK;
 }
 
-tp_status tp_scene_set_tilt_test_speed_deg_min(tp_scene *scene, tp_exact speed_deg_min,
-                                               tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.speed_deg_min", speed_deg_min, message);
-}
-
-tp_status tp_scene_set_tilt_test_until_deg(tp_scene *scene, tp_exact until_deg,
-                                           tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.until_deg", until_deg, message);
-}
-
-tp_status tp_scene_set_tilt_test_tolerance_deg(tp_scene *scene, tp_exact tolerance_deg,
-                                               tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.tolerance_deg", tolerance_deg, message);
-}
-
-tp_status tp_scene_set_tilt_test_duration_s(tp_scene *scene, tp_exact duration_s,
-                                            tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.duration_s", duration_s, message);
-}
-
-tp_status tp_scene_set_tilt_test_damping(tp_scene *scene, tp_exact damping, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.damping", damping, message);
-}
-
-tp_status tp_scene_set_tilt_test_rounding(tp_scene *scene, tp_exact rounding, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.rounding", rounding, message);
-}
-
-tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exact time_step_s,
-                                             tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.time_step_s", time_step_s, message);
-}
-
-tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
-                                             tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  return tp_build_set(scene, __func__, "tilt_test.restitution", restitution, message);
-}
-
 tp_status tp_scene_set_tilt_test_stiffness_gpa_m(tp_scene *scene, tp_exact normal_gpa_m,
                                                  tp_exact shear_gpa_m, tp_message *message) {
   TP_GUARD_HOST;

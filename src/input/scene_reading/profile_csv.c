@@ -24,7 +24,7 @@ static tp_status make(char **csv, const tp_scene *scene, tp_message *message) {
   const tp_polyline *profile = &scene->base.profile;
   if (scene->base.mated || profile->count == 0) {
     return tp_refuse(message, TP_FAULT_KEY, scene->base.place,
-                     "the base has no profile of its own: it is mated with the block");
+                     "the base has no separate profile: it is mated with the block");
   }
   tp_text text = {0};
   tp_text_add(&text, "x,y\n");
@@ -44,7 +44,7 @@ tp_status tp_scene_profile_csv(char **text, const tp_scene *scene, tp_message *m
   return make(text, scene, message);
 }
 
-tp_status tp_scene_write_profile(const tp_scene *scene, const char *path, tp_message *message) {
+tp_status tp_scene_write_profile(const char *path, const tp_scene *scene, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, path);

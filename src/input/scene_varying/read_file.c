@@ -52,7 +52,7 @@ tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *uni
   }
   if (unit[0] != '\0' && is_scene_by_name(path)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                     "the unit is of a drawing in place of a scene; a scene says its own "
+                     "the unit is of a drawing in place of a scene; a scene states it "
                      "length_unit");
   }
   if (unit[0] != '\0' || tp_scene_is_drawing(path)) {

@@ -59,7 +59,9 @@ tp_accuracy_prices tp_accuracy_prices_of(tp_accuracy_method method, bool few) {
 }
 
 tp_accuracy *tp_accuracy_new(void) {
-  return calloc(1, sizeof(tp_accuracy));
+  tp_accuracy *own = calloc(1, sizeof *own);
+  if (own != NULL) own->size = sizeof *own;
+  return own;
 }
 
 void tp_accuracy_free(tp_accuracy *accuracy) {
@@ -146,7 +148,7 @@ static double log10_of(const mag_t size) {
 
 static void judge(tp_accuracy_run *run, const arb_t degrees, const arb_t truth) {
   run->bound = upwards(arb_radref(degrees));
-  run->log10_bound = log10_of(arb_radref(degrees));
+  run->bound_log10 = log10_of(arb_radref(degrees));
   arf_t away;
   mag_t error;
   arf_init(away);
@@ -154,7 +156,7 @@ static void judge(tp_accuracy_run *run, const arb_t degrees, const arb_t truth) 
   arf_sub(away, arb_midref(degrees), arb_midref(truth), ARF_PREC_EXACT, ARF_RND_NEAR);
   arf_get_mag(error, away);
   run->true_error = upwards(error);
-  run->log10_true_error = log10_of(error);
+  run->true_error_log10 = log10_of(error);
   arf_clear(away);
   mag_clear(error);
 }

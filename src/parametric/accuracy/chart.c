@@ -37,7 +37,7 @@ static double digits_of(double log10_error, const tp_accuracy *a, const tp_accur
 
 /* Proven; of what has no bound, those that are right. */
 static double digits(const tp_accuracy *a, const tp_accuracy_run *run) {
-  return digits_of(run->has_bound ? run->log10_bound : run->log10_true_error, a, run);
+  return digits_of(run->has_bound ? run->bound_log10 : run->true_error_log10, a, run);
 }
 
 static void begin_series(tp_chart *chart, const tp_accuracy_run *run, tp_chart_style style,
@@ -52,7 +52,7 @@ static void begin_series(tp_chart *chart, const tp_accuracy_run *run, tp_chart_s
 static void add_point(tp_chart *chart, const tp_accuracy *a, const tp_accuracy_run *run, double x,
                       double y) {
   char text[32];
-  const double right = digits_of(run->log10_true_error, a, run);
+  const double right = digits_of(run->true_error_log10, a, run);
   tp_chart_add_point(chart, tp_chart_exactly(x), tp_chart_exactly(y));
   snprintf(text, sizeof text, isfinite(right) ? "%.1f" : "all", right);
   tp_chart_add_note(chart, 0, text);
@@ -72,7 +72,7 @@ static size_t count_of_row(const tp_accuracy *a, size_t from) {
 /* A grey line from the digits that are proven to those that are right. */
 static void add_margin(tp_chart *chart, const tp_accuracy *a, const tp_accuracy_run *run,
                        double most) {
-  const double proven = digits(a, run), right = digits_of(run->log10_true_error, a, run);
+  const double proven = digits(a, run), right = digits_of(run->true_error_log10, a, run);
   if (!run->has_bound || !isfinite(proven)) return;
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.4});
   tp_chart_add_corner(chart, proven, 1e6 * run->seconds);

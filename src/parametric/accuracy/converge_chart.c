@@ -19,7 +19,7 @@ static const char *const keys[] = {"towards", "setting", NULL};
 static const char *const notes[] = {"value", "runs", NULL};
 
 static double middle(const tp_converge_level *level) {
-  return 0.5 * (level->least + level->most);
+  return 0.5 * (level->bracket_least + level->bracket_most);
 }
 
 static void widen(tp_chart_range *range, double least, double most) {
@@ -36,7 +36,7 @@ static void find_ranges(tp_chart_range *time, tp_chart_range *answer,
     if (!level->known) continue;
     const double ms = fmax(1e3 * level->seconds, 1e-6);
     widen(time, pow(10, floor(log10(ms))), pow(10, floor(log10(ms)) + 1));
-    widen(answer, level->least, level->most);
+    widen(answer, level->bracket_least, level->bracket_most);
   }
   if (angle && own->has_onset) widen(answer, own->onset_deg, own->onset_deg);
   const double room = fmax(0.1 * (answer->to - answer->from), 1e-9 * fabs(answer->to));
@@ -68,8 +68,8 @@ static void add_curve(tp_chart *chart, const tp_converge_finding *f,
     const tp_converge_level *level = own->levels + k;
     if (!level->known) continue;
     tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, colour, TP_DASH_SOLID, 0.4});
-    tp_chart_add_corner(chart, 1e3 * level->seconds, level->least);
-    tp_chart_add_corner(chart, 1e3 * level->seconds, level->most);
+    tp_chart_add_corner(chart, 1e3 * level->seconds, level->bracket_least);
+    tp_chart_add_corner(chart, 1e3 * level->seconds, level->bracket_most);
   }
   tp_chart_add_series(chart, (tp_chart_style){TP_MARK_POINTS, colour, TP_DASH_SOLID, 0},
                       (const char *const[]){towards, tp_converge_setting_name(f->setting)});
@@ -77,7 +77,7 @@ static void add_curve(tp_chart *chart, const tp_converge_finding *f,
     const tp_converge_level *level = own->levels + k;
     char text[40];
     if (!level->known) continue;
-    const double half = 0.5 * (level->most - level->least);
+    const double half = 0.5 * (level->bracket_most - level->bracket_least);
     tp_chart_add_point(chart, tp_chart_exactly(1e3 * level->seconds),
                        (tp_bounded){.value = middle(level), .error = half});
     snprintf(text, sizeof text, "%.6g", level->value);
@@ -98,12 +98,12 @@ static void add_case(tp_chart *chart, const tp_tilt_convergence_case *own, bool 
       own->limit_deg < y.range.to) {
     add_statics(chart, own->limit_deg, x.range, "limit");
   }
-  for (size_t k = 0; k < own->finding_count; k++) add_curve(chart, own->findings + k, own);
+  for (size_t k = 0; k < own->setting_count; k++) add_curve(chart, own->settings + k, own);
 }
 
 static void add_legend(tp_chart *chart, const tp_tilt_convergence_case *own) {
-  for (size_t k = 0; k < own->finding_count; k++) {
-    const tp_converge_setting setting = own->findings[k].setting;
+  for (size_t k = 0; k < own->setting_count; k++) {
+    const tp_converge_setting setting = own->settings[k].setting;
     tp_chart_add_legend(chart, tp_converge_setting_name(setting),
                         (tp_chart_style){TP_MARK_LINE, colours[setting], TP_DASH_SOLID, 0});
   }
@@ -117,7 +117,7 @@ tp_status tp_chart_tilt_convergence(tp_chart **chart, const tp_tilt_convergence 
   const bool angle = convergence->quantity == TP_CONVERGE_ANGLE;
   const tp_tilt_convergence_case *first = NULL;
   for (size_t k = 0; k < convergence->case_count && first == NULL; k++) {
-    if (convergence->cases[k].finding_count > 0) first = convergence->cases + k;
+    if (convergence->cases[k].setting_count > 0) first = convergence->cases + k;
   }
   if (first == NULL) {
     return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
@@ -134,7 +134,7 @@ tp_status tp_chart_tilt_convergence(tp_chart **chart, const tp_tilt_convergence 
   own->panel_width_mm = 80;
   own->panel_height_mm = 70;
   for (size_t k = 0; k < convergence->case_count; k++) {
-    if (convergence->cases[k].finding_count > 0) add_case(own, convergence->cases + k, angle);
+    if (convergence->cases[k].setting_count > 0) add_case(own, convergence->cases + k, angle);
   }
   if (own->panel_count == 1) own->columns = 1;
   add_legend(own, first);

@@ -37,8 +37,8 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
     return status;
   }
   const tp_case *own = s->noted->cases;
-  s->has_pivot = own->has_governing;
-  if (s->has_pivot) s->point = (long)own->governing;
+  s->has_pivot = own->has_toppling_pivot;
+  if (s->has_pivot) s->point = (long)own->toppling_pivot;
   return TP_OK;
 }
 

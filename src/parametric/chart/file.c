@@ -72,7 +72,7 @@ static tp_status tabulate(char **data, size_t *size, const tp_chart *chart, tp_m
   return TP_OK;
 }
 
-tp_status tp_report_chart_file(const tp_chart *chart, const char *path, tp_chart_format format,
+tp_status tp_report_chart_file(const char *path, const tp_chart *chart, tp_chart_format format,
                                tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, chart);

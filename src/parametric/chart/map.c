@@ -124,10 +124,11 @@ static void take(tp_map_sample *sample, const tp_solution *solution, bool at_til
   sample->limit_deg = own->limit.critical_angle_deg;
   sample->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
   if (sample->has_onset) sample->onset_deg = own->onset.critical_angle_deg;
-  sample->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
-                         !own->pivots[own->governing].always;
-  sample->governing = own->governing;
-  if (sample->has_toppling) sample->toppling_deg = own->pivots[own->governing].critical_angle_deg;
+  sample->has_toppling = own->has_toppling_pivot && !own->pivots[own->toppling_pivot].never &&
+                         !own->pivots[own->toppling_pivot].always;
+  sample->governing = own->toppling_pivot;
+  if (sample->has_toppling)
+    sample->toppling_deg = own->pivots[own->toppling_pivot].critical_angle_deg;
   sample->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
   if (sample->has_sliding) sample->sliding_deg = own->sliding.critical_angle_deg;
   sample->regime = at_tilt ? regime_at_tilt(own->mechanism) : regime_of(own);

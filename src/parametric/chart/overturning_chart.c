@@ -83,9 +83,9 @@ static void add_islands(tp_chart *chart, const tp_overturning_case *own, int pan
                           middle(island->from) / standard_gravity);
       tp_chart_add_corner(chart, abscissa(p, island->to, panel),
                           middle(island->to) / standard_gravity);
-      begin(chart, own, panel, "spared again from", from_mark);
+      begin(chart, own, panel, "stands again from", from_mark);
       add_point(chart, p, island->from, panel);
-      begin(chart, own, panel, island->open ? "spared to the strongest tried" : "spared up to",
+      begin(chart, own, panel, island->open ? "stands up to the strongest tried" : "stands up to",
             to_mark);
       add_point(chart, p, island->to, panel);
       *any = true;
@@ -179,7 +179,7 @@ static tp_status draw(tp_chart **chart, const tp_overturning_spectrum *spectrum,
     for (int panel = 0; panel < PANELS; panel++) add_panel(own, spectrum, c, panel, &any);
   }
   tp_chart_add_legend(own, "least found that overturns it", least_line);
-  if (any) tp_chart_add_legend(own, "spared again", island_line);
+  if (any) tp_chart_add_legend(own, "stands again", island_line);
   if (has_static) tp_chart_add_legend(own, "static limit", static_line);
   return tp_chart_finish(own, chart, message);
 }

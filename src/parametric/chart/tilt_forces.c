@@ -92,7 +92,7 @@ void tp_force_facets_clear(tp_force_facets *d) {
 size_t tp_tilt_forces_shown(const tp_force_facets *d, const tp_tilt_case *own) {
   if (!d->by_tilt || !own->has_bracket) return own->moment_count;
   size_t count = 0;
-  while (count < own->moment_count && own->moments[count].angle_deg < own->most_deg) count++;
+  while (count < own->moment_count && own->moments[count].angle_deg < own->lets_go_at_deg) count++;
   return count;
 }
 

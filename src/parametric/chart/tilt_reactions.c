@@ -76,8 +76,8 @@ static void add_others(drawing *d, const tp_tilt_forces *f, int force, tp_chart_
 }
 
 static bool is_of_contact(const tp_tilt_event *e, bool slip) {
-  return slip ? e->kind == TP_EVENT_SLIPS || e->kind == TP_EVENT_STICKS
-              : e->kind == TP_EVENT_OPENS || e->kind == TP_EVENT_CLOSES;
+  return slip ? e->what == TP_EVENT_SLIPS || e->what == TP_EVENT_STICKS
+              : e->what == TP_EVENT_OPENS || e->what == TP_EVENT_CLOSES;
 }
 
 /* The moment of an event, or the last one before it. */
@@ -106,14 +106,14 @@ static void add_marks(drawing *d, const tp_tilt_forces *f, int force, bool slip)
     const size_t j = tp_force_facets_find(&d->facets, e->facet);
     if (!is_of_contact(e, slip) || j == d->facets.count || d->facets.items[j].number != e->facet ||
         d->facets.items[j].colour < 0 || f->count == 0 ||
-        (d->facets.by_tilt && own->has_bracket && e->angle_deg >= own->most_deg)) {
+        (d->facets.by_tilt && own->has_bracket && e->angle_deg >= own->lets_go_at_deg)) {
       continue;
     }
     const size_t moment = moment_of(f, e);
     begin_series(d, f, force, d->facets.items + j, slip ? slip_mark : contact_mark);
     tp_chart_add_corner(d->chart, tp_tilt_forces_at(f, moment),
                         f->of[force][j * f->count + moment]);
-    tp_chart_add_note(d->chart, 0, tp_tilt_event_name(e->kind));
+    tp_chart_add_note(d->chart, 0, tp_tilt_event_name(e->what));
     marks++;
   }
   if (slip) {
@@ -126,8 +126,8 @@ static void add_marks(drawing *d, const tp_tilt_forces *f, int force, bool slip)
 static void add_critical(drawing *d, const tp_tilt_forces *f, tp_chart_range y) {
   if (!d->facets.by_tilt || !f->own->has_bracket) return;
   tp_chart_add_guide(d->chart, critical_line);
-  tp_chart_add_corner(d->chart, f->own->most_deg, y.from);
-  tp_chart_add_corner(d->chart, f->own->most_deg, y.to);
+  tp_chart_add_corner(d->chart, f->own->lets_go_at_deg, y.from);
+  tp_chart_add_corner(d->chart, f->own->lets_go_at_deg, y.to);
   d->has_critical = true;
 }
 
@@ -144,7 +144,7 @@ static void add_panel(drawing *d, const tp_tilt_forces *f, int force) {
   tp_chart_range_take(&y, 0);
   for (size_t k = 0; k < f->count; k++) tp_chart_range_take(&x, tp_tilt_forces_at(f, k));
   if (!d->facets.by_tilt) x.to = fmin(x.to, last_change(f->own, x.to));
-  if (d->facets.by_tilt && f->own->has_bracket) tp_chart_range_take(&x, f->own->most_deg);
+  if (d->facets.by_tilt && f->own->has_bracket) tp_chart_range_take(&x, f->own->lets_go_at_deg);
   for (size_t k = 0; k < f->count * d->facets.count; k++) tp_chart_range_take(&y, f->of[force][k]);
   snprintf(title, sizeof title, "Tilted towards the %s", tp_chart_towards(f->own->towards));
   tp_chart_add_panel(d->chart, d->facets.test->case_count > 1 ? title : NULL,

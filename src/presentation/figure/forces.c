@@ -64,10 +64,10 @@ static void draw_lines(tp_panel *p) {
   }
   if (s->meets) dashed(p, s->centroid, s->meeting, TP_INK_BLACK);
   /* The weight passes the pivot that the block is about to turn on. */
-  const bool at_pivot = s->kind == TP_STATE_MOMENTS && s->own->has_governing;
+  const bool at_pivot = s->kind == TP_STATE_MOMENTS && s->own->has_toppling_pivot;
   if (!at_pivot && s->reaction_count != 1) return;
-  const tp_spot pivot =
-      at_pivot ? tp_figure_pivot_spot(p->figure, s->own, s->own->governing) : s->reactions[0].at;
+  const tp_spot pivot = at_pivot ? tp_figure_pivot_spot(p->figure, s->own, s->own->toppling_pivot)
+                                 : s->reactions[0].at;
   dashed(p, s->centroid, pivot, TP_INK_BLACK);
 }
 

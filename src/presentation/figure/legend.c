@@ -137,7 +137,7 @@ static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
     shakes = shakes || s->kind == TP_STATE_LIES;
     combined = combined || s->has_resultant;
     turns = turns || s->shows_centre;
-    governs = governs || s->own->has_governing;
+    governs = governs || s->own->has_toppling_pivot;
   }
   const tp_loads_description *loads = &figure->problem->scene->loads;
   const tp_drawn *drawn = figure->problem->scene->drawn;

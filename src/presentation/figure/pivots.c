@@ -43,7 +43,7 @@ void tp_figure_disc(cairo_t *cr, tp_spot c, size_t number, bool governs) {
 /* How far the number of a pivot may stand from it: near, so that it is clear whose it is. */
 static double reach_of(const tp_panel *p, size_t pivot) {
   const tp_case *own = p->state->own;
-  if (own->has_governing && pivot == own->governing) return 60;
+  if (own->has_toppling_pivot && pivot == own->toppling_pivot) return 60;
   for (size_t k = 0; k < p->state->reaction_count; k++) {
     if (tp_state_pivot_at(p->figure, p->state, p->state->reactions[k].at) == pivot + 1) return 30;
   }
@@ -87,17 +87,17 @@ void tp_figure_draw_pivots(tp_panel *p) {
   size_t listed[TP_PIVOTS_LISTED];
   const tp_case *own = p->state->own;
   const size_t count = tp_state_pivots(listed, p->figure, p->state);
-  if (own->has_governing) draw_number(p, own->governing, true);
+  if (own->has_toppling_pivot) draw_number(p, own->toppling_pivot, true);
   for (int others = 0; others < 2; others++) {
     for (size_t k = 0; k < count; k++) {
-      const bool governs = own->has_governing && listed[k] == own->governing;
+      const bool governs = own->has_toppling_pivot && listed[k] == own->toppling_pivot;
       if (!governs && (reach_of(p, listed[k]) < NEAR) == (others == 1)) {
         draw_number(p, listed[k], false);
       }
     }
   }
   for (size_t k = 0; k < count; k++) draw_dot(p, listed[k], false);
-  if (own->has_governing) draw_dot(p, own->governing, true);
+  if (own->has_toppling_pivot) draw_dot(p, own->toppling_pivot, true);
 }
 
 /* The lower edge of the rock, and its angle with the horizontal through its lower end. */

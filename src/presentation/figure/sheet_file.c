@@ -16,7 +16,7 @@
 tp_status tp_sheet_check(const char *path, tp_message *message) {
   if (tp_sheet_is_file_name(path)) return TP_OK;
   return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                   "a report is of the kind that its name ends in: .html, .md or .pdf");
+                   "the ending of a report's name is its format: .html, .md or .pdf");
 }
 
 tp_status tp_sheet_sources(tp_file_sources *sources, const tp_scene *scene, tp_message *message) {

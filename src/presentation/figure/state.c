@@ -31,8 +31,8 @@ static void choose_tilt(tp_state *state, const tp_figure *figure) {
     state->tilt_deg = own->limit.critical_angle_deg;
     return;
   }
-  if (own->limit.kind == TP_LIMIT_NOT_ASKED && own->has_governing) {
-    const tp_pivot *pivot = own->pivots + own->governing;
+  if (own->limit.kind == TP_LIMIT_NOT_ASKED && own->has_toppling_pivot) {
+    const tp_pivot *pivot = own->pivots + own->toppling_pivot;
     const double angle = pivot->critical_angle_deg.value;
     if (!pivot->never && !pivot->always && angle > 0 && angle < 90) {
       state->kind = TP_STATE_MOMENTS;
@@ -163,7 +163,7 @@ size_t tp_state_pivots(size_t listed[TP_PIVOTS_LISTED], const tp_figure *figure,
                        const tp_state *state) {
   const tp_case *own = state->own;
   size_t count = 0;
-  if (own->has_governing) count = insert(listed, count, own->governing);
+  if (own->has_toppling_pivot) count = insert(listed, count, own->toppling_pivot);
   for (size_t k = 0; k < state->reaction_count; k++) {
     const size_t number = tp_state_pivot_at(figure, state, state->reactions[k].at);
     if (number > 0) count = insert(listed, count, number - 1);

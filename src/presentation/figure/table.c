@@ -49,7 +49,7 @@ static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size
     snprintf(cells[ANGLE], CELL_SIZE, "%s°", tp_text_fixed(n, pivot->critical_angle_deg, 2));
   }
   if (figure->solution->has_tilt_angle) {
-    snprintf(cells[FACTOR], CELL_SIZE, "%s", tp_page_fos(n, pivot->fos_resultant));
+    snprintf(cells[FACTOR], CELL_SIZE, "%s", tp_page_fos(n, pivot->fos));
   }
   snprintf(cells[TURNING], CELL_SIZE, "%s", tp_text_turning(own, k));
 }
@@ -114,7 +114,7 @@ double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *sta
   y += 4;
   rule(cr, x, y, width, 0.4);
   for (size_t k = 0; k < count; k++) {
-    const bool governs = own->has_governing && listed[k] == own->governing;
+    const bool governs = own->has_toppling_pivot && listed[k] == own->toppling_pivot;
     y += pitch;
     const tp_spot disc = {x + t.widths[NUMBER] / 2, y - 0.36 * TP_BODY_SIZE};
     tp_figure_disc(cr, disc, listed[k] + 1, governs);

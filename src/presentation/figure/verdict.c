@@ -52,7 +52,7 @@ static void add_base(tp_text *t, const tp_figure *figure, const tp_state *state)
   const tp_limit *limit = &state->own->limit;
   if (limit->kind == TP_LIMIT_NOT_ASKED) return;
   const bool beyond = limit->base_beyond_toe;
-  tp_text_add(t, "; the base %s the toe.", beyond ? "goes on past" : "ends at");
+  tp_text_add(t, "; the base %s the toe.", beyond ? "extends past" : "ends at");
   if (!state->own->base_matters) return;
   tp_text_add(t, " If it %s: ", beyond ? "ended there" : "went on");
   add_limit(t, figure, state, &state->own->limit_otherwise);
@@ -63,11 +63,11 @@ static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *sta
   const tp_case *own = state->own;
   char n[TP_NUMBER_SIZE];
   if (own->limit.kind == TP_LIMIT_NOWHERE) return; /* no pivot carries it */
-  if (!own->has_governing) {
+  if (!own->has_toppling_pivot) {
     tp_text_add(t, " By moments: turning is blocked about every pivot.");
     return;
   }
-  const tp_pivot *pivot = own->pivots + own->governing;
+  const tp_pivot *pivot = own->pivots + own->toppling_pivot;
   const double angle = pivot->critical_angle_deg.value;
   tp_text_add(t, " By moments%s: ", figure->solution->has_friction ? " alone" : "");
   if (pivot->always) {
@@ -75,7 +75,7 @@ static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *sta
   } else if (pivot->never || angle > 90) {
     tp_text_add(t, "does not topple at any tilt up to 90°.");
   } else {
-    tp_text_add(t, "topples about pivot %zu at %s°.", own->governing + 1,
+    tp_text_add(t, "topples about pivot %zu at %s°.", own->toppling_pivot + 1,
                 degrees(n, pivot->critical_angle_deg));
   }
 }

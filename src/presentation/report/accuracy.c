@@ -46,8 +46,8 @@ static void add_run(tp_text *t, const tp_accuracy_run *run, bool sweep) {
   tp_text_add(t, "%-25s%-12s %5ld ", tp_accuracy_method_name(run->method),
               tp_level_name(run->level), run->bits);
   add_time(t, run->seconds);
-  tp_text_add(t, " %10s %10s\n", run->has_bound ? power(n[0], run->log10_bound) : "none",
-              power(n[1], run->log10_true_error));
+  tp_text_add(t, " %10s %10s\n", run->has_bound ? power(n[0], run->bound_log10) : "none",
+              power(n[1], run->true_error_log10));
 }
 
 /* By how much the models of a rounded corner part: an error of the model that no arithmetic

@@ -60,7 +60,7 @@ void tp_claim_add_outcome(tp_text *t, const tp_claim_result *c, tp_claim_page pa
   const char *space = c->unit != NULL && strcmp(c->unit, "°") != 0 ? " " : "";
   add(t, "printed ", c->printed);
   add(t, space, unit);
-  tp_text_add(t, ", computed %s", tp_claim_number(number, c, c->computed));
+  tp_text_add(t, ", computed %s", tp_claim_number(number, c, c->computed_there));
   add(t, space, unit);
 }
 
@@ -84,13 +84,13 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
   if (c->is_formula) {
     char one[TP_NUMBER_SIZE], other[TP_NUMBER_SIZE];
     add_detail(t, "printed", c->printed);
-    add_detail(t, c->is_tangent ? "tangent" : "derived", c->derived);
+    add_detail(t, c->of_tangents ? "tangent" : "derived", c->computed);
     add_detail(t, "difference", c->difference);
     if (c->has_values) {
       tp_text_add(t, "             at         ");
-      tp_encode_plain(t, c->values);
-      tp_text_add(t, ": printed %s, derived %s\n", tp_claim_number(one, c, c->printed_value),
-                  tp_claim_number(other, c, c->computed));
+      tp_encode_plain(t, c->at);
+      tp_text_add(t, ": printed %s, derived %s\n", tp_claim_number(one, c, c->printed_there),
+                  tp_claim_number(other, c, c->computed_there));
     }
     add_detail(t, "mend", c->change);
     add_detail(t, "", c->mend);

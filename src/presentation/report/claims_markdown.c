@@ -25,13 +25,13 @@ static void add_objection(tp_text *t, const tp_claim_result *c) {
   tp_text_add(t, ", %s\n\n", tp_verdict_name(c->verdict));
   if (c->is_formula) {
     add_formula(t, "printed", c->printed);
-    add_formula(t, c->is_tangent ? "derived, its tangent" : "derived", c->derived);
-    add_formula(t, c->is_tangent ? "difference of the tangents" : "difference", c->difference);
+    add_formula(t, c->of_tangents ? "derived, its tangent" : "derived", c->computed);
+    add_formula(t, c->of_tangents ? "difference of the tangents" : "difference", c->difference);
     if (c->has_values) {
       tp_text_add(t, "- at ");
-      tp_encode_markdown(t, c->values);
-      tp_text_add(t, ": %s as printed, %s as derived\n", tp_claim_number(one, c, c->printed_value),
-                  tp_claim_number(other, c, c->computed));
+      tp_encode_markdown(t, c->at);
+      tp_text_add(t, ": %s as printed, %s as derived\n", tp_claim_number(one, c, c->printed_there),
+                  tp_claim_number(other, c, c->computed_there));
     }
     add_formula(t, "mended", c->mend);
     if (c->change != NULL) {

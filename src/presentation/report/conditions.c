@@ -17,7 +17,7 @@ static void add_check(tp_text *t, const tp_derived_checks *checks, size_t condit
                       const char *what) {
   for (size_t k = 0; k < checks->count; k++) {
     const tp_derived_check *c = checks->items + k;
-    if (c->number != condition) continue;
+    if (c->condition != condition) continue;
     tp_text_add(t, "      solved at %s: the %s is the formula's; at %s: ", c->inside, what,
                 c->outside);
     switch (c->beyond) {

@@ -23,10 +23,10 @@ static void add_beyond(tp_page *p, const tp_contact_result *c) {
   if (!left && !right) {
     tp_text_add(&p->text, "ends with the %s on both sides", cut ? "contact" : "block");
   } else if (left && right) {
-    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0], unit, n[1],
+    tp_text_add(&p->text, "extends by %s %s on the left, %s %s on the right", n[0], unit, n[1],
                 unit);
   } else {
-    tp_text_add(&p->text, "ends with the %s on the %s, goes on for %s %s on the %s",
+    tp_text_add(&p->text, "ends with the %s on the %s, extends for %s %s on the %s",
                 cut ? "contact" : "block", left ? "right" : "left", left ? n[0] : n[1], unit,
                 left ? "left" : "right");
   }
@@ -65,9 +65,10 @@ bool tp_contact_is_cut_by_default(const tp_contact_result *c) {
 static void add_ends(tp_page *p, const tp_contact_result *c) {
   char n[4][TP_NUMBER_SIZE];
   tp_text_add(&p->text, "\nContact  from (%s, %s), %s,\n         to (%s, %s), %s;",
-              tp_page_coordinate(p, n[0], c->left_x_m), tp_page_coordinate(p, n[1], c->left_y_m),
-              end_words(c->left_end, true), tp_page_coordinate(p, n[2], c->right_x_m),
-              tp_page_coordinate(p, n[3], c->right_y_m), end_words(c->right_end, false));
+              tp_page_coordinate(p, n[0], c->left_end_x_m),
+              tp_page_coordinate(p, n[1], c->left_end_y_m), end_words(c->left_end, true),
+              tp_page_coordinate(p, n[2], c->right_end_x_m),
+              tp_page_coordinate(p, n[3], c->right_end_y_m), end_words(c->right_end, false));
   if (tp_contact_is_cut_by_default(c)) {
     tp_text_add(&p->text,
                 "\n         (default: the scene gives neither 'between' nor 'mated: whole' for\n"
@@ -85,7 +86,8 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
                 tp_page_degrees(n, c->steepest_deg));
   }
   if (c->reaches_far) {
-    const tp_bounded percent = {100 * c->reach.value, 101 * c->reach.error, NULL};
+    const tp_bounded percent = {100 * c->share_of_height.value, 101 * c->share_of_height.error,
+                                NULL};
     tp_text_add(&p->text,
                 "         Caution: it extends over %s %% of the block's height; is all of that "
                 "in\n         contact?\n",
@@ -119,8 +121,8 @@ static void add_frame(tp_page *p) {
       tp_text_add(&p->text,
                   "; x runs along it and y normal to it\n         from here on, turned about "
                   "(%s, %s), which stays fixed\n",
-                  tp_page_coordinate(p, n[1], f->about_x_m),
-                  tp_page_coordinate(p, n[2], f->about_y_m));
+                  tp_page_coordinate(p, n[1], f->turned_about_x_m),
+                  tp_page_coordinate(p, n[2], f->turned_about_y_m));
     }
   } else if (f->inclined) {
     tp_text_add(&p->text,
@@ -152,7 +154,7 @@ static void add_rest(tp_page *p) {
               tp_page_length(p, n[0], r->moved_x_m, 5), tp_page_length(p, n[1], r->moved_y_m, 5),
               unit, tp_page_length(p, n[2], r->margin_left_m, 5), unit);
   tp_text_add(&p->text, " and %s %s left of the last\n         of %zu points of contact\n",
-              tp_page_length(p, n[0], r->margin_right_m, 5), unit, r->touches);
+              tp_page_length(p, n[0], r->margin_right_m, 5), unit, r->contacts);
   if (r->margin_left_m.value < 0 || r->margin_right_m.value < 0) {
     tp_text_add(&p->text,
                 "         Caution: the weight passes beside the contacts; the block is wedged "

@@ -49,7 +49,7 @@ static void add_level(tp_text *t, const tp_converge_level *level, int decimals) 
   write_value(value, level->setting, level->value);
   tp_text_add(t, "  %c %18s", level->own ? '*' : ' ', value);
   if (level->known) {
-    tp_text_add(t, " %13.*f %13.*f", decimals, level->least, decimals, level->most);
+    tp_text_add(t, " %13.*f %13.*f", decimals, level->bracket_least, decimals, level->bracket_most);
   } else {
     tp_text_add(t, " %27s", "undecided");
   }
@@ -87,8 +87,8 @@ static void add_outcome(tp_text *t, const tp_tilt_convergence_case *own,
   const bool angle = c->quantity == TP_CONVERGE_ANGLE;
   const char *unit = angle ? "°" : "";
   tp_text_add(t, "\n  %s over all of these: %.*f%s to %.*f%s.\n",
-              angle ? "Critical angle" : "Least overturning factor", decimals, own->least, unit,
-              decimals, own->most, unit);
+              angle ? "Critical angle" : "Least overturning factor", decimals,
+              own->over_settings_least, unit, decimals, own->over_settings_most, unit);
   tp_text_add(t,
               own->converged ? "  Converged to the %.3g%s that %s asked.\n"
                              : "  Not converged to the %.3g%s that %s asked.\n",
@@ -98,7 +98,7 @@ static void add_outcome(tp_text *t, const tp_tilt_convergence_case *own,
 static void add_case(tp_text *t, const tp_tilt_convergence_case *own,
                      const tp_tilt_convergence *c) {
   const bool angle = c->quantity == TP_CONVERGE_ANGLE;
-  const int decimals = decimals_of(angle ? c->asked : c->asked * own->most);
+  const int decimals = decimals_of(angle ? c->asked : c->asked * own->over_settings_most);
   if (!angle && c->settings.release_deg == 0) {
     tp_text_add(t, "\nOn level ground\n\n");
   } else {
@@ -115,8 +115,8 @@ static void add_case(tp_text *t, const tp_tilt_convergence_case *own,
   }
   tp_text_add(t, "  %20s %13s %13s %6s %11s\n", "setting", angle ? "stands at" : "withstands",
               angle ? "moves at" : "overturned by", "runs", "time");
-  for (size_t k = 0; k < own->finding_count; k++) {
-    const tp_converge_finding *f = own->findings + k;
+  for (size_t k = 0; k < own->setting_count; k++) {
+    const tp_converge_finding *f = own->settings + k;
     const char *unit = unit_of(f->setting);
     tp_text_add(t, "\n  %s%s%s\n", tp_converge_setting_name(f->setting),
                 unit[0] == '\0'  ? ""

@@ -62,7 +62,7 @@ static void add_elements(tp_text *t, const tp_derivation *d, tp_direction toward
 static void add_text_pivot(tp_text *t, const tp_derived_pivot *p) {
   tp_text_add(t, "\nPivot: ");
   add_description(t, p);
-  tp_text_add(t, "\n  tan(alpha_crit) = %s\n", p->tangent.formula);
+  tp_text_add(t, "\n  tan(alpha_crit) = %s\n", p->tan_critical_angle.formula);
   if (!p->has_elements) return;
   tp_text_add(t, "  FoS by elements = ");
   if (p->splits) {
@@ -76,8 +76,8 @@ static void add_text_pivot(tp_text *t, const tp_derived_pivot *p) {
     tp_text_add(
         t,
         "(A*cot(alpha) + B)/(C*cot(alpha) + D)\n    A = %s\n    B = %s\n    C = %s\n    D = %s\n",
-        p->normal_stabilising.formula, p->parallel_stabilising.formula,
-        p->normal_overturning.formula, p->parallel_overturning.formula);
+        p->stabilising_cos.formula, p->stabilising_sin.formula, p->overturning_cos.formula,
+        p->overturning_sin.formula);
   }
 }
 
@@ -88,9 +88,9 @@ static void add_text_rounding(tp_text *t, const tp_derived_rounding *r, tp_direc
       "\nRounded corner: the axis moves from the governing %s, towards the %s, up-dip along\n"
       "its facet, of angle i, by r; the mass is kept\n  tan(alpha_crit) = %s\n"
       "  toppling at alpha: r = %s\n",
-      tp_pivot_kind_name(r->kind), tp_direction_name(towards), r->tangent.formula,
-      r->length.formula);
-  if (r->has_radius) tp_text_add(t, "  of radius r_c = %s\n", r->radius.formula);
+      tp_pivot_kind_name(r->kind), tp_direction_name(towards), r->tan_critical_angle.formula,
+      r->rounding_length.formula);
+  if (r->has_radius) tp_text_add(t, "  of radius r_c = %s\n", r->corner_radius.formula);
 }
 
 static void write_text(tp_text *t, const tp_derivation *d) {
@@ -134,8 +134,8 @@ static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
     tp_text_add(t, "%% the corner at the governing %s, towards the %s, rounded\n",
                 tp_pivot_kind_name(r->kind), tp_direction_name((tp_direction)k));
     tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n\\[ r = %s \\]\n",
-                r->tangent.formula, r->length.formula);
-    if (r->has_radius) tp_text_add(t, "\\[ r_c = %s \\]\n", r->radius.formula);
+                r->tan_critical_angle.formula, r->rounding_length.formula);
+    if (r->has_radius) tp_text_add(t, "\\[ r_c = %s \\]\n", r->corner_radius.formula);
   }
 }
 
@@ -148,7 +148,7 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
     const tp_derived_pivot *p = d->pivots + k;
     tp_text_add(t, "%% ");
     add_description(t, p);
-    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", p->tangent.formula);
+    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", p->tan_critical_angle.formula);
     if (!p->has_elements) continue;
     if (p->splits) {
       tp_text_add(t, "\\[ \\mathrm{FoS} = %s \\cot\\alpha + %s \\]\n", p->fos_cot.formula,
@@ -157,8 +157,8 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
       tp_text_add(t,
                   "\\[ \\mathrm{FoS} = \\frac{\\left(%s\\right) \\cot\\alpha + %s}"
                   "{\\left(%s\\right) \\cot\\alpha + %s} \\]\n",
-                  p->normal_stabilising.formula, p->parallel_stabilising.formula,
-                  p->normal_overturning.formula, p->parallel_overturning.formula);
+                  p->stabilising_cos.formula, p->stabilising_sin.formula,
+                  p->overturning_cos.formula, p->overturning_sin.formula);
     }
   }
   add_latex_rounding(t, d);
@@ -173,8 +173,8 @@ static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
   add_description(t, p);
   tp_text_add(t, " */\ndouble tan_critical_angle_%zu", k + 1);
   tp_c_arguments(t, d, "");
-  const bool bounded = strcmp(p->tangent.denominator, "0") != 0;
-  tp_text_add(t, "  return %s;\n}\n", bounded ? p->tangent.formula : "INFINITY");
+  const bool bounded = strcmp(p->tan_critical_angle.denominator, "0") != 0;
+  tp_text_add(t, "  return %s;\n}\n", bounded ? p->tan_critical_angle.formula : "INFINITY");
   if (!p->has_elements) return;
   tp_text_add(t, "\ndouble fos_elements_%zu", k + 1);
   tp_c_arguments(t, d, "double alpha");
@@ -182,8 +182,8 @@ static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
       t,
       "  const double normal = cos(alpha), parallel = sin(alpha);\n"
       "  return (normal*(%s) + parallel*(%s))\n         / (normal*(%s) + parallel*(%s));\n}\n",
-      p->normal_stabilising.formula, p->parallel_stabilising.formula, p->normal_overturning.formula,
-      p->parallel_overturning.formula);
+      p->stabilising_cos.formula, p->stabilising_sin.formula, p->overturning_cos.formula,
+      p->overturning_sin.formula);
 }
 
 /* Angles in radians. */
@@ -199,14 +199,14 @@ static void add_c_rounding(tp_text *t, const tp_derivation *d) {
         tp_pivot_kind_name(r->kind), side, side);
     tp_c_arguments(t, d, "double r, double i");
     tp_text_add(t, "  (void)i; /* of a level facet it is 0 */\n  return %s;\n}\n",
-                r->tangent.formula);
+                r->tan_critical_angle.formula);
     tp_text_add(t, "\ndouble rounding_length_%s", side);
     tp_c_arguments(t, d, "double alpha, double i");
-    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->length.formula);
+    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->rounding_length.formula);
     if (!r->has_radius) continue;
     tp_text_add(t, "\ndouble corner_radius_%s", side);
     tp_c_arguments(t, d, "double alpha, double i");
-    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->radius.formula);
+    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->corner_radius.formula);
   }
 }
 

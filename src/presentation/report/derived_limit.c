@@ -16,14 +16,14 @@ static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction 
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s, towards the %s, on a base that %s,\n%s degrees at the scene's values",
               tp_mechanism_name(l->mechanism), tp_direction_name(towards),
-              l->base_beyond_toe ? "goes on past the toe" : "ends at the toe",
+              l->base_beyond_toe ? "extends past the toe" : "ends at the toe",
               tp_text_fixed(n, l->critical_angle_deg, 3));
 }
 
 static tp_condition_list conditions_of(const tp_derived_limit *l) {
   return (tp_condition_list){.what = "limit",
                              .zeros = true,
-                             .positive = l->positive,
+                             .positive = l->parameters_above_zero,
                              .count = l->condition_count,
                              .items = l->conditions,
                              .checks = &l->checks};
@@ -32,7 +32,7 @@ static tp_condition_list conditions_of(const tp_derived_limit *l) {
 static void add_text(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
   tp_text_add(t, "\nLimit: ");
   add_description(t, l, towards);
-  tp_text_add(t, "\n  tan(alpha_crit) = %s\n  held by forces at", l->tangent.formula);
+  tp_text_add(t, "\n  tan(alpha_crit) = %s\n  held by forces at", l->tan_critical_angle.formula);
   for (int k = 0; k < 2; k++) {
     const tp_derived_reaction *r = l->reactions + k;
     tp_text_add(t, "%s (%s, %s), friction acting %s", k == 0 ? "" : " and", r->x.formula,
@@ -62,8 +62,8 @@ void tp_latex_derived_limit(tp_text *t, const tp_derivation *d) {
     if (!l->known) continue;
     tp_text_add(t, "%% limit: %s, towards the %s, on a base that %s\n",
                 tp_mechanism_name(l->mechanism), tp_direction_name((tp_direction)k),
-                l->base_beyond_toe ? "goes on past the toe" : "ends at the toe");
-    tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", l->tangent.formula);
+                l->base_beyond_toe ? "extends past the toe" : "ends at the toe");
+    tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", l->tan_critical_angle.formula);
     const tp_condition_list conditions = conditions_of(l);
     tp_latex_conditions(t, &conditions);
   }
@@ -78,7 +78,7 @@ void tp_c_derived_limit(tp_text *t, const tp_derivation *d) {
     tp_text_add(t, "\n/* limit: ");
     add_description(t, l, (tp_direction)k);
     const tp_condition_list conditions = conditions_of(l);
-    tp_c_conditional(t, &conditions, d, l->tangent.formula, side);
+    tp_c_conditional(t, &conditions, d, l->tan_critical_angle.formula, side);
   }
 }
 

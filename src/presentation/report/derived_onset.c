@@ -23,7 +23,7 @@ static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction 
 static tp_condition_list conditions_of(const tp_derived_onset *o) {
   return (tp_condition_list){.what = "onset",
                              .zeros = false,
-                             .positive = o->positive,
+                             .positive = o->parameters_above_zero,
                              .count = o->condition_count,
                              .items = o->conditions,
                              .checks = &o->checks};
@@ -53,10 +53,10 @@ static void add_text(tp_text *t, const tp_derived_onset *o, tp_direction towards
   if (o->same_as_limit) {
     tp_text_add(t, "\n  the formula of the limit serves for both");
   } else {
-    tp_text_add(t, "\n  tan(alpha_s) = %s", o->tangent.formula);
+    tp_text_add(t, "\n  tan(alpha_s) = %s", o->tan_critical_angle.formula);
   }
   tp_text_add(t, "\n  the weight in balance with");
-  for (int k = 0; k < 2; k++) add_row(t, o->rows + k);
+  for (int k = 0; k < 2; k++) add_row(t, o->balance + k);
   const tp_condition_list conditions = conditions_of(o);
   tp_text_conditions(t, &conditions);
 }
@@ -82,7 +82,7 @@ void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
     if (!o->known) continue;
     tp_text_add(t, "%% onset of motion: ");
     add_description(t, o, (tp_direction)k);
-    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{s}} = %s \\]\n", o->tangent.formula);
+    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{s}} = %s \\]\n", o->tan_critical_angle.formula);
     const tp_condition_list conditions = conditions_of(o);
     tp_latex_conditions(t, &conditions);
   }
@@ -101,6 +101,6 @@ void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
     tp_text_add(t, "\n/* onset of motion: ");
     add_description(t, o, (tp_direction)k);
     const tp_condition_list conditions = conditions_of(o);
-    tp_c_conditional(t, &conditions, d, o->tangent.formula, side);
+    tp_c_conditional(t, &conditions, d, o->tan_critical_angle.formula, side);
   }
 }

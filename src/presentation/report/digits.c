@@ -31,10 +31,10 @@ static void add_limit(tp_page *p, const tp_limit *limit) {
 
 static void add_case(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  towards the %s:\n", tp_direction_name(c->towards));
-  if (c->has_governing) {
-    const tp_pivot *pivot = c->pivots + c->governing;
+  if (c->has_toppling_pivot) {
+    const tp_pivot *pivot = c->pivots + c->toppling_pivot;
     if (!pivot->never && !pivot->always) add(p, "critical angle", "°", pivot->critical_angle_deg);
-    add_fos(p, "factor of safety", pivot->fos_resultant);
+    add_fos(p, "factor of safety", pivot->fos);
     add_fos(p, "  by elements", pivot->fos_elements);
   }
   if (c->sliding.known && !c->sliding.never && !c->sliding.always) {

@@ -12,12 +12,12 @@
 
 static void add_account(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
-  const tp_account *a = &c->account;
+  const tp_account *a = &c->elements;
   const tp_account_units units = tp_account_units_of(s);
   char n[5][TP_NUMBER_SIZE], head[4][48];
-  if (a->count == 0) return;
+  if (a->account_count == 0) return;
   tp_text_add(&p->text, "\nMoments by elements");
-  tp_page_add_centre(p, c, c->pivots[c->governing].x_m, c->pivots[c->governing].y_m);
+  tp_page_add_centre(p, c, c->pivots[c->toppling_pivot].x_m, c->pivots[c->toppling_pivot].y_m);
   tp_text_add(&p->text,
               !s->frame.world        ? ",\ntilted towards the %s by %s°%s\n"
               : a->at_critical_angle ? ",\nsteepened towards the %s to %s°%s\n"
@@ -32,8 +32,8 @@ static void add_account(tp_page *p, const tp_case *c) {
               "overturning");
   tp_text_add(&p->text, "%5s  %-8s %11s %11s %11s %13s %13s\n", "#", "element", head[0], head[1],
               head[2], head[3], head[3]);
-  for (size_t k = 0; k < a->count; k++) {
-    const tp_element *e = a->elements + k;
+  for (size_t k = 0; k < a->account_count; k++) {
+    const tp_element *e = a->account + k;
     tp_text_add(
         &p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1, tp_element_kind_name(e->kind),
         tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
@@ -44,10 +44,10 @@ static void add_account(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
               tp_account_moment(p, n[0], a->stabilising, &units),
               tp_account_moment(p, n[1], a->overturning, &units));
-  const tp_pivot *pivot = c->pivots + c->governing;
+  const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   if (pivot->fos_elements.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, "  FoS by elements %s, by the resultant %s\n",
-                tp_page_fos(n[0], pivot->fos_elements), tp_page_fos(n[1], pivot->fos_resultant));
+                tp_page_fos(n[0], pivot->fos_elements), tp_page_fos(n[1], pivot->fos));
   }
 }
 

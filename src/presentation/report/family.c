@@ -30,9 +30,9 @@ static void add_proof(tp_text *t, const tp_family *f, const char *indent) {
               indent, indent, indent);
   for (int even = 0; even < 2; even++) {
     tp_text_add(t, "\n%s%s: fixed by N = ", indent, even == 1 ? "Even" : "Odd");
-    add_counts(t, f->fixed[even], TP_FAMILY_FIXED);
+    add_counts(t, f->fixed_by[even], TP_FAMILY_FIXED);
     tp_text_add(t, "; found exact on N = ");
-    add_counts(t, f->checked[even], TP_FAMILY_CHECKED);
+    add_counts(t, f->checked_on[even], TP_FAMILY_CHECKED);
   }
   tp_text_add(t, "\n");
 }
@@ -56,7 +56,7 @@ static void write_text(tp_text *t, const tp_family *f) {
     const tp_family_formula *own = f->formulas + k;
     tp_text_add(t, "\nN %s, towards the %s, about the %s\n  tan(alpha_crit) = %s\n",
                 parity(own->even), tp_direction_name(own->towards), tp_pivot_kind_name(own->kind),
-                own->tangent.formula);
+                own->tan_critical_angle.formula);
   }
   tp_text_add(t, "\n");
   add_proof(t, f, "");
@@ -72,7 +72,7 @@ static void write_latex(tp_text *t, const tp_family *f) {
     tp_text_add(
         t, "%% N %s, towards the %s, about the %s\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n",
         parity(own->even), tp_direction_name(own->towards), tp_pivot_kind_name(own->kind),
-        own->tangent.formula);
+        own->tan_critical_angle.formula);
   }
   add_proof(t, f, "% ");
 }
@@ -101,7 +101,8 @@ static void write_c(tp_text *t, const tp_family *f) {
       tp_encode_plain(t, f->symbols[s]);
     }
     const bool alone = !f->count_is_symbol && f->symbol_count == 0;
-    tp_text_add(t, "%s) {\n  return %s;\n}\n", alone ? "void" : "", own->tangent.formula);
+    tp_text_add(t, "%s) {\n  return %s;\n}\n", alone ? "void" : "",
+                own->tan_critical_angle.formula);
   }
 }
 

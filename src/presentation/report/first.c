@@ -19,7 +19,7 @@ void tp_page_add_first(tp_page *p, const tp_case *c) {
     return;
   }
   tp_text_add(&p->text, "%s", tp_mechanism_name(c->first));
-  if (c->first != TP_TOPPLES || !c->has_governing) return;
-  const tp_pivot *pivot = c->pivots + c->governing;
+  if (c->first != TP_TOPPLES || !c->has_toppling_pivot) return;
+  const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   tp_page_add_centre(p, c, pivot->x_m, pivot->y_m);
 }

@@ -11,7 +11,7 @@
 #include "report/words.h"
 
 static const char *base_text(const tp_limit *l) {
-  return l->base_beyond_toe ? "goes on past the toe" : "ends at the toe";
+  return l->base_beyond_toe ? "extends past the toe" : "ends at the toe";
 }
 
 /* What the limit says, as an end of the sentence "On such a base …". */
@@ -54,11 +54,11 @@ static void add_toe_friction(tp_page *p, const tp_toe *toe) {
 /* Where moments and contact forces disagree. */
 static void add_moments(tp_page *p, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
-  if (!c->has_governing || c->limit.kind != TP_LIMIT_AT_ANGLE) return;
-  const tp_pivot *pivot = c->pivots + c->governing;
+  if (!c->has_toppling_pivot || c->limit.kind != TP_LIMIT_AT_ANGLE) return;
+  const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   if (pivot->never || pivot->always) {
     tp_text_add(&p->text, "  By moments alone it %s, about pivot %zu.\n",
-                pivot->never ? "never topples" : "topples at every tilt", c->governing + 1);
+                pivot->never ? "never topples" : "topples at every tilt", c->toppling_pivot + 1);
     return;
   }
   const tp_bounded toppling = pivot->critical_angle_deg;
@@ -69,12 +69,12 @@ static void add_moments(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text,
                 "  Moments alone give %s°, about pivot %zu: friction on the other contacts\n"
                 "  can hold it beyond, if it is mobilised.\n",
-                n, c->governing + 1);
+                n, c->toppling_pivot + 1);
   } else if (c->toe.known && !c->toe.holds && c->limit.mechanism != TP_SLIDES) {
     tp_text_add(&p->text,
                 "  Moments alone give %s°, where all the weight would act on pivot %zu; but\n"
                 "  friction is exhausted there at ",
-                n, c->governing + 1);
+                n, c->toppling_pivot + 1);
     add_toe_friction(p, &c->toe);
     tp_text_add(&p->text, ".\n");
   }

@@ -9,7 +9,7 @@
 
 /* The tilts in order: it lets go at the first if it stands level, holds again at the next. */
 static void add_limits(tp_page *p, const tp_case *c) {
-  const tp_pivot *pivot = c->pivots + c->governing;
+  const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   char n[TP_NUMBER_SIZE];
   if (pivot->limit_count < 2 && !(pivot->limit_count == 1 && pivot->critical_angle_deg.value < 0)) {
     return;
@@ -51,12 +51,12 @@ static void add_overtopping(tp_page *p, const tp_case *c) {
 void tp_page_add_balance(tp_page *p, const tp_case *c) {
   if (!p->solution->loaded) return;
   add_overtopping(p, c);
-  if (c->has_governing) add_limits(p, c);
+  if (c->has_toppling_pivot) add_limits(p, c);
 }
 
 void tp_page_add_loads(tp_page *p, const tp_case *c) {
   tp_page_add_balance(p, c);
-  if (!p->solution->loaded || !c->has_governing || c->load_count == 0) return;
+  if (!p->solution->loaded || !c->has_toppling_pivot || c->load_count == 0) return;
   const tp_result_unit unit = p->solution->result_units.moment;
   tp_text_add(&p->text, "  Moments about the governing pivot, overturning positive\n");
   for (size_t k = 0; k < c->load_count; k++) {

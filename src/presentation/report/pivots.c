@@ -16,7 +16,7 @@
 #include <stdio.h>
 
 static bool governs(const tp_case *c, size_t k) {
-  return c->has_governing && k == c->governing;
+  return c->has_toppling_pivot && k == c->toppling_pivot;
 }
 
 const char *tp_text_turning(const tp_case *c, size_t k) {
@@ -35,7 +35,7 @@ static void add_row(tp_page *p, const tp_case *c, size_t k) {
     tp_text_add(&p->text, "%10s°", tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
   }
   if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos_resultant),
+    tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos),
                 tp_page_fos(n[4], pivot->fos_elements));
   }
   tp_text_add(&p->text, "  %s\n", tp_text_turning(c, k));
@@ -63,9 +63,9 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
                 "  … and %zu more, all of them blocked (--json --pivots=all lists them)\n",
                 left_out);
   }
-  if (!c->has_governing) tp_text_add(&p->text, "  Turning is blocked about every pivot.\n");
-  if (c->governing_tie) {
+  if (!c->has_toppling_pivot) tp_text_add(&p->text, "  Turning is blocked about every pivot.\n");
+  if (c->toppling_tie) {
     tp_text_add(&p->text, "  Tie: another free pivot has the same critical angle");
-    tp_page_add_tie(p, c->governing_tie_bits);
+    tp_page_add_tie(p, c->toppling_tie_bits);
   }
 }

@@ -27,13 +27,13 @@ static const char *percent(char out[TP_NUMBER_SIZE], tp_bounded share) {
 static const char *lets_go(char out[TP_NUMBER_SIZE + 4], const tp_resting_pose *pose, size_t c) {
   const tp_pose_verdict *v = pose->verdicts + c;
   if (pose->verdict_count == 0) return "unsolved";
-  if (!v->has_first_angle) {
+  if (!v->has_critical_angle) {
     return v->first == TP_MECHANISM_UNDECIDED                    ? "undecided"
            : v->first == TP_STANDS || v->first == TP_INTERLOCKED ? "never"
                                                                  : "any tilt";
   }
   char n[TP_NUMBER_SIZE];
-  snprintf(out, TP_NUMBER_SIZE + 4, "%s°", tp_text_fixed(n, v->first_angle_deg, 3));
+  snprintf(out, TP_NUMBER_SIZE + 4, "%s°", tp_text_fixed(n, v->critical_angle_deg, 3));
   return out;
 }
 
@@ -42,7 +42,7 @@ static void add_angle(tp_page *p, const tp_resting_pose *pose, size_t c) {
   char n[TP_NUMBER_SIZE + 4];
   const char *text = lets_go(n, pose, c);
   tp_text_add(&p->text,
-              pose->verdict_count > 0 && pose->verdicts[c].has_first_angle ? " %11s" : " %10s",
+              pose->verdict_count > 0 && pose->verdicts[c].has_critical_angle ? " %11s" : " %10s",
               text);
 }
 
@@ -63,11 +63,12 @@ static void add_row(tp_page *p, size_t k) {
   const tp_poses_result *r = &p->solution->poses;
   const tp_resting_pose *pose = r->poses + k;
   char n[5][TP_NUMBER_SIZE];
-  tp_text_add(
-      &p->text, "%c %4zu %6s%% %8s° %11s %9s %9s", r->has_given && r->given == k ? '>' : ' ', k + 1,
-      percent(n[0], pose->share), tp_text_fixed(n[1], pose->rest.turned_deg, 3),
-      tp_page_length(p, n[2], pose->centroid_y_m, 5), tp_page_length(p, n[3], pose->first_x_m, 5),
-      tp_page_length(p, n[4], pose->last_x_m, 5));
+  tp_text_add(&p->text, "%c %4zu %6s%% %8s° %11s %9s %9s",
+              r->has_given && r->given == k ? '>' : ' ', k + 1, percent(n[0], pose->share),
+              tp_text_fixed(n[1], pose->rest.turned_deg, 3),
+              tp_page_length(p, n[2], pose->centroid_y_m, 5),
+              tp_page_length(p, n[3], pose->first_contact_x_m, 5),
+              tp_page_length(p, n[4], pose->last_contact_x_m, 5));
   for (size_t c = 0; c < p->solution->case_count; c++) add_angle(p, pose, c);
   tp_text_add(&p->text, "\n");
 }
@@ -106,7 +107,7 @@ static void add_least(tp_page *p) {
     tp_text_add(&p->text, "  %s the %s, pose %zu begins to move first: ",
                 p->solution->frame.world ? "Towards" : "Tilted towards",
                 tp_direction_name(v->towards), least + 1);
-    if (v->has_first_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
+    if (v->has_critical_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
     tp_text_add(&p->text, "%s.\n", tp_mechanism_name(v->first));
   }
 }

@@ -58,12 +58,12 @@ static void add_head(tp_text *t, const tp_profile *p) {
 static void add_shape(tp_text *t, const tp_profile *p) {
   const char *unit = p->length_unit;
   add_bounded(t, "length", p->length, unit);
-  add_bounded(t, "length along the profile", p->along, unit);
+  add_bounded(t, "length along the profile", p->length_along, unit);
   add_bounded(t, "amplitude A", p->amplitude, unit);
   add_bounded(t, "RMS height", p->rms_height, unit);
   add_bounded(t, "lean against x", p->trend_deg, "°");
   add_bounded(t, "mean slope", p->mean_slope, "");
-  add_bounded(t, "mean size of the slope", p->absolute_slope, "");
+  add_bounded(t, "mean size of the slope", p->mean_absolute_slope, "");
   add_bounded(t, "Z2, RMS slope", p->z2, "");
   add_bounded(t, "i, of the mean size of the slope", p->effective_angle_deg, "°");
   add_bounded(t, "Rp, along over straight", p->rp, "");
@@ -96,14 +96,14 @@ static void add_facing(tp_text *t, const tp_profile *p) {
 static void add_correlations(tp_text *t, const tp_profile *p, tp_jrc_state state) {
   char n[TP_NUMBER_SIZE];
   bool any = false;
-  for (size_t k = 0; k < p->jrc_count; k++) {
-    const tp_profile_jrc *own = p->jrc + k;
+  for (size_t k = 0; k < p->correlation_count; k++) {
+    const tp_profile_jrc *own = p->correlations + k;
     if (own->state != state) continue;
     if (!any && state != TP_JRC_MEANT) tp_text_add(t, "  %s:\n", tp_jrc_state_name(state));
     any = true;
-    tp_text_add(t, "  %-26s %-30s %6s%s%s\n", own->authors, own->equation,
+    tp_text_add(t, "  %-26s %-30s %6s%s%s\n", own->source, own->equation,
                 state == TP_JRC_NO_NUMBER ? "none" : tp_text_fixed(n, own->jrc, 1),
-                own->step[0] != '\0' ? "  " : "", own->step);
+                own->meant_for_step[0] != '\0' ? "  " : "", own->meant_for_step);
   }
 }
 

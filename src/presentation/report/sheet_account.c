@@ -22,7 +22,7 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   tp_document_heading(d, 3, "Loads");
   tp_page_add_balance(&page, c);
   tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &page.text);
-  if (!c->has_governing || c->load_count == 0) {
+  if (!c->has_toppling_pivot || c->load_count == 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                     "Their moments are given about a governing pivot %s, where there are both.",
                     tp_text_present(s->solution));
@@ -87,7 +87,7 @@ static void add_sums(tp_sheet *s, const tp_account *a, const tp_account_units *u
   char n[TP_NUMBER_SIZE];
   tp_document_mark_row(d);
   tp_document_cell(d, "All");
-  tp_document_cell(d, "%zu elements", a->count);
+  tp_document_cell(d, "%zu elements", a->account_count);
   tp_document_cell(d, "%s", area_of(s, n, b->area_m2));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_y_m));
@@ -114,12 +114,12 @@ static void add_reason(tp_sheet *s) {
 
 void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
-  const tp_account *a = &c->account;
+  const tp_account *a = &c->elements;
   const bool left = c->towards == TP_TOWARDS_LEFT;
   const tp_account_units units = tp_account_units_of(s->solution);
   char n[TP_NUMBER_SIZE];
-  if (a->count == 0 && c->has_governing) add_reason(s);
-  if (a->count == 0 || !c->has_governing) return;
+  if (a->account_count == 0 && c->has_toppling_pivot) add_reason(s);
+  if (a->account_count == 0 || !c->has_toppling_pivot) return;
   tp_document_heading(d, 3, "Account of moments by elements");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "The section is cut into slabs and triangles (drawn in the figure). About pivot "
@@ -127,7 +127,7 @@ void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
                   "moments below: of above 0 the first stabilises and the second overturns, of "
                   "below 0 it is the other way round. All: sums of areas, weights and moments, and "
                   "the centroid of the weight.",
-                  c->governing + 1, tp_page_degrees(n, a->angle_deg),
+                  c->toppling_pivot + 1, tp_page_degrees(n, a->angle_deg),
                   a->at_critical_angle ? ", the critical angle" : "");
   tp_document_add(d, TP_PASSAGE_EQUATION,
                   "M_{1k} = W_k (%s) \\cos α \\\\ M_{2k} = W_k (y_k − y_P) \\sin α \\\\"
@@ -137,9 +137,10 @@ void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 8, 0xfc,
                     "Moments about the governing pivot by elements");
   add_heads(s, &units);
-  for (size_t k = 0; k < a->count && k < LISTED; k++) add_element(s, a->elements + k, k, &units);
+  for (size_t k = 0; k < a->account_count && k < LISTED; k++)
+    add_element(s, a->account + k, k, &units);
   add_sums(s, a, &units);
-  if (a->count > LISTED) {
+  if (a->account_count > LISTED) {
     tp_document_add(
         d, TP_PASSAGE_PARAGRAPH,
         "The first %d elements are listed; the sums are of all (topple solve --elements "

@@ -184,7 +184,7 @@ static void add_pivot(tp_sheet *s, const tp_case *c, size_t k) {
   const tp_page page = {.solution = s->solution};
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
-  if (c->has_governing && k == c->governing) tp_document_mark_row(d);
+  if (c->has_toppling_pivot && k == c->toppling_pivot) tp_document_mark_row(d);
   tp_document_cell(d, "%zu", k + 1);
   tp_document_cell(d, "%s", tp_pivot_kind_name(pivot->kind));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->x_m));
@@ -195,7 +195,7 @@ static void add_pivot(tp_sheet *s, const tp_case *c, size_t k) {
     tp_document_cell(d, "%s°", tp_text_fixed(n, pivot->critical_angle_deg, 3));
   }
   if (s->solution->has_tilt_angle) {
-    tp_document_cell(d, "%s", tp_page_fos(n, pivot->fos_resultant));
+    tp_document_cell(d, "%s", tp_page_fos(n, pivot->fos));
     tp_document_cell(d, "%s", tp_page_fos(n, pivot->fos_elements));
   }
   tp_document_cell(d, "%s", tp_text_turning(c, k));
@@ -231,13 +231,13 @@ void tp_sheet_add_pivots(tp_sheet *s, const tp_case *c) {
   if (left_out > 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH, "… and %zu more, all of them blocked.", left_out);
   }
-  if (!c->has_governing) {
+  if (!c->has_toppling_pivot) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH, "Turning is blocked about every pivot.");
   }
-  if (c->governing_tie) {
+  if (c->toppling_tie) {
     tp_page page = {.solution = s->solution};
     tp_text_add(&page.text, "Tie: another free pivot has the same critical angle");
-    tp_page_add_tie(&page, c->governing_tie_bits);
+    tp_page_add_tie(&page, c->toppling_tie_bits);
     tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &page.text);
   }
 }

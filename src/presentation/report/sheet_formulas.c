@@ -15,14 +15,14 @@
 /* The lever arms of the weight about the governing pivot; false where loads act, or the weight
  * lies not above it. */
 static bool has_arms(const tp_sheet *s, const tp_case *c) {
-  if (s->solution->loaded || !c->has_governing) return false;
-  const tp_bounded y_m = s->solution->block.centroid_y_m, own = c->pivots[c->governing].y_m;
+  if (s->solution->loaded || !c->has_toppling_pivot) return false;
+  const tp_bounded y_m = s->solution->block.centroid_y_m, own = c->pivots[c->toppling_pivot].y_m;
   return y_m.value - y_m.error > own.value + own.error;
 }
 
 static void add_critical_angle(tp_sheet *s, const tp_case *c) {
   const tp_block_result *b = &s->solution->block;
-  const tp_pivot *p = c->pivots + c->governing;
+  const tp_pivot *p = c->pivots + c->toppling_pivot;
   const bool left = c->towards == TP_TOWARDS_LEFT;
   const tp_sheet_number gx = tp_sheet_coordinate(s, b->centroid_x_m),
                         gy = tp_sheet_coordinate(s, b->centroid_y_m),
@@ -30,7 +30,7 @@ static void add_critical_angle(tp_sheet *s, const tp_case *c) {
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "Critical angle of toppling about pivot %zu, by moments: at it the line of the "
                   "weight passes through the pivot. G is the centroid of the weight, P the pivot.",
-                  c->governing + 1);
+                  c->toppling_pivot + 1);
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
                   "α_c = \\arctan \\frac{%s}{y_G − y_P} \\\\"
                   "α_c = \\arctan \\frac{%s − %s}{%s − %s} = %s",
@@ -40,8 +40,8 @@ static void add_critical_angle(tp_sheet *s, const tp_case *c) {
 }
 
 static void add_resultant(tp_sheet *s, const tp_case *c) {
-  const tp_pivot *p = c->pivots + c->governing;
-  if (p->fos_resultant.state != TP_FOS_NUMBER || p->critical_angle_deg.value <= 0) return;
+  const tp_pivot *p = c->pivots + c->toppling_pivot;
+  if (p->fos.state != TP_FOS_NUMBER || p->critical_angle_deg.value <= 0) return;
   const tp_bounded tilt = s->solution->tilt_angle_deg;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "Factor of safety against toppling about it, by the resultant (Eq. 2): "
@@ -49,18 +49,18 @@ static void add_resultant(tp_sheet *s, const tp_case *c) {
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
                   "\\text{FoS} = \\frac{\\tan α_c}{\\tan α} = \\frac{\\tan %s}{\\tan %s} = %s",
                   tp_sheet_angle(p->critical_angle_deg).text, tp_sheet_angle(tilt).text,
-                  tp_sheet_factor(p->fos_resultant.value).text);
+                  tp_sheet_factor(p->fos.value).text);
 }
 
 /* Where loads act: the sums of the table of loads. */
 static void add_loaded(tp_sheet *s, const tp_case *c) {
-  const tp_pivot *p = c->pivots + c->governing;
+  const tp_pivot *p = c->pivots + c->toppling_pivot;
   tp_text equation = {0};
-  if (p->fos_resultant.state != TP_FOS_NUMBER || c->load_count == 0) return;
+  if (p->fos.state != TP_FOS_NUMBER || c->load_count == 0) return;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "Factor of safety against toppling about pivot %zu: the moments in the table of "
                   "loads, stabilising over overturning less those that reduce overturning.",
-                  c->governing + 1);
+                  c->toppling_pivot + 1);
   tp_text_add(&equation, "\\text{FoS} = \\frac{");
   for (int under = 0; under < 2; under++) {
     bool any = false;
@@ -80,15 +80,15 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
       any = true;
     }
     if (!any) tp_text_add(&equation, "0");
-    tp_text_add(&equation, under ? "} = %s" : "}{", tp_sheet_factor(p->fos_resultant.value).text);
+    tp_text_add(&equation, under ? "} = %s" : "}{", tp_sheet_factor(p->fos.value).text);
   }
   tp_document_take(&s->document, TP_PASSAGE_EQUATION, 0, &equation);
 }
 
 static void add_elements(tp_sheet *s, const tp_case *c) {
-  const tp_account *a = &c->account;
-  const tp_pivot *p = c->pivots + c->governing;
-  if (a->count == 0 || p->fos_elements.state != TP_FOS_NUMBER) return;
+  const tp_account *a = &c->elements;
+  const tp_pivot *p = c->pivots + c->toppling_pivot;
+  if (a->account_count == 0 || p->fos_elements.state != TP_FOS_NUMBER) return;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "The same by elements (Eq. A1.3): of each element both components of its weight, "
                   "each with the side that its sign puts it on; the sums of the account below.");
@@ -132,8 +132,8 @@ void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
     add_critical_angle(s, c);
     if (s->solution->has_tilt_angle) add_resultant(s, c);
   }
-  if (s->solution->loaded && c->has_governing) add_loaded(s, c);
-  if (c->has_governing) add_elements(s, c);
+  if (s->solution->loaded && c->has_toppling_pivot) add_loaded(s, c);
+  if (c->has_toppling_pivot) add_elements(s, c);
   tp_sheet_add_sliding_formulas(s, c);
   tp_sheet_add_onset_formula(s, c);
   add_least(s, &c->governing_fos);

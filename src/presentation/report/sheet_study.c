@@ -33,8 +33,9 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
   tp_text_add(&where,
               " %zu samples: certain to move %.2f %% (%.2f to %.2f %%), certain to stand %.2f %% "
               "(%.2f to %.2f %%).",
-              r->samples, 100 * own->moves.share, 100 * own->moves.low, 100 * own->moves.high,
-              100 * own->stands.share, 100 * own->stands.low, 100 * own->stands.high);
+              r->samples, 100 * own->certain_to_move.share, 100 * own->certain_to_move.low,
+              100 * own->certain_to_move.high, 100 * own->certain_to_stand.share,
+              100 * own->certain_to_stand.low, 100 * own->certain_to_stand.high);
   tp_document_take(d, TP_PASSAGE_ANSWER, 0, &where);
   if (r->samples < r->planned) {
     tp_document_add(d, TP_PASSAGE_CAUTION, "Of %zu samples planned %zu were solved (%s).",
@@ -44,7 +45,7 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
 
 static void add_share(tp_document *d, const char *label, const tp_study_share *share) {
   tp_document_cell(d, "%s", label);
-  tp_document_cell(d, "%zu", share->count);
+  tp_document_cell(d, "%zu", share->samples);
   tp_document_cell(d, "%.4f", share->share);
   tp_document_cell(d, "%.4f", share->low);
   tp_document_cell(d, "%.4f", share->high);
@@ -63,11 +64,11 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
   tp_document_cell(d, "95 %% from");
   tp_document_cell(d, "95 %% to");
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
-    if (own->outcomes[k].count == 0) continue;
+    if (own->outcomes[k].samples == 0) continue;
     add_share(d, tp_study_outcome_name((tp_study_outcome)k), own->outcomes + k);
   }
-  add_share(d, "certain to stand", &own->stands);
-  add_share(d, "certain to move", &own->moves);
+  add_share(d, "certain to stand", &own->certain_to_stand);
+  add_share(d, "certain to move", &own->certain_to_move);
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
       "Outcomes that did not occur are omitted. Intervals are Wilson intervals of 95 %%, "
@@ -78,10 +79,11 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
                   "p_{95} = \\frac{p + z^2 / (2 N) ± z (p (1 − p) / N + z^2 / (4 N^2))^{1/2}}"
                   "{1 + z^2 / N} , z = 1.959964 \\\\"
                   "p_{95} = \\frac{%.8f ± %.8f}{%.8f}",
-                  own->moves.count, r->samples, own->moves.share,
-                  own->moves.share + 1.959964 * 1.959964 / (2 * n),
-                  1.959964 * sqrt(own->moves.share * (1 - own->moves.share) / n +
-                                  1.959964 * 1.959964 / (4 * n * n)),
+                  own->certain_to_move.samples, r->samples, own->certain_to_move.share,
+                  own->certain_to_move.share + 1.959964 * 1.959964 / (2 * n),
+                  1.959964 *
+                      sqrt(own->certain_to_move.share * (1 - own->certain_to_move.share) / n +
+                           1.959964 * 1.959964 / (4 * n * n)),
                   1 + 1.959964 * 1.959964 / n);
 }
 
@@ -93,8 +95,9 @@ static void add_tilts(tp_document *d, const tp_study_result *r) {
   for (size_t k = 0; k < 7; k++) tp_document_cell(d, "%s", heads[k]);
   for (size_t k = 1; k < r->tilt_count; k++) {
     const tp_study_tilt *own = r->tilts + k;
-    const double shares[] = {own->stands.share, own->stands.low, own->stands.high,
-                             own->moves.share,  own->moves.low,  own->moves.high};
+    const double shares[] = {own->certain_to_stand.share, own->certain_to_stand.low,
+                             own->certain_to_stand.high,  own->certain_to_move.share,
+                             own->certain_to_move.low,    own->certain_to_move.high};
     tp_document_cell(d, "%.4g°", own->tilt_deg);
     for (size_t j = 0; j < 6; j++) tp_document_cell(d, "%.4f", shares[j]);
   }
@@ -114,7 +117,7 @@ static void add_number(tp_document *d, double value, int decimals) {
 static void add_spreads(tp_document *d, const tp_study_result *r) {
   const tp_study_quantile *heads = NULL;
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (r->spreads[q].count > 0) heads = r->spreads[q].quantiles;
+    if (r->quantities[q].samples > 0) heads = r->quantities[q].quantiles;
   }
   if (heads == NULL) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 1 + TP_STUDY_QUANTILES, 0xfe,
@@ -124,8 +127,8 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
     tp_document_cell(d, "%.0f %%", 100 * heads[k].probability);
   }
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    const tp_study_spread *own = r->spreads + q;
-    if (own->count == 0) continue;
+    const tp_study_spread *own = r->quantities + q;
+    if (own->samples == 0) continue;
     tp_document_cell(d, "%s", tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
       add_number(d, own->quantiles[k].value, q == TP_STUDY_FOS ? 3 : 2);
@@ -141,7 +144,7 @@ static void add_variables(tp_document *d, const tp_study_result *r) {
   for (size_t k = 0; k < 6; k++) tp_document_cell(d, "%s", heads[k]);
   for (size_t k = 0; k < r->variable_count; k++) {
     const tp_study_variable *v = r->variables + k;
-    const tp_study_rank *rank = v->ranks + TP_STUDY_LIMIT_DEG;
+    const tp_study_rank *rank = v->rank_correlations + TP_STUDY_LIMIT_DEG;
     tp_text law = {0};
     tp_document_outside_cell(d, v->key);
     tp_text_add(&law, "%s: ", v->kind);
@@ -197,12 +200,12 @@ static void add_price(tp_document *d, const tp_study_result *r) {
   tp_document_cell(d, "%zu", r->samples - r->by_doubles);
   tp_document_cell(d, "Less certain than requested");
   tp_document_cell(d, "%zu", r->open);
-  for (size_t k = 0; k < r->bad_count; k++) {
+  for (size_t k = 0; k < r->invalid_count; k++) {
     tp_text why = {0};
-    tp_text_add(&why, "sample %zu, ", r->bad[k].sample);
-    tp_encode_plain(&why, r->bad[k].settings);
+    tp_text_add(&why, "sample %zu, ", r->invalid[k].sample);
+    tp_encode_plain(&why, r->invalid[k].settings);
     tp_text_add(&why, ": ");
-    tp_encode_plain(&why, r->bad[k].why);
+    tp_encode_plain(&why, r->invalid[k].why);
     tp_document_cell(d, "Invalid");
     tp_document_outside_cell(d, why.data != NULL ? why.data : "");
     d->failed = d->failed || why.failed;

@@ -27,8 +27,8 @@ static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
                         const tp_sheet_options *options) {
   const bool released = test->settings.protocol == TP_TILT_RELEASE;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Numbers of the test");
-  add_angle(d, "Stands at", !released && c->least_deg == c->least_deg, c->least_deg);
-  add_angle(d, "Begins to move at", c->has_bracket, c->most_deg);
+  add_angle(d, "Stands at", !released && c->stands_at_deg == c->stands_at_deg, c->stands_at_deg);
+  add_angle(d, "Begins to move at", c->has_bracket, c->lets_go_at_deg);
   add_angle(d, "Statics, α_s", c->has_onset, c->onset_deg);
   add_angle(d, "Statics, α_w", c->has_limit, c->limit_deg);
   tp_document_cell(d, "Final state");

@@ -12,7 +12,7 @@
 
 static bool are_all_told(const tp_case *c) {
   for (size_t k = 0; k < c->pivot_count; k++) {
-    if (!c->pivots[k].told) return false;
+    if (!c->pivots[k].computed) return false;
   }
   return true;
 }
@@ -27,7 +27,7 @@ void tp_json_enter_case(tp_json_subject *x, const tp_case *c) {
 
 bool tp_json_lists_pivot(const tp_json_subject *x, size_t k) {
   const tp_pivot *p = x->c->pivots + k;
-  const bool governs = x->c->has_governing && k == x->c->governing;
+  const bool governs = x->c->has_toppling_pivot && k == x->c->toppling_pivot;
   return x->all_pivots || p->admissible || governs || tp_pivot_bears(p, &x->c->limit);
 }
 

@@ -16,7 +16,7 @@ enum { LABEL = TP_STUDY_LABEL };
  */
 
 static void add_share(tp_text *t, const char *label, const tp_study_share *share) {
-  tp_text_add(t, "  %-*s %12zu   %.4f   %.4f to %.4f\n", LABEL, label, share->count, share->share,
+  tp_text_add(t, "  %-*s %12zu   %.4f   %.4f to %.4f\n", LABEL, label, share->samples, share->share,
               share->low, share->high);
 }
 
@@ -35,13 +35,13 @@ static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
     const bool always =
         k <= TP_STUDY_SLIDES_AND_TOPPLES || k == TP_STUDY_MAY_MOVE || k == TP_STUDY_UNDECIDED;
-    if (!always && tilt->outcomes[k].count == 0) continue;
+    if (!always && tilt->outcomes[k].samples == 0) continue;
     const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history dependent"
                                                : tp_study_outcome_name((tp_study_outcome)k);
     add_share(t, label, tilt->outcomes + k);
   }
-  add_share(t, "certain to stand", &tilt->stands);
-  add_share(t, "certain to move", &tilt->moves);
+  add_share(t, "certain to stand", &tilt->certain_to_stand);
+  add_share(t, "certain to move", &tilt->certain_to_move);
 }
 
 static void add_tilts(tp_text *t, const tp_study_result *r) {
@@ -51,10 +51,12 @@ static void add_tilts(tp_text *t, const tp_study_result *r) {
               "certain to move", "neither");
   for (size_t k = 1; k < r->tilt_count; k++) {
     const tp_study_tilt *tilt = r->tilts + k;
-    const size_t neither = r->samples - tilt->stands.count - tilt->moves.count;
+    const size_t neither =
+        r->samples - tilt->certain_to_stand.samples - tilt->certain_to_move.samples;
     tp_text_add(t, "  %7.4g°  %.4f %.4f to %.4f   %.4f %.4f to %.4f %8zu\n", tilt->tilt_deg,
-                tilt->stands.share, tilt->stands.low, tilt->stands.high, tilt->moves.share,
-                tilt->moves.low, tilt->moves.high, neither);
+                tilt->certain_to_stand.share, tilt->certain_to_stand.low,
+                tilt->certain_to_stand.high, tilt->certain_to_move.share, tilt->certain_to_move.low,
+                tilt->certain_to_move.high, neither);
   }
 }
 
@@ -73,16 +75,16 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
   bool infinite = false, any = false;
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->quantities[q].samples > 0;
   if (!any) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
-    tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
+    tp_text_add(t, " %5.0f %%", 100 * r->quantities[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
   }
   tp_text_add(t, "\n");
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    const tp_study_spread *spread = r->spreads + q;
-    if (spread->count == 0) continue;
+    const tp_study_spread *spread = r->quantities + q;
+    if (spread->samples == 0) continue;
     tp_text_add(t, "%-22s", tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
       add_number(t, spread->quantiles[k].value, (tp_study_quantity)q);
@@ -102,8 +104,9 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
   const tp_study_quantile *heads = NULL;
   int governing = 0;
   for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
-    governing += r->factors[k].governs.count > 0;
-    if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
+    governing += r->governing_factors[k].governs.samples > 0;
+    if (r->governing_factors[k].spread.samples > 0)
+      heads = r->governing_factors[k].spread.quantiles;
   }
   if (governing < 2 || heads == NULL) return;
   tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "Governing definition", "samples",
@@ -113,11 +116,11 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
   }
   tp_text_add(t, "\n");
   for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
-    const tp_study_factor *own = r->factors + k;
-    if (own->governs.count == 0) continue;
+    const tp_study_factor *own = r->governing_factors + k;
+    if (own->governs.samples == 0) continue;
     tp_text_add(t, "  %-*s %10zu %9zu", LABEL_OF_FACTORS, tp_fos_definition_name(own->definition),
-                own->governs.count, own->below);
-    for (size_t j = 0; j < sizeof shown / sizeof shown[0] && own->spread.count > 0; j++) {
+                own->governs.samples, own->below_1);
+    for (size_t j = 0; j < sizeof shown / sizeof shown[0] && own->spread.samples > 0; j++) {
       add_number(t, own->spread.quantiles[shown[j]].value, TP_STUDY_FOS);
     }
     tp_text_add(t, "\n");
@@ -139,7 +142,8 @@ static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITI
 static void add_ranks(tp_text *t, const tp_study_result *r) {
   bool any = false;
   for (size_t k = 0; k < r->variable_count; k++) {
-    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->variables[k].ranks[q].known;
+    for (int q = 0; q < TP_STUDY_QUANTITIES; q++)
+      any = any || r->variables[k].rank_correlations[q].known;
   }
   if (!any) return;
   tp_text_add(t, "\n%-*s %10s %10s %10s %10s\n", LABEL + 2, "Rank correlation with", "moments",
@@ -148,21 +152,21 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
     const tp_study_variable *v = r->variables + k;
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
-    add_rank_row(t, v->ranks);
+    add_rank_row(t, v->rank_correlations);
   }
-  for (size_t k = 0; k + 2 < r->measure_count; k++) {
-    tp_text_add(t, "  %-*s", LABEL, r->measures[k].name);
-    add_rank_row(t, r->measures[k].ranks);
+  for (size_t k = 0; k + 2 < r->roughness_count; k++) {
+    tp_text_add(t, "  %-*s", LABEL, r->roughness[k].name);
+    add_rank_row(t, r->roughness[k].rank_correlations);
   }
 }
 
 static void add_steps(tp_text *t, const tp_study_result *r) {
-  if (r->step_count < 2) return;
+  if (r->convergence_count < 2) return;
   tp_text_add(t, "\nCertain to move, as the number of samples grew\n");
-  for (size_t k = 0; k < r->step_count; k++) {
-    const tp_study_step *step = r->steps + k;
-    tp_text_add(t, "  %12zu   %.4f   %.4f to %.4f\n", step->samples, step->moves.share,
-                step->moves.low, step->moves.high);
+  for (size_t k = 0; k < r->convergence_count; k++) {
+    const tp_study_step *step = r->convergence + k;
+    tp_text_add(t, "  %12zu   %.4f   %.4f to %.4f\n", step->of_samples, step->certain_to_move.share,
+                step->certain_to_move.low, step->certain_to_move.high);
   }
 }
 
@@ -170,10 +174,10 @@ static void add_steps(tp_text *t, const tp_study_result *r) {
  */
 
 static void add_bad(tp_text *t, const tp_study_result *r) {
-  for (size_t k = 0; k < r->bad_count; k++) {
-    tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->bad[k].sample);
-    tp_study_add_lines(t, r->bad[k].settings);
-    tp_study_add_lines(t, r->bad[k].why);
+  for (size_t k = 0; k < r->invalid_count; k++) {
+    tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->invalid[k].sample);
+    tp_study_add_lines(t, r->invalid[k].settings);
+    tp_study_add_lines(t, r->invalid[k].why);
     tp_text_add(t, "\n");
   }
 }

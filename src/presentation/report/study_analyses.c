@@ -14,10 +14,10 @@
 static void add_indices(tp_text *t, const tp_study_result *r) {
   static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset", "limit", "factor"};
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (!r->variables[0].indices[q].known) continue;
+    if (!r->variables[0].sobol_indices[q].known) continue;
     tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");
     for (size_t k = 0; k < r->variable_count; k++) {
-      const tp_study_index *own = r->variables[k].indices + q;
+      const tp_study_index *own = r->variables[k].sobol_indices + q;
       tp_text_add(t, "  ");
       tp_encode_column(t, r->variables[k].key, TP_STUDY_LABEL);
       tp_text_add(t, " %6.3f %6.3f to %5.3f %6.3f %6.3f to %5.3f\n", own->first, own->first_low,
@@ -30,7 +30,7 @@ static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
   if (!own->asked) return;
   if (own->known) {
     tp_text_add(t, "  by %s: %.3g (%.3g to %.3g), %zu scenes solved\n", label, own->probability,
-                own->low, own->high, own->calls);
+                own->low, own->high, own->scenes);
   } else {
     tp_text_add(t, "  by %s: no answer:", label);
     tp_study_add_lines(t, own->why);
@@ -43,8 +43,8 @@ static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
 static void add_ways(tp_text *t, const tp_study_result *r) {
   const tp_study_reliability *own = &r->reliability;
   double sum = own->probability;
-  for (size_t k = 1; k < own->point_count; k++) {
-    const tp_study_design_point *point = own->points + k;
+  for (size_t k = 1; k < own->design_point_count; k++) {
+    const tp_study_design_point *point = own->design_points + k;
     sum += point->probability;
     tp_text_add(t, "  another design point: beta %.4f, probability %.3g, at", point->beta,
                 point->probability);
@@ -56,11 +56,11 @@ static void add_ways(tp_text *t, const tp_study_result *r) {
     }
     tp_text_add(t, "\n");
   }
-  if (own->point_count > 1 && own->beta > 0) {
+  if (own->design_point_count > 1 && own->beta > 0) {
     tp_text_add(t,
                 "  caution: failure has %zu design points; %.3g to first order, if each is\n"
                 "  a separate failure mode\n",
-                own->point_count, sum);
+                own->design_point_count, sum);
   }
 }
 
@@ -70,14 +70,14 @@ static void add_reliability(tp_text *t, const tp_study_result *r) {
   const tp_study_quantity quantity = own->quantity;
   tp_text_add(t, "\nFirst-order reliability: %s not above %s\n", tp_study_quantity_name(quantity),
               quantity == TP_STUDY_FOS ? "1" : "the tilt");
-  tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->calls);
+  tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->scenes);
   if (own->converged) {
     tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
   }
   add_ways(t, r);
   add_rare(t,
-           own->point_count > 1 ? "samples around the design points"
-                                : "samples around the design point",
+           own->design_point_count > 1 ? "samples around the design points"
+                                       : "samples around the design point",
            &own->importance);
   add_rare(t, "subset simulation", &own->subset);
   if (!own->converged) return;
@@ -138,9 +138,9 @@ static void add_design(tp_text *t, const tp_study_result *r, const tp_study_desi
 }
 
 static void add_designs(tp_text *t, const tp_study_result *r) {
-  if (r->design_count == 0) return;
+  if (r->design_value_count == 0) return;
   tp_text_add(t, "\nDesign values: one number of the scene that stands for all samples\n");
-  for (size_t k = 0; k < r->design_count; k++) add_design(t, r, r->designs + k);
+  for (size_t k = 0; k < r->design_value_count; k++) add_design(t, r, r->design_values + k);
 }
 
 void tp_study_add_analyses(tp_text *t, const tp_study_result *result) {

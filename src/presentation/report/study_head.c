@@ -32,21 +32,21 @@ static void add_range(tp_text *t, double least, double greatest, const char *uni
 
 /* Of the base of each sample, where the study asks. */
 static void add_measures(tp_text *t, const tp_study_result *r) {
-  if (r->measure_count == 0) return;
+  if (r->roughness_count == 0) return;
   tp_text_add(t, "\nMeasured on the base\n");
-  for (size_t k = 0; k < r->measure_count; k++) {
-    const tp_study_measure *own = r->measures + k;
+  for (size_t k = 0; k < r->roughness_count; k++) {
+    const tp_study_measure *own = r->roughness + k;
     tp_text_add(t, "  %-*s %-12s", TP_STUDY_LABEL, own->name,
-                k + 2 == r->measure_count   ? "Eq. (15)"
-                : k + 1 == r->measure_count ? "Eq. (16)"
-                                            : "");
-    if (own->count == 0) {
+                k + 2 == r->roughness_count   ? "Eq. (15)"
+                : k + 1 == r->roughness_count ? "Eq. (16)"
+                                              : "");
+    if (own->samples == 0) {
       tp_text_add(t, " -");
     } else {
       add_range(t, own->least, own->greatest, own->unit);
     }
-    if (own->count > 0 && own->count < r->kept) {
-      tp_text_add(t, ", of %zu samples", own->count);
+    if (own->samples > 0 && own->samples < r->kept) {
+      tp_text_add(t, ", of %zu samples", own->samples);
     }
     tp_text_add(t, "\n");
   }
@@ -85,8 +85,8 @@ static void add_answer(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "\nAt %.6g° ", own->tilt_deg);
   }
   tp_text_add(t, "certain to move: %.2f %% (%.2f to %.2f %%), to stand: %.2f %%\n",
-              100 * own->moves.share, 100 * own->moves.low, 100 * own->moves.high,
-              100 * own->stands.share);
+              100 * own->certain_to_move.share, 100 * own->certain_to_move.low,
+              100 * own->certain_to_move.high, 100 * own->certain_to_stand.share);
 }
 
 static const char *method_words(const char *method) {

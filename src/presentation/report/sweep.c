@@ -148,9 +148,9 @@ static tp_status write_text(const tp_scene *scene, const char *path, const tp_te
   return status;
 }
 
-tp_status tp_sweep_write_file(tp_sweep_summary *summary, const tp_scene *scene,
+tp_status tp_sweep_write_file(tp_sweep_summary *summary, const char *path, const tp_scene *scene,
                               const tp_sweep_options *options, tp_sweep_format format,
-                              const char *path, tp_message *message) {
+                              tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);

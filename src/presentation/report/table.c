@@ -57,7 +57,7 @@ static void add_onset(tp_text *t, const tp_onset *o) {
 }
 
 static const tp_pivot *governing_pivot(const tp_case *c) {
-  return c->has_governing ? c->pivots + c->governing : NULL;
+  return c->has_toppling_pivot ? c->pivots + c->toppling_pivot : NULL;
 }
 
 static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
@@ -126,7 +126,7 @@ static void add_all_notes(tp_text *t, const tp_solution *const *solutions, size_
 
 static const char *const columns =
     "| scene | towards | tilt | verdict | FoS | against | certain to stand up to | toe | moments | "
-    "φ + i | base ends at the toe: limit | mechanism | base goes on: limit | mechanism |\n"
+    "φ + i | base ends at the toe: limit | mechanism | base extends: limit | mechanism |\n"
     "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
 
 tp_status tp_report_table(char **text, const tp_solution *const *solutions, size_t count) {

@@ -67,7 +67,7 @@ static void add_shaking(tp_text *t, const tp_tilt_test *test) {
     const tp_tilt_shaking *own = test->shaking + axis;
     if (!own->given) continue;
     tp_text_add(t, "%-9s%s: PGA %.4g g, PGV %.4g m/s, over %.4g s\n", head, names[axis],
-                own->peak_m_s2 / standard_gravity, own->velocity_m_s, own->duration_s);
+                own->peak_m_s2 / standard_gravity, own->peak_velocity_m_s, own->duration_s);
     head = "";
   }
 }
@@ -107,7 +107,7 @@ static void add_point(tp_text *t, const tp_tilt_test *test, const tp_tilt_case *
 
 /* Decimals of an angle that a bracket of that width leaves sense to. */
 static int decimals_of(const tp_tilt_case *c) {
-  const double width = c->most_deg - c->least_deg;
+  const double width = c->lets_go_at_deg - c->stands_at_deg;
   return width > 0 ? (int)fmin(6, fmax(2, 1 - floor(log10(width)))) : 6;
 }
 
@@ -128,11 +128,11 @@ static void add_path(tp_text *t, const tp_tilt_case *c) {
 
 static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (test->settings.protocol == TP_TILT_RELEASE) return;
-  if (isnan(c->least_deg) && test->settings.from_deg > 0) {
+  if (isnan(c->stands_at_deg) && test->settings.from_deg > 0) {
     tp_text_add(t, "  No forces hold it where it is set down: it begins to move there.\n");
     return;
   }
-  if (isnan(c->least_deg)) {
+  if (isnan(c->stands_at_deg)) {
     tp_text_add(t,
                 "  No run is known to stand: the tilt at which it begins to move is not known.\n");
     return;
@@ -141,11 +141,12 @@ static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
     tp_text_add(t,
                 c->converged ? "  Stands up to %.6g°, the last tilt tried.\n"
                              : "  Stands up to %.6g°; beyond that the result is undecided.\n",
-                c->least_deg);
+                c->stands_at_deg);
     return;
   }
   const int d = decimals_of(c);
-  tp_text_add(t, "  Stands at %.*f°, begins to move at %.*f°", d, c->least_deg, d, c->most_deg);
+  tp_text_add(t, "  Stands at %.*f°, begins to move at %.*f°", d, c->stands_at_deg, d,
+              c->lets_go_at_deg);
   if (c->has_mechanism) {
     tp_text_add(t, ":\n  it %s",
                 c->mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(c->mechanism));
@@ -188,7 +189,7 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
  */
 
 static bool is_of_contact(const tp_tilt_event *e) {
-  return e->kind < TP_EVENT_COLLAPSES || e->kind == TP_EVENT_ACCUMULATES;
+  return e->what < TP_EVENT_COLLAPSES || e->what == TP_EVENT_ACCUMULATES;
 }
 
 static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
@@ -196,17 +197,17 @@ static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
   tp_text_add(t, "  %9.4f° ", e->angle_deg);
   if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
   if (!is_of_contact(e)) {
-    tp_text_add(t, "the block %s", tp_tilt_event_name(e->kind));
+    tp_text_add(t, "the block %s", tp_tilt_event_name(e->what));
   } else {
     if (e->facet > 0) {
       tp_text_add(t, "facet %ld", e->facet);
     } else {
       tp_text_add(t, "the end face");
     }
-    tp_text_add(t, " %s at ", tp_tilt_event_name(e->kind));
+    tp_text_add(t, " %s at ", tp_tilt_event_name(e->what));
     add_point(t, test, c, e->x_m, e->y_m);
   }
-  if (e->kind == TP_EVENT_CLOSES && e->speed_m_s > 0) {
+  if (e->what == TP_EVENT_CLOSES && e->speed_m_s > 0) {
     tp_text_add(t, ", %.3g m/s", e->speed_m_s);
   }
   tp_text_add(t, "\n");

@@ -18,8 +18,8 @@ static void leave_out_rest(tp_tilt_course *c) {
   double begins = c->from, ends = c->to;
   for (size_t k = 0; k < own->event_count; k++) {
     const tp_tilt_event *e = own->events + k;
-    if (e->kind == TP_EVENT_COLLAPSES) begins = e->time_s;
-    if (e->kind == TP_EVENT_RESTS) ends = e->time_s;
+    if (e->what == TP_EVENT_COLLAPSES) begins = e->time_s;
+    if (e->what == TP_EVENT_RESTS) ends = e->time_s;
   }
   if (own->end != TP_TILT_RESTS) ends = c->to;
   if (!(ends > begins)) return;

@@ -35,7 +35,7 @@ static tp_status draw(char **data, size_t *size, const tp_tilt_test *test, kind 
   return status;
 }
 
-tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
+tp_status tp_report_tilt_file(const char *path, const tp_tilt_test *test, bool moving,
                               tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, test);

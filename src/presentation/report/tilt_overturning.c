@@ -27,10 +27,10 @@ static void add_grid(tp_text *t, const tp_overturning_grid *grid) {
 
 static void add_tried(tp_text *t, const tp_tilt_case *c) {
   tp_text_add(t, "\n  Factors applied to this shaking: ");
-  if (c->overturning_grid_count == 0) tp_text_add(t, "none");
-  for (size_t k = 0; k < c->overturning_grid_count; k++) {
+  if (c->overturning_tried_count == 0) tp_text_add(t, "none");
+  for (size_t k = 0; k < c->overturning_tried_count; k++) {
     if (k > 0) tp_text_add(t, ",\n  and ");
-    add_grid(t, c->overturning_grids + k);
+    add_grid(t, c->overturning_tried + k);
   }
   tp_text_add(t, ".\n");
   if (!c->converged) {
@@ -54,11 +54,11 @@ static void add_range(tp_text *t, const tp_overturning_range *r) {
 
 static void add_least(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   const tp_tilt_shaking *own = test->shaking;
-  tp_text_add(t, "  The least of them is %.4g", c->overturning_most);
+  tp_text_add(t, "  The least of them is %.4g", c->overturned_by);
   if (own->given) {
     tp_text_add(t, ": PGA %.4g g, PGV %.4g m/s",
-                c->overturning_most * own->peak_m_s2 / standard_gravity,
-                c->overturning_most * own->velocity_m_s);
+                c->overturned_by * own->peak_m_s2 / standard_gravity,
+                c->overturned_by * own->peak_velocity_m_s);
   }
   tp_text_add(t, ".\n  Between two factors tried the result may differ, and less may overturn it:\n"
                  "  --factors tries more.\n");

@@ -28,10 +28,10 @@ static void write_where(char where[TP_NUMBER_SIZE + 8], const tp_solution *s) {
 static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
   char n[TP_NUMBER_SIZE];
   if (!c->falls_backwards) return false;
-  if (c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
-    const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_back.critical_angle_deg);
+  if (c->limit_holds_from.kind == TP_LIMIT_AT_ANGLE) {
+    const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_holds_from.critical_angle_deg);
     tp_text_add(&p->text, "  Fails up-dip already %s: below %s° it %s.\n", where,
-                tp_text_fixed(n, from, 3), tp_mechanism_name(c->limit_back.mechanism));
+                tp_text_fixed(n, from, 3), tp_mechanism_name(c->limit_holds_from.mechanism));
     return true;
   }
   tp_text_add(&p->text,
@@ -61,7 +61,7 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
   if (tp_onset_is_known(&c->onset)) return false;
   if (c->limit.kind == TP_LIMIT_UNDECIDED) {
     said = "Whether it stands is undecided at the precision allowed.";
-  } else if (c->has_governing && c->pivots[c->governing].always) {
+  } else if (c->has_toppling_pivot && c->pivots[c->toppling_pivot].always) {
     said = "Its loads topple it at any tilt.";
   } else if (c->slides_sooner && !c->has_first_angle) {
     said = "Its loads slide it at any tilt.";

@@ -8,6 +8,7 @@
 
 #include "common/message.h"
 #include "stability/earthquakes.h"
+#include "stability/solution.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -262,13 +263,13 @@ static tp_status init(tp_shape *shape, const tp_problem *problem, bool elements,
 
 tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, tp_shape_work *work,
                            void *context, tp_message *message) {
-  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
+  tp_solution *notes = tp_solution_new(); /* of the preparation, not wanted */
   if (notes == NULL) return tp_fail_memory(message, "the figure");
   tp_problem problem;
   tp_scene shaken;
   tp_earthquake_scene(&shaken, scene, solution);
   tp_solve_options options = tp_solve_options_default();
-  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
+  options.elements = solution->case_count > 0 && solution->cases[0].elements.account_count > 0;
   tp_status status = tp_problem_init(&problem, &shaken, &options, notes, message);
   if (status == TP_OK) {
     tp_shape shape;

@@ -132,7 +132,7 @@ static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *sc
   tp_solve_options options = tp_solve_options_default();
   options.threads = 1;
   tp_problem problem;
-  tp_solution *solution = calloc(1, sizeof *solution);
+  tp_solution *solution = tp_solution_new();
   if (solution == NULL) return tp_fail_memory(message, "the solution");
   tp_message why = {.text = ""};
   tp_status status = tp_problem_init(&problem, scene, &options, solution, &why);

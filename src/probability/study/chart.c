@@ -54,7 +54,7 @@ tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result
   tp_chart *own = begin("study_scatter", result);
   if (own == NULL) return tp_fail_memory(message, "the chart");
   /* of what is measured the two bounds have no panel of their own */
-  const size_t measures = result->measure_count > 0 ? result->measure_count - 2 : 0;
+  const size_t measures = result->roughness_count > 0 ? result->roughness_count - 2 : 0;
   const size_t room = MOST_PANELS - measures;
   const size_t count = result->variable_count < room ? result->variable_count : room;
   if (count + measures == 1) own->columns = 1;
@@ -65,12 +65,13 @@ tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result
     own->failed |= !tp_study_add_roughness(own, &moments, k, &curves, &points);
   }
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
-    if (result->tilts[0].outcomes[k].count == 0 || k == TP_STUDY_INVALID) continue;
+    if (result->tilts[0].outcomes[k].samples == 0 || k == TP_STUDY_INVALID) continue;
     tp_chart_add_legend(own, tp_study_outcome_name((tp_study_outcome)k),
                         tp_study_chart_points((tp_study_outcome)k));
   }
   bool known = false;
-  for (size_t k = 0; k < result->design_count; k++) known = known || result->designs[k].known;
+  for (size_t k = 0; k < result->design_value_count; k++)
+    known = known || result->design_values[k].known;
   if (known) tp_chart_add_legend(own, "design value", tp_study_design_line);
   if (curves) tp_chart_add_legend(own, "Eqs. (15), (16)", tp_study_bound_line);
   if (points) tp_chart_add_legend(own, "of each sample", tp_study_bound_points);

@@ -21,7 +21,7 @@ typedef struct histogram {
 
 /* The study's own quartiles. */
 static double quartile_range(const tp_study_view *v) {
-  const tp_study_spread *spread = v->result->spreads + v->quantity;
+  const tp_study_spread *spread = v->result->quantities + v->quantity;
   double low = NAN, high = NAN;
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     if (spread->quantiles[k].probability == 0.25) low = spread->quantiles[k].value;

@@ -72,7 +72,8 @@ static void add_whisker(tp_chart *chart, double x, double low, double high) {
 static void add_counted(tp_chart *chart, const tp_study_result *r, bool stands) {
   if (r->tilt_count < 2) return;
   for (size_t k = 1; k < r->tilt_count; k++) {
-    const tp_study_share *own = stands ? &r->tilts[k].stands : &r->tilts[k].moves;
+    const tp_study_share *own =
+        stands ? &r->tilts[k].certain_to_stand : &r->tilts[k].certain_to_move;
     add_whisker(chart, r->tilts[k].tilt_deg, stands ? 1 - own->high : own->low,
                 stands ? 1 - own->low : own->high);
   }
@@ -80,7 +81,8 @@ static void add_counted(tp_chart *chart, const tp_study_result *r, bool stands) 
                       (const char *const[]){"fragility, counted",
                                             stands ? "not certain to stand" : "certain to move"});
   for (size_t k = 1; k < r->tilt_count; k++) {
-    const tp_study_share *own = stands ? &r->tilts[k].stands : &r->tilts[k].moves;
+    const tp_study_share *own =
+        stands ? &r->tilts[k].certain_to_stand : &r->tilts[k].certain_to_move;
     tp_chart_add_point(chart, tp_chart_exactly(r->tilts[k].tilt_deg),
                        tp_chart_exactly(stands ? 1 - own->share : own->share));
     tp_study_add_interval(chart, stands ? 1 - own->high : own->low,

@@ -22,10 +22,11 @@ static size_t choose(const tp_study_variable *chosen[MOST_SHOWN], const tp_study
   size_t count = 0;
   for (size_t k = 0; k < v->result->variable_count; k++) {
     const tp_study_variable *own = v->result->variables + k;
-    const tp_study_rank *rank = own->ranks + v->quantity;
+    const tp_study_rank *rank = own->rank_correlations + v->quantity;
     if (!rank->known) continue;
     size_t at = count;
-    while (at > 0 && fabs(chosen[at - 1]->ranks[v->quantity].value) < fabs(rank->value)) at--;
+    while (at > 0 && fabs(chosen[at - 1]->rank_correlations[v->quantity].value) < fabs(rank->value))
+      at--;
     if (at == MOST_SHOWN) continue;
     if (count < MOST_SHOWN) count++;
     memmove(chosen + at + 1, chosen + at, (count - 1 - at) * sizeof(*chosen));
@@ -67,7 +68,7 @@ void tp_study_add_ranks(tp_chart *chart, const tp_study_view *v) {
                      (tp_panel_axis){.label = label, .range = {-1, 1}, .tick = 0.5},
                      (tp_panel_axis){.range = {0.5, rows + 0.6}, .tick = 1000});
   for (size_t k = 0; k < count; k++) {
-    add_bar(chart, chosen[k], chosen[k]->ranks + v->quantity, rows - (double)k);
+    add_bar(chart, chosen[k], chosen[k]->rank_correlations + v->quantity, rows - (double)k);
   }
   tp_chart_add_guide(chart, zero);
   tp_chart_add_corner(chart, 0, 0.5);

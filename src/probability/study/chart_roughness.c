@@ -29,15 +29,15 @@ static int compare(const void *one, const void *other) {
 
 /* The columns of what is measured are the last. */
 static const double *column_of(const tp_study_result *r, size_t measure) {
-  return r->columns[r->column_count - r->measure_count + measure].values;
+  return r->columns[r->column_count - r->roughness_count + measure].values;
 }
 
 /* Those drawn that have all three, by rising number; NULL when memory is exhausted. */
 static bracket *sort(size_t *count, const tp_study_view *v, size_t measure, size_t stride) {
   const tp_study_result *r = v->result;
   const double *x = column_of(r, measure);
-  const double *peak = column_of(r, r->measure_count - 2);
-  const double *valley = column_of(r, r->measure_count - 1);
+  const double *peak = column_of(r, r->roughness_count - 2);
+  const double *valley = column_of(r, r->roughness_count - 1);
   bracket *own = calloc(v->kept / stride + 1, sizeof *own);
   *count = 0;
   for (size_t k = 0; own != NULL && k < v->kept; k += stride) {
@@ -81,9 +81,9 @@ static void add_samples(tp_chart *chart, const tp_study_view *v, size_t measure,
   for (size_t k = 0; k < v->kept; k += stride) {
     if ((int)v->outcomes[k] != (int)outcome || isnan(x[k]) || !isfinite(v->angles_deg[k])) continue;
     if (!begun) {
-      tp_chart_add_series(
-          chart, tp_study_chart_points(outcome),
-          (const char *const[]){v->result->measures[measure].name, tp_study_outcome_name(outcome)});
+      tp_chart_add_series(chart, tp_study_chart_points(outcome),
+                          (const char *const[]){v->result->roughness[measure].name,
+                                                tp_study_outcome_name(outcome)});
     }
     begun = true;
     tp_chart_add_point(chart, tp_chart_exactly(x[k]), tp_chart_exactly(v->angles_deg[k]));
@@ -120,11 +120,11 @@ static tp_chart_range range_of(const tp_study_view *v, const bracket *own, size_
 
 bool tp_study_add_roughness(tp_chart *chart, const tp_study_view *v, size_t measure,
                             bool *has_curves, bool *has_points) {
-  const tp_study_measure *own = v->result->measures + measure;
+  const tp_study_measure *own = v->result->roughness + measure;
   const size_t stride = (v->kept + MOST_DRAWN - 1) / MOST_DRAWN;
   size_t count = 0;
   char label[64];
-  if (own->count == 0 || v->finite == 0) return true;
+  if (own->samples == 0 || v->finite == 0) return true;
   bracket *brackets = sort(&count, v, measure, stride);
   if (brackets == NULL) return false;
   write_label(label, sizeof label, own);

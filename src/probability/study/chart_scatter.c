@@ -47,8 +47,8 @@ static void add_corner(tp_chart *chart, const tp_study_design *own, tp_chart_ran
 
 static void add_designs(tp_chart *chart, const tp_study_view *v, size_t variable, tp_chart_range x,
                         tp_chart_range y) {
-  for (size_t k = 0; k < v->result->design_count; k++) {
-    const tp_study_design *own = v->result->designs + k;
+  for (size_t k = 0; k < v->result->design_value_count; k++) {
+    const tp_study_design *own = v->result->design_values + k;
     if (own->variable == variable && own->known) add_corner(chart, own, x, y);
   }
 }
@@ -57,8 +57,8 @@ static void add_designs(tp_chart *chart, const tp_study_view *v, size_t variable
 static tp_chart_range range_of(const tp_study_view *v, size_t variable) {
   double least = v->result->variables[variable].least;
   double greatest = v->result->variables[variable].greatest;
-  for (size_t k = 0; k < v->result->design_count; k++) {
-    const tp_study_design *own = v->result->designs + k;
+  for (size_t k = 0; k < v->result->design_value_count; k++) {
+    const tp_study_design *own = v->result->design_values + k;
     if (own->variable != variable || !own->known) continue;
     least = fmin(least, own->value);
     greatest = fmax(greatest, own->value);
@@ -71,8 +71,8 @@ static void name_panel(char *title, size_t size, const tp_study_view *v, size_t 
   const char *before = "; design value for ";
   int used = stride(v) > 1 ? snprintf(title, size, "One of %zu samples", stride(v))
                            : snprintf(title, size, "Each sample");
-  for (size_t k = 0; k < v->result->design_count && (size_t)used < size; k++) {
-    const tp_study_design *own = v->result->designs + k;
+  for (size_t k = 0; k < v->result->design_value_count && (size_t)used < size; k++) {
+    const tp_study_design *own = v->result->design_values + k;
     if (own->variable != variable || !own->known) continue;
     used +=
         snprintf(title + used, size - (size_t)used, "%s%.3g %%", before, 100 * own->probability);

@@ -14,14 +14,14 @@ static const tp_chart_style line = {TP_MARK_LINE, TP_COLOUR_VERMILLION, TP_DASH_
 
 static void add_estimates(tp_chart *chart, const tp_study_view *v, double *room) {
   const tp_study_result *r = v->result;
-  const size_t count = r->step_count;
+  const size_t count = r->convergence_count;
   double *x = room, *low = room + count, *high = room + 2 * count;
   double least = 1, greatest = 0;
   for (size_t k = 0; k < count; k++) {
-    const tp_study_step *step = r->steps + k;
-    x[k] = (double)step->samples;
-    low[k] = step->moves.low;
-    high[k] = step->moves.high;
+    const tp_study_step *step = r->convergence + k;
+    x[k] = (double)step->of_samples;
+    low[k] = step->certain_to_move.low;
+    high[k] = step->certain_to_move.high;
     least = fmin(least, low[k]);
     greatest = fmax(greatest, high[k]);
   }
@@ -35,15 +35,16 @@ static void add_estimates(tp_chart *chart, const tp_study_view *v, double *room)
   tp_study_add_band(chart, line.colour, x, low, high, count);
   tp_chart_add_series(chart, line, (const char *const[]){"convergence", "certain to move"});
   for (size_t k = 0; k < count; k++) {
-    tp_chart_add_point(chart, tp_chart_exactly(x[k]), tp_chart_exactly(r->steps[k].moves.share));
+    tp_chart_add_point(chart, tp_chart_exactly(x[k]),
+                       tp_chart_exactly(r->convergence[k].certain_to_move.share));
     tp_study_add_interval(chart, low[k], high[k]);
   }
 }
 
 bool tp_study_add_steps(tp_chart *chart, const tp_study_view *v) {
   const tp_study_result *r = v->result;
-  if (r->step_count < 2) return true;
-  double *room = calloc(3 * r->step_count, sizeof *room);
+  if (r->convergence_count < 2) return true;
+  double *room = calloc(3 * r->convergence_count, sizeof *room);
   if (room == NULL) return false;
   add_estimates(chart, v, room);
   free(room);

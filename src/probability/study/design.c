@@ -117,7 +117,7 @@ static tp_status design_one(tp_study_design *design, search *s, const tp_study_v
                      : tp_fail(&why, TP_NO_ANSWER, (tp_place){0},
                                "all samples have the same number; say where to look, by 'from' and "
                                "'to'");
-  design->calls = s->calls;
+  design->scenes = s->calls;
   if (status == TP_OK || s->stopped) return TP_OK;
   if (status != TP_NO_ANSWER && status != TP_UNDECIDED) {
     if (message != NULL) *message = why;
@@ -137,10 +137,10 @@ static size_t sort(double *sorted, const double *column, size_t kept) {
 }
 
 static void forget(tp_study_result *result) {
-  for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
-  free(result->designs);
-  result->designs = NULL;
-  result->design_count = 0;
+  for (size_t k = 0; k < result->design_value_count; k++) free(result->design_values[k].why);
+  free(result->design_values);
+  result->design_values = NULL;
+  result->design_value_count = 0;
 }
 
 tp_status tp_study_design_values(tp_study_result *result, const tp_study *study,
@@ -149,8 +149,8 @@ tp_status tp_study_design_values(tp_study_result *result, const tp_study *study,
   *stopped = false;
   if (study->design_count == 0 || result->kept == 0) return TP_OK;
   double *sorted = calloc(result->kept, sizeof *sorted);
-  result->designs = calloc(study->design_count, sizeof *result->designs);
-  tp_status status = sorted != NULL && result->designs != NULL
+  result->design_values = calloc(study->design_count, sizeof *result->design_values);
+  tp_status status = sorted != NULL && result->design_values != NULL
                          ? TP_OK
                          : tp_fail_memory(message, "the design values");
   for (size_t k = 0; k < study->design_count && status == TP_OK && !*stopped; k++) {
@@ -162,8 +162,9 @@ tp_status tp_study_design_values(tp_study_result *result, const tp_study *study,
                 .sorted = sorted,
                 .count = sort(sorted, column, result->kept),
                 .kept = result->kept};
-    result->design_count = k + 1;
-    status = design_one(result->designs + k, &s, result->variables + wanted->variable, message);
+    result->design_value_count = k + 1;
+    status =
+        design_one(result->design_values + k, &s, result->variables + wanted->variable, message);
     *stopped = s.stopped;
   }
   if (*stopped) forget(result);

@@ -58,11 +58,11 @@ static tp_status rank_quantity(tp_study_result *result, const tp_tally *tally, s
   tp_status status = tp_ranks(p->y, p->values, count, message);
   for (size_t k = 0; k < inputs && status == TP_OK; k++) {
     (void)pick(p->values, tally->columns[k], quantity, kept);
-    status = rank_column(result->variables[k].ranks + q, p, count, message);
+    status = rank_column(result->variables[k].rank_correlations + q, p, count, message);
   }
   for (size_t k = 0; k < tally->study->measure_count && status == TP_OK; k++) {
     (void)pick(p->values, tally->columns[tp_tally_measures(tally->study) + k], quantity, kept);
-    status = rank_column(result->measures[k].ranks + q, p, count, message);
+    status = rank_column(result->roughness[k].rank_correlations + q, p, count, message);
   }
   return status;
 }

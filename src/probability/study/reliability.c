@@ -63,27 +63,27 @@ static tp_status take(tp_study_result *result, const tp_study *study, const tp_d
                                 .state = tp_form_state_text(found->state),
                                 .beta = nearest != NULL ? nearest->beta : NAN,
                                 .probability = nearest != NULL ? nearest->probability : NAN,
-                                .calls = found->calls};
+                                .scenes = found->calls};
   for (size_t k = 0; k < count; k++) {
     result->variables[k].design_value = nearest != NULL ? nearest->point[k] : NAN;
     result->variables[k].importance = nearest != NULL ? nearest->importance[k] : NAN;
   }
-  own->points = calloc(found->count + 1, sizeof *own->points);
-  if (own->points == NULL) return tp_fail_memory(message, "a reliability");
+  own->design_points = calloc(found->count + 1, sizeof *own->design_points);
+  if (own->design_points == NULL) return tp_fail_memory(message, "a reliability");
   for (size_t k = 0; k < found->count; k++) {
     const tp_form *form = found->points + k;
     double *values = calloc(count, sizeof *values);
     if (values == NULL) return tp_fail_memory(message, "a reliability");
     memcpy(values, form->point, count * sizeof *values);
-    own->points[own->point_count++] =
+    own->design_points[own->design_point_count++] =
         (tp_study_design_point){form->beta, form->probability, count, values};
   }
   return TP_OK;
 }
 
 void tp_study_reliability_clear(tp_study_reliability *own) {
-  for (size_t k = 0; k < own->point_count; k++) free(own->points[k].values);
-  free(own->points);
+  for (size_t k = 0; k < own->design_point_count; k++) free(own->design_points[k].values);
+  free(own->design_points);
   free(own->importance.why);
   free(own->subset.why);
   *own = (tp_study_reliability){.known = false};
@@ -102,7 +102,7 @@ static tp_status end_rare(tp_study_rare *rare, tp_status status, tp_estimate pro
     rare->low = probability.low;
     rare->high = probability.high;
     rare->variation = variation;
-    rare->calls = calls;
+    rare->scenes = calls;
     return TP_OK;
   }
   if (status != TP_UNDECIDED && status != TP_NO_ANSWER) {

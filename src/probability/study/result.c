@@ -74,6 +74,7 @@ tp_status tp_study_sum_up(tp_study_result **result, tp_tally *tally, tp_study_en
                           const tp_study_options *options, tp_message *message) {
   tp_study_result *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the result of a study");
+  own->size = sizeof *own;
   own->end = end;
   own->shard = options->shard;
   own->shards = options->shards;

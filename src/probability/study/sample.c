@@ -44,9 +44,9 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
   row->quantities[TP_STUDY_FOS] = number(tp_case_fos, c);
   row->fos_moments = number(tp_case_fos_moments, c);
   row->fos_sliding = number(tp_case_fos_sliding, c);
-  if (c->has_governing) {
-    row->pivot_x_m = c->pivots[c->governing].x_m.value;
-    row->pivot_y_m = c->pivots[c->governing].y_m.value;
+  if (c->has_toppling_pivot) {
+    row->pivot_x_m = c->pivots[c->toppling_pivot].x_m.value;
+    row->pivot_y_m = c->pivots[c->toppling_pivot].y_m.value;
   }
   if (solution->has_tilt_angle) row->tilt_deg = solution->tilt_angle_deg.value;
   row->first = tp_study_outcome_name(tp_study_outcome_of(c->first));

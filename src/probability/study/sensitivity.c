@@ -92,7 +92,7 @@ static tp_status fill_quantity(tp_study_result *result, design *d, size_t quanti
   if (status == TP_NO_ANSWER) return TP_OK;
   for (size_t k = 0; k < study->variable_count && status == TP_OK; k++) {
     const tp_sobol_index *own = indices + study->variables[k].dimension;
-    result->variables[k].indices[quantity] = (tp_study_index){
+    result->variables[k].sobol_indices[quantity] = (tp_study_index){
         true,           own->first.value, own->first.low, own->first.high, own->total.value,
         own->total.low, own->total.high};
   }

@@ -34,8 +34,8 @@ static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   for (int j = 0; j < TP_STUDY_OUTCOMES; j++) {
     tilt->outcomes[j] = tp_tally_share(counts->of[j], tally->samples);
   }
-  tilt->stands = tp_tally_share(tp_tally_stands(counts), tally->samples);
-  tilt->moves = tp_tally_share(tp_tally_moves(counts), tally->samples);
+  tilt->certain_to_stand = tp_tally_share(tp_tally_stands(counts), tally->samples);
+  tilt->certain_to_move = tp_tally_share(tp_tally_moves(counts), tally->samples);
 }
 
 static bool fill_tilts(tp_study_result *result, const tp_tally *tally) {
@@ -62,14 +62,14 @@ static bool fill_spread(tp_study_spread *spread, const double *column, size_t ke
   if (sorted == NULL) return false;
   for (size_t k = 0; k < kept; k++) {
     if (isnan(column[k]) || (group != NULL && group[k] != member)) continue;
-    sorted[spread->count++] = column[k];
+    sorted[spread->samples++] = column[k];
   }
-  tp_column_sort(sorted, spread->count);
-  for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
+  tp_column_sort(sorted, spread->samples);
+  for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->samples > 0; k++) {
     const double p = probabilities[k];
-    const tp_estimate own = tp_column_quantile(sorted, spread->count, p, confidence);
+    const tp_estimate own = tp_column_quantile(sorted, spread->samples, p, confidence);
     spread->quantiles[k] = (tp_study_quantile){
-        p, quantile_between(own.value, sorted, spread->count, p), own.low, own.high};
+        p, quantile_between(own.value, sorted, spread->samples, p), own.low, own.high};
   }
   free(sorted);
   return true;
@@ -80,10 +80,10 @@ static bool fill_factors(tp_study_result *result, const tp_tally *tally) {
   const double *definitions = tally->columns[tp_tally_definitions(tally->study)];
   bool filled = true;
   for (int k = 0; k < TP_FOS_DEFINITIONS && filled; k++) {
-    tp_study_factor *own = result->factors + k;
+    tp_study_factor *own = result->governing_factors + k;
     own->definition = (tp_fos_definition)k;
     own->governs = tp_tally_share(tally->definitions[k], tally->samples);
-    own->below = tally->below[k];
+    own->below_1 = tally->below[k];
     filled = fill_spread(&own->spread, factors, (size_t)tally->kept, definitions, k);
   }
   return filled;
@@ -151,19 +151,19 @@ static void count_within(tp_study_result *result, const tp_tally *tally) {
 static bool fill_measures(tp_study_result *result, const tp_tally *tally) {
   const tp_study *study = tally->study;
   if (study->measure_count == 0) return true;
-  result->measures = calloc(study->measure_count, sizeof *result->measures);
-  if (result->measures == NULL) return false;
-  result->measure_count = study->measure_count;
+  result->roughness = calloc(study->measure_count, sizeof *result->roughness);
+  if (result->roughness == NULL) return false;
+  result->roughness_count = study->measure_count;
   for (size_t k = 0; k < study->measure_count; k++) {
     const double *column = tally->columns[tp_tally_measures(study) + k];
-    tp_study_measure *own = result->measures + k;
+    tp_study_measure *own = result->roughness + k;
     *own = (tp_study_measure){.name = tp_study_measure_name(study->measures[k]),
                               .unit = tp_study_measure_unit(study, k),
                               .least = NAN,
                               .greatest = NAN};
     for (long j = 0; j < tally->kept; j++) {
       if (isnan(column[j])) continue;
-      own->count++;
+      own->samples++;
       own->least = fmin(own->least, column[j]);
       own->greatest = fmax(own->greatest, column[j]);
     }
@@ -213,7 +213,7 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
   const tp_study *study = tally->study;
   bool filled = tp_tally_end_steps(tally) && fill_tilts(result, tally);
   for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
-    filled = fill_spread(result->spreads + q, tally->columns[study->variable_count + q],
+    filled = fill_spread(result->quantities + q, tally->columns[study->variable_count + q],
                          (size_t)tally->kept, NULL, 0);
   }
   filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
@@ -224,10 +224,10 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
   result->by_doubles = tally->by_doubles;
   result->doubles_seconds = tally->doubles_seconds;
   result->ladder_seconds = tally->ladder_seconds;
-  result->steps = tally->steps;
-  result->step_count = (size_t)tally->step_count;
-  result->bad = tally->bad;
-  result->bad_count = tally->bad_count;
+  result->convergence = tally->steps;
+  result->convergence_count = (size_t)tally->step_count;
+  result->invalid = tally->bad;
+  result->invalid_count = tally->bad_count;
   tally->steps = NULL;
   tally->bad = NULL;
   return filled;
@@ -251,20 +251,20 @@ void tp_study_result_free(tp_study_result *result) {
     free(result->columns[k].header);
     free(result->columns[k].values);
   }
-  for (size_t k = 0; k < result->bad_count; k++) {
-    free(result->bad[k].settings);
-    free(result->bad[k].why);
+  for (size_t k = 0; k < result->invalid_count; k++) {
+    free(result->invalid[k].settings);
+    free(result->invalid[k].why);
   }
-  for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
-  free(result->designs);
+  for (size_t k = 0; k < result->design_value_count; k++) free(result->design_values[k].why);
+  free(result->design_values);
   for (size_t k = 0; k < result->source_count; k++) free(result->sources[k]);
   free(result->sources);
-  free(result->measures);
+  free(result->roughness);
   free(result->variables);
   free(result->columns);
-  free(result->bad);
+  free(result->invalid);
   free(result->tilts);
-  free(result->steps);
+  free(result->convergence);
   tp_study_reliability_clear(&result->reliability);
   free(result->title);
   free(result->scene);

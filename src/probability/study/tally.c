@@ -134,7 +134,7 @@ static bool is_power_of_two(uint64_t n) {
 
 /* The share so far, unless it is there already. */
 static bool note_step(tp_tally *tally) {
-  if (tally->step_count > 0 && tally->steps[tally->step_count - 1].samples == tally->samples) {
+  if (tally->step_count > 0 && tally->steps[tally->step_count - 1].of_samples == tally->samples) {
     return true;
   }
   tp_study_step *grown = tp_grow(tally->steps, tally->step_count, &tally->step_room, sizeof *grown);

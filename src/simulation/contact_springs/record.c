@@ -73,7 +73,7 @@ static bool add_moment(const tp_spring_record *r, const tp_stepper *s) {
 static tp_tilt_event event_at(const tp_spring_record *r, const tp_stepper *s,
                               tp_tilt_event_kind kind, double time_s, tp_xy at) {
   const tp_xy origin = r->run->body->origin;
-  return (tp_tilt_event){.kind = kind,
+  return (tp_tilt_event){.what = kind,
                          .time_s = time_s,
                          .angle_deg = degrees(tp_drive_angle(s->drive, time_s)),
                          .x_m = origin.x + at.x,

@@ -54,7 +54,7 @@ static void tell(told *t, tp_tilt_event_kind kind, const tp_joint_facet *facet, 
   if (t->history == NULL) return;
   t->memory =
       t->memory &&
-      tp_history_event(t->history, (tp_tilt_event){.kind = kind,
+      tp_history_event(t->history, (tp_tilt_event){.what = kind,
                                                    .angle_deg = degrees(t->tilt),
                                                    .x_m = body->origin.x + at.x * body->extent_m,
                                                    .y_m = body->origin.y + at.y * body->extent_m,
@@ -119,7 +119,7 @@ bool tp_path_record_moment(tp_history *history, const tp_path_state *state,
 
 bool tp_path_record_collapse(tp_history *history, double tilt, const tp_path_model *model) {
   if (history == NULL) return true;
-  return tp_history_event(history, (tp_tilt_event){.kind = TP_EVENT_COLLAPSES,
+  return tp_history_event(history, (tp_tilt_event){.what = TP_EVENT_COLLAPSES,
                                                    .angle_deg = degrees(tilt),
                                                    .x_m = model->body->origin.x,
                                                    .y_m = model->body->origin.y});

@@ -35,7 +35,7 @@ static bool is_told(const tp_dynamics *d, const tp_tilt_event *event) {
   const double near = same_place * d->run->body->extent_m;
   for (size_t k = h->event_count; k > 0 && h->events[k - 1].time_s == event->time_s; k--) {
     const tp_tilt_event *own = h->events + k - 1;
-    if (own->kind == event->kind && own->facet == event->facet &&
+    if (own->what == event->what && own->facet == event->facet &&
         hypot(own->x_m - event->x_m, own->y_m - event->y_m) <= near) {
       return true;
     }
@@ -49,7 +49,7 @@ bool tp_record_event(tp_dynamics *d, tp_tilt_event_kind kind, const tp_touching_
   const double time_s = d->time * d->system.time_unit_s;
   const tp_xy at = contact == NULL ? on_scene(d, d->state.place[0], d->state.place[1])
                                    : on_scene(d, contact->gap.at.x, contact->gap.at.y);
-  const tp_tilt_event event = {.kind = kind,
+  const tp_tilt_event event = {.what = kind,
                                .time_s = time_s,
                                .angle_deg = tp_drive_angle(d->run->drive, time_s) * degrees,
                                .x_m = at.x,

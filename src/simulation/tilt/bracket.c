@@ -60,11 +60,12 @@ static tp_status narrow(search *s, double tolerance_deg) {
 static void tell(const search *s, double tolerance_deg) {
   tp_tilt_case *own = s->tilting->own;
   const bool at_once = s->moves && s->most_deg == 0;
-  own->least_deg = s->stands ? s->least_deg : at_once ? 0 : NAN;
-  own->most_deg = s->most_deg;
+  own->stands_at_deg = s->stands ? s->least_deg : at_once ? 0 : NAN;
+  own->lets_go_at_deg = s->most_deg;
   own->has_bracket = s->moves && (s->stands || s->most_deg == 0);
   own->converged =
-      !s->ended && (s->moves ? own->most_deg - own->least_deg <= tolerance_deg : s->stands);
+      !s->ended &&
+      (s->moves ? own->lets_go_at_deg - own->stands_at_deg <= tolerance_deg : s->stands);
 }
 
 tp_status tp_tilting_bracket(tp_tilting *tilting, tp_tilt_look *by, double least_deg,
@@ -87,7 +88,7 @@ tp_status tp_tilting_bracket(tp_tilting *tilting, tp_tilt_look *by, double least
  * good is noticed later, and the motion is simulated anew from there. */
 static double cut_at_collapse(tp_history *history, double otherwise) {
   size_t k = history->event_count;
-  while (k > 0 && history->events[k - 1].kind != TP_EVENT_COLLAPSES) k--;
+  while (k > 0 && history->events[k - 1].what != TP_EVENT_COLLAPSES) k--;
   if (k == 0) return otherwise;
   const tp_tilt_event *collapse = history->events + k - 1;
   history->event_count = k;

@@ -13,6 +13,7 @@
 #include "scene/check_tilt_test.h"
 #include "shaking/shaking.h"
 #include "stability/cautions.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 #include "tilt/bracket.h"
 #include "tilt/engines.h"
@@ -39,7 +40,7 @@ static const tp_converge_setting order[TP_CONVERGE_SETTINGS] = {
 void tp_tilt_convergence_free(tp_tilt_convergence *convergence) {
   if (convergence == NULL) return;
   for (size_t k = 0; k < convergence->case_count; k++) {
-    free(convergence->cases[k].findings);
+    free(convergence->cases[k].settings);
     free(convergence->cases[k].levels);
   }
   free(convergence->cases);
@@ -116,8 +117,8 @@ static tp_status run_level(tp_converge_level *level, const tp_converge_run *run,
     if (status != TP_OK) return status;
     const bool factor = run->settings.protocol == TP_TILT_RELEASE;
     level->known = found.converged && (factor ? found.has_overturning : found.has_bracket);
-    level->least = !level->known ? 0 : factor ? found.overturning_least : found.least_deg;
-    level->most = !level->known ? 0 : factor ? found.overturning_most : found.most_deg;
+    level->bracket_least = !level->known ? 0 : factor ? found.spared_by : found.stands_at_deg;
+    level->bracket_most = !level->known ? 0 : factor ? found.overturned_by : found.lets_go_at_deg;
     level->runs = found.runs;
     level->seconds = fmin(level->seconds, found.seconds);
   }
@@ -151,7 +152,7 @@ static tp_status run_setting(tp_tilt_convergence_case *own, base *from, tp_conve
                              const tp_tilt_convergence *c, const stage *g) {
   tp_converge_run runs[TP_CONVERGE_MOST_LEVELS], kept[TP_CONVERGE_MOST_LEVELS];
   const size_t count = tp_converge_runs(runs, setting, &from->run, c->quantity, g->body);
-  tp_converge_finding *finding = own->findings + own->finding_count;
+  tp_converge_finding *finding = own->settings + own->setting_count;
   const double asked = c->asked * (c->quantity == TP_CONVERGE_ANGLE ? 1 : from->most);
   *finding = (tp_converge_finding){.setting = setting, .first = own->level_count};
   for (size_t k = 0; k < count; k++) {
@@ -169,14 +170,14 @@ static tp_status run_setting(tp_tilt_convergence_case *own, base *from, tp_conve
     own->level_count = finding->first;
     return TP_OK;
   }
-  own->finding_count++;
+  own->setting_count++;
   tp_converge_judge(finding, own->levels, asked);
   if (finding->verdict != TP_CONVERGE_REFINED) return TP_OK;
   for (size_t k = 0; k < finding->count; k++) {
     const tp_converge_level *level = own->levels + finding->first + k;
     if (level->value != finding->needed) continue;
     const double width = from->run.settings.tolerance_deg;
-    *from = (base){kept[k], level->most};
+    *from = (base){kept[k], level->bracket_most};
     from->run.settings.tolerance_deg = width;
     from->run.path_tolerance_deg = 0;
   }
@@ -190,8 +191,8 @@ static tp_status run_settings(tp_tilt_convergence_case *own, const tp_tilt_conve
   const tp_status status = look_about(&level, &from.run, own, c, g);
   if (status != TP_OK || !level.known) return status;
   own->known = true;
-  own->own_least = level.least;
-  own->own_most = from.most = level.most;
+  own->as_set_least = level.bracket_least;
+  own->as_set_most = from.most = level.bracket_most;
   for (int k = 0; k < TP_CONVERGE_SETTINGS; k++) {
     const tp_status of_setting = run_setting(own, &from, order[k], c, g);
     if (of_setting != TP_OK) return of_setting;
@@ -203,9 +204,9 @@ static tp_status run_direction(tp_tilt_convergence_case *own, const tp_case *sta
                                const tp_problem *problem, tp_tilt_convergence *c, stage *g) {
   tp_rigid_body body;
   tp_tilt_case window = {.end = TP_TILT_STANDS};
-  own->findings = calloc(TP_CONVERGE_SETTINGS, sizeof *own->findings);
+  own->settings = calloc(TP_CONVERGE_SETTINGS, sizeof *own->settings);
   own->levels = calloc(TP_CONVERGE_SETTINGS * TP_CONVERGE_MOST_LEVELS, sizeof *own->levels);
-  if (own->findings == NULL || own->levels == NULL) return tp_fail_memory(g->message, "the levels");
+  if (own->settings == NULL || own->levels == NULL) return tp_fail_memory(g->message, "the levels");
   tp_status status = tp_rigid_body_init(&body, problem, statics->towards, g->message);
   if (status != TP_OK) return status;
   tp_tilt_result_window(&window, statics);
@@ -269,7 +270,7 @@ static tp_status fill(tp_tilt_convergence *c, const tp_scene *scene, const tp_ti
                                   .digits = 9,
                                   .level = TP_LEVEL_EXACT,
                                   .pivots = TP_PIVOTS_GOVERNING};
-  tp_solution *statics = calloc(1, sizeof *statics);
+  tp_solution *statics = tp_solution_new();
   tp_problem problem;
   tp_base_shaking shaking = {.motion = {NULL, NULL, NULL}};
   if (statics == NULL) return tp_fail_memory(message, "the solution");
@@ -306,6 +307,7 @@ tp_status tp_tilt_converge(tp_tilt_convergence **convergence, const tp_scene *sc
   if (status != TP_OK) return status;
   tp_tilt_convergence *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the account of convergence");
+  filled->size = sizeof *filled;
   status = fill(filled, scene, &own, message);
   if (status == TP_OK) {
     *convergence = filled;

@@ -13,9 +13,10 @@
  * they are apart. */
 static double apart(const tp_converge_level *a, const tp_converge_level *b) {
   if (a->setting == TP_CONVERGE_TOLERANCE) {
-    return fmax(0, fmax(a->least, b->least) - fmin(a->most, b->most));
+    return fmax(0,
+                fmax(a->bracket_least, b->bracket_least) - fmin(a->bracket_most, b->bracket_most));
   }
-  return fmax(a->most, b->most) - fmin(a->least, b->least);
+  return fmax(a->bracket_most, b->bracket_most) - fmin(a->bracket_least, b->bracket_least);
 }
 
 /* The largest of a level against those behind it. */
@@ -67,26 +68,26 @@ void tp_converge_judge(tp_converge_finding *finding, const tp_converge_level *le
 }
 
 static void take_in(tp_tilt_convergence_case *own, const tp_converge_level *level) {
-  own->least = fmin(own->least, level->least);
-  own->most = fmax(own->most, level->most);
+  own->over_settings_least = fmin(own->over_settings_least, level->bracket_least);
+  own->over_settings_most = fmax(own->over_settings_most, level->bracket_most);
 }
 
 /* The finest levels from the last setting on that was refined; what held before stays so. */
 void tp_converge_summarise(tp_tilt_convergence_case *own) {
   size_t from = 0;
-  own->converged = own->known && own->finding_count > 0;
-  own->least = own->own_least;
-  own->most = own->own_most;
-  for (size_t k = 0; k < own->finding_count; k++) {
-    const tp_converge_finding *f = own->findings + k;
+  own->converged = own->known && own->setting_count > 0;
+  own->over_settings_least = own->as_set_least;
+  own->over_settings_most = own->as_set_most;
+  for (size_t k = 0; k < own->setting_count; k++) {
+    const tp_converge_finding *f = own->settings + k;
     own->converged = own->converged && f->verdict <= TP_CONVERGE_REFINED;
     if (f->verdict != TP_CONVERGE_REFINED) continue;
     from = k;
-    own->least = INFINITY;
-    own->most = -INFINITY;
+    own->over_settings_least = INFINITY;
+    own->over_settings_most = -INFINITY;
   }
-  for (size_t k = from; k < own->finding_count; k++) {
-    const tp_converge_finding *f = own->findings + k;
+  for (size_t k = from; k < own->setting_count; k++) {
+    const tp_converge_finding *f = own->settings + k;
     const bool all = f->setting == TP_CONVERGE_STIFFNESS_RATIO;
     if (f->verdict == TP_CONVERGE_OPEN || f->setting == TP_CONVERGE_TOLERANCE) continue;
     for (size_t j = all ? 0 : f->count - 1; j < f->count; j++) {

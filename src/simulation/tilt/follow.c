@@ -43,7 +43,7 @@ static void drop_told(tp_history *history, size_t from) {
   size_t kept = from;
   for (size_t k = from; k < history->event_count; k++) {
     const tp_tilt_event event = history->events[k];
-    if (event.time_s == 0 || event.kind == TP_EVENT_COLLAPSES) continue;
+    if (event.time_s == 0 || event.what == TP_EVENT_COLLAPSES) continue;
     history->events[kept++] = event;
   }
   history->event_count = kept;
@@ -67,7 +67,7 @@ static double last_time(const tp_history *history) {
 tp_status tp_tilting_follow(tp_tilting *tilting) {
   const tp_tilt_settings *s = tilting->settings;
   const bool release = s->protocol == TP_TILT_RELEASE;
-  const double from = tp_tilt_radians(release ? s->release_deg : tilting->own->most_deg);
+  const double from = tp_tilt_radians(release ? s->release_deg : tilting->own->lets_go_at_deg);
   const double longest = tp_tilt_duration(s, tilting->body) + tilting->shaking_s;
   const bool ramp = s->protocol == TP_TILT_RAMP;
   const tp_drive drive = {.angle = from,

@@ -63,7 +63,7 @@ static bool least_overturning(double *least, const scan *s) {
 
 /* From the weakest up; what is told are the factors that were decided. */
 static tp_status scan_range(scan *s, double from, double to, size_t count) {
-  tp_overturning_grid *grid = s->found->overturning_grids + s->found->overturning_grid_count;
+  tp_overturning_grid *grid = s->found->overturning_tried + s->found->overturning_tried_count;
   bool went_on = true;
   tp_status status = TP_OK;
   *grid = (tp_overturning_grid){.least = from, .most = from};
@@ -75,13 +75,13 @@ static tp_status scan_range(scan *s, double from, double to, size_t count) {
     grid->most = factor;
     grid->count++;
   }
-  if (grid->count > 0) s->found->overturning_grid_count++;
+  if (grid->count > 0) s->found->overturning_tried_count++;
   return status;
 }
 
 /* Below the least that overturns, from there down. */
 static tp_status scan_below(scan *s) {
-  tp_overturning_grid *grid = s->found->overturning_grids + s->found->overturning_grid_count;
+  tp_overturning_grid *grid = s->found->overturning_tried + s->found->overturning_tried_count;
   const double step = exp2(-1.0 / FINE_AN_OCTAVE);
   double least = 0;
   bool went_on = true;
@@ -97,7 +97,7 @@ static tp_status scan_below(scan *s) {
     grid->least = factor;
     grid->count++;
   }
-  if (grid->count > 1) s->found->overturning_grid_count++;
+  if (grid->count > 1) s->found->overturning_tried_count++;
   return status;
 }
 
@@ -138,8 +138,8 @@ static tp_status take_ranges(scan *s) {
   own->has_overturning = own->overturning_range_count > 0;
   if (own->has_overturning) {
     const tp_overturning_range *first = own->overturning_ranges;
-    own->overturning_least = isnan(first->spared_below) ? 0 : first->spared_below;
-    own->overturning_most = first->least;
+    own->spared_by = isnan(first->spared_below) ? 0 : first->spared_below;
+    own->overturned_by = first->least;
   }
   return TP_OK;
 }

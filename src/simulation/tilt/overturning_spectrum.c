@@ -8,6 +8,7 @@
 
 #include "common/message.h"
 #include "problem/problem.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 #include "tilt/cost.h"
 #include "tilt/engines.h"
@@ -272,7 +273,7 @@ static tp_status find(tp_overturning_spectrum *spectrum, const tp_scene *scene,
 tp_status tp_overturning_spectrum_init(tp_overturning_spectrum *spectrum, const tp_scene *scene,
                                        const tp_overturning_options *options, tp_message *message) {
   tp_overturning_options own = *options;
-  tp_solution *statics = calloc(1, sizeof *statics);
+  tp_solution *statics = tp_solution_new();
   memset(spectrum, 0, sizeof *spectrum);
   if (statics == NULL) return tp_fail_memory(message, "the solution");
   const tp_status status = find(spectrum, scene, &own, statics, message);

@@ -75,15 +75,18 @@ static tp_status ramp(tp_tilting *tilting) {
   if (status != TP_OK) return status;
   own->end = end_of(&result, tilting);
   take_path(own, &result);
-  own->least_deg = own->end == TP_TILT_STANDS ? until : tp_tilt_degrees(result.stands_to);
-  own->most_deg = own->end == TP_TILT_COLLAPSES ? tp_tilt_degrees(result.collapses_at) : until;
+  own->stands_at_deg = own->end == TP_TILT_STANDS ? until : tp_tilt_degrees(result.stands_to);
+  own->lets_go_at_deg =
+      own->end == TP_TILT_COLLAPSES ? tp_tilt_degrees(result.collapses_at) : until;
   own->has_bracket = own->end == TP_TILT_COLLAPSES && (result.stood || from == 0);
-  if (!result.stood && from > 0) own->least_deg = NAN; /* nothing holds it where it is set down */
-  own->converged =
-      own->end == TP_TILT_STANDS || (own->end == TP_TILT_COLLAPSES && isnan(own->least_deg)) ||
-      (own->has_bracket && own->most_deg - own->least_deg <= tilting->settings->tolerance_deg);
+  if (!result.stood && from > 0)
+    own->stands_at_deg = NAN; /* nothing holds it where it is set down */
+  own->converged = own->end == TP_TILT_STANDS ||
+                   (own->end == TP_TILT_COLLAPSES && isnan(own->stands_at_deg)) ||
+                   (own->has_bracket &&
+                    own->lets_go_at_deg - own->stands_at_deg <= tilting->settings->tolerance_deg);
   if (own->end == TP_TILT_COLLAPSES) take_motion(own, &result, tilting->body);
-  tp_tilting_tell(tilting, own->least_deg, own->most_deg);
+  tp_tilting_tell(tilting, own->stands_at_deg, own->lets_go_at_deg);
   return TP_OK;
 }
 
@@ -108,8 +111,9 @@ static tp_status steps(tp_tilting *tilting, double least_deg, double most_deg) {
   if (status != TP_OK || own->end != TP_TILT_STANDS) return status;
   if (own->has_bracket) own->end = TP_TILT_COLLAPSES;
   tp_path_result highest;
-  if (own->has_bracket && own->most_deg == 0) return TP_OK;
-  const tp_status told = run(&highest, tilting, own->least_deg, own->least_deg, &tilting->history);
+  if (own->has_bracket && own->lets_go_at_deg == 0) return TP_OK;
+  const tp_status told =
+      run(&highest, tilting, own->stands_at_deg, own->stands_at_deg, &tilting->history);
   if (told == TP_OK) take_path(own, &highest);
   return told;
 }

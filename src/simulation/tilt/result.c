@@ -96,7 +96,7 @@ void tp_tilt_result_window(tp_tilt_case *own, const tp_case *statics) {
 
 void tp_tilt_result_place(tp_tilt_case *own, double tolerance_deg) {
   if (!own->has_onset || !own->has_limit || !own->has_bracket) return;
-  own->place = own->most_deg < own->onset_deg - tolerance_deg    ? TP_PLACE_BELOW
-               : own->least_deg > own->limit_deg + tolerance_deg ? TP_PLACE_BEYOND
-                                                                 : TP_PLACE_WITHIN;
+  own->place = own->lets_go_at_deg < own->onset_deg - tolerance_deg  ? TP_PLACE_BELOW
+               : own->stands_at_deg > own->limit_deg + tolerance_deg ? TP_PLACE_BEYOND
+                                                                     : TP_PLACE_WITHIN;
 }

@@ -10,6 +10,7 @@
 #include "scene/check_tilt_test.h"
 #include "shaking/shaking.h"
 #include "stability/cautions.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 #include "tilt/bracket.h"
 #include "tilt/engines.h"
@@ -80,7 +81,7 @@ static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most
   tp_xy centre = {0, 0};
   /* rigid contacts are let go at rest */
   if (s->engine == TP_TILT_RIGID &&
-      !tp_tilt_engines_begin(&tilting->moves_off, tilting, own->most_deg)) {
+      !tp_tilt_engines_begin(&tilting->moves_off, tilting, own->lets_go_at_deg)) {
     tilting->moves_off = (tp_body_state){.turned = 0};
   }
   own->mechanism =
@@ -201,7 +202,7 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
                                   .digits = 9,
                                   .level = TP_LEVEL_EXACT,
                                   .pivots = TP_PIVOTS_GOVERNING};
-  tp_solution *statics = calloc(1, sizeof *statics);
+  tp_solution *statics = tp_solution_new();
   tp_problem problem;
   tp_base_shaking shaking = {.motion = {NULL, NULL, NULL}};
   if (statics == NULL) return tp_fail_memory(message, "the solution");
@@ -259,6 +260,7 @@ tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scene,
   if (status != TP_OK) return status;
   tp_tilt_test *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the test");
+  filled->size = sizeof *filled;
   status = fill(filled, scene, options, message);
   if (status == TP_OK) {
     *test = filled;

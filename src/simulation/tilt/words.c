@@ -16,13 +16,13 @@ static tp_status note_baseline(tp_tilt_test *test, const tp_scene *scene, tp_mes
   for (int axis = 0; axis < TP_SHAKING_AXES; axis++) {
     const tp_tilt_shaking *own = test->shaking + axis;
     if (scene->shaking[axis].form != TP_SHAKING_RECORD) continue;
-    if (fabs(own->last_velocity_m_s) <= share * own->velocity_m_s) continue;
+    if (fabs(own->last_velocity_m_s) <= share * own->peak_velocity_m_s) continue;
     const tp_status status = tp_notes_add(
         &test->notes, message, TP_CAUTION, scene->shaking[axis].place,
         "the %s record leaves its base with a velocity of %.3g m/s, %.0f %% of its "
         "peak: its baseline is not corrected, here or in the file",
         axis == TP_SHAKING_HORIZONTAL ? "horizontal" : "vertical", own->last_velocity_m_s,
-        100 * fabs(own->last_velocity_m_s) / own->velocity_m_s);
+        100 * fabs(own->last_velocity_m_s) / own->peak_velocity_m_s);
     if (status != TP_OK) return status;
   }
   return TP_OK;

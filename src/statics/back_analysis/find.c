@@ -243,6 +243,7 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   set_options(&s.varied.options, options->target);
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
+  own->size = sizeof *own;
   own->key = strdup(options->key);
   own->least.value = INFINITY; /* none yet */
   own->greatest.value = -INFINITY;

@@ -13,15 +13,15 @@
 #include <string.h>
 
 bool tp_search_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
-  const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
+  const tp_pivot *pivot = own->has_toppling_pivot ? own->pivots + own->toppling_pivot : NULL;
   const bool slides = own->sliding.known && !own->sliding.never;
   const bool has_angle = slides && !own->sliding.always;
   switch (target) {
   case TP_FIND_CRITICAL_ANGLE:
     return tp_case_moments_deg(value, own) == TP_CASE_NUMBER;
   case TP_FIND_FOS:
-    if (pivot != NULL) *value = pivot->fos_resultant.value;
-    return pivot != NULL && pivot->fos_resultant.state == TP_FOS_NUMBER;
+    if (pivot != NULL) *value = pivot->fos.value;
+    return pivot != NULL && pivot->fos.state == TP_FOS_NUMBER;
   case TP_FIND_SLIDING_ANGLE:
     if (has_angle) *value = own->sliding.critical_angle_deg;
     return has_angle;

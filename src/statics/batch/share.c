@@ -4,18 +4,16 @@
 /* A pool of POSIX threads over many blocks: workers take chunks of blocks from an atomic counter,
  * each with a separate workspace; counts and the first complaint are added up at the end. */
 
-#define _GNU_SOURCE /* sched_getaffinity */
 #include "batch/share.h"
 
 #include "common/host.h"
+#include "common/threads.h"
 
 #include <pthread.h>
-#include <sched.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* More threads than this wait for each other. */
 enum { MOST_THREADS = 1024 };
@@ -101,16 +99,9 @@ static void *run(void *argument) {
   return NULL;
 }
 
-static size_t threads_present(void) {
-  cpu_set_t set;
-  const bool told = sched_getaffinity(0, sizeof set, &set) == 0;
-  const long present = told ? CPU_COUNT(&set) : sysconf(_SC_NPROCESSORS_ONLN);
-  return present > 1 ? (size_t)present : 1;
-}
-
 /* One, and others for no more than the chunks after the first. */
 static size_t threads_of(size_t asked, size_t more_chunks) {
-  size_t more = (asked != 0 ? asked : threads_present()) - 1;
+  size_t more = (asked != 0 ? asked : tp_threads_present()) - 1;
   if (more > MOST_THREADS - 1) more = MOST_THREADS - 1;
   return 1 + (more > more_chunks ? more_chunks : more);
 }

@@ -7,6 +7,7 @@
 #include "batch/turning.h"
 
 #include "batch/block_scene.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 
 #include <math.h>
@@ -27,9 +28,9 @@ static long vertex_at(const tp_problem *problem, size_t contact_point) {
 static tp_status read_off(tp_block_turning *turning, const tp_solution *solution,
                           const tp_problem *problem) {
   const tp_case *own = solution->cases;
-  if (!own->has_governing) return TP_NO_ANSWER;
-  const tp_bounded angle = own->pivots[own->governing].critical_angle_deg;
-  *turning = (tp_block_turning){angle.value, angle.error, vertex_at(problem, own->governing)};
+  if (!own->has_toppling_pivot) return TP_NO_ANSWER;
+  const tp_bounded angle = own->pivots[own->toppling_pivot].critical_angle_deg;
+  *turning = (tp_block_turning){angle.value, angle.error, vertex_at(problem, own->toppling_pivot)};
   return tp_solution_is_undecided(solution) ? TP_UNDECIDED : TP_OK;
 }
 
@@ -54,7 +55,7 @@ tp_status tp_turning_solve(tp_block_turning *turning, tp_vertices vertices, tp_d
   tp_scene *scene = NULL;
   tp_status status = tp_block_scene_new(&scene, vertices, towards, message);
   if (status != TP_OK) return status;
-  tp_solution *solution = calloc(1, sizeof *solution);
+  tp_solution *solution = tp_solution_new();
   if (solution == NULL) {
     status = tp_fail_memory(message, "the solution");
   } else {

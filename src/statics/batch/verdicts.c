@@ -42,7 +42,7 @@ static void put_nothing(const tp_verdict_columns *c, size_t block) {
 }
 
 static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *own) {
-  const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
+  const tp_pivot *pivot = own->has_toppling_pivot ? own->pivots + own->toppling_pivot : NULL;
   const bool limit = own->limit.kind == TP_LIMIT_AT_ANGLE;
   const bool onset = own->onset.kind == TP_ONSET_AT_ANGLE;
   const tp_fos *fos = &own->governing_fos.fos;

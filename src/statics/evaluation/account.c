@@ -136,24 +136,24 @@ static void set_tilt(account *a, tp_account *result, const tp_direction_ball *to
 
 void tp_evaluate_account(const tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
                          tp_certainty *certainty) {
-  if (!result->has_governing) {
-    result->account.count = 0;
+  if (!result->has_toppling_pivot) {
+    result->elements.account_count = 0;
     return;
   }
   account a = {.evaluation = e, .certainty = certainty};
   arb_struct *balls[] = {a.sine, a.cosine, a.metres, a.weight, a.stabilising, a.overturning};
   for (size_t k = 0; k < sizeof balls / sizeof balls[0]; k++) arb_init(balls[k]);
   const tp_elements *elements = &e->problem->elements;
-  const long pivot = e->problem->contact.points[result->governing].point;
+  const long pivot = e->problem->contact.points[result->toppling_pivot].point;
   set_weight(&a);
-  set_tilt(&a, &result->account, toppling);
+  set_tilt(&a, &result->elements, toppling);
   arb_set_fmpq(a.metres, e->problem->lattice.step_m, e->rung.bits);
   arb_div_ui(a.metres, a.metres, 6, e->rung.bits);
-  result->account.count = (size_t)elements->count;
+  result->elements.account_count = (size_t)elements->count;
   for (long k = 0; k < elements->count; k++) {
-    account_element(&a, result->account.elements + k, elements->items + k, pivot, result->towards);
+    account_element(&a, result->elements.account + k, elements->items + k, pivot, result->towards);
   }
-  result->account.stabilising = tp_result(e, a.stabilising, certainty);
-  result->account.overturning = tp_result(e, a.overturning, certainty);
+  result->elements.stabilising = tp_result(e, a.stabilising, certainty);
+  result->elements.overturning = tp_result(e, a.overturning, certainty);
   for (size_t k = 0; k < sizeof balls / sizeof balls[0]; k++) arb_clear(balls[k]);
 }

@@ -7,8 +7,8 @@
 #include "evaluation/case_numbers.h"
 
 tp_case_state tp_case_moments_deg(tp_bounded *value, const tp_case *own) {
-  if (!own->has_governing) return TP_CASE_UNKNOWN;
-  const tp_pivot *pivot = own->pivots + own->governing;
+  if (!own->has_toppling_pivot) return TP_CASE_UNKNOWN;
+  const tp_pivot *pivot = own->pivots + own->toppling_pivot;
   if (pivot->never) return TP_CASE_ALWAYS;
   if (pivot->always) return TP_CASE_NEVER;
   *value = pivot->critical_angle_deg;

@@ -42,8 +42,9 @@ static void contact_ends(const tp_evaluation *e, tp_contact_result *result,
   const tp_contact_point *last = first + contact->point_count - 1;
   result->left_end = problem->base.left;
   result->right_end = problem->base.right;
-  tp_result_point(&result->left_x_m, &result->left_y_m, e, tp_contact_on_outline(first), certainty);
-  tp_result_point(&result->right_x_m, &result->right_y_m, e, tp_contact_on_outline(last),
+  tp_result_point(&result->left_end_x_m, &result->left_end_y_m, e, tp_contact_on_outline(first),
+                  certainty);
+  tp_result_point(&result->right_end_x_m, &result->right_end_y_m, e, tp_contact_on_outline(last),
                   certainty);
   result->steep = contact->steep;
   if (contact->steepest >= 0) {
@@ -84,7 +85,7 @@ static void contact_reach(const tp_problem *problem, tp_contact_result *result) 
   fmpz_sub(fmpq_numref(share), l->y + to, l->y + from);
   fmpz_sub(fmpq_denref(share), l->y + high, l->y + low);
   fmpq_canonicalise(share);
-  result->reach = tp_result_rational(share);
+  result->share_of_height = tp_result_rational(share);
   fmpq_mul_2exp(share, share, 1);
   result->reaches_far = fmpq_cmp_ui(share, 1) > 0;
   fmpq_clear(share);
@@ -196,8 +197,8 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     frame->dips = world->turn.rises != 0;
     frame->dips_towards = world->turn.rises > 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
     frame->dip_deg = tp_result_rational(world->turn.dip_deg);
-    frame->about_x_m = metres(problem, world->turn.x);
-    frame->about_y_m = metres(problem, world->turn.y);
+    frame->turned_about_x_m = metres(problem, world->turn.x);
+    frame->turned_about_y_m = metres(problem, world->turn.y);
     find_dip_direction(frame, &scene->slope);
   }
   /* A block that was set down along y has said what is level. */

@@ -164,9 +164,9 @@ void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, const tp_evaluati
   pivot->fos_elements = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_t factor;
   arb_init(factor);
-  pivot->fos_resultant = (tp_fos){.state = tp_loaded_factor(factor, loaded, e, point, certainty)};
-  if (pivot->fos_resultant.state == TP_FOS_NUMBER) {
-    pivot->fos_resultant.value = tp_result(e, factor, certainty);
+  pivot->fos = (tp_fos){.state = tp_loaded_factor(factor, loaded, e, point, certainty)};
+  if (pivot->fos.state == TP_FOS_NUMBER) {
+    pivot->fos.value = tp_result(e, factor, certainty);
   }
   arb_clear(factor);
 }
@@ -183,9 +183,9 @@ void tp_loaded_account_clear(tp_case *result) {
 bool tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evaluation *e,
                        tp_certainty *certainty) {
   tp_loaded_account_clear(result);
-  if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return true;
+  if (!result->has_toppling_pivot || !e->problem->scene->tilt_angle_deg.given) return true;
   balance b = {.account = result};
-  balance_at(&b, loaded, e, (long)result->governing, certainty);
+  balance_at(&b, loaded, e, (long)result->toppling_pivot, certainty);
   balance_clear(&b);
   return !b.failed;
 }

@@ -196,7 +196,7 @@ static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivo
   } else {
     if (known == NULL) tp_evaluate_turning(e, towards, k, &angle, certainty);
     const tp_direction_ball *own = known != NULL ? known : &angle;
-    pivot->fos_resultant = resultant_form(e, own, certainty);
+    pivot->fos = resultant_form(e, own, certainty);
     pivot->fos_elements = elements_form(e, towards, point->point, certainty);
     pivot->critical_angle_deg = tp_result(e, own->degrees, certainty);
   }
@@ -208,7 +208,7 @@ static void tell_pivot(const tp_evaluation *e, tp_case *result, size_t k, bool *
                        const tp_direction_ball *known, tp_certainty *certainty) {
   if (settled[k]) return;
   tp_certainty own = {0};
-  result->pivots[k].told = true;
+  result->pivots[k].computed = true;
   evaluate_pivot(e, result->towards, result->pivots + k, (long)k, known, &own);
   settled[k] = !own.open;
   tp_certainty_add(certainty, &own);
@@ -234,10 +234,10 @@ void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
       tell_pivot(e, result, k, settled, governs ? toppling : NULL, certainty);
     }
   }
-  result->has_governing = governing.found;
-  result->governing = governing.index;
-  result->governing_tie = governing.tie;
-  result->governing_tie_bits = governing.tie_bits;
+  result->has_toppling_pivot = governing.found;
+  result->toppling_pivot = governing.index;
+  result->toppling_tie = governing.tie;
+  result->toppling_tie_bits = governing.tie_bits;
 }
 
 void tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,

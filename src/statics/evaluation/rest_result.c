@@ -39,7 +39,7 @@ tp_rest_result tp_rest_result_of(const tp_rested *r) {
   fmpq_init(length);
   tp_rest_result result = {.known = true,
                            .turns = (size_t)r->settling.turns,
-                           .touches = (size_t)r->settling.touches.count,
+                           .contacts = (size_t)r->settling.touches.count,
                            .turned_deg = tp_rest_turned_deg(r),
                            .margin_left_m = tp_rest_metres(r, r->left),
                            .margin_right_m = tp_rest_metres(r, r->right)};

@@ -237,9 +237,9 @@ void tp_evaluate_rolling(const tp_evaluation *e, tp_case *result, const tp_direc
   const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
   result->rolls = TP_ROLLS_NOT;
   result->rests = false;
-  if (!result->has_governing || e->loaded != NULL) return;
+  if (!result->has_toppling_pivot || e->loaded != NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
-  const tp_contact_point *toe = problem->contact.points + result->governing;
+  const tp_contact_point *toe = problem->contact.points + result->toppling_pivot;
   rolling on = {.corner = corner_at(problem, toe, left), .left = left};
   on.toe = tp_contact_on_outline(toe);
   if (on.corner == NULL || !find_plane(&on, problem)) return;

@@ -46,8 +46,9 @@ void tp_evaluate_toe(const tp_evaluation *e, tp_case *result, const tp_direction
                      tp_certainty *certainty) {
   const tp_contact *contact = &e->problem->contact;
   result->toe = (tp_toe){0};
-  if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
-  const tp_outline_point toe = tp_contact_on_outline(contact->points + result->governing);
+  if (!result->has_toppling_pivot || e->loaded != NULL)
+    return; /* the reaction is not the weight's */
+  const tp_outline_point toe = tp_contact_on_outline(contact->points + result->toppling_pivot);
   tp_sliding_facet best;
   tp_sliding_facet_init(&best);
   for (long k = 0; k < contact->facet_count; k++) {

@@ -264,7 +264,8 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   const tp_scene *scene = problem->scene;
   tp_effect_begin began = tp_effects_begin(solution);
   tp_status status = tp_section_init(&problem->section, &scene->block, message);
-  problem->section.threads = (int)options->threads;
+  problem->section.threads =
+      (int)(options->threads < TP_SUMS_THREADS ? options->threads : TP_SUMS_THREADS);
   if (status == TP_OK) {
     status = tp_notes_append(&solution->notes, &problem->section.notes, message);
   }

@@ -19,7 +19,7 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   if (scene->base.mated) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.rests_place,
                      "a mated base fits its block already; 'place: rest' is for a base with a "
-                     "'profile' of its own");
+                     "separate 'profile'");
   }
   if (block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || block->rounded.count > 0) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.rests_place,

@@ -18,7 +18,7 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   if (scene->base.mated) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.within.place,
                      "a mated base touches its block already; 'contact: {within: …}' is for a base "
-                     "with a 'profile' of its own");
+                     "with a separate 'profile'");
   }
   if (block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || block->rounded.count > 0) {
     return tp_refuse(

@@ -58,7 +58,7 @@ static tp_status find_on_slope(tp_world *w, const tp_scene *scene, long ends[2],
   if (scene->block.form == TP_OUTLINE_ELLIPSE ||
       (scene->block.form == TP_OUTLINE_TEETH && goes_on(&scene->base))) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->block.place,
-                     "an ellipse, and teeth whose base goes on past them, are described along x; "
+                     "an ellipse, and teeth whose base extends past them, are described along x; "
                      "give the block as an 'outline', and the base as its 'profile'");
   }
   if (!scene->base.mated) return tp_sole_find(&w->sole, scene, section, message);

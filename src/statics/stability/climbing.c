@@ -54,7 +54,7 @@ static tp_status at_tilt_init(tp_at_tilt *at, const fmpq_t degrees, const tp_cli
   fmpq_set(at->scene.tilt_angle_deg.value, degrees);
   at->problem = *own->problem;
   at->problem.scene = &at->scene;
-  tp_solution *solution = calloc(1, sizeof *solution);
+  tp_solution *solution = tp_solution_new();
   const tp_status status = begin(&at->climbing, solution, &at->problem, own->options, message);
   if (status != TP_OK) return status;
   return solution != NULL ? tp_solution_describe(solution, &at->problem, own->options, message)

@@ -134,7 +134,7 @@ static tp_factor by_moments(const tp_at_scene *at, size_t pivot) {
                       .mechanism = TP_TOPPLES,
                       .pivot = pivot,
                       .toe = pivot == toe,
-                      .fos = p->fos_resultant};
+                      .fos = p->fos};
   const bool begins = at->moves && turn != TP_MECHANISM_UNDECIDED;
   if (begins) factor.mechanism = turn;
   factor.standing =
@@ -147,12 +147,12 @@ static tp_factor by_moments(const tp_at_scene *at, size_t pivot) {
  * is less safe, of those that do not. Of pivots alike the one that governs. */
 static void add_moments(tp_governing_fos *g, const tp_at_scene *at) {
   const tp_case *c = at->c;
-  if (!c->has_governing) return;
+  if (!c->has_toppling_pivot) return;
   tp_factor least[2]; /* by whether they count */
   bool has[2] = {false, false};
   for (size_t step = 0; step <= c->pivot_count; step++) {
-    const size_t k = step == 0 ? c->governing : step - 1;
-    if (step > 0 && (!c->pivots[k].admissible || k == c->governing)) continue;
+    const size_t k = step == 0 ? c->toppling_pivot : step - 1;
+    if (step > 0 && (!c->pivots[k].admissible || k == c->toppling_pivot)) continue;
     const tp_factor own = by_moments(at, k);
     if (has[own.counts] && !tp_fos_is_less(own.fos, least[own.counts].fos)) continue;
     least[own.counts] = own;
@@ -265,7 +265,7 @@ static bool formulas_tell(const tp_governing_fos *g, const tp_at_scene *at, tp_b
     const bool shear = g->factors[k].definition == TP_FOS_BY_SHEAR && g->factors[k].counts;
     if (shear && !s->never && !s->always && is_at(s->critical_angle_deg, end)) return true;
   }
-  for (size_t k = 0; k < c->pivot_count && c->has_governing; k++) {
+  for (size_t k = 0; k < c->pivot_count && c->has_toppling_pivot; k++) {
     const tp_pivot *p = c->pivots + k;
     if (!p->admissible || p->never || p->always || !is_at(p->critical_angle_deg, end)) continue;
     if (by_moments(at, k).counts) return true;

@@ -31,9 +31,9 @@ static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case
                                                  const tp_direction_ball *toppling,
                                                  const tp_direction_ball *sliding,
                                                  tp_certainty *certainty) {
-  const bool topples = result->has_governing && against_upright(e, toppling, certainty) < 0;
+  const bool topples = result->has_toppling_pivot && against_upright(e, toppling, certainty) < 0;
   const bool slides = result->sliding.known && !result->sliding.never;
-  const bool topples_always = topples && result->pivots[result->governing].always;
+  const bool topples_always = topples && result->pivots[result->toppling_pivot].always;
   const bool slides_always = slides && result->sliding.always;
   if (topples_always || slides_always) {
     result->first = !slides_always    ? TP_TOPPLES
@@ -141,7 +141,7 @@ static bool lies_before(const tp_evaluation *e, const arb_t tilt, const arb_t ba
 /* By contact forces. From which tilt they hold it may be open. */
 static void judge_up_dip(const tp_evaluation *e, tp_case *result, const tp_direction_ball *back,
                          const arb_t tilt, tp_certainty *certainty) {
-  const tp_limit *l = &result->limit_back;
+  const tp_limit *l = &result->limit_holds_from;
   if (l->kind == TP_LIMIT_UNDECIDED) {
     result->mechanism = TP_MECHANISM_UNDECIDED;
     if (result->first == TP_INTERLOCKED) result->first = TP_MECHANISM_UNDECIDED;

@@ -17,10 +17,10 @@ static tp_pose_verdict verdict_of(const tp_case *own) {
   tp_pose_verdict verdict = {.towards = own->towards,
                              .mechanism = own->mechanism,
                              .first = own->first,
-                             .has_first_angle = own->has_first_angle,
-                             .first_angle_deg = own->first_angle_deg,
+                             .has_critical_angle = own->has_first_angle,
+                             .critical_angle_deg = own->first_angle_deg,
                              .fos = own->governing_fos.fos};
-  verdict.first_angle_deg.digits = verdict.fos.value.digits = NULL;
+  verdict.critical_angle_deg.digits = verdict.fos.value.digits = NULL;
   return verdict;
 }
 
@@ -44,7 +44,7 @@ tp_status tp_pose_solve(tp_resting_pose *pose, const tp_scene *placed,
   own.pivots = TP_PIVOTS_GOVERNING;
   tp_scene scene = *placed; /* borrows all that it holds */
   scene.base.rests = scene.base.all_poses = false;
-  tp_solution *solution = calloc(1, sizeof *solution);
+  tp_solution *solution = tp_solution_new();
   if (solution == NULL) return tp_fail_memory(message, "the resting poses");
   tp_status status = solve(solution, &scene, &own, &why);
   pose->verdict_count = status == TP_OK ? solution->case_count : 0;
@@ -61,7 +61,7 @@ tp_status tp_pose_solve(tp_resting_pose *pose, const tp_scene *placed,
 typedef enum rank { RANK_NEVER_STANDS, RANK_ANGLE, RANK_UNKNOWN, RANK_NEVER_GOES } rank;
 
 static rank rank_of(const tp_pose_verdict *v) {
-  if (v->has_first_angle) return RANK_ANGLE;
+  if (v->has_critical_angle) return RANK_ANGLE;
   switch (v->first) {
   case TP_MECHANISM_UNDECIDED:
     return RANK_UNKNOWN;
@@ -76,7 +76,7 @@ static rank rank_of(const tp_pose_verdict *v) {
 static bool is_less(const tp_pose_verdict *a, const tp_pose_verdict *b) {
   const rank own = rank_of(a), other = rank_of(b);
   if (own != other) return own < other;
-  return own == RANK_ANGLE && a->first_angle_deg.value < b->first_angle_deg.value;
+  return own == RANK_ANGLE && a->critical_angle_deg.value < b->critical_angle_deg.value;
 }
 
 void tp_poses_least(tp_poses_result *poses, size_t case_count) {

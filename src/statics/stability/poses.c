@@ -204,10 +204,10 @@ static void describe_contacts(tp_resting_pose *pose, const tp_rested *r) {
     if (fmpq_cmp(tp_touch_x(b, own), tp_touch_x(b, first)) < 0) first = own;
     if (fmpq_cmp(tp_touch_x(b, own), tp_touch_x(b, last)) > 0) last = own;
   }
-  pose->first_x_m = tp_rest_metres(r, tp_touch_x(b, first));
-  pose->first_y_m = tp_rest_metres(r, tp_touch_y(b, first));
-  pose->last_x_m = tp_rest_metres(r, tp_touch_x(b, last));
-  pose->last_y_m = tp_rest_metres(r, tp_touch_y(b, last));
+  pose->first_contact_x_m = tp_rest_metres(r, tp_touch_x(b, first));
+  pose->first_contact_y_m = tp_rest_metres(r, tp_touch_y(b, first));
+  pose->last_contact_x_m = tp_rest_metres(r, tp_touch_x(b, last));
+  pose->last_contact_y_m = tp_rest_metres(r, tp_touch_y(b, last));
 }
 
 static tp_status describe_pose(search *s, long k, tp_message *message) {
@@ -219,7 +219,7 @@ static tp_status describe_pose(search *s, long k, tp_message *message) {
   if (status == TP_OK) {
     const tp_rested *r = s->rested;
     *pose = (tp_resting_pose){.basins = (size_t)own->count,
-                              .widest = (size_t)own->widest,
+                              .widest_basin = (size_t)own->widest,
                               .share = share_of(s, &own->width, &own->half),
                               .shift_m = tp_rest_metres(r, shift),
                               .rest = tp_rest_result_of(r),

@@ -18,11 +18,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* In one piece. */
+typedef struct whole {
+  tp_solution solution;
+  tp_case cases[2];
+} whole;
+
+tp_solution *tp_solution_new(void) {
+  whole *own = calloc(1, sizeof *own);
+  if (own == NULL) return NULL;
+  own->solution.size = sizeof own->solution;
+  own->solution.case_size = sizeof own->cases[0];
+  own->solution.cases = own->cases;
+  return &own->solution;
+}
+
 void tp_solution_free(tp_solution *solution) {
   if (solution == NULL) return;
   for (size_t k = 0; k < solution->case_count; k++) {
     free(solution->cases[k].pivots);
-    free(solution->cases[k].account.elements);
+    free(solution->cases[k].elements.account);
     tp_loaded_account_clear(solution->cases + k);
     free(solution->cases[k].loads);
     free(solution->cases[k].limits);
@@ -146,9 +161,9 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
       }
     }
     if (!account) continue;
-    own->account.elements =
-        calloc((size_t)problem->elements.count + 1, sizeof *own->account.elements);
-    if (own->account.elements == NULL) return tp_fail_memory(message, "the elements");
+    own->elements.account =
+        calloc((size_t)problem->elements.count + 1, sizeof *own->elements.account);
+    if (own->elements.account == NULL) return tp_fail_memory(message, "the elements");
   }
   return TP_OK;
 }

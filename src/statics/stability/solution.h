@@ -8,6 +8,10 @@
 
 #include "problem/problem.h"
 
+/* Without cases, and with room for two; NULL where memory is exhausted. To be freed by
+ * tp_solution_free. */
+tp_solution *tp_solution_new(void);
+
 /* What is exact, once for all rungs, and the cases with their arrays. A solution that fails half
  * way is still to be freed. */
 TP_MUST_USE tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,

@@ -18,9 +18,9 @@ static tp_status describe(tp_scene *scene, tp_coordinates outline, double fricti
   return status;
 }
 
-tp_status tp_solve_outline(tp_solution **solution, const char *length_unit, const double *outline,
-                           size_t vertices, double friction_angle_deg, double tilt_angle_deg,
-                           tp_message *message) {
+tp_status tp_solve_outline(tp_solution **solution, const double *outline, size_t vertices,
+                           const char *length_unit, double friction_angle_deg,
+                           double tilt_angle_deg, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, solution);
   TP_REFUSE_NULL(message, length_unit);

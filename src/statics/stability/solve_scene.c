@@ -14,6 +14,7 @@
 #include "stability/cautions.h"
 #include "stability/earthquakes.h"
 #include "stability/poses.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -60,7 +61,7 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
 
 static tp_status solve_one(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
                            const tp_solve_options *options, tp_message *message) {
-  tp_solution *filled = calloc(1, sizeof *filled);
+  tp_solution *filled = tp_solution_new();
   if (filled == NULL) return tp_fail_memory(message, "the solution");
   const tp_status status = fill(filled, tilts, scene, options, message);
   if (status == TP_OK) {
@@ -112,10 +113,6 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
                      "there is no such level of arithmetic");
-  }
-  if (options->threads > TP_SUMS_THREADS) {
-    return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "threads must be 0 to %d",
-                     TP_SUMS_THREADS);
   }
   if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such list of pivots");

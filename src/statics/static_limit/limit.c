@@ -209,11 +209,11 @@ static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_bal
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
-  result->limit_back = result->limit;
+  result->limit_holds_from = result->limit;
   const variant forward = {.with_factor = true, .tilts = tilts, .serves = serves};
   const bool done =
       ask(&result->limit, limit, e, &c, towards, forward, certainty) &&
-      ask(&result->limit_back, back, e, &c, towards, (variant){.back = true}, certainty);
+      ask(&result->limit_holds_from, back, e, &c, towards, (variant){.back = true}, certainty);
   contact_forces_clear(&c);
   return done;
 }
@@ -262,7 +262,7 @@ static void share_limits(const tp_further_tilts *tilts, const tp_case *result, b
     at->limit = result->limit;
     at->limit.fos = told.fos;
     at->limit.fos_mechanism = told.fos_mechanism;
-    at->limit_back = result->limit_back;
+    at->limit_holds_from = result->limit_holds_from;
     take_otherwise(at);
     if (otherwise) at->limit_otherwise = result->limit_otherwise;
     at->base_matters = result->base_matters;

@@ -83,7 +83,7 @@ static tp_status keep(running *r, tp_check_verdict beyond) {
        k = tp_walk_fails(&r->walk, &r->outside, k + 1)) {
     if (r->met[k]) continue;
     tp_derived_check *own = r->out->items + r->out->count++;
-    own->number = (size_t)k;
+    own->condition = (size_t)k;
     own->beyond = beyond;
     own->inside = tp_walk_write(&r->walk, &r->inside);
     own->outside = tp_walk_write(&r->walk, &r->outside);
@@ -151,7 +151,7 @@ static tp_status follow_all(running *r) {
 
 static int by_condition(const void *left, const void *right) {
   const tp_derived_check *a = left, *b = right;
-  return (a->number > b->number) - (a->number < b->number);
+  return (a->condition > b->condition) - (a->condition < b->condition);
 }
 
 tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *formula,

@@ -14,13 +14,13 @@
 static void free_pivot(tp_derived_pivot *p) {
   tp_fraction *fractions[] = {&p->x,
                               &p->y,
-                              &p->tangent,
+                              &p->tan_critical_angle,
                               &p->fos_cot,
                               &p->fos_constant,
-                              &p->normal_stabilising,
-                              &p->parallel_stabilising,
-                              &p->normal_overturning,
-                              &p->parallel_overturning};
+                              &p->stabilising_cos,
+                              &p->stabilising_sin,
+                              &p->overturning_cos,
+                              &p->overturning_sin};
   for (size_t k = 0; k < sizeof fractions / sizeof fractions[0]; k++)
     tp_notation_free(fractions[k]);
 }

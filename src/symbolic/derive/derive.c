@@ -111,10 +111,10 @@ static tp_status derive_elements_form(work *w, tp_derived_pivot *p,
     p->has_elements = true;
     p->splits =
         fmpz_mpoly_q_is_zero(sides.c, field->ring) && !fmpz_mpoly_q_is_zero(sides.d, field->ring);
-    p->normal_stabilising = write(w, sides.a);
-    p->parallel_stabilising = write(w, sides.b);
-    p->normal_overturning = write(w, sides.c);
-    p->parallel_overturning = write(w, sides.d);
+    p->stabilising_cos = write(w, sides.a);
+    p->stabilising_sin = write(w, sides.b);
+    p->overturning_cos = write(w, sides.c);
+    p->overturning_sin = write(w, sides.d);
     if (p->splits) {
       p->fos_cot = write_quotient(w, sides.a, sides.d);
       p->fos_constant = write_quotient(w, sides.b, sides.d);
@@ -137,14 +137,14 @@ static tp_status derive_pivot(work *w, tp_derived_pivot *p, const tp_case *own, 
   p->towards = own->towards;
   p->kind = own->pivots[k].kind;
   p->admissible = own->pivots[k].admissible;
-  p->governs = own->has_governing && own->governing == k;
+  p->governs = own->has_toppling_pivot && own->toppling_pivot == k;
   p->x = write(w, point.x);
   p->y = write(w, point.y);
   fmpz_mpoly_q_t x_arm, y_arm;
   fmpz_mpoly_q_init(x_arm, ring);
   fmpz_mpoly_q_init(y_arm, ring);
   tp_model_arms(x_arm, y_arm, &w->model, &point, p->towards);
-  p->tangent = write_quotient(w, x_arm, y_arm);
+  p->tan_critical_angle = write_quotient(w, x_arm, y_arm);
   p->critical_angle_deg = angle_at_values(w, x_arm, y_arm);
   fmpz_mpoly_q_clear(x_arm, ring);
   fmpz_mpoly_q_clear(y_arm, ring);
@@ -155,7 +155,7 @@ static tp_status list_elements(work *w, const tp_case *own) {
   const tp_model *m = &w->model;
   const tp_elements *all = &m->problem.elements;
   tp_symbolic_point pivot;
-  const tp_status status = tp_model_pivot(&pivot, m, own->governing, w->message);
+  const tp_status status = tp_model_pivot(&pivot, m, own->toppling_pivot, w->message);
   if (status != TP_OK) return status;
   tp_derived_element *list = calloc((size_t)all->count + 1, sizeof *list);
   if (list == NULL) return tp_fail_memory(w->message, "the elements");
@@ -195,7 +195,7 @@ static tp_status derive_case(work *w, const tp_case *own, const tp_derive_option
   for (size_t k = 0; k < points && status == TP_OK; k++) {
     status = derive_pivot(w, w->out->pivots + w->out->pivot_count++, own, k, options->elements);
   }
-  if (!own->has_governing) return status;
+  if (!own->has_toppling_pivot) return status;
   if (status == TP_OK && options->elements) status = list_elements(w, own);
   if (status == TP_OK && options->rounded) {
     status = tp_derive_rounding(w->out->rounded + own->towards, &w->model, own, options->notation,
@@ -262,6 +262,7 @@ tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
   }
   tp_derivation *out = calloc(1, sizeof *out);
   if (out == NULL) return tp_fail_memory(message, "the derivation");
+  out->size = sizeof *out;
   out->notation = options->notation;
   work w = {.out = out, .message = message};
   const char *names[MOST_ADDED];

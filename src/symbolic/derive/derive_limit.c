@@ -48,7 +48,7 @@ tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {
 }
 
 void tp_derived_limit_free(tp_derived_limit *l) {
-  tp_notation_free(&l->tangent);
+  tp_notation_free(&l->tan_critical_angle);
   tp_notation_free(&l->centre_x);
   tp_notation_free(&l->centre_y);
   for (int k = 0; k < 2; k++) {
@@ -158,7 +158,7 @@ static tp_status write_conditions(const writing *w) {
   tp_conditions_add(&conditions, w->formulas->cosine);
   add_powers(&conditions, w);
   (void)tp_contact_conditions(&conditions, w->formulas->model); /* alike: either end will do */
-  w->out->positive = conditions.positive;
+  w->out->parameters_above_zero = conditions.positive;
   w->out->conditions = calloc((size_t)conditions.count + 1, sizeof *w->out->conditions);
   if (w->out->conditions == NULL || conditions.failed) *w->failed = true;
   for (long k = 0; k < conditions.count && w->out->conditions != NULL; k++) {
@@ -195,7 +195,7 @@ static tp_bounded angle_at_values(const writing *w) {
 
 static tp_status write_all(const writing *w) {
   const tp_limit_formulas *f = w->formulas;
-  w->out->tangent =
+  w->out->tan_critical_angle =
       tp_notation_write_quotient(f->sine, f->cosine, w->field, w->notation, w->failed);
   w->out->critical_angle_deg = angle_at_values(w);
   write_centre(w);
@@ -213,7 +213,7 @@ tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp
   if (limit->kind != TP_LIMIT_AT_ANGLE) return TP_OK;
   if (limit->tie || limit->reaction_count != 2) {
     return tp_fail(message, TP_NO_ANSWER, model->problem.scene->friction_angle_deg.place,
-                   "at these values two mechanisms tie, each with a formula of its own; derive at "
+                   "at these values two mechanisms tie, each with a different formula; derive at "
                    "values to one side");
   }
   out->known = true;

@@ -16,10 +16,10 @@
 #include <string.h>
 
 void tp_derived_onset_free(tp_derived_onset *o) {
-  tp_notation_free(&o->tangent);
+  tp_notation_free(&o->tan_critical_angle);
   for (int k = 0; k < 2; k++) {
-    tp_notation_free(&o->rows[k].x);
-    tp_notation_free(&o->rows[k].y);
+    tp_notation_free(&o->balance[k].x);
+    tp_notation_free(&o->balance[k].y);
   }
   for (size_t k = 0; k < o->condition_count; k++) tp_notation_free(o->conditions + k);
   free(o->conditions);
@@ -67,7 +67,7 @@ static void write_rows(const writing *w) {
   fmpz_mpoly_q_init(x, field->ring);
   for (int k = 0; k < 2; k++) {
     const tp_onset_row *row = f->modes.modes[f->begins->mode].rows + rows[k];
-    tp_derived_row *own = w->out->rows + k;
+    tp_derived_row *own = w->out->balance + k;
     own->is_force = !row->is_ray;
     if (row->is_ray) {
       write_centre(w, own, f->modes.rays + row->ray);
@@ -83,7 +83,7 @@ static void write_rows(const writing *w) {
 
 static void write_conditions(const writing *w) {
   const tp_conditions *c = &w->formulas->conditions;
-  w->out->positive = c->positive;
+  w->out->parameters_above_zero = c->positive;
   w->out->conditions = calloc((size_t)c->count + 1, sizeof *w->out->conditions);
   if (w->out->conditions == NULL) {
     *w->failed = true;
@@ -119,7 +119,7 @@ static tp_status derive(tp_derived_onset *out, const tp_onset_wanted *wanted,
   if (out->reason != NULL) return TP_OK;
   const writing w = {out, &formulas, options->notation, failed};
   out->known = true;
-  out->tangent = write(&w, formulas.tangent);
+  out->tan_critical_angle = write(&w, formulas.tangent);
   out->critical_angle_deg = tp_field_angle(formulas.tangent, formulas.terms.values,
                                            formulas.terms.field, formulas.terms.bits);
   write_rows(&w);
@@ -156,8 +156,9 @@ tp_status tp_derive_onset(tp_derived_onset *out, const tp_derived_limit *limit,
       (tp_field_work){.budget = held.budget}; /* of its own, so that the rest is derived anyhow */
   const tp_status status = derive(out, &wanted, options, failed, message);
   *work = held;
-  out->same_as_limit = out->known && limit->known && limit->tangent.formula != NULL &&
-                       out->tangent.formula != NULL &&
-                       strcmp(limit->tangent.formula, out->tangent.formula) == 0;
+  out->same_as_limit =
+      out->known && limit->known && limit->tan_critical_angle.formula != NULL &&
+      out->tan_critical_angle.formula != NULL &&
+      strcmp(limit->tan_critical_angle.formula, out->tan_critical_angle.formula) == 0;
   return status;
 }

@@ -32,9 +32,9 @@ tp_status tp_derive_rounding_check(const tp_scene *scene, tp_message *message) {
 }
 
 void tp_derived_rounding_free(tp_derived_rounding *r) {
-  tp_notation_free(&r->tangent);
-  tp_notation_free(&r->length);
-  tp_notation_free(&r->radius);
+  tp_notation_free(&r->tan_critical_angle);
+  tp_notation_free(&r->rounding_length);
+  tp_notation_free(&r->corner_radius);
 }
 
 /* tan(alpha_crit) about the axis where rounding puts it, weight = 3 (2 A) being what the arms are
@@ -50,7 +50,7 @@ static void write_tangent(tp_derived_rounding *out, const tp_rounding *r, const 
   tp_field_mul(up, up, weight, field);
   tp_field_sub(along, x, along, field);
   tp_field_sub(up, y, up, field);
-  out->tangent = tp_notation_write_quotient(along, up, field, notation, failed);
+  out->tan_critical_angle = tp_notation_write_quotient(along, up, field, notation, failed);
   fmpz_mpoly_q_clear(along, field->ring);
   fmpz_mpoly_q_clear(up, field->ring);
 }
@@ -66,11 +66,11 @@ static void write_length(tp_derived_rounding *out, const tp_rounding *r, const f
   fmpz_mpoly_q_one(cosine, field->ring); /* the quotient is the same for any multiple of both */
   tp_rounding_critical_length(length, r, x, y, sine, cosine, field);
   tp_field_div(length, length, weight, field);
-  out->length = tp_notation_write(length, field, notation, failed);
+  out->rounding_length = tp_notation_write(length, field, notation, failed);
   out->has_radius = r->upright_side;
   if (out->has_radius) {
     tp_rounding_radius(sine, r, length, field);
-    out->radius = tp_notation_write(sine, field, notation, failed);
+    out->corner_radius = tp_notation_write(sine, field, notation, failed);
   }
   fmpz_mpoly_q_clear(length, field->ring);
   fmpz_mpoly_q_clear(sine, field->ring);
@@ -84,9 +84,10 @@ tp_status tp_derive_rounding(tp_derived_rounding *out, const tp_model *model, co
                                        tp_field_added(field, COSINE)};
   tp_symbolic_point pivot;
   tp_rounding rounding;
-  tp_status status = tp_model_pivot(&pivot, model, own->governing, message);
+  tp_status status = tp_model_pivot(&pivot, model, own->toppling_pivot, message);
   if (status == TP_OK) {
-    status = tp_rounding_init(&rounding, model, own->governing, own->towards, &symbols, message);
+    status =
+        tp_rounding_init(&rounding, model, own->toppling_pivot, own->towards, &symbols, message);
   }
   if (status != TP_OK) return status;
   fmpz_mpoly_q_t x, y, weight;
@@ -98,7 +99,7 @@ tp_status tp_derive_rounding(tp_derived_rounding *out, const tp_model *model, co
   tp_model_arms(x, y, model, &pivot, own->towards);
   fmpz_mpoly_q_mul_fmpz(weight, model->formulas.weighted2, three, field->ring);
   out->known = true;
-  out->kind = own->pivots[own->governing].kind;
+  out->kind = own->pivots[own->toppling_pivot].kind;
   write_tangent(out, &rounding, x, y, weight, field, notation, failed);
   write_length(out, &rounding, x, y, weight, field, notation, failed);
   fmpz_mpoly_q_clear(x, field->ring);

@@ -40,7 +40,7 @@ void tp_family_free(tp_family *family) {
   }
   free(family->symbols);
   free(family->parameters);
-  for (int k = 0; k < 4; k++) tp_notation_free(&family->formulas[k].tangent);
+  for (int k = 0; k < 4; k++) tp_notation_free(&family->formulas[k].tan_critical_angle);
   free(family);
 }
 
@@ -169,7 +169,7 @@ static void write_toe(tp_family_formula *out, const tp_family_sums *sums,
   fmpz_mpoly_q_init(x_arm, field->ring);
   fmpz_mpoly_q_init(y_arm, field->ring);
   tp_family_arms(x_arm, y_arm, sums, f, out->kind, out->towards, field);
-  out->tangent = tp_notation_write_quotient(x_arm, y_arm, field, notation, failed);
+  out->tan_critical_angle = tp_notation_write_quotient(x_arm, y_arm, field, notation, failed);
   fmpz_mpoly_q_clear(x_arm, field->ring);
   fmpz_mpoly_q_clear(y_arm, field->ring);
 }
@@ -204,9 +204,9 @@ tp_status tp_family_sums_derive(tp_family_sums *sums, bool even, const tp_teeth_
 
 static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_formulas *f,
                                const tp_scene *scene, const tp_field *field, tp_message *message) {
-  for (int k = 0; k < TP_FAMILY_FIXED; k++) family->fixed[even][k] = member_count(k, even);
+  for (int k = 0; k < TP_FAMILY_FIXED; k++) family->fixed_by[even][k] = member_count(k, even);
   for (int k = 0; k < TP_FAMILY_CHECKED; k++) {
-    family->checked[even][k] = member_count(TP_FAMILY_FIXED + k, even);
+    family->checked_on[even][k] = member_count(TP_FAMILY_FIXED + k, even);
   }
   tp_family_sums sums;
   tp_family_sums_init(&sums, field);
@@ -279,6 +279,7 @@ tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notatio
   if (suits != TP_OK) return suits;
   tp_family *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the family of formulas");
+  own->size = sizeof *own;
   own->notation = notation;
   const tp_status status = fill(own, scene, message);
   if (status == TP_OK) {

@@ -22,7 +22,7 @@ static const char too_large[] =
 static const char too_dear[] =
     "the formulas take more work than is allowed; give numbers, or expressions in other "
     "parameters, for some of the parameters, have fewer different divisors, or put claims into "
-    "files of their own";
+    "separate files";
 
 typedef struct size {
   double terms, bits, degree;

@@ -10,6 +10,7 @@
 #include "derive/field_work.h"
 #include "load/loads.h"
 #include "stability/cautions.h"
+#include "stability/solution.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -89,7 +90,7 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
         "formulas are derived along the mean plane of the base; give coordinates along "
         "it, and leave out 'frame'");
   }
-  model->solution = calloc(1, sizeof *model->solution);
+  model->solution = tp_solution_new();
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
   tp_solve_options options = tp_solve_options_default();
   options.elements = elements;

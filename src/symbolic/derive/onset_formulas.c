@@ -14,7 +14,7 @@
 #include <string.h>
 
 static const char two_begin[] =
-    "at these values two motions begin at once, each with a formula of its own; derive at values "
+    "at these values two motions begin at once, each with a different formula; derive at values "
     "to one side";
 static const char single_tilt[] =
     "the motion begins by forces that are in balance at a single tilt; derive at other values";

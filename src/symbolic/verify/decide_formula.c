@@ -172,12 +172,13 @@ static tp_status decide_identity(tp_claim_result *result, const survey *v, const
   if (status == TP_OK && vanishing != NULL) {
     status = tp_decide_at_points(result, q, &v->branches);
     if (status == TP_OK) {
-      status = set_condition(result, q,
-                             result->verdict == TP_VERDICT_UNDECIDED
-                                 ? "the printed formula has no value at the claim's own values: an "
-                                   "identity except where "
-                                 : "an identity except where ",
-                             vanishing, " = 0");
+      status =
+          set_condition(result, q,
+                        result->verdict == TP_VERDICT_UNDECIDED
+                            ? "the printed formula has no value at the values of the claim: an "
+                              "identity except where "
+                            : "an identity except where ",
+                        vanishing, " = 0");
     }
   }
   free(vanishing);
@@ -203,7 +204,7 @@ static tp_status decide_parts(tp_claim_result *result, const survey *v, const tp
   if (start == NULL) return tp_fail_memory(q->message, "a claim");
   snprintf(start, size, "%s%s", before, v->where);
   const tp_status joined =
-      set_condition(result, q, start, ", as at the claim's own values; ", result->condition);
+      set_condition(result, q, start, ", as at the values of the claim; ", result->condition);
   free(start);
   return joined;
 }
@@ -212,9 +213,9 @@ tp_status tp_decide_formula(tp_claim_result *result, const tp_question *q) {
   survey v;
   survey_init(&v, q);
   tp_status status = survey_all(&v, q);
-  result->is_tangent = v.rational && v.tangents;
+  result->of_tangents = v.rational && v.tangents;
   if (status == TP_OK && v.rational && v.equal + v.other > 0) {
-    status = tp_question_write(&result->derived, v.derived, q);
+    status = tp_question_write(&result->computed, v.derived, q);
   }
   if (status != TP_OK) {
     survey_clear(&v, q);

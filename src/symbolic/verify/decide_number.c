@@ -234,9 +234,9 @@ tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
   if (status == TP_OK) {
     if (!decided) status = decide_tie(&result->verdict, &p, q);
     result->has_values = true;
-    result->computed = tp_ball_bounded(x);
+    result->computed_there = tp_ball_bounded(x);
     arb_set_fmpq(x, p.value, FIRST_BITS);
-    result->printed_value = tp_ball_bounded(x);
+    result->printed_there = tp_ball_bounded(x);
   }
   arb_clear(x);
   fmpq_clear(p.value);

@@ -49,9 +49,9 @@ static tp_status values_text(char **out, const tp_question *q, const tp_claim_sa
 static tp_status keep_values(tp_claim_result *result, const arb_t printed, const arb_t derived,
                              const tp_question *q, const tp_claim_sample *sample) {
   result->has_values = true;
-  result->printed_value = tp_ball_bounded(printed);
-  result->computed = tp_ball_bounded(derived);
-  return values_text(&result->values, q, sample);
+  result->printed_there = tp_ball_bounded(printed);
+  result->computed_there = tp_ball_bounded(derived);
+  return values_text(&result->at, q, sample);
 }
 
 /* Decimal digits to which two enclosures that meet agree. */
@@ -145,7 +145,7 @@ tp_status tp_decide_at_points(tp_claim_result *result, const tp_question *q,
   tp_status status = visit(&t, q, branches);
   if (status == TP_OK && t.elsewhere != NULL && !t.differs) {
     char text[700];
-    snprintf(text, sizeof text, "about the claim's own values alone: it fails at %s", t.elsewhere);
+    snprintf(text, sizeof text, "about the values of the claim alone: it fails at %s", t.elsewhere);
     status = add_condition(result, q, text);
   }
   free(t.elsewhere);
@@ -156,7 +156,7 @@ tp_status tp_decide_at_points(tp_claim_result *result, const tp_question *q,
   }
   result->verdict = t.points > 0 && !t.undefined ? TP_VERDICT_AGREES : TP_VERDICT_UNDECIDED;
   if (t.undefined) {
-    return add_condition(result, q, "the printed formula has no value at the claim's own values");
+    return add_condition(result, q, "the printed formula has no value at the values of the claim");
   }
   result->points = t.points;
   result->digits = t.points > 0 ? t.digits : 0;

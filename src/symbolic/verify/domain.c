@@ -125,7 +125,7 @@ tp_status tp_domain_bound(tp_domain *d, const tp_domain_bounds *bounds,
   fmpz_mpoly_q_set(own->high, bounds->high, ring);
   if (!inside(d, own, sample, true)) {
     return tp_refuse(message, TP_FAULT_RANGE, place,
-                     "the claim's own value of '%.40s' lies outside this domain",
+                     "the claim's value of '%.40s' lies outside this domain",
                      d->subject->field->names[own->symbol]);
   }
   const tp_angle *angle = tp_domain_angle_of(d, own->symbol);

@@ -132,8 +132,8 @@ static tp_status choose_pivot(tp_subject *s, const tp_subject_options *options, 
   if (s->at == NULL) {
     return tp_refuse(message, TP_FAULT_KEY, place, "the scene does not tilt this way");
   }
-  s->pivot = options->has_pivot ? options->pivot : s->at->governing;
-  if (options->has_pivot ? s->pivot >= s->at->pivot_count : !s->at->has_governing) {
+  s->pivot = options->has_pivot ? options->pivot : s->at->toppling_pivot;
+  if (options->has_pivot ? s->pivot >= s->at->pivot_count : !s->at->has_toppling_pivot) {
     return tp_refuse(message, TP_FAULT_KEY, place, "the scene has no such pivot");
   }
   return TP_OK;

@@ -21,9 +21,9 @@ void tp_verification_free(tp_verification *v) {
   if (v == NULL) return;
   for (size_t k = 0; k < v->count; k++) {
     tp_claim_result *c = v->claims + k;
-    char *const texts[] = {c->id,     c->where,  c->geometry, c->quantity,   c->printed,
-                           c->unit,   c->note,   c->derived,  c->difference, c->mend,
-                           c->change, c->values, c->condition};
+    char *const texts[] = {c->id,     c->where, c->geometry, c->quantity,   c->printed,
+                           c->unit,   c->note,  c->computed, c->difference, c->mend,
+                           c->change, c->at,    c->condition};
     for (size_t j = 0; j < sizeof texts / sizeof texts[0]; j++) free(texts[j]);
   }
   free(v->claims);
@@ -214,6 +214,7 @@ static tp_status start(tp_verification **verification, const char *path, const c
                        tp_message *message) {
   tp_verification *v = calloc(1, sizeof *v);
   if (v == NULL) return tp_fail_memory(message, "the verdicts");
+  v->size = sizeof *v;
   work w = {.message = message};
   const tp_status status = verify(v, &w, path, text);
   if (status == TP_OK) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** Handles of the base: points of its profile, or how far a mated base goes on beyond the block; the shift along it. */
+/** Handles of the base: points of its profile, or how far a mated base extends beyond the block; the shift along it. */
 
 import { lengthHandle } from "./handle.js";
 import { listHandles } from "./block_handles.js";

@@ -118,9 +118,9 @@ export class VerdictPanel extends Panel {
     return element(
       "p",
       { class: "base-matters" },
-      "On this base, which " + (goesOn ? "goes on past" : "ends at") + " the ", this.terms.word("toe"), ", it is held up to ",
+      "On this base, which " + (goesOn ? "extends past" : "ends at") + " the ", this.terms.word("toe"), ", it is held up to ",
       element("strong", {}, degreesText(limit.critical_angle_deg)),
-      "; on one that " + (goesOn ? "ends at" : "goes on past") + " the toe it ", this.terms.word(limit.otherwise.mechanism), " at ",
+      "; on one that " + (goesOn ? "ends at" : "extends past") + " the toe it ", this.terms.word(limit.otherwise.mechanism), " at ",
       element("strong", { "data-number": "otherwise" }, degreesText(limit.otherwise.critical_angle_deg)),
       ".",
     );

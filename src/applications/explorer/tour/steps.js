@@ -117,7 +117,7 @@ export const STEPS = [
     finds: (solution) => {
       const { limit, contact } = solution.cases[0];
       if (!limit?.critical_angle_deg || !contact) return null;
-      const base = limit.base_beyond_toe ? "goes on past the toe" : "ends at the toe";
+      const base = limit.base_beyond_toe ? "extends past the toe" : "ends at the toe";
       return "On a base that " + base + " block E is held up to " + degreesText(limit.critical_angle_deg) + ", then it " + limit.mechanism + ".";
     },
   },
