@@ -89,7 +89,15 @@ typedef struct tp_sliding {
   tp_bounded critical_angle_deg; /* if !never && !always: with loads, from the forces along and
                                     across the facet */
   tp_fos fos;                    /* tan(phi_b + i) / tan(tilt) (Eq. 6); with loads by the forces */
-  tp_fos fos_strength; /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
+  bool has_forces; /* with loads and a tilt: fos is ((normal - uplift) tan(phi) + cohesion + held) /
+                      driving, of these forces at that tilt, N */
+  tp_bounded friction_tangent; /* if has_forces: tan(phi), at the normal stress of the tilt */
+  tp_bounded normal_n;         /* if has_forces: what presses on the facet, water aside */
+  tp_bounded uplift_n;   /* if has_forces: by how much water presses less; below 0 it presses */
+  tp_bounded cohesion_n; /* if has_forces: cohesion times the area of the contact */
+  tp_bounded held_n;     /* if has_forces: the pull of passive anchors that holds back */
+  tp_bounded driving_n;  /* if has_forces: along the facet, down-dip */
+  tp_fos fos_strength;   /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
 } tp_sliding;
 
 /* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
@@ -113,6 +121,9 @@ typedef struct tp_load_result {
   TP_OUTSIDE char *called_for_by; /* file:line:column; empty where it is of no one place */
   tp_bounded moment_nm; /* about the governing pivot at the scene's tilt, overturning positive */
   tp_load_side side;    /* where it counts */
+  bool has_arm;         /* it is a force that is not 0: */
+  tp_bounded force_n;   /* if has_arm: its size at the scene's tilt */
+  tp_bounded arm_m;     /* if has_arm: of the governing pivot from its line, overturning positive */
 } tp_load_result;
 
 /* What a rounded toe does beyond its critical angle: roll to a new rest, or over. */

@@ -89,6 +89,7 @@ void tp_document_take(tp_document *d, tp_passage_kind kind, int level, tp_text *
     return;
   }
   own->level = level;
+  if (kind == TP_PASSAGE_EQUATION) tp_document_set_decimals(d, text); /* it is all our own */
   own->text = taken(d, text);
 }
 

@@ -131,6 +131,8 @@ const char *tp_sheet_force_unit(const tp_sheet *sheet);
 tp_bounded tp_sheet_turning(const tp_sheet *sheet, tp_bounded newton_metres);
 const char *tp_sheet_turning_unit(const tp_sheet *sheet);
 
+tp_sheet_number tp_sheet_force_number(const tp_sheet *sheet, tp_bounded newtons);
+
 /* Of the account by elements. */
 tp_sheet_number tp_sheet_moment(const tp_sheet *sheet, tp_bounded moment);
 tp_sheet_number tp_sheet_coordinate(const tp_sheet *sheet, tp_bounded metres);

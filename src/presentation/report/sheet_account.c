@@ -15,6 +15,19 @@
 /* Elements that are listed; JSON has all. */
 enum { LISTED = 60 };
 
+/* Of a force, in two cells. */
+static void add_arm(tp_sheet *s, const tp_load_result *l) {
+  const tp_page page = {.solution = s->solution};
+  char n[TP_NUMBER_SIZE];
+  if (!l->has_arm) {
+    tp_document_word(&s->document, "–");
+    tp_document_word(&s->document, "–");
+    return;
+  }
+  tp_document_cell(&s->document, "%s", tp_text_significant(n, tp_sheet_force(s, l->force_n), 6));
+  tp_document_cell(&s->document, "%s", tp_page_length(&page, n, l->arm_m, 6));
+}
+
 void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   tp_page page = {.solution = s->solution};
@@ -25,25 +38,27 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   if (!c->has_toppling_pivot || c->load_count == 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                     "Their moments are given about a governing pivot %s, where there are both.",
-                    tp_text_present(s->solution));
+                    tp_document_say(d, tp_text_present(s->solution)));
     return;
   }
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2,
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0xe,
                     s->solution->frame.world
                         ? "Moments about the governing pivot as it lies, overturning positive"
                         : "Moments about the governing pivot at the scene's tilt, overturning "
                           "positive");
   tp_document_cell(d, "Load");
-  const tp_result_unit unit = s->solution->result_units.moment;
-  tp_document_cell(d, "Moment (%s)", unit.name != NULL ? unit.name : "N m");
+  tp_document_cell(d, "Force (%s)", tp_sheet_force_unit(s));
+  tp_document_cell(d, "Arm (%s)", s->solution->length_unit);
+  tp_document_cell(d, "Moment (%s)", tp_sheet_turning_unit(s));
   tp_document_cell(d, "Counts as");
   tp_document_cell(d, "Required by");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];
-    tp_document_cell(d, "%s", l->name);
-    tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6));
-    tp_document_cell(d, "%s", tp_load_side_name(l->side));
+    tp_document_word(d, l->name);
+    add_arm(s, l);
+    tp_document_cell(d, "%s", tp_text_significant(n, tp_sheet_turning(s, l->moment_nm), 6));
+    tp_document_word(d, tp_load_side_name(l->side));
     tp_document_outside_cell(d, l->called_for_by);
   }
 }

@@ -68,7 +68,7 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
       const tp_load_result *l = c->loads + k;
       char n[TP_NUMBER_SIZE];
       if ((l->side == TP_STABILISES) == (under == 1)) continue;
-      tp_bounded moment = tp_page_in(l->moment_nm, s->solution->result_units.moment);
+      tp_bounded moment = tp_sheet_turning(s, l->moment_nm);
       if (!under) moment.value = -moment.value;
       const bool below = moment.value < 0;
       if (below) moment.value = -moment.value;

@@ -130,6 +130,11 @@ const char *tp_sheet_force_unit(const tp_sheet *s) {
   return name != NULL ? name : "kN";
 }
 
+tp_sheet_number tp_sheet_force_number(const tp_sheet *s, tp_bounded newtons) {
+  char n[TP_NUMBER_SIZE];
+  return number_of(tp_text_significant(n, tp_sheet_force(s, newtons), 6));
+}
+
 tp_bounded tp_sheet_turning(const tp_sheet *s, tp_bounded newton_metres) {
   const tp_result_unit unit = s->solution->result_units.moment;
   return unit.name != NULL ? tp_page_in(newton_metres, unit) : tp_text_over(newton_metres, 1e3);

@@ -80,8 +80,8 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, const tp_eva
 /* Sliding down along a facet, (run, rise) as in evaluation/sliding.c, with a friction angle in
  * degrees and the cohesion of the contact: the critical angle in degrees, -180 where it slides at
  * every tilt, or false where it never does; the factor of safety is with the friction at the
- * scene's tilt. */
-bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
+ * scene's tilt, and `forces` gets those that it is made of (NULL: nobody asks). */
+bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, tp_sliding *forces, const tp_loaded *loaded,
                        const tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise,
                        const arb_t friction, tp_certainty *certainty);
 

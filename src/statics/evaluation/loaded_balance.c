@@ -34,8 +34,22 @@ static void add_to_either(balance *b, const arb_t moment) {
   mag_clear(size);
 }
 
-static void add_to(balance *b, const char *name, tp_place place, const arb_t moment,
-                   tp_load_side side) {
+/* The force that has the moment, where it is one, and its arm. */
+static void add_arm(tp_load_result *own, const tp_evaluation *e, const arb_t force,
+                    const arb_t moment) {
+  if (arb_contains_zero(force)) return;
+  arb_t arm;
+  arb_init(arm);
+  arb_div(arm, moment, force, e->rung.bits);
+  own->has_arm = true;
+  own->force_n = tp_result_of(e, force);
+  own->arm_m = tp_result_of(e, arm);
+  arb_clear(arm);
+}
+
+/* `force` is zero of what is a moment alone. */
+static void add_to(balance *b, const char *name, tp_place place, const arb_t force,
+                   const arb_t moment, tp_load_side side) {
   const long bits = b->evaluation->rung.bits;
   if (arb_contains_zero(moment)) {
     add_to_either(b, moment);
@@ -48,6 +62,7 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   tp_load_result *own = b->account->loads + b->account->load_count++;
   *own = (tp_load_result){.name = name, .side = side};
   own->moment_nm = tp_result_of(b->evaluation, moment);
+  add_arm(own, b->evaluation, force, moment);
   own->called_for_by = tp_place_new(place);
   if (own->called_for_by == NULL) b->failed = true;
 }
@@ -72,10 +87,28 @@ static void settle_zero(balance *b, arb_t moment, const tp_load *load, tp_load_p
 /* By the sign of the moment about the pivot; but what an active load holds back is taken from what
  * overturns. */
 static void weigh_load(balance *b, const tp_load *load, tp_load_part part, const char *name,
-                       arb_t moment, const arb_t x, const arb_t y) {
+                       const arb_t force, arb_t moment, const arb_t x, const arb_t y) {
   settle_zero(b, moment, load, part, x, y);
   const tp_load_side holds = load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
-  add_to(b, name, load->place, moment, arb_is_positive(moment) ? TP_OVERTURNS : holds);
+  add_to(b, name, load->place, force, moment, arb_is_positive(moment) ? TP_OVERTURNS : holds);
+}
+
+/* The size of a force at a tilt. */
+static void size_of(arb_t size, const tp_wrench *wrench, const arb_t sine, const arb_t cosine,
+                    long bits) {
+  arb_t y;
+  arb_init(y);
+  tp_trig_evaluate(size, &wrench->x, sine, cosine, bits);
+  tp_trig_evaluate(y, &wrench->y, sine, cosine, bits);
+  arb_hypot(size, size, y, bits);
+  arb_clear(y);
+}
+
+/* That of what turns with the cosine alone, or the sine. */
+static void size_of_part(arb_t size, const tp_wrench *wrench, const arb_t times, int of,
+                         long bits) {
+  arb_hypot(size, wrench->x.of + of, wrench->y.of + of, bits);
+  arb_mul(size, size, times, bits);
 }
 
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
@@ -84,34 +117,40 @@ static void weigh(balance *b, const arb_t sine, const arb_t cosine) {
   const tp_loaded *loaded = b->loaded;
   const long bits = e->rung.bits;
   tp_trig about;
-  arb_t x, y, moment;
+  arb_t x, y, moment, force;
   tp_trig_init(&about);
   arb_init(x);
   arb_init(y);
   arb_init(moment);
+  arb_init(force);
   tp_loaded_axis(x, y, loaded, e, b->pivot);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
     if (own->kind == TP_LOAD_WEIGHT) {
       arb_mul(moment, about.of + TP_COS, cosine, bits);
-      weigh_load(b, own, TP_WEIGHT_NORMAL, "weight, normal", moment, x, y);
+      size_of_part(force, &own->wrench, cosine, TP_COS, bits);
+      weigh_load(b, own, TP_WEIGHT_NORMAL, "weight, normal", force, moment, x, y);
       arb_mul(moment, about.of + TP_SIN, sine, bits);
-      weigh_load(b, own, TP_WEIGHT_PARALLEL, "weight, parallel", moment, x, y);
+      size_of_part(force, &own->wrench, sine, TP_SIN, bits);
+      weigh_load(b, own, TP_WEIGHT_PARALLEL, "weight, parallel", force, moment, x, y);
       continue;
     }
     tp_trig_evaluate(moment, &about, sine, cosine, bits);
-    weigh_load(b, own, TP_LOAD_WHOLE, tp_load_name(own->kind), moment, x, y);
+    size_of(force, &own->wrench, sine, cosine, bits);
+    weigh_load(b, own, TP_LOAD_WHOLE, tp_load_name(own->kind), force, moment, x, y);
   }
   if (e->problem->scene->loads.bond_kpa.given) {
     tp_loaded_bond(moment, b->pivot, false, loaded, e);
     arb_neg(moment, moment);
-    add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, moment, TP_STABILISES);
+    arb_zero(force);
+    add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, force, moment, TP_STABILISES);
   }
   tp_trig_clear(&about);
   arb_clear(x);
   arb_clear(y);
   arb_clear(moment);
+  arb_clear(force);
 }
 
 static void balance_at(balance *b, const tp_loaded *loaded, const tp_evaluation *e, long pivot,

@@ -136,8 +136,8 @@ static sliding by_forces(const levelled *s, const tp_evaluation *e, const arb_t 
   tp_fos fos;
   arb_t degrees;
   arb_init(degrees);
-  sliding own = {.starts = tp_loaded_sliding(degrees, &fos, e->loaded, e, s->run, s->rise, friction,
-                                             &certainty)};
+  sliding own = {.starts = tp_loaded_sliding(degrees, &fos, NULL, e->loaded, e, s->run, s->rise,
+                                             friction, &certainty)};
   own.angle_deg = arf_get_d(arb_midref(degrees), ARF_RND_NEAR);
   own.has_factor = fos.state == TP_FOS_NUMBER;
   own.factor = fos.value.value;

@@ -96,7 +96,7 @@ typedef struct start {
   tp_certainty *certainty;
   const tp_sliding_facet *best;
   tp_direction_ball *sliding;
-  tp_fos *fos;
+  tp_sliding *result;
   bool slides;
 } start;
 
@@ -107,8 +107,8 @@ static bool start_of(arb_t tilt, void *context, const arb_t friction, bool estim
     tp_sliding_add_friction(s->e, s->best, friction, s->sliding);
     s->slides = true;
   } else {
-    s->slides = tp_loaded_sliding(s->sliding->degrees, s->fos, s->e->loaded, s->e, s->best->run,
-                                  s->best->rise, friction, s->certainty);
+    s->slides = tp_loaded_sliding(s->sliding->degrees, &s->result->fos, s->result, s->e->loaded,
+                                  s->e, s->best->run, s->best->rise, friction, s->certainty);
   }
   arb_set(tilt, s->sliding->degrees);
   return s->slides;
@@ -164,7 +164,7 @@ static void describe_facet(const tp_evaluation *e, tp_sliding *s, const tp_slidi
 static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_facet *best,
                      tp_direction_ball *sliding, tp_certainty *certainty) {
   tp_sliding *s = &result->sliding;
-  start own = {e, certainty, best, sliding, &s->fos, false};
+  start own = {e, certainty, best, sliding, s, false};
   arb_t angle, friction;
   arb_init(angle);
   arb_init(friction);
