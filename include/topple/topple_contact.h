@@ -33,7 +33,7 @@ typedef struct tp_frame_result {
   bool dips;                    /* the mean plane is not level */
   tp_direction dips_towards;    /* if dips: its lower side */
   tp_bounded dip_deg;           /* if dips: its angle, 0 to 90: part of the tilt angle */
-  bool has_dip_direction;       /* if slope: the scene gives it, or the strike */
+  bool has_dip_direction;       /* the scene gives it, or the strike */
   tp_bounded dip_direction_deg; /* if has_dip_direction: its azimuth, from north, 0 to 360 */
   tp_bounded turned_about_x_m, turned_about_y_m; /* if world: the point that stays */
   bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
@@ -118,6 +118,18 @@ typedef struct tp_within_result {
   tp_bounded gap_left_m;        /* along y, the largest between the first contact and the last */
   tp_bounded overlap_removed_m; /* the deepest that a vertex of one lay in the other */
 } tp_within_result;
+
+/* The facets of a sole that were levelled, as they are shorter than a wavelength ('base: {smooth:
+ * ...}') or as the friction angle is an apparent one ('friction_is: apparent'). All of a solution
+ * is of the block on its base so levelled. */
+typedef struct tp_smoothed_result {
+  bool known;              /* the scene asks for it */
+  bool apparent;           /* whatever their length, for the friction angle */
+  size_t facets;           /* that were levelled */
+  size_t stretches;        /* of them, one after another, each a straight line now */
+  tp_bounded wavelength_m; /* if !apparent: what the scene says */
+  tp_bounded farthest_m;   /* the farthest that a vertex lay from its line, along y */
+} tp_smoothed_result;
 
 #ifdef __cplusplus
 }

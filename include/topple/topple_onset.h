@@ -107,14 +107,15 @@ typedef struct tp_onset {
   bool too_dear;      /* undecided, since the proof takes more work than is allowed */
   tp_bounded
       friction_angle_deg; /* if kind != TP_ONSET_NOT_ASKED: at the normal stress of the onset */
-  tp_bounded critical_angle_deg;     /* if kind == TP_ONSET_AT_ANGLE: alpha_s, the lower end of the
-                                        window that holds level ground, or else of the first above it;
-                                        below 0: certain to stand only when tilted back */
-  tp_mechanism mechanism;            /* if kind == TP_ONSET_AT_ANGLE: what can begin there */
-  bool tie;                          /* another mechanism can begin at the same tilt: */
-  tp_mechanism tied_with;            /* if tie: that one */
-  long tie_bits;                     /* 0: exactly; else so many bits do not distinguish the two */
-  bool has_centre;                   /* of rotation of what can begin there */
+  tp_bounded critical_angle_deg; /* if kind == TP_ONSET_AT_ANGLE: alpha_s, the lower end of the
+                                    window that holds level ground, or else of the first above it;
+                                    below 0: certain to stand only when tilted back */
+  tp_mechanism mechanism; /* if kind == TP_ONSET_AT_ANGLE || kind == TP_ONSET_NOWHERE: what can
+                             begin there, or first */
+  bool tie;               /* another mechanism can begin at the same tilt: */
+  tp_mechanism tied_with; /* if tie: that one */
+  long tie_bits;          /* 0: exactly; else so many bits do not distinguish the two */
+  bool has_centre;        /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m; /* where it is */
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them the
                           result depends on loading history */

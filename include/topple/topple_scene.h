@@ -271,6 +271,12 @@ TP_MUST_USE tp_status tp_scene_add_friction_between(tp_scene *scene, tp_exact x0
 TP_MUST_USE tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right,
                                                 tp_message *message);
 
+/* Is the friction angle that was set an apparent one, measured on the rough joint, or the basic one
+ * of a smooth surface? Of an apparent one the sole of a mated outline is levelled into its mean
+ * plane, so that its facets do not add to it; unless set it is taken for the basic one. */
+TP_MUST_USE tp_status tp_scene_set_friction_is_apparent(tp_scene *scene, bool apparent,
+                                                        tp_message *message);
+
 /* The tilt that the block lies at, in [0, 90]; unless set there is none, and no factor of safety.
  */
 TP_MUST_USE tp_status tp_scene_set_tilt_angle_deg(tp_scene *scene, tp_exact angle_deg,

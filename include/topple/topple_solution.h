@@ -285,6 +285,7 @@ typedef struct tp_solution {
   tp_poses_result poses;         /* all in which it can rest, where the scene asks for them */
   tp_joint_result joint;         /* of a block that was shifted along its mated base */
   tp_within_result within;       /* of a block that was moved onto its profile where it is near */
+  tp_smoothed_result smoothed;   /* of a sole whose facets were levelled */
   tp_frame_result frame;         /* what the coordinates lie along */
   size_t earthquake_count;       /* where several were analysed; else 0 */
   tp_earthquake earthquakes[TP_EARTHQUAKES_MAX]; /* the first of them governs: the cases are its */

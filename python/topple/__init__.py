@@ -18,7 +18,8 @@ from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
 from .batch import batch, batch_text
 from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
                      critical_angles, moments, outline_moments, verdicts)
-from .builder import Along, SeismicDirection, Towards, UndersideEnd, WaterFaces, WaterUplift
+from .builder import (Along, FrictionIs, SeismicDirection, Towards, UndersideEnd, WaterFaces,
+                      WaterUplift)
 from .chart import (Chart, chart_fos, chart_map, chart_mechanisms, chart_overturning, chart_ranges,
                     chart_study, chart_study_scatter, chart_tilt_phase, chart_tilt_reactions)
 from .converge import tilt_converge

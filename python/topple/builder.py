@@ -64,6 +64,13 @@ class Along(Word):
     WORLD = "world"
 
 
+class FrictionIs(Word):
+    """What a friction angle was measured on: a smooth surface, or the rough joint."""
+
+    BASIC = "basic"
+    APPARENT = "apparent"
+
+
 class Builder(TiltBuilder):
     """A scene in memory that is changed call by call."""
 
@@ -194,6 +201,11 @@ class Builder(TiltBuilder):
     def set_tilt_angle_deg(self, angle_deg: Number) -> None:
         """The tilt that the block lies at."""
         self._change_numbers(lib.tp_scene_set_tilt_angle_deg, angle_deg)
+
+    def set_friction_is(self, meaning: FrictionIs | str) -> None:
+        """The friction angle is the 'basic' one of a smooth surface, or an 'apparent' one of the rough
+        joint: the sole is then levelled, so that its facets do not add to it."""
+        self._change(lib.tp_scene_set_friction_is_apparent, FrictionIs(meaning) is FrictionIs.APPARENT)
 
     def set_frame(self, along: Along | str) -> None:
         """x and y lie along the mean plane of the 'base' and its normal; or are the horizontal and

@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from typing import Any, Iterable, Sequence
 
 from ._library import ffi, lib
-from .builder import Along, Builder, SeismicDirection, Towards
+from .builder import Along, Builder, FrictionIs, SeismicDirection, Towards
 from .errors import BadInput, Caution, checked
 from .given import File, Number, Points, c_number, c_path, c_text
 from .options import options_of
@@ -66,6 +66,7 @@ class Scene(Builder):
                  friction_angle_deg: Number | None = None, friction_patton: Given | None = None,
                  friction_barton: Given | None = None, friction_barton_test: Given | None = None,
                  friction_barton_roughness: Given | None = None,
+                 friction_is: FrictionIs | str | None = None,
                  friction_facets: Iterable[Given] = (), friction_between: Iterable[Given] = (),
                  tilt_towards: Towards | str | None = None, tilt_angle_deg: Number | None = None,
                  frame: Along | str | None = None, slope: Given | None = None,
@@ -356,6 +357,7 @@ SET = {
     "friction_barton": _spread(Scene.set_friction_barton),
     "friction_barton_test": _spread(Scene.set_friction_barton_test),
     "friction_barton_roughness": _spread(Scene.set_friction_barton_roughness),
+    "friction_is": Scene.set_friction_is,
     "tilt_towards": Scene.set_tilt_towards,
     "tilt_angle_deg": Scene.set_tilt_angle_deg,
     "frame": Scene.set_frame,

@@ -51,6 +51,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
   REFUSED(tp_scene_set_base_poses(own, true, &message), why);
   REFUSED(tp_scene_set_joint_matching(own, E(0.5), true, &message), why);
+  REFUSED(tp_scene_set_friction_is_apparent(own, true, &message), why);
   REFUSED(tp_scene_set_base_profile(own, s, &message), why);
   REFUSED(tp_scene_set_base_teeth(own, &teeth, &message), why);
   REFUSED(tp_scene_set_base_self_affine(own, &rough, &message), why);

@@ -96,6 +96,8 @@ SAID = [
       "tilt_test_restitution": "0.5"},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: dynamics, speed_deg_min: 30,"
      " restitution: 0.5}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "friction_is": "apparent"},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\nfriction_is: apparent"),
     ({"slab": (50, 100), "friction_angle_deg": 30, "tilt_test": ("path",), "tilt_test_tractions": [(1, 20, "10.5", -3)]},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: path,"
      " tractions: [{facet: 1, normal_kpa: [20, 10.5], shear_kpa: -3}]}"),

@@ -127,6 +127,7 @@ static void say_bases(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_base_mated(scene, true, &message));
   SAY(tp_scene_set_number(scene, "joint.shift", T("-0.125"), &message));
   SAY(tp_scene_set_number(scene, "joint.closure", T("0.1"), &message));
+  SAY(tp_scene_set_friction_is_apparent(scene, false, &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_joint_matching(scene, T("0.75"), false, &message));
   say_scene_built(s, scene);

@@ -107,6 +107,7 @@ typedef struct tp_base_description {
   tp_place rests_place; /* that says so */
   tp_quantity start_x;  /* it `rests`, shifted along x by that before it is set down */
   tp_quantity within;   /* what lies closer than that to its contact is moved there */
+  tp_quantity smooth;   /* facets of a mated sole that are shorter are levelled */
   tp_quantity shift;    /* the block is shifted along its mated base by that, and comes to rest */
   tp_quantity matching; /* or by the least at which so much of its underside at most is closed: */
   bool shift_left;      /* to this side, */
@@ -252,6 +253,8 @@ struct tp_scene {
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
   tp_quantity required_fos;       /* that the governing factor is held against */
   tp_friction_description friction;
+  bool friction_is_basic, friction_is_apparent; /* as the scene says; neither: it does not */
+  tp_place friction_is_place;
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */

@@ -186,3 +186,17 @@ tp_status tp_scene_add_friction_between(tp_scene *scene, tp_exact x0, tp_exact x
   tp_build_end(&build);
   return status;
 }
+
+tp_status tp_scene_set_friction_is_apparent(tp_scene *scene, bool apparent, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_build build;
+  const tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK) {
+    scene->friction_is_apparent = apparent;
+    scene->friction_is_basic = !apparent;
+    scene->friction_is_place = build.place;
+  }
+  tp_build_end(&build);
+  return status;
+}

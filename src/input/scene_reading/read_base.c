@@ -91,7 +91,7 @@ static bool has_drawn_base(const tp_reader *reader) {
 
 /* The profile is the drawing's: what is said beside it is how the block is set down on it. */
 static tp_status read_drawn_base(const tp_reader *reader, const tp_node *node) {
-  static const char *const others[] = {"mated", "profile", "beyond", "between"};
+  static const char *const others[] = {"mated", "profile", "beyond", "between", "smooth"};
   tp_base_description *base = &reader->scene->base;
   const tp_drawn *drawn = reader->scene->drawn;
   base->mated = false;
@@ -142,6 +142,7 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   if (profile != NULL) {
     const tp_node *odd = tp_node_get(node, "beyond");
     if (odd == NULL) odd = between;
+    if (odd == NULL) odd = tp_node_get(node, "smooth");
     if (odd != NULL) {
       return tp_check_base_is_mated(reader->scene, odd->key, tp_read_place(reader, odd),
                                     reader->message);
@@ -150,7 +151,11 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
     if (by_rule) return tp_read_generated(reader, profile);
     return tp_read_points(reader, &base->profile, profile, false, "the profile");
   }
-  status = read_between(reader, between);
+  const tp_node *smooth = tp_node_get(node, "smooth");
+  if (smooth != NULL) {
+    status = tp_read_quantity(reader, &base->smooth, smooth, "smooth", TP_RULE_ABOVE_ZERO);
+  }
+  if (status == TP_OK) status = read_between(reader, between);
   if (status == TP_OK) status = read_beyond(reader, tp_node_get(node, "beyond"));
   return status;
 }

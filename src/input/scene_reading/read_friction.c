@@ -153,6 +153,20 @@ static tp_status read_law(const tp_reader *reader, const tp_node *node) {
   return tp_read_fail(reader, TP_FAULT_KEY, law, "law must be patton (Eq. 6) or barton (Eq. 8)");
 }
 
+/* Of a smooth surface, or of the rough joint. */
+static tp_status read_meaning(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  if (node == NULL) return TP_OK;
+  const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
+  scene->friction_is_basic = strcmp(text, "basic") == 0;
+  scene->friction_is_apparent = strcmp(text, "apparent") == 0;
+  scene->friction_is_place = tp_read_place(reader, node);
+  if (scene->friction_is_basic || scene->friction_is_apparent) return TP_OK;
+  return tp_read_fail(reader, TP_FAULT_KEY, node,
+                      "friction_is must be 'basic', of a smooth surface, or 'apparent', measured "
+                      "on the rough joint, which contains the roughness");
+}
+
 tp_status tp_read_friction(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"law", "facets", NULL};
   const tp_node *angle = tp_node_get(root, "friction_angle_deg");
@@ -168,7 +182,14 @@ tp_status tp_read_friction(const tp_reader *reader, const tp_node *root) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "give friction_angle_deg or friction, not both");
   }
-  tp_status status = law ? read_law(reader, node) : TP_OK;
+  const tp_node *meaning = tp_node_get(root, "friction_is");
+  if (meaning != NULL && angle == NULL && !law) {
+    return tp_read_fail(reader, TP_FAULT_KEY, meaning,
+                        "'friction_is' says what 'friction_angle_deg' or the law of 'friction' is "
+                        "of; give one of them");
+  }
+  tp_status status = read_meaning(reader, meaning);
+  if (status == TP_OK && law) status = read_law(reader, node);
   if (status == TP_OK && facets != NULL && !law) {
     status = tp_node_expect_keys(node, keys, "friction", reader->scene->path, reader->message);
   }

@@ -115,6 +115,9 @@ static void add_frame(tp_page *p) {
     } else {
       tp_text_add(&p->text, "is level");
     }
+    if (f->dips && f->has_dip_direction) {
+      tp_text_add(&p->text, ",\n         azimuth %s°", tp_text_fixed(n[1], f->dip_direction_deg, 1));
+    }
     if (f->level) {
       tp_text_add(&p->text, "; x is horizontal and y vertical\n");
     } else {
@@ -162,6 +165,24 @@ static void add_rest(tp_page *p) {
   }
 }
 
+/* What was levelled of its sole. */
+static void add_smoothed(tp_page *p) {
+  const tp_smoothed_result *r = &p->solution->smoothed;
+  const char *unit = p->solution->length_unit;
+  char n[2][TP_NUMBER_SIZE];
+  if (!r->known) return;
+  if (r->apparent) {
+    tp_text_add(&p->text, "Sole     levelled, as the friction angle is apparent: %zu facet%s",
+                r->facets, r->facets == 1 ? "" : "s");
+  } else {
+    tp_text_add(&p->text, "Sole     smoothed: %zu facet%s shorter than %s %s levelled", r->facets,
+                r->facets == 1 ? "" : "s", tp_page_length(p, n[0], r->wavelength_m, 5), unit);
+  }
+  tp_text_add(
+      &p->text, " in %zu stretch%s;\n         the farthest vertex lay %s %s from its line\n",
+      r->stretches, r->stretches == 1 ? "" : "es", tp_page_length(p, n[1], r->farthest_m, 5), unit);
+}
+
 /* What was moved to its contact. */
 static void add_within(tp_page *p) {
   const tp_within_result *r = &p->solution->within;
@@ -191,6 +212,7 @@ void tp_page_add_contact(tp_page *p) {
   tp_page_add_joint(p);
   add_rest(p);
   add_within(p);
+  add_smoothed(p);
   add_frame(p);
   tp_page_add_earthquakes(p);
   tp_page_add_supports(p);

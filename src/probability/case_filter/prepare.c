@@ -21,7 +21,8 @@ enum { BITS = 256 };
 static bool is_plain(const tp_scene *scene) {
   return scene->friction_angle_deg.given && scene->friction.facet_count == 0 &&
          !scene->base.all_poses && !tp_loads_are_called_for(&scene->loads) &&
-         !tp_scene_lies_in_place(scene) && scene->towards_left != scene->towards_right;
+         !tp_smoothed_is_asked(scene) && !tp_scene_lies_in_place(scene) &&
+         scene->towards_left != scene->towards_right;
 }
 
 static tp_near near_of(const arb_t ball) {

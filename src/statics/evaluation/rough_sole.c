@@ -180,6 +180,7 @@ static gain find_gain(const levelled *s, const tp_evaluation *e, const tp_case *
 static tp_status tell(tp_notes *notes, const levelled *s, gain g, const tp_problem *problem,
                       tp_direction towards, tp_message *message) {
   const tp_scene *scene = problem->scene;
+  const bool decides = !g.of_angle && g.level < 1 && (g.unbounded || g.drawn >= 1);
   char drawn[64];
   if (g.unbounded) {
     snprintf(drawn, sizeof drawn, "nothing moves it");
@@ -190,11 +191,16 @@ static tp_status tell(tp_notes *notes, const levelled *s, gain g, const tp_probl
       notes, message, TP_CAUTION, tp_polyline_place(problem->section.rings, -1),
       "towards the %s %s with the sole as it is drawn; with %ld of its facets, on asperities whose "
       "sides are shorter than %.3g %s, half of the contact, levelled into the mean plane it "
-      "slides %s %.3f%s: the difference is not real strength if these facets come from digitising, "
-      "or if %s is that of the rough joint",
+      "slides %s %.3f%s: %sthe difference is not real strength if these facets come from "
+      "digitising%s%s%s; 'base: {smooth: …}' levels short facets",
       towards == TP_TOWARDS_LEFT ? "left" : "right", drawn, s->count, s->length, scene->length_unit,
       g.of_angle ? "at" : "with a factor of", g.level, g.of_angle ? "°" : "",
-      scene->friction.load_dependent ? "Barton's law" : "'friction_angle_deg'");
+      decides ? "roughness decides that it stands; " : "",
+      scene->friction_is_basic ? "" : ", or if ",
+      scene->friction_is_basic         ? ""
+      : scene->friction.load_dependent ? "Barton's law"
+                                       : "'friction_angle_deg'",
+      scene->friction_is_basic ? "" : " is that of the rough joint ('friction_is: apparent')");
 }
 
 static tp_status look(tp_notes *notes, tp_evaluation *e, const tp_case *c, tp_message *message) {

@@ -16,6 +16,7 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem);
 void tp_describe_rest(tp_solution *solution, const tp_problem *problem);
 void tp_describe_joint(tp_solution *solution, const tp_problem *problem);
 void tp_describe_within(tp_solution *solution, const tp_problem *problem);
+void tp_describe_smoothed(tp_solution *solution, const tp_problem *problem);
 
 /* The block: area, centroid, second moments, weight. */
 void tp_evaluate_block(const tp_evaluation *evaluation, tp_block_result *block,

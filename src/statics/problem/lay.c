@@ -59,10 +59,25 @@ static tp_status shift(tp_jointed **jointed, const tp_scene *scene, tp_solution 
       status, message, tp_effects_note(solution, "joint", tp_scene_shift_place(scene), "", began));
 }
 
-tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **rested,
-                 tp_snapped **snapped, tp_world **world, const tp_solve_options *options,
-                 tp_solution *solution, tp_message *message) {
+static tp_status smooth(tp_smoothed **smoothed, const tp_scene *scene, tp_solution *solution,
+                        tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  const tp_place place =
+      scene->base.smooth.given ? scene->base.smooth.place : scene->friction_is_place;
+  const tp_status status = tp_smoothed_init(smoothed, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(status, message, tp_effects_note(solution, "smooth", place, "", began));
+}
+
+tp_status tp_lay(const tp_scene **scene, tp_smoothed **smoothed, tp_jointed **jointed,
+                 tp_rested **rested, tp_snapped **snapped, tp_world **world,
+                 const tp_solve_options *options, tp_solution *solution, tp_message *message) {
   const bool shifts = tp_scene_is_shifted(*scene), turns = tp_scene_lies_in_place(*scene);
+  if (tp_smoothed_is_asked(*scene)) {
+    const tp_status status = smooth(smoothed, *scene, solution, message);
+    if (status != TP_OK) return status;
+    if (*smoothed != NULL) *scene = &(*smoothed)->scene;
+  }
   const bool lies_along = shifts || (*scene)->frame == TP_FRAME_SLOPE;
   if (turns && lies_along) {
     const tp_status status = turn(world, *scene, options, solution, message);

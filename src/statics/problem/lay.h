@@ -11,14 +11,15 @@
 
 #include "problem/jointed.h"
 #include "problem/rested.h"
+#include "problem/smoothed.h"
 #include "problem/snapped.h"
 #include "problem/world.h"
 
-/* `*scene` is from then on the one that lies so; what was made for it are `*jointed`, `*rested`,
- * `*snapped` and `*world`, which stay as they are where nothing was, and are the caller's to free
- * also on failure. Rest and turn limit the digits that can be asked for. */
-TP_MUST_USE tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **rested,
-                             tp_snapped **snapped, tp_world **world,
+/* `*scene` is from then on the one that lies so; what was made for it are `*smoothed`,
+ * `*jointed`, `*rested`, `*snapped` and `*world`, which stay as they are where nothing was, and are
+ * the caller's to free also on failure. Rest and turn limit the digits that can be asked for. */
+TP_MUST_USE tp_status tp_lay(const tp_scene **scene, tp_smoothed **smoothed, tp_jointed **jointed,
+                             tp_rested **rested, tp_snapped **snapped, tp_world **world,
                              const tp_solve_options *options, tp_solution *solution,
                              tp_message *message);
 

@@ -39,6 +39,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_rested_free(problem->rested);
   tp_on_face_free(problem->on_face);
   tp_jointed_free(problem->jointed);
+  tp_smoothed_free(problem->smoothed);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -340,8 +341,8 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
     status = tp_on_face_init(&problem->on_face, scene, &solution->notes, message);
   if (problem->on_face != NULL) problem->scene = &problem->on_face->scene;
   if (status == TP_OK) {
-    status = tp_lay(&problem->scene, &problem->jointed, &problem->rested, &problem->snapped,
-                    &problem->world, options, solution, message);
+    status = tp_lay(&problem->scene, &problem->smoothed, &problem->jointed, &problem->rested,
+                    &problem->snapped, &problem->world, options, solution, message);
   }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
   if (status == TP_BAD_INPUT && problem->snapped != NULL) tp_snapped_explain(scene, message);

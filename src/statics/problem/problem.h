@@ -15,6 +15,7 @@
 #include "problem/jointed.h"
 #include "problem/on_face.h"
 #include "problem/rested.h"
+#include "problem/smoothed.h"
 #include "problem/snapped.h"
 #include "problem/sole.h"
 #include "problem/world.h"
@@ -25,6 +26,7 @@ enum { TP_ELEMENTS_UNASKED = 10000 };
 
 typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
+  tp_smoothed *smoothed; /* its sole was levelled; else NULL */
   tp_jointed *jointed;   /* the block was shifted along its mated base; else NULL */
   tp_rested *rested;     /* the block was set down on its profile; else NULL */
   tp_on_face *on_face;   /* NULL: no load lies beside its face */

@@ -9,6 +9,7 @@
 #include "number/ratio.h"
 #include "problem/as_given.h"
 #include "problem/snapped_loads.h"
+#include "problem/with_outline.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -66,60 +67,6 @@ static tp_status snap(tp_snapped *s, const tp_closeness *near, const tp_scene *s
              : tp_fail_memory(message, "the moved block");
 }
 
-/* ---- what lies on the outline ------------------------------------------------------------------
- */
-
-typedef struct outlines {
-  const tp_polyline *before, *now; /* the same vertices */
-} outlines;
-
-static bool lies_between(const fmpq_t t, const fmpq_t a, const fmpq_t b) {
-  return fmpq_cmp(a, b) <= 0 ? fmpq_cmp(t, a) >= 0 && fmpq_cmp(t, b) <= 0
-                             : fmpq_cmp(t, b) >= 0 && fmpq_cmp(t, a) <= 0;
-}
-
-/* Move along with the edge from vertex k to the next, where the point lies on that. */
-static bool move_with_edge(fmpq_t x, fmpq_t y, const outlines *o, long k) {
-  const tp_polyline *a = o->before, *b = o->now;
-  const long n = k + 1 == a->count ? 0 : k + 1;
-  if (!lies_between(x, a->x + k, a->x + n) || !lies_between(y, a->y + k, a->y + n) ||
-      tp_points_turn(a->x + k, a->y + k, a->x + n, a->y + n, x, y) != 0) {
-    return false;
-  }
-  fmpq_t share, work;
-  fmpq_init(share);
-  fmpq_init(work);
-  const bool upright = fmpq_equal(a->x + k, a->x + n);
-  const fmpq *from = upright ? a->y + k : a->x + k, *to = upright ? a->y + n : a->x + n;
-  fmpq_sub(share, upright ? y : x, from);
-  fmpq_sub(work, to, from);
-  fmpq_div(share, share, work);
-  fmpq_sub(work, b->x + n, b->x + k);
-  fmpq_mul(work, work, share);
-  fmpq_add(x, b->x + k, work);
-  fmpq_sub(work, b->y + n, b->y + k);
-  fmpq_mul(work, work, share);
-  fmpq_add(y, b->y + k, work);
-  fmpq_clear(share);
-  fmpq_clear(work);
-  return true;
-}
-
-static bool is_moved(const outlines *o, long k) {
-  return !fmpq_equal(o->before->x + k, o->now->x + k) ||
-         !fmpq_equal(o->before->y + k, o->now->y + k);
-}
-
-static void move_with_outline(fmpq_t x, fmpq_t y, const void *context) {
-  const outlines *o = context;
-  bool last = is_moved(o, 0);
-  for (long k = 0; k < o->before->count; k++) {
-    const bool first = last;
-    last = is_moved(o, k + 1 == o->before->count ? 0 : k + 1);
-    if ((first || last) && move_with_edge(x, y, o, k)) return;
-  }
-}
-
 /* Pressures and surcharges go with the edges that they act on, and these may have become several.
  */
 static bool move_lines(tp_line_load **lines, long *count, const tp_line_load *own, long own_count,
@@ -146,8 +93,8 @@ static bool move_loads(tp_snapped *s, const tp_scene *scene, const tp_section *s
 }
 
 static bool move(tp_snapped *s, const tp_scene *scene, const tp_section *section) {
-  const outlines context = {section->rings, &s->snap.moved};
-  const tp_point_map map = {move_with_outline, &context}, stay = {NULL, NULL};
+  const tp_moved_outline context = {section->rings, &s->snap.moved};
+  const tp_point_map map = {tp_move_with_outline, &context}, stay = {NULL, NULL};
   const tp_polyline none = {0};
   fmpq_t turn;
   fmpq_init(turn);

@@ -13,6 +13,7 @@
 #include "stability/earthquakes.h"
 #include "stability/water_cautions.h"
 
+#include <math.h>
 #include <stdio.h>
 
 /* How the side of the block that water wets differs from a face normal to the base. */
@@ -171,6 +172,19 @@ static tp_status note_anchors(tp_notes *notes, const tp_scene *scene, tp_message
   return status;
 }
 
+/* Levelled along x, a sole that dips off it comes to lie flatter, or steeper. */
+static tp_status note_levelled(tp_notes *notes, const tp_problem *problem, tp_message *message) {
+  const tp_smoothed *own = problem->smoothed;
+  if (own == NULL || !own->inclined) return TP_OK;
+  const tp_scene *scene = &own->scene;
+  const double degree = acos(-1) / 180, off = atan(fmpq_get_d(own->incline)) / degree;
+  return tp_notes_add(
+      notes, message, TP_CAUTION, own->all ? scene->friction_is_place : scene->base.smooth.place,
+      "the mean line of the sole, all of which is levelled along x, is inclined to x "
+      "by %.2f°: give the coordinates along it, or as the block lies, 'frame: world'",
+      off);
+}
+
 tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   tp_status status = TP_OK;
@@ -185,6 +199,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   if (status == TP_OK) status = note_near(notes, problem, message);
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
   if (status == TP_OK) status = note_one_side(notes, scene, message);
+  if (status == TP_OK) status = note_levelled(notes, problem, message);
   if (status == TP_OK) status = note_anchors(notes, scene, message);
   if (status == TP_OK && tp_problem_has_wetted(problem)) {
     return tp_water_cautions(notes, problem, message);

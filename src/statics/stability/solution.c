@@ -195,6 +195,7 @@ tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,
   tp_describe_rest(solution, problem);
   tp_describe_joint(solution, problem);
   tp_describe_within(solution, problem);
+  tp_describe_smoothed(solution, problem);
   solution->loaded = problem->loaded;
   solution->digits = options->digits;
   if (options->digits > TP_DECIMALS_OF_DOUBLE) {

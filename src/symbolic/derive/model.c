@@ -84,6 +84,12 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                      "where vertices are moved to their contacts has no formula in the parameters; "
                      "give them where they touch, and leave out 'contact'");
   }
+  if (tp_smoothed_is_asked(scene)) {
+    return tp_refuse(message, TP_FAULT_KEY,
+                     scene->base.smooth.given ? scene->base.smooth.place : scene->friction_is_place,
+                     "formulas are derived for the sole as it is drawn; leave out 'smooth' and "
+                     "'friction_is: apparent'");
+  }
   if (scene->frame == TP_FRAME_WORLD) {
     return tp_refuse(
         message, TP_FAULT_KEY, scene->frame_place,
