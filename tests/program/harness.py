@@ -46,7 +46,8 @@ def is_readable(scene):
 
 def example_scenes():
     """The scenes of examples/ that Topple, as it was built, reads."""
-    return [path for path in sorted((ROOT / "examples").glob("*.yaml")) if is_readable(path)]
+    examples = ROOT / "examples"
+    return [path for path in sorted([*examples.glob("*.yaml"), *examples.glob("slope/*.yaml")]) if is_readable(path)]
 
 
 def schemas():

@@ -3,6 +3,7 @@
 """An earthquake shakes a block that lies on a slope both ways: down-dip and up-dip, with its vertical part and without.
 The worst governs what every output says; a mirror image says the same; moments by hand agree."""
 
+import csv
 import json
 import math
 import pathlib
@@ -144,6 +145,35 @@ class Earthquake(unittest.TestCase):
         factors = [point["cases"][0]["fos"]["value"] for point in json.loads(out)["points"]]
         for k, fos in zip((1, 2, 3), factors, strict=True):
             self.assertAlmostEqual(fos, factor(JOINT[1], "right", F(k, 10)), delta=1e-9)
+
+    def test_every_other_output(self):
+        """Sheet, table, study and map: the factor about the right end, 0.30009 / 0.2 / 1.99723 = 0.751, and 1 where the earthquake
+        is 0.30009 / 1.99723 = 0.15025."""
+        x, y = centroid(OUTLINE)
+        arm, rise = JOINT[1][0] - x, y - JOINT[1][1]
+        self.write("horizontal: 0.2")
+        folder = self.path.parent
+        table = next(csv.DictReader(run("solve", "--csv", self.path)[1].splitlines()))
+        self.assertEqual((table["towards"], table["verdict"]), ("right", "topples"))
+        self.assertAlmostEqual(float(table["fos"]), float(arm / (F(1, 5) * rise)), delta=1e-9)
+        self.assertEqual(run("solve", "--report", folder / "sheet.md", self.path)[0], 0)
+        sheet = (folder / "sheet.md").read_text(encoding="utf-8")
+        self.assertIn("0.751 against toppling", sheet[:1500])
+        self.assertIn("to the left, down-dip: stands, FoS 4.152", sheet)
+        study = folder / "study.yaml"
+        study.write_text("topple_study: 1\nscene: %s\nvary: {friction_angle_deg: {uniform: {low: 39, high: 41}}}\nsamples: 5\n"
+                         "sampling: {seed: 1}\n" % self.path.name, encoding="utf-8")
+        status, out, error = run("study", "--rows", folder / "rows.csv", study)
+        self.assertEqual((status, error), (0, ""))
+        rows = list(csv.DictReader(line for line in (folder / "rows.csv").read_text().splitlines() if not line.startswith("#")))
+        self.assertEqual(len(rows), 5)
+        for row in rows:
+            self.assertAlmostEqual(float(row["fos"]), float(arm / (F(1, 5) * rise)), delta=1e-9)
+        status, out, _ = run("chart", "map", self.path, "--x", "loads.seismic.horizontal=0.1:0.2", "--y", "friction_angle_deg=30:40",
+                             "--contours", "governing_fos=1", "--json")
+        line = next(series for series in json.loads(out)["series"] if series["series"] == "governing_fos")
+        for point in line["points"]:
+            self.assertAlmostEqual(point["x"]["value"], float(arm / rise), delta=1e-9)
 
     def wet(self, water, *arguments):
         text = self.write(*arguments).read_text(encoding="utf-8")

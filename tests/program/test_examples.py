@@ -62,7 +62,7 @@ class Examples(unittest.TestCase):
                     sizes = {"second_moment_xy_m4": math.sqrt(xx * yy)} | dict.fromkeys(
                         ("centroid_x_m", "centroid_y_m"), math.sqrt(node["area_m2"]["value"]))
                 if "motions" in node:  # places: to that of the block's size
-                    sizes = dict.fromkeys(("centre_x_m", "centre_y_m"), math.sqrt(node["block"]["area_m2"]["value"]))
+                    sizes = dict.fromkeys(("centre_x_m", "centre_y_m", "x_m", "y_m"), math.sqrt(node["block"]["area_m2"]["value"]))
                 if "acceleration_x_g" in node:
                     sizes = dict.fromkeys(("acceleration_x_g", "acceleration_y_g", "angular_g_per_m", "centre_x_m",
                                            "centre_y_m", "share_x", "share_y"), 1)
@@ -79,7 +79,7 @@ class Examples(unittest.TestCase):
         """The report is at most 80 columns wide, marks one governing pivot a case, and names the
         mechanism."""
         for path in example_scenes():
-            status, out, err = run("solve", *elements(path), f"examples/{path.name}")
+            status, out, err = run("solve", *elements(path), path)
             self.assertEqual((status, err), (0, ""))
             self.assertLessEqual(max(map(len, out.splitlines())), 80, path.name)
             cases = out.count("\nTilted towards the ") + out.count("\nAs it lies, towards the ")

@@ -177,7 +177,7 @@ static tp_status note_levelled(tp_notes *notes, const tp_problem *problem, tp_me
   const tp_smoothed *own = problem->smoothed;
   if (own == NULL || !own->inclined) return TP_OK;
   const tp_scene *scene = &own->scene;
-  const double degree = acos(-1) / 180, off = atan(fmpq_get_d(own->incline)) / degree;
+  const double degree = acos(-1) / 180, off = fabs(atan(fmpq_get_d(own->incline))) / degree;
   return tp_notes_add(
       notes, message, TP_CAUTION, own->all ? scene->friction_is_place : scene->base.smooth.place,
       "the mean line of the sole, all of which is levelled along x, is inclined to x "
