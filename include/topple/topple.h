@@ -51,6 +51,7 @@
 #include "topple_figure.h"
 #include "topple_find.h"
 #include "topple_generate.h"
+#include "topple_load_cases.h"
 #include "topple_profile.h"
 #include "topple_scene.h"
 #include "topple_sheet.h"

@@ -77,9 +77,12 @@ typedef struct tp_governing_fos {
   bool has_utilisation; /* `fos` is a number certainly above 0, and complete: */
   tp_bounded
       utilisation; /* 1 / FoS, the share of the resistance that is used; above 1 the block moves */
-  bool has_required_fos;    /* the scene gives one: */
-  tp_bounded required_fos;  /* that it asks of every case */
-  tp_design meets_required; /* if has_required_fos: has the case it certainly (tp_case_meets)? */
+  bool has_required_fos;       /* the scene gives one: */
+  tp_bounded required_fos;     /* that it asks of every case */
+  tp_design meets_required;    /* if has_required_fos: has the case it certainly (tp_case_meets)? */
+  bool has_design_utilisation; /* both are there: */
+  tp_bounded design_utilisation; /* required_fos / FoS, at most 1 where it is met; with partial
+                                    factors E_d / R_d */
   bool tie;    /* one against another mechanism is the same, as far as their bounds decide */
   bool up_dip; /* none: at this tilt it fails up-dip */
   bool beyond; /* none: it fails at a lower tilt, though forces would hold it at this one */

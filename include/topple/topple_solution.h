@@ -267,15 +267,18 @@ enum { TP_EARTHQUAKES_MAX = 4 };
 
 /* A scene solved. */
 typedef struct tp_solution {
-  size_t size;                  /* of this struct, as the library has it (TP_HAS_MEMBER) */
-  TP_OUTSIDE char *title;       /* of the scene, or NULL */
-  const char *length_unit;      /* that reports print in: the scene's, unless it asks for another; a
-                                   static string */
-  double metres_per_unit;       /* as a double */
-  tp_result_units result_units; /* that the scene asks for */
-  bool has_tilt_angle;          /* the scene gives one: */
-  tp_bounded tilt_angle_deg;    /* that the block lies at, along its mean plane */
-  bool has_friction;            /* the scene gives one: */
+  size_t size;                /* of this struct, as the library has it (TP_HAS_MEMBER) */
+  TP_OUTSIDE char *title;     /* of the scene, or NULL */
+  TP_OUTSIDE char *load_case; /* the name of the load case that it is of; NULL: of none */
+  char *partial_factors;      /* those that it was solved with, as they act in the combination that
+                                 governs; NULL: none */
+  const char *length_unit;    /* that reports print in: the scene's, unless it asks for another; a
+                                 static string */
+  double metres_per_unit;     /* as a double */
+  tp_result_units result_units;  /* that the scene asks for */
+  bool has_tilt_angle;           /* the scene gives one: */
+  tp_bounded tilt_angle_deg;     /* that the block lies at, along its mean plane */
+  bool has_friction;             /* the scene gives one: */
   tp_bounded friction_angle_deg; /* if has_friction: of the contact */
   bool friction_is_residual;     /* Barton's law: the angle at a stress is above it */
   bool friction_is_patton;       /* Patton's law: phi_b + i of the scene */

@@ -18,8 +18,8 @@ from .builder import Along, Builder, FrictionIs, SeismicDirection, Towards
 from .errors import BadInput, Caution, checked
 from .given import File, Number, Points, c_number, c_path, c_text
 from .options import options_of
-from .record import record
-from .records import Note, Solution
+from .record import record, text as text_of
+from .records import LoadCases, Note, Solution
 from .report import taken, written
 from .word import number_of
 from .words import Level, NoteKind, PivotsListed
@@ -211,6 +211,35 @@ class Scene(Builder):
         self._use(lib.tp_scene_with_settings, receives, self._c,
                   ffi.new("const char *[]", texts), len(texts))
         return self._made(receives, "with_settings", self.__reduce__()[1], settings)
+
+    @property
+    def cases(self) -> tuple[str, ...]:
+        """The names of its load cases, in their order; empty where it has none (docs/cases.md)."""
+        return tuple(text_of(lib.tp_scene_load_case_name(self._c, k))
+                     for k in range(lib.tp_scene_load_case_count(self._c)))
+
+    def load_case(self, name: str) -> Scene:
+        """The scene of a load case by its name, which has no cases:
+        scene.load_case("wet").solve()."""
+        receives = ffi.new(RECEIVES_SCENE)
+        self._use(lib.tp_scene_load_case, receives, self._c, c_text(name))
+        return self._made(receives)
+
+    def solve_load_cases(self, *settings: str, digits: int | None = None,
+                         elements: bool | None = None, limit: bool | None = None,
+                         strength_reduction: bool | None = None, motion_ranges: bool | None = None,
+                         level: Level | str | None = None, pivots: PivotsListed | str | None = None,
+                         threads: int | None = None) -> LoadCases:
+        """All load cases of the scene, the one that governs first. `settings` KEY=FORMULA are
+        numbers that hold in every case; the rest is as of `solve`."""
+        options = solve_options(digits, elements, limit, strength_reduction, motion_ranges, level,
+                                pivots, threads)
+        receives = ffi.new("tp_load_cases **")
+        texts = [c_text(setting) for setting in settings]
+        self._use(lib.tp_solve_load_cases, receives, self._c, ffi.new("const char *[]", texts),
+                  len(texts), options)
+        owner = ffi.gc(receives[0], lib.tp_load_cases_free)
+        return record(LoadCases, owner[0], owner)
 
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,

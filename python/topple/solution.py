@@ -37,6 +37,22 @@ class CaseMethods:
         return tuple(Design)[lib.tp_case_meets(struct_of(self), design_fos)]
 
 
+class LoadCasesMethods:
+    @property
+    def meets(self) -> Design:
+        """Do all cases meet what is required of them?"""
+        return tuple(Design)[lib.tp_load_cases_meet(struct_of(self))]
+
+    def report(self) -> str:
+        """The table of the cases, as `topple solve` prints it."""
+        return written(lib.tp_report_load_cases, struct_of(self))
+
+    def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
+        """JSON, as `topple solve --json` prints it of a scene with cases."""
+        return written(lib.tp_report_load_cases_json, struct_of(self),
+                       number_of(PivotsListed, pivots))
+
+
 class SolutionMethods:
     def __repr__(self: Any) -> str:
         return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"

@@ -8,6 +8,36 @@
 
 #include <math.h>
 
+START_TEST(load_cases) {
+  const tp_solve_options options = tp_solve_options_default();
+  tp_scene *plain = NULL, *scene = NULL, *own = UNTOUCHED(tp_scene);
+  tp_load_cases *cases = UNTOUCHED(tp_load_cases);
+  char *text = &untouched;
+  ck_assert_int_eq(tp_scene_read(&plain, EXAMPLE("slab_left.yaml"), &message), TP_OK);
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slope/design_cases.yaml"), &message), TP_OK);
+  REFUSED(tp_scene_load_case(NULL, scene, "wet", &message), "'own' must not be NULL");
+  REFUSED(tp_scene_load_case(&own, NULL, "wet", &message), "'scene'");
+  REFUSED(tp_scene_load_case(&own, scene, NULL, &message), "'name'");
+  REFUSED(tp_scene_load_case(&own, scene, "dry", &message), "its cases are static, wet");
+  REFUSED(tp_scene_load_case(&own, plain, "wet", &message), "has no cases");
+  REFUSED(tp_solve_load_cases(NULL, scene, NULL, 0, &options, &message), "'cases'");
+  REFUSED(tp_solve_load_cases(&cases, NULL, NULL, 0, &options, &message), "'scene'");
+  REFUSED(tp_solve_load_cases(&cases, scene, NULL, 1, &options, &message), "'settings'");
+  REFUSED(tp_solve_load_cases(&cases, scene, NULL, 0, NULL, &message), "'options'");
+  REFUSED(tp_solve_load_cases(&cases, plain, NULL, 0, &options, &message), "has no cases");
+  ck_assert_int_eq(tp_report_load_cases(&text, NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_load_cases_json(&text, NULL, TP_PIVOTS_ALL), TP_BAD_INPUT);
+  ck_assert_uint_eq(tp_scene_load_case_count(NULL) + tp_scene_load_case_count(plain), 0);
+  ck_assert_uint_eq(tp_scene_load_case_count(scene), 7);
+  ck_assert_ptr_null(tp_scene_load_case_name(scene, 7));
+  ck_assert_str_eq(tp_scene_load_case_name(scene, 3), "wet and earthquake");
+  ck_assert_int_eq(tp_load_cases_meet(NULL), TP_DESIGN_OPEN);
+  tp_load_cases_free(NULL);
+  tp_scene_free(plain);
+  tp_scene_free(scene);
+}
+END_TEST
+
 START_TEST(numbers_by_keys) {
   const char *key = "friction_angle_deg", *none = NULL;
   const tp_exact value = tp_exact_of(20);
@@ -91,6 +121,7 @@ int main(void) {
   TCase *tests = tcase_create("vary_arguments");
   tcase_add_test(tests, numbers_by_keys);
   tcase_add_test(tests, sweeps);
+  tcase_add_test(tests, load_cases);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

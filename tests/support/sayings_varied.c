@@ -36,6 +36,34 @@ static void say_set(sayings *s, const tp_scene *scene, const char *key) {
   tp_scene_free(set);
 }
 
+/* The load cases of a scene, one of them by itself, and one that there is not. */
+static void say_load_cases(sayings *s) {
+  static const char *const setting = "friction_angle_deg=33+1/3";
+  tp_message message = {.text = ""};
+  tp_scene *scene = NULL, *own = NULL;
+  tp_load_cases *cases = NULL;
+  const tp_solve_options options = tp_solve_options_default();
+  SAY(tp_scene_read(&scene, TP_EXAMPLES "/slope/design_cases.yaml", &message));
+  if (scene == NULL) return;
+  note_number(s, (long)tp_scene_load_case_count(scene));
+  char **name = next_saying(s);
+  *name = strdup(tp_scene_load_case_name(scene, 1));
+  if (*name == NULL) s->count--;
+  SAY(tp_scene_load_case(&own, scene, "dry", &message));
+  SAY(tp_scene_load_case(&own, scene, "DA1-2", &message));
+  if (own != NULL) say_solved(s, own, false, 9, false);
+  SAY(tp_solve_load_cases(&cases, scene, &setting, 1, &options, &message));
+  if (cases != NULL) {
+    for (size_t k = 0; k < cases->count; k++) same_times(cases->cases[k].solution);
+    note_number(s, (long)tp_load_cases_meet(cases));
+    if (tp_report_load_cases(next_saying(s), cases) != TP_OK) s->count--;
+    if (tp_report_load_cases_json(next_saying(s), cases, TP_PIVOTS_ALL) != TP_OK) s->count--;
+  }
+  tp_load_cases_free(cases);
+  tp_scene_free(own);
+  tp_scene_free(scene);
+}
+
 /* What became of a drawing, of a scene that has none and of one that is a drawing. */
 static void say_drawing(sayings *s, const tp_scene *scene) {
   static const char *const setting = "friction_angle_deg=30+1/3";
@@ -126,6 +154,7 @@ void say_varied(sayings *s) {
   static const char *const built[2] = {"block.outline.3.1", "tilt.angle_deg"};
   tp_message message = {.text = ""};
   tp_scene *scene = NULL;
+  say_load_cases(s);
   SAY(tp_scene_read_text(&scene, text, "varied", &message));
   if (scene == NULL) return;
   say_with(s, scene, of_file);

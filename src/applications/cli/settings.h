@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* How a command takes its scene: the options --set KEY=VALUE, given any number of times, and
+/* How a command takes its scene: the options --set KEY=VALUE, given any number of times, --case and
  * --unit, of a drawing that stands in place of the scene. Every command that takes one has these by
  * its children of argp, and says in ARGP_KEY_INIT whose they are. */
 
@@ -15,7 +15,8 @@ enum { TP_CLI_SETTINGS = 200 };
 typedef struct tp_cli_settings {
   size_t count;
   const char *items[TP_CLI_SETTINGS];
-  const char *unit; /* of a drawing that is given in place of a scene; NULL: as it says */
+  const char *load_case; /* of a scene that has cases; NULL: none is chosen */
+  const char *unit;      /* of a drawing that is given in place of a scene; NULL: as it says */
 } tp_cli_settings;
 
 /* The child, whose input is a tp_cli_settings. */

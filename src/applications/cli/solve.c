@@ -8,7 +8,8 @@
 
 #include "cli/sheet.h"
 #include "cli/signals.h"
-#include "cli/solve_words.h"
+#include "cli/solve_cases.h"
+#include "cli/solve_judge.h"
 #include "cli/verdict_colours.h"
 #include "cli/watch.h"
 
@@ -16,91 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static const char *direction(const tp_case *c) {
-  return c->towards == TP_TOWARDS_LEFT ? "left" : "right";
-}
-
-static const char *stance(const tp_solution *solution) {
-  return solution->frame.world ? "as it lies," : "tilted";
-}
-
-/* What a case leaves open; NULL: nothing. */
-static const char *what_is_open(const tp_case *c) {
-  if (c->limit.kind == TP_LIMIT_UNDECIDED) return "the limit by contact forces";
-  if (c->limit.fos.state == TP_FOS_UNDECIDED || c->onset.fos.state == TP_FOS_UNDECIDED)
-    return "the factor of safety by contact forces";
-  if (c->onset.kind == TP_ONSET_UNDECIDED) return "the tilt up to which it is certain to stand";
-  if (c->mechanism == TP_MECHANISM_UNDECIDED || c->first == TP_MECHANISM_UNDECIDED) {
-    return "the mechanism";
-  }
-  return NULL;
-}
-
-/* That, why, and what would help. */
-static void print_open(const tp_case *c, const tp_solution *solution, const char *scene) {
-  const char *what = what_is_open(c);
-  if (what == NULL) return;
-  tp_cli_complain(
-      "%s: undecided at %ld bits: %s, %s towards the %s; %s", scene, solution->bits, what,
-      stance(solution), direction(c),
-      c->limit.too_dear || c->onset.too_dear
-          ? "its proof exceeds the work allowed: coordinates and loads with fewer digits help, "
-            "or a tilt farther from the critical one"
-          : "the deciding quantity is too close to a tie for these bits, or the case holds at "
-            "single tilts only: slightly different friction, cohesion or tilt decides it");
-}
-
-/* Why a case does not meet the design factor. */
-static void print_short_of(const tp_case *c, const tp_solution *solution, double design_fos,
-                           const char *scene) {
-  const tp_governing_fos *g = &c->governing_fos;
-  const char *why =
-      g->fos.state == TP_FOS_NO_TILT ? "the scene gives no tilt, so no factor: add tilt.angle_deg"
-      : !g->sliding_judged
-          ? "sliding is not judged: the scene gives no friction angle; add friction_angle_deg"
-      : c->mechanism != TP_STANDS && c->mechanism != TP_INTERLOCKED
-          ? "at this tilt it is not certain to stand"
-          : "its governing factor is below";
-  tp_cli_complain("%s: %s towards the %s, the design factor of safety %g is not met: %s", scene,
-                  stance(solution), direction(c), design_fos, why);
-}
-
-/* By the factor that is asked for, else by that of the scene. */
-static int judge(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
-  const tp_governing_fos *g = &solution->cases[0].governing_fos;
-  if (!a->has_design_fos && !g->has_required_fos) return 0;
-  const double design_fos = a->has_design_fos ? a->design_fos : g->required_fos.value;
-  const tp_design all = tp_solution_meets(solution, design_fos);
-  if (all == TP_DESIGN_MET) return 0;
-  if (all == TP_DESIGN_OPEN) {
-    tp_cli_complain("%s: whether the design factor of safety %g is met is undecided", scene,
-                    design_fos);
-    return tp_status_exit(TP_UNDECIDED);
-  }
-  for (size_t k = 0; k < solution->case_count; k++) {
-    if (tp_case_meets(solution->cases + k, design_fos) == TP_DESIGN_NOT_MET) {
-      print_short_of(solution->cases + k, solution, design_fos, scene);
-    }
-  }
-  return TP_EXIT_REFUTED;
-}
-
-/* After the report: what it leaves open is a failure of its own, and so is a design factor that is
- * not met, which is certain and comes before it. */
-static int end_open(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
-  const int judged = judge(solution, a, scene);
-  if (!tp_solution_is_undecided(solution)) return judged;
-  for (size_t k = 0; k < solution->case_count; k++) {
-    print_open(solution->cases + k, solution, scene);
-  }
-  if (solution->open_number) {
-    tp_cli_complain("%s: a number is not certain to %d digit%s at %ld bits, and is given with its "
-                    "actual bound",
-                    scene, solution->digits, solution->digits == 1 ? "" : "s", solution->bits);
-  }
-  return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
-}
 
 static tp_status print_text(const tp_scene *scene, const tp_solution *solution,
                             const tp_solve_words *a, int *ended) {
@@ -117,13 +33,27 @@ static tp_status print_text(const tp_scene *scene, const tp_solution *solution,
   return status;
 }
 
-static tp_status print_solution(const tp_scene *scene, const tp_solution *solution,
-                                const tp_solve_words *a, int *ended, tp_message *message) {
-  if (!a->json) return print_text(scene, solution, a, ended);
+/* The table of all cases, before the report of the one that governs. */
+static tp_status print_cases(const tp_load_cases *cases, int *ended) {
+  char *report = NULL;
+  const tp_status status = tp_report_load_cases(&report, cases);
+  const tp_status printed = tp_cli_print_report(status, report, ended);
+  if (printed == TP_OK && *ended == 0) *ended = tp_cli_print("\n");
+  return printed;
+}
+
+static tp_status print_solution(const tp_cli_solved *own, const tp_solve_words *a, int *ended,
+                                tp_message *message) {
+  if (!a->json) {
+    const tp_status status = own->cases != NULL ? print_cases(own->cases, ended) : TP_OK;
+    return status == TP_OK ? print_text(own->scene, own->solution, a, ended) : status;
+  }
   char *report = NULL;
   const tp_status status =
-      a->outlines ? tp_report_json_outlines(&report, scene, solution, a->pivots, message)
-                  : tp_report_json_pivots(&report, solution, a->pivots);
+      own->cases != NULL ? tp_report_load_cases_json(&report, own->cases, a->pivots)
+      : a->outlines
+          ? tp_report_json_outlines(&report, own->scene, own->solution, a->pivots, message)
+          : tp_report_json_pivots(&report, own->solution, a->pivots);
   return tp_cli_print_report(status, report, ended);
 }
 
@@ -163,18 +93,18 @@ static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
   return status;
 }
 
-static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const char *path,
-                             const tp_solve_words *a, tp_message *message) {
+static tp_status solve_scene(tp_cli_solved *own, const char *path, const tp_solve_words *a,
+                             tp_message *message) {
   tp_solve_options solve = tp_solve_options_default();
   solve.elements = a->elements;
   solve.digits = a->digits;
   solve.level = a->level;
   solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
-  tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
-  if (status != TP_OK) return status;
+  const tp_status status = tp_cli_solve_cases(own, path, a, &solve, message);
+  if (status != TP_OK || own->solution != NULL) return status;
   return a->report != NULL && !a->elements
-             ? tp_cli_solve_for_sheet(solution, *scene, &solve, message)
-             : tp_solve(solution, *scene, &solve, message);
+             ? tp_cli_solve_for_sheet(&own->solution, own->scene, &solve, message)
+             : tp_solve(&own->solution, own->scene, &solve, message);
 }
 
 /* ---- several scenes ----------------------------------------------------------------------------
@@ -186,16 +116,18 @@ static bool is_of_scene(tp_status status) {
 }
 
 /* Those that can be solved, in their order; what is wrong with the others is told. */
-static tp_status solve_all(tp_solution **solutions, const char **paths, size_t *count, int *ended,
+static tp_status solve_all(tp_cli_solved *solved, const char **paths, size_t *count, int *ended,
                            const tp_solve_words *a, tp_message *message) {
   tp_status status = TP_OK;
   for (int k = 0; k < a->scene_count && status == TP_OK; k++) {
-    tp_scene *scene = NULL;
-    status = solve_scene(solutions + *count, &scene, a->scenes[k], a, message);
-    tp_scene_free(scene);
+    tp_cli_solved *own = solved + *count;
+    status = solve_scene(own, a->scenes[k], a, message);
     if (status == TP_OK) {
       paths[(*count)++] = a->scenes[k];
-    } else if (is_of_scene(status)) {
+      continue;
+    }
+    tp_cli_solved_clear(own);
+    if (is_of_scene(status)) {
       *ended = tp_cli_graver(*ended, tp_cli_end(status, message, 0));
       message->text[0] = '\0';
       status = TP_OK;
@@ -204,25 +136,47 @@ static tp_status solve_all(tp_solution **solutions, const char **paths, size_t *
   return status;
 }
 
-static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *message) {
-  const size_t most = (size_t)a->scene_count;
-  size_t count = 0;
+/* A row a case, in the order of their table. */
+static tp_status print_rows(const tp_solve_words *a, const tp_cli_solved *solved, size_t count,
+                            int *ended) {
+  size_t rows = 0;
+  for (size_t k = 0; k < count; k++) rows += solved[k].cases != NULL ? solved[k].cases->count : 1;
+  const tp_solution **own = calloc(rows + 1, sizeof *own);
+  if (own == NULL) return TP_OUT_OF_MEMORY;
+  rows = 0;
+  for (size_t k = 0; k < count; k++) {
+    const tp_load_cases *cases = solved[k].cases;
+    for (size_t n = 0; cases != NULL && n < cases->count; n++) {
+      own[rows++] = cases->cases[n].solution;
+    }
+    if (cases == NULL) own[rows++] = solved[k].solution;
+  }
   char *report = NULL;
-  tp_solution **solutions = calloc(most, sizeof *solutions);
-  const char **paths = calloc(most, sizeof *paths);
-  tp_status status = solutions != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
-  if (status == TP_OK) status = solve_all(solutions, paths, &count, ended, a, message);
-  if (status == TP_OK && count > 0) {
-    const tp_solution *const *own = (const tp_solution *const *)solutions;
-    status = a->csv ? tp_report_csv(&report, own, count) : tp_report_table(&report, own, count);
-  }
-  if (status == TP_OK && count > 0) *ended = tp_cli_graver(*ended, tp_cli_print(report));
-  for (size_t k = 0; k < count && status == TP_OK; k++) {
-    *ended = tp_cli_graver(*ended, end_open(solutions[k], a, paths[k]));
-  }
+  const tp_status status =
+      a->csv ? tp_report_csv(&report, own, rows) : tp_report_table(&report, own, rows);
+  if (status == TP_OK) *ended = tp_cli_graver(*ended, tp_cli_print(report));
   free(report);
-  for (size_t k = 0; solutions != NULL && k < count; k++) tp_solution_free(solutions[k]);
-  free(solutions);
+  free(own);
+  return status;
+}
+
+static int end(const tp_cli_solved *own, const tp_solve_words *a, const char *path) {
+  return own->cases != NULL ? tp_cli_judge_cases(own->cases, a, path)
+                            : tp_cli_judge(own->solution, a, path);
+}
+
+static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *message) {
+  size_t count = 0;
+  tp_cli_solved *solved = calloc((size_t)a->scene_count, sizeof *solved);
+  const char **paths = calloc((size_t)a->scene_count, sizeof *paths);
+  tp_status status = solved != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
+  if (status == TP_OK) status = solve_all(solved, paths, &count, ended, a, message);
+  if (status == TP_OK && count > 0) status = print_rows(a, solved, count, ended);
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
+  }
+  for (size_t k = 0; solved != NULL && k < count; k++) tp_cli_solved_clear(solved + k);
+  free(solved);
   free(paths);
   return status;
 }
@@ -232,8 +186,7 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
 
 /* The report that goes with a figure. */
 typedef struct report {
-  const tp_scene *scene;
-  const tp_solution *solution;
+  const tp_cli_solved *solved;
   const tp_solve_words *words;
   int *ended;
   tp_status status;
@@ -243,14 +196,14 @@ typedef struct report {
 /* The figure is ready: it is left behind only if the report is written. */
 static bool print_with_figure(void *context) {
   report *own = context;
-  own->status = print_solution(own->scene, own->solution, own->words, own->ended, &own->message);
+  own->status = print_solution(own->solved, own->words, own->ended, &own->message);
   return own->status == TP_OK && *own->ended == 0;
 }
 
-static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
-                                const tp_solution *solution, int *ended, tp_message *message) {
-  report own = {scene, solution, a, ended, TP_OK, {.text = ""}};
-  const tp_status drawn = tp_cli_draw(a->figure, scene, solution,
+static tp_status print_and_draw(const tp_solve_words *a, const tp_cli_solved *solved, int *ended,
+                                tp_message *message) {
+  report own = {solved, a, ended, TP_OK, {.text = ""}};
+  const tp_status drawn = tp_cli_draw(a->figure, solved->scene, solved->solution,
                                       (tp_figure_consent){print_with_figure, &own}, message);
   if (own.status == TP_OK && *ended == 0) return drawn;
   *message = own.message; /* not that of the figure, for want of the report */
@@ -268,25 +221,21 @@ static tp_status write_report(const tp_solve_words *a, const tp_scene *scene,
 }
 
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  tp_status status = solve_scene(&solution, &scene, a->scene, a, message);
+  tp_cli_solved own;
+  tp_status status = solve_scene(&own, a->scene, a, message);
   if (status == TP_OK) {
-    status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
-             : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
-                                 : print_solution(scene, solution, a, ended, message);
+    status = a->find.key != NULL ? print_found(own.scene, own.solution, a, ended, message)
+             : a->figure != NULL ? print_and_draw(a, &own, ended, message)
+                                 : print_solution(&own, a, ended, message);
   }
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
-    status = write_report(a, scene, solution, message);
+    status = write_report(a, own.scene, own.solution, message);
   }
   if (status == TP_OK && *ended == 0 && a->profile != NULL) {
-    status = tp_scene_write_profile(a->profile, scene, message);
+    status = tp_scene_write_profile(a->profile, own.scene, message);
   }
-  if (status == TP_OK && *ended == 0 && a->find.key == NULL) {
-    *ended = end_open(solution, a, a->scene);
-  }
-  tp_solution_free(solution);
-  tp_scene_free(scene);
+  if (status == TP_OK && *ended == 0 && a->find.key == NULL) *ended = end(&own, a, a->scene);
+  tp_cli_solved_clear(&own);
   return status;
 }
 

@@ -233,6 +233,9 @@ typedef struct tp_unit {
   double si;
 } tp_unit;
 
+/* Factors of a design check (scene/partial_factors.h). */
+typedef struct tp_partial_factors tp_partial_factors;
+
 /* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
  * scene in memory can be given in scene_varying/slot_table.c. */
 struct tp_scene {
@@ -250,8 +253,13 @@ struct tp_scene {
   tp_slope_description slope; /* TP_FRAME_SLOPE */
   tp_polyline mean_plane;     /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
   tp_loads_description loads;
-  tp_quantity friction_angle_deg; /* 0 <= value < 90 */
-  tp_quantity required_fos;       /* that the governing factor is held against */
+  tp_quantity friction_angle_deg;      /* 0 <= value < 90 */
+  tp_quantity required_fos;            /* that the governing factor is held against */
+  tp_partial_factors *partial_factors; /* NULL: none */
+  bool factored;                       /* they are applied to its numbers, and: */
+  const fmpq *friction_divisor;        /* borrowed, of tan(phi); NULL: 1 */
+  const tp_node *load_cases;           /* its list of cases, none of them chosen; NULL: none */
+  const char *load_case;               /* the file's: of the case that it is of; NULL: none */
   tp_friction_description friction;
   bool friction_is_basic, friction_is_apparent; /* as the scene says; neither: it does not */
   tp_place friction_is_place;

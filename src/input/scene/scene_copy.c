@@ -4,6 +4,7 @@
 /* A scene made, with what holds where nothing is given, copied, and given back. */
 
 #include "scene/members.h"
+#include "scene/partial_factors.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,7 @@ void tp_scene_free(tp_scene *scene) {
   tp_notes_clear(&scene->notes);
   free(scene->title);
   tp_letterhead_clear(&scene->letterhead);
+  tp_partial_factors_free(scene->partial_factors);
   if (scene->own_drawn != NULL) tp_drawn_clear(scene->own_drawn);
   free(scene->own_drawn);
   tp_scene_file_free(scene->file);

@@ -45,6 +45,7 @@ void tp_scene_file_free(tp_scene_file *file) {
   for (long k = 0; k < file->name_count; k++) free(file->names[k]);
   free(file->names);
   tp_node_free(file->root);
+  free(file->load_case);
   free(file->path);
   free(file);
 }

@@ -29,6 +29,7 @@ typedef struct tp_scene_file {
   atomic_long users;
   char *path;
   tp_node *root;
+  char *load_case; /* the name of the case that it was made of; NULL: it was read as it is */
   long name_count; /* of files that the scene names */
   char **names;
   long chain_count, chain_room;

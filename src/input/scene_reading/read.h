@@ -116,6 +116,10 @@ TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_nod
 TP_MUST_USE tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node);
 
+/* The keys partial_factors, after friction and required_fos, and cases. */
+TP_MUST_USE tp_status tp_read_partial_factors(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_load_cases(const tp_reader *reader, const tp_node *node);
+
 /* Both of a map: its keys, then its values. */
 TP_MUST_USE tp_status tp_read_map(const tp_reader *reader, void *of, const tp_node *node,
                                   const tp_key_map *map, const char *what);

@@ -131,6 +131,10 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_values(reader, scene, root, &tp_key_map_scene);
   if (status == TP_OK) status = tp_read_friction(reader, root);
+  if (status == TP_OK) {
+    status = tp_read_partial_factors(reader, tp_node_get(root, "partial_factors"));
+  }
+  if (status == TP_OK) status = tp_read_load_cases(reader, tp_node_get(root, "cases"));
   if (status == TP_OK) status = tp_check_contact_width(reader->scene, reader->message);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
@@ -164,6 +168,7 @@ static tp_status read_file(tp_scene **scene, tp_scene_file *file, bool again,
   }
   read->file = file;
   read->source = file->root;
+  read->load_case = file->load_case;
   read->overrides = overrides;
   read->override_count = count;
   tp_reading reading = {.again = again};

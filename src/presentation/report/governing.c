@@ -71,6 +71,9 @@ static void add_required(tp_text *t, const tp_governing_fos *g) {
   if (!g->has_required_fos) return;
   tp_text_add(t, "; the required %s %s", tp_text_significant(n, g->required_fos, 6),
               words[g->meets_required]);
+  if (g->has_design_utilisation) {
+    tp_text_add(t, ", required/FoS %s", tp_text_fixed(n, g->design_utilisation, 3));
+  }
 }
 
 void tp_text_governing(tp_text *t, const tp_case *c) {

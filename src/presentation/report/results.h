@@ -35,6 +35,7 @@ typedef struct tp_json_subject {
   const tp_tilt_reaction *reactions; /* of the moment that is being written */
   size_t reaction_count;
   const tp_tilt_convergence_case *converge_case;
+  const tp_load_cases *load_cases; /* NULL: the solution is of one scene */
   const tp_solution *s;
   tp_pivots_listed listed;
   const tp_case *c;  /* of the solution, that is being written: */
@@ -58,6 +59,7 @@ void tp_json_enter_moment(tp_json_subject *x);
 const char *tp_json_key_of_setting(tp_converge_setting setting);
 
 /* On to a case; and is a pivot of it listed? */
+void tp_json_enter_load_case(tp_json_subject *x, const tp_load_case *own);
 void tp_json_enter_case(tp_json_subject *x, const tp_case *own);
 bool tp_json_lists_pivot(const tp_json_subject *x, size_t pivot);
 

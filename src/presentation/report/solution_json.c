@@ -17,6 +17,10 @@ static bool are_all_told(const tp_case *c) {
   return true;
 }
 
+void tp_json_enter_load_case(tp_json_subject *x, const tp_load_case *own) {
+  x->s = own->solution;
+}
+
 void tp_json_enter_case(tp_json_subject *x, const tp_case *c) {
   const bool few = c->pivot_count <= TP_PIVOTS_MANY;
   x->c = c;

@@ -26,17 +26,28 @@ static void add_limit(tp_text *t, const tp_limit *l) {
   if (l->tie) tp_text_add(t, ", %s", tp_mechanism_name(l->tied_with));
 }
 
+/* Behind the factor what it must reach, and the end of its column. */
+static void add_required(tp_text *t, const tp_governing_fos *g) {
+  char n[TP_NUMBER_SIZE];
+  if (g->has_required_fos) {
+    tp_text_add(t, " (%s required: %s)", tp_text_significant(n, g->required_fos, 5),
+                tp_design_name(g->meets_required));
+  }
+  tp_text_add(t, " | ");
+}
+
 /* The governing factor and what it is against. */
 static void add_fos(tp_text *t, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   char n[TP_NUMBER_SIZE];
   const bool number = g->fos.state == TP_FOS_NUMBER;
-  tp_text_add(t, " | %s%s | ", number && g->sliding_judged && !g->complete ? "≤ " : "",
+  tp_text_add(t, " | %s%s", number && g->sliding_judged && !g->complete ? "≤ " : "",
               number                                  ? tp_text_fixed(n, g->fos.value, 3)
               : g->fos.state == TP_FOS_UNDEFINED      ? "none"
               : g->fos.state == TP_FOS_UNDECIDED      ? "undecided"
               : g->fos.state == TP_FOS_NO_OVERTURNING ? "unbounded"
                                                       : "-");
+  add_required(t, g);
   if (!g->has_factor) {
     tp_text_add(t, g->up_dip ? "fails up-dip" : g->beyond ? "fails before" : "-");
     return;
@@ -184,14 +195,36 @@ static void add_settings(tp_text *t, const tp_settings *settings, const keys *al
   }
 }
 
+/* What is required, where any of the scenes requires something. */
+static bool is_any_required(const tp_solution *const *solutions, size_t count) {
+  bool any = false;
+  for (size_t k = 0; k < count; k++) {
+    for (size_t c = 0; c < solutions[k]->case_count; c++) {
+      any = any || solutions[k]->cases[c].governing_fos.has_required_fos;
+    }
+  }
+  return any;
+}
+
+static void add_required_fields(tp_text *t, const tp_governing_fos *g) {
+  tp_csv_bounded(t, g->has_required_fos, g->required_fos);
+  tp_csv_words(t, g->has_required_fos ? tp_design_name(g->meets_required) : NULL);
+  tp_csv_bounded(t, g->has_design_utilisation, g->design_utilisation);
+}
+
 static void write_csv(tp_text *t, const keys *all, const tp_solution *const *solutions,
                       size_t count) {
+  const bool required = is_any_required(solutions, count);
   for (size_t k = 0; k < all->count; k++) {
     tp_csv_setting_name(t, all->items[k]->key, all->items[k]->unit);
     tp_text_add(t, ",");
   }
   tp_text_add(t, "scene");
   tp_csv_names_of_verdict_row(t);
+  if (required) {
+    tp_text_add(t, ",required_fos,required_fos_error,meets_required,design_utilisation,"
+                   "design_utilisation_error");
+  }
   tp_text_add(t, "\n");
   for (size_t k = 0; k < count; k++) {
     const tp_solution *s = solutions[k];
@@ -200,6 +233,7 @@ static void write_csv(tp_text *t, const keys *all, const tp_solution *const *sol
       add_settings(t, &s->settings, all);
       tp_encode_csv(t, s->title != NULL ? s->title : "");
       tp_csv_fields_of_verdict_row(t, s->cases + c, &x);
+      if (required) add_required_fields(t, &s->cases[c].governing_fos);
       tp_text_add(t, "\n");
     }
   }

@@ -19,10 +19,10 @@
 enum { CHUNK = 100, CHUNK_LARGE = 10000, CHUNKS = 100 };
 
 static tp_status read_version(const tp_study_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
-                                     "sampling",     "vary",        "tilts_deg",   "until",
-                                     "correlations", "sensitivity", "reliability", "design_values",
-                                     "roughness",    "unit",        "set",         NULL};
+  static const char *const keys[] = {
+      "topple_study", "title", "scene",        "samples",     "sampling",    "vary",
+      "tilts_deg",    "until", "correlations", "sensitivity", "reliability", "design_values",
+      "roughness",    "unit",  "set",          "case",        NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
     return tp_study_fail(reader, root, "this is not a study: 'topple_study: 1' is missing");

@@ -5,6 +5,7 @@
 
 #include "study/scene.h"
 
+#include "scene_varying/load_case.h"
 #include "study/hash.h"
 
 #include <stdlib.h>
@@ -31,10 +32,36 @@ static tp_status read_settings(const char **settings, const tp_study_reader *rea
                        "tilt.towards=left]'");
 }
 
+/* The load case of a scene that has some, with what is set in it. */
+static tp_status read_chosen(const tp_study_reader *reader, const tp_node *root, const char *unit,
+                             const char *const *settings, size_t count, tp_message *message) {
+  tp_study *study = reader->study;
+  const tp_node *name = tp_node_get(root, "case");
+  tp_scene *read = NULL, *own = NULL;
+  if (name == NULL) {
+    tp_status status =
+        tp_scene_read_with(&study->scene, study->scene_path, unit, settings, count, message);
+    return status == TP_OK ? tp_check_load_case(study->scene, message) : status;
+  }
+  if (name->kind != TP_NODE_SCALAR) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "'case' is the name of a load case of the scene, as 'case: wet'");
+  }
+  tp_status status = tp_scene_read_with(&read, study->scene_path, unit, NULL, 0, message);
+  if (status == TP_OK) status = tp_scene_load_case(&own, read, name->text, message);
+  tp_scene_free(read);
+  if (status != TP_OK || count == 0) {
+    study->scene = own;
+    return status;
+  }
+  status = tp_scene_with_settings(&study->scene, own, settings, count, message);
+  tp_scene_free(own);
+  return status;
+}
+
 /* The scene, or a drawing in its place, with what is set in it. */
 static tp_status read_with_settings(const tp_study_reader *reader, const tp_node *root,
                                     const tp_node *scene) {
-  tp_study *study = reader->study;
   const tp_node *unit = tp_node_get(root, "unit"), *set = tp_node_get(root, "set");
   const size_t count = set != NULL ? (size_t)set->count : 0;
   const char **settings = calloc(count + 1, sizeof *settings);
@@ -45,8 +72,7 @@ static tp_status read_with_settings(const tp_study_reader *reader, const tp_node
   if (status == TP_OK && set != NULL) status = read_settings(settings, reader, set);
   if (status == TP_OK) {
     tp_message inner = {.text = ""};
-    status = tp_scene_read_with(&study->scene, study->scene_path, unit != NULL ? unit->text : "",
-                                settings, count, &inner);
+    status = read_chosen(reader, root, unit != NULL ? unit->text : "", settings, count, &inner);
     if (status != TP_OK) status = tp_study_fail_of(reader, scene, status, &inner);
   }
   free(settings);

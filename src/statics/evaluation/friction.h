@@ -23,13 +23,18 @@ bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
 void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *evaluation);
 void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *evaluation);
 
+/* Is tan(phi) divided by a partial factor? Wherever this header tells friction it is so divided. */
+bool tp_friction_is_divided(const tp_evaluation *evaluation);
+/* The angle of a facet where it is a rational number of degrees; NULL: it is not. */
+const fmpq *tp_friction_exact(const tp_evaluation *evaluation, long facet);
+
 /* The mean normal stress at a tilt in degrees, Pa, where friction depends on it. */
 void tp_friction_stress_at(arb_t pascal, const tp_evaluation *evaluation, const arb_t tilt);
 
 /* In degrees, at a tilt in degrees. */
 void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);
 
-/* The angle that a facet of the contact has of its own; NULL: it has the scene's. */
+/* The angle that a facet of the contact has of its own in the scene; NULL: it has the scene's. */
 const fmpq *tp_friction_own(const tp_problem *problem, long facet);
 /* The same as tp_friction_at of a facet; `degrees` may be `tilt`. */
 void tp_friction_of_facet(arb_t degrees, const tp_evaluation *evaluation, long facet,

@@ -257,11 +257,7 @@ void tp_sliding_add_friction(const tp_evaluation *e, const tp_sliding_facet *bes
   arb_set_round_fmpz(sliding->cosine, cosine, exact);
   tp_ball_atan2_degrees(sliding->degrees, sliding->sine, sliding->cosine, bits);
   arb_set(sliding->inclination, sliding->degrees);
-  const fmpq *own = tp_friction_own(e->problem, best->facet);
-  sliding->adds = NULL;
-  if (!sliding->exact_direction && !tp_friction_is_load_dependent(e)) {
-    sliding->adds = own != NULL ? own : e->problem->scene->friction_angle_deg.value;
-  }
+  sliding->adds = sliding->exact_direction ? NULL : tp_friction_exact(e, best->facet);
   if (!sliding->exact_direction) arb_add(sliding->degrees, sliding->degrees, friction, bits);
   fmpz_clear(sine);
   fmpz_clear(cosine);

@@ -16,6 +16,8 @@
 #include "problem/lay.h"
 #include "problem/water_site.h"
 #include "scene/check.h"
+#include "scene/partial_factors.h"
+#include "scene_varying/load_case.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -329,6 +331,17 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   return status;
 }
 
+/* Numbers of a scene of which no case is chosen, or without its partial factors, would be of
+ * another design than the scene describes. */
+static tp_status check_chosen(const tp_scene *scene, tp_message *message) {
+  const tp_status status = tp_check_load_case(scene, message);
+  if (status != TP_OK || scene->partial_factors == NULL || scene->factored) return status;
+  return tp_refuse(
+      message, TP_FAULT_KEY, scene->partial_factors->place,
+      "partial factors belong to a solve, a sweep, a map or a study; leave them out of "
+      "the scene here");
+}
+
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
                           const tp_solve_options *options, tp_solution *solution,
                           tp_message *message) {
@@ -337,6 +350,7 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   problem->scene = scene;
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
+  if (status == TP_OK) status = check_chosen(scene, message);
   if (status == TP_OK)
     status = tp_on_face_init(&problem->on_face, scene, &solution->notes, message);
   if (problem->on_face != NULL) problem->scene = &problem->on_face->scene;

@@ -19,6 +19,7 @@
 #include "common/host.h"
 #include "evaluation/certainty.h"
 #include "number/bounded.h"
+#include "scene/partial_factors.h"
 #include "stability/governing_factors.h"
 
 #include <math.h>
@@ -167,13 +168,39 @@ static void govern(tp_case *c, const tp_solution *solution) {
   add_utilisation(g);
 }
 
+/* Of moments alone, whether other forces would prevent the turning or not; sliding is not asked. */
+static void take_toppling_alone(tp_governing_fos *g) {
+  g->sliding_judged = g->complete = true;
+  g->has_factor = g->tie = false;
+  size_t least = g->factor_count;
+  for (size_t k = 0; k < g->factor_count; k++) {
+    if (g->factors[k].definition != TP_FOS_BY_MOMENTS) continue;
+    if (tp_fos_rank_of(g->factors[k].fos) == TP_RANK_UNDECIDED) g->complete = false;
+    if (least == g->factor_count || tp_fos_is_less(g->factors[k].fos, g->factors[least].fos)) {
+      least = k;
+    }
+  }
+  if (least < g->factor_count) {
+    take(g, least);
+  } else if (tp_fos_rank_of(g->fos) == TP_RANK_NUMBER) {
+    g->fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
+  }
+  add_utilisation(g);
+}
+
 void tp_solution_govern(tp_solution *solution, const tp_scene *scene) {
+  const bool alone = scene->factored && scene->partial_factors->toppling_alone;
   for (size_t k = 0; k < solution->case_count; k++) {
     tp_governing_fos *g = &solution->cases[k].governing_fos;
     govern(solution->cases + k, solution);
+    if (alone && g->fos.state != TP_FOS_NO_TILT) take_toppling_alone(g);
     g->has_required_fos = scene->required_fos.given;
     g->required_fos = tp_result_rational(scene->required_fos.value);
     g->meets_required = tp_case_meets(solution->cases + k, g->required_fos.value);
+    g->has_design_utilisation = g->has_required_fos && g->has_utilisation;
+    if (g->has_design_utilisation) {
+      g->design_utilisation = tp_bounded_over(g->required_fos, g->fos.value);
+    }
   }
 }
 

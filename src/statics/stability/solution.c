@@ -15,6 +15,7 @@
 #include "scene_varying/settings.h"
 #include "stability/supports.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,6 +53,8 @@ void tp_solution_free(tp_solution *solution) {
   free(solution->friction_facets);
   free(solution->supports);
   free(solution->title);
+  free(solution->load_case);
+  free(solution->partial_factors);
   free(solution);
 }
 
@@ -64,6 +67,26 @@ bool tp_solution_is_undecided(const tp_solution *solution) {
       return true;
   }
   return false;
+}
+
+/* The title says the load case, so that every output does. */
+static tp_status describe_names(tp_solution *solution, const tp_scene *scene, tp_message *message) {
+  const char *title = scene->title, *own = scene->load_case;
+  bool done = true;
+  if (own != NULL) {
+    const size_t size = (title != NULL ? strlen(title) : 0) + strlen(own) + sizeof ", case ";
+    solution->load_case = strdup(own);
+    solution->title = malloc(size);
+    done = solution->load_case != NULL && solution->title != NULL;
+    if (done) {
+      snprintf(solution->title, size, "%s%scase %s", title != NULL ? title : "",
+               title != NULL ? ", " : "", own);
+    }
+  } else if (title != NULL) {
+    solution->title = strdup(title);
+    done = solution->title != NULL;
+  }
+  return done ? TP_OK : tp_fail_memory(message, "the solution");
 }
 
 static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp_message *message) {
@@ -81,9 +104,7 @@ static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp
   solution->friction_is_residual = scene->friction.load_dependent;
   solution->friction_is_patton =
       scene->friction.roughness_angle_deg.given && !scene->friction.load_dependent;
-  if (scene->title == NULL) return TP_OK;
-  solution->title = strdup(scene->title);
-  return solution->title != NULL ? TP_OK : tp_fail_memory(message, "the solution");
+  return describe_names(solution, scene, message);
 }
 
 static tp_bounded teeth_length(const tp_scene *scene, const fmpq_t value, long numerator,

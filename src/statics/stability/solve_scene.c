@@ -12,6 +12,7 @@
 #include "scene/check_tilt_test.h"
 #include "scene_varying/settings.h"
 #include "stability/cautions.h"
+#include "stability/combinations.h"
 #include "stability/earthquakes.h"
 #include "stability/poses.h"
 #include "stability/solution.h"
@@ -81,14 +82,25 @@ static tp_status solve_alone(tp_solution **solution, const tp_scene *scene,
   return solve_one(solution, NULL, scene, options, message);
 }
 
-/* Under several earthquakes each tilt is solved by itself. */
+static tp_status solve_combination(tp_solution **solution, const tp_scene *scene,
+                                   const tp_solve_options *options, tp_message *message);
+
+/* Under several earthquakes each tilt is solved by itself, and so with partial factors. */
 static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
                        const tp_solve_options *options, tp_message *message) {
   bool several = false;
+  if (tp_combinations_asked(scene)) {
+    return tp_combinations_solve(solution, scene, options, solve_combination, message);
+  }
   const tp_status status = tp_earthquakes_asked(&several, scene, message);
   if (status != TP_OK) return status;
   return several ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
                  : solve_one(solution, tilts, scene, options, message);
+}
+
+static tp_status solve_combination(tp_solution **solution, const tp_scene *scene,
+                                   const tp_solve_options *options, tp_message *message) {
+  return solve(solution, NULL, scene, options, message);
 }
 
 tp_status tp_solve_tilts(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,

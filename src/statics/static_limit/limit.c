@@ -120,11 +120,10 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_
   arb_set(angle->degrees, a->answer->degrees);
   arb_set(angle->inclination, a->answer->inclination);
   angle->adds = NULL;
-  if (a->answer->adds_friction && !tp_friction_is_load_dependent(e)) {
+  if (a->answer->adds_friction) {
     const tp_cone_point *slips =
         a->cones->points + tp_cones_point_of(a->cones, a->answer->face.columns[0]);
-    const fmpq *own = tp_friction_own(e->problem, slips->facet);
-    angle->adds = own != NULL ? own : e->problem->scene->friction_angle_deg.value;
+    angle->adds = tp_friction_exact(e, slips->facet);
   }
   angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }

@@ -31,9 +31,9 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_set_fmpz(y, cones->tx + point);
   tp_ball_atan2_degrees(answer->inclination, x, y, e->rung.bits);
   arb_set(answer->degrees, answer->inclination);
-  const fmpq *own = tp_friction_own(e->problem, cones->points[point].facet);
-  if (own != NULL) {
-    arb_set_fmpq(angle, own, e->rung.bits);
+  const long facet = cones->points[point].facet;
+  if (tp_friction_own(e->problem, facet) != NULL) {
+    tp_friction_of_facet(angle, e, facet, friction);
   } else {
     arb_set(angle, friction);
   }

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The load cases of a scene that topple solve is given. */
+
+#ifndef TP_CLI_SOLVE_CASES_H
+#define TP_CLI_SOLVE_CASES_H
+
+#include "cli/solve_words.h"
+
+/* A scene as it is solved: of one that has cases, all of them, and the scene of the one that
+ * governs. */
+typedef struct tp_cli_solved {
+  tp_scene *scene;
+  tp_solution *solution;
+  tp_load_cases *cases; /* NULL: it has none, or one was chosen; else the first has the solution */
+} tp_cli_solved;
+
+/* Read the scene; and where it has cases, of which none is chosen, solve them. */
+TP_MUST_USE tp_status tp_cli_solve_cases(tp_cli_solved *solved, const char *path,
+                                         const tp_solve_words *words,
+                                         const tp_solve_options *options, tp_message *message);
+
+void tp_cli_solved_clear(tp_cli_solved *solved);
+
+#endif

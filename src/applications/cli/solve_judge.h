@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What topple solve ends with, after its report. */
+
+#ifndef TP_CLI_SOLVE_JUDGE_H
+#define TP_CLI_SOLVE_JUDGE_H
+
+#include "cli/solve_words.h"
+
+/* What the solution of a scene of this name ends with, told on stderr. */
+int tp_cli_judge(const tp_solution *solution, const tp_solve_words *words, const char *scene);
+/* The gravest of all cases. */
+int tp_cli_judge_cases(const tp_load_cases *cases, const tp_solve_words *words, const char *scene);
+
+/* "scene.yaml, case wet" */
+enum { TP_CLI_CASE_NAME = 4200 };
+void tp_cli_case_name(char name[TP_CLI_CASE_NAME], const char *scene, const char *load_case);
+
+#endif
