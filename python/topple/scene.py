@@ -223,7 +223,7 @@ class Scene(Builder):
         scene.load_case("wet").solve()."""
         receives = ffi.new(RECEIVES_SCENE)
         self._use(lib.tp_scene_load_case, receives, self._c, c_text(name))
-        return self._made(receives)
+        return self._made(receives, "load_case", self.__reduce__()[1], name)
 
     def solve_load_cases(self, *settings: str, digits: int | None = None,
                          elements: bool | None = None, limit: bool | None = None,
@@ -273,6 +273,8 @@ def _remade(how: str, of: Any, *more: Any) -> Scene:
     *given, calls = more
     if how == "new":
         scene = Scene(of)
+    elif how == "load_case":
+        scene = _remade(*of).load_case(*given)
     elif how in ("varied", "with_settings"):
         (settings,) = given
         first = _remade(*of)

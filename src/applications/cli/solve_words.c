@@ -75,6 +75,7 @@ static const struct argp_option options[] = {
      "End of the search range (default ten times its present value, or 0 if that is below 0)", 1},
     {"least-force", KEY_LEAST_FORCE, NULL, 0,
      "With --find loads.anchors.N.force_kn: turn the anchor or bolt until the force is least", 1},
+    TP_CLI_BATCH_OPTIONS(2),
     {0}};
 
 static double read_number(const char *text, struct argp_state *state) {

@@ -27,8 +27,8 @@ PLAIN = {"tp_bounded": "Bounded", "bool": "bool", "double": "float", "float": "f
 NAMES = {"tp_load_result": "LoadResult", "tp_claim_result": "ClaimResult", "tp_study_result": "StudyResult",
          "tp_tilt_convergence": "Convergence", "tp_tilt_convergence_case": "ConvergenceCase"}
 #: What the calls return, of which all others are part.
-ROOTS = ("tp_solution", "tp_found", "tp_accuracy", "tp_derivation", "tp_family", "tp_profile", "tp_study_result", "tp_tilt_test",
-         "tp_verification", "tp_load_cases")
+ROOTS = ("tp_solution", "tp_batch", "tp_found", "tp_accuracy", "tp_derivation", "tp_family", "tp_profile", "tp_study_result",
+         "tp_tilt_test", "tp_verification", "tp_load_cases")
 #: Members of these kinds are read by Python's own code.
 BY_HAND = ("tp_profile_options", "tp_study_column")
 

@@ -7,6 +7,7 @@
 #include "batch/share.h"
 #include "common/host.h"
 #include "common/options.h"
+#include "scene_varying/load_case.h"
 #include "scene_varying/settings.h"
 #include "sweep/axis.h"
 
@@ -161,7 +162,8 @@ static tp_status read_axes(sweep *s, const tp_sweep_options *options, tp_message
 
 static tp_status run(sweep *s, const tp_sweep_options *options, tp_sweep_summary *summary,
                      tp_sweep_sink sink, tp_message *message) {
-  tp_status status = read_axes(s, options, message);
+  tp_status status = tp_check_load_case(s->scene, message);
+  if (status == TP_OK) status = read_axes(s, options, message);
   if (status != TP_OK) return status;
   tp_sweep_summary sum = {.count = s->count};
   s->outcomes = calloc(BATCH, sizeof *s->outcomes);

@@ -7,6 +7,7 @@
 #include "stability/varied.h"
 
 #include "number/ratio.h"
+#include "scene_varying/load_case.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -45,6 +46,8 @@ tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const
 
 tp_status tp_varied_check(double *own, const tp_varied *varied, tp_message *message) {
   const tp_scene *scene = varied->scene;
+  const tp_status chosen = tp_check_load_case(scene, message);
+  if (chosen != TP_OK) return chosen;
   if (scene->towards_left && scene->towards_right && !tp_scene_lies_in_place(scene)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
                      "this scene tilts both ways; choose one, 'tilt: {towards: left}'");
