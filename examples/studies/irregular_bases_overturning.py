@@ -54,7 +54,7 @@ tilt_test: {{engine: dynamics, protocol: ramp, until_deg: 60, duration_s: 300}}
     (case,) = topple.tilt_test(scene, moments=2).cases
     (moments,) = scene.solve().cases
     fell = [event.angle_deg for event in case.events
-            if event.kind is topple.TiltEventKind.OVERTURNS]
+            if event.what is topple.TiltEventKind.OVERTURNS]
     first = 0.0 if case.lets_go_at_deg is None or case.onset_deg < 0 else case.lets_go_at_deg
     return (moments.governing_pivot.critical_angle_deg.value, max(case.onset_deg, 0.0),
             max(case.limit_deg, 0.0), first, fell[0] if fell else np.nan)

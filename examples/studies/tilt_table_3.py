@@ -152,7 +152,7 @@ def table(rows, goes_on, cost):
 def last_slip(case, facet):
     """The tilt from which a facet slips until the block begins to move."""
     tilts = [event.angle_deg for event in case.events
-             if event.kind == topple.TiltEventKind.SLIPS and event.facet == facet
+             if event.what == topple.TiltEventKind.SLIPS and event.facet == facet
              and event.angle_deg < case.stands_at_deg]
     return f"{tilts[-1]:.2f}" if tilts else "–"
 

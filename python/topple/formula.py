@@ -105,9 +105,9 @@ def _parities(name: Any) -> Any:
 @dataclasses.dataclass(frozen=True)
 class FamilyMethods(Record):
     #: the N that fix the formulas
-    fixed: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("fixed")})
+    fixed_by: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("fixed_by")})
     #: the N that they were checked on
-    checked: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("checked")})
+    checked_on: dict[str, tuple[int, ...]] = dataclasses.field(metadata={"read": _parities("checked_on")})
 
     def report(self) -> str:
         """The report, as `topple derive --for-all=count` prints it."""

@@ -59,10 +59,10 @@ class Formulas(unittest.TestCase):
         left = topple.Direction.LEFT
         self.assertEqual(told["limit"][0]["conditions"], [str(c) for c in own.limit[left].conditions])
         self.assertEqual([check["condition"] for check in told["limit"][0]["checks"]],
-                         [check.number for check in own.limit[left].checks])
+                         [check.condition for check in own.limit[left].checks])
         self.assertEqual(len(own.limit[left].reactions), 2)
         self.assertEqual(told["onset"][0]["same_as_limit"], own.onset[left].same_as_limit)
-        self.assertEqual(told["rounded"][0]["corner_radius"]["numerator"], own.rounded[left].radius.numerator)
+        self.assertEqual(told["rounded"][0]["corner_radius"]["numerator"], own.rounded[left].corner_radius.numerator)
         self.assertEqual(len(own.elements[left]), 6)
         self.assertEqual(pickle.loads(pickle.dumps(own)), own)
 
@@ -203,8 +203,8 @@ class Profiles(unittest.TestCase):
         self.assertEqual(told["z2"], {"value": own.z2.value, "error": own.z2.error})
         self.assertEqual(told["sampling"]["detrend"], own.options["detrend"].value)
         self.assertEqual(told["correlation_length"]["value"], own.correlation_length.value)
-        self.assertEqual([row["jrc"]["value"] for row in told["jrc"]["correlations"]], [row.jrc.value for row in own.jrc])
-        self.assertEqual([row["state"] for row in told["jrc"]["correlations"]], [row.state.value for row in own.jrc])
+        self.assertEqual([row["jrc"]["value"] for row in told["jrc"]["correlations"]], [row.jrc.value for row in own.correlations])
+        self.assertEqual([row["state"] for row in told["jrc"]["correlations"]], [row.state.value for row in own.correlations])
         self.assertEqual([lag["structure"] for lag in told["lags"]], [lag.structure for lag in own.lags])
         self.assertEqual((len(own.x), len(own.y), len(own.sources)), (201, 201, 1))
         self.assertIn("slope rose", own.chart().csv())
@@ -282,7 +282,7 @@ class Find(unittest.TestCase):
                           topple.ConvergeSetting.TOLERANCE})
         self.assertIn("Converged to the 0.01°", own.report())
         self.assertEqual(len(own.chart().csv().splitlines()), 1 + len(own.cases[0].levels))
-        self.assertEqual(topple.accuracy_of_scene(topple.Scene.read(path)).simulated.cases[0].least, own.cases[0].least)
+        self.assertEqual(topple.accuracy_of_scene(topple.Scene.read(path)).simulated.cases[0].over_settings_least, own.cases[0].over_settings_least)
         with self.assertRaisesRegex(topple.BadInput, "calls for no simulation"):
             topple.tilt_converge(topple.Scene.read(BLOCK))
 
@@ -381,7 +381,7 @@ class Study(unittest.TestCase):
         phi, outcome = result.columns["friction_angle_deg"], result.columns["outcome_at_30_deg"]
         self.assertEqual(phi.shape, (200,))
         self.assertTrue(((phi < 30) == (outcome == topple.StudyOutcome.SLIDES)).all())
-        self.assertEqual(result.tilts[2]["slides"].count, int((phi < 30).sum()))
+        self.assertEqual(result.tilts[2]["slides"].samples, int((phi < 30).sum()))
         self.assertAlmostEqual(result.spread("limit_deg").quantiles[3].value, 30, delta=0.1)
         self.assertTrue(numpy.array_equal(pickle.loads(pickle.dumps(result)).columns["limit_deg"], result.columns["limit_deg"]))
         self.assertRaises(topple.BadInput, topple.study, BLOCK)

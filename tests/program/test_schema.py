@@ -50,7 +50,7 @@ SCENES = {
     "earthquakes that lift": "block: {outline: [[0, 0], [2, 0.01], [3, 4], [1, 4]], unit_weight_kn_m3: 26}\nframe: world\n"
                              "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.2, vertical: 1.1}}\n",
     "support": "block: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 30\n"
-               "loads: {anchors: [{at: [0, 1], dip_deg: 15, force_kn: 5, capacity_kn: 9, length: 4, spacing: 2, rows: 2, "
+               "loads: {anchors: [{at: [0, 1], dip_deg: 15, force_kn: 5, capacity_kn: 900, length: 4, spacing: 2, rows: 2, "
                "row_step: [0, 1]}], support_pressures: [{from: [0, 2], to: [0, 1], kpa: 3}]}\n",
     "mean plane": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: {mean_plane: [[0, 0], [2, 1]]}\n"
                   "base: {mated: true, between: [[0, 0], [2, 1]]}\n",

@@ -116,7 +116,8 @@ static void add_frame(tp_page *p) {
       tp_text_add(&p->text, "is level");
     }
     if (f->dips && f->has_dip_direction) {
-      tp_text_add(&p->text, ",\n         azimuth %s°", tp_text_fixed(n[1], f->dip_direction_deg, 1));
+      tp_text_add(&p->text, ",\n         azimuth %s°",
+                  tp_text_fixed(n[1], f->dip_direction_deg, 1));
     }
     if (f->level) {
       tp_text_add(&p->text, "; x is horizontal and y vertical\n");
