@@ -63,9 +63,9 @@ typedef struct tp_batch_row {
                                  cautions of its solution; empty: none */
   bool has_case;              /* it was solved: */
   bool as_it_lies;            /* if has_case: it lies on a slope, and is not on a table */
-  tp_bounded tilt_deg;        /* if has_case: the dip, or the tilt, at which it lies */
+  tp_bounded dip_deg;         /* if has_case: the dip, or the tilt, at which it lies */
   tp_direction towards;       /* if has_case: the direction that is told of */
-  tp_mechanism mechanism;     /* if has_case: what the block does as it lies */
+  tp_mechanism verdict;       /* if has_case: what the block does as it lies */
   tp_fos fos;                 /* if has_case: the governing factor of safety */
   bool has_fos_mechanism;     /* it is against one: */
   tp_mechanism fos_mechanism; /* if has_fos_mechanism: the motion that the factor is against */
@@ -82,6 +82,7 @@ typedef struct tp_batch_row {
 
 /* A table solved. */
 typedef struct tp_batch {
+  size_t size;                       /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *file;             /* the table */
   size_t row_count;                  /* of the rows */
   tp_batch_row *rows;                /* the worst first */

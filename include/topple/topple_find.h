@@ -74,10 +74,10 @@ typedef struct tp_found {
   tp_found_interval *intervals; /* throughout which it has the value */
   tp_governing_fos *governing;  /* if governing != NULL: of each solution, where a factor of safety
                                    was asked for: the factors there, and which of them governs */
-  tp_bounded *per_metre;        /* if per_metre != NULL: of each solution that is the force of bolts
-                                   at a spacing, kN per metre along the slope, of all their rows */
-  TP_OUTSIDE char *least_over;  /* if least_over != NULL: the key of a direction, as asked for: */
-  double direction_deg;         /* the scene has this instead of its own, 0 where there is none */
+  tp_bounded *per_metre_kn; /* if per_metre_kn != NULL: of each solution that is the force of bolts
+                            at a spacing, kN per metre along the slope, of all their rows */
+  TP_OUTSIDE char *least_over; /* if least_over != NULL: the key of a direction, as asked for: */
+  double direction_deg;        /* the scene has this instead of its own, 0 where there is none */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;

@@ -47,6 +47,7 @@ typedef struct tp_load_case {
 
 /* All load cases of a scene. */
 typedef struct tp_load_cases {
+  size_t size;         /* of this struct, as the library has it (TP_HAS_MEMBER) */
   size_t count;        /* of the cases, 1 at least */
   tp_load_case *cases; /* count of them: the one that governs first: those that do not meet what is
                           required, then those of which it is open, each by required_fos / FoS from

@@ -26,6 +26,7 @@ START_TEST(names) {
   ck_assert_int_eq(tp_version_number(), TP_VERSION_NUMBER);
   tp_text_free(NULL);
   tp_cleanup();
+  ck_assert_ptr_nonnull(tp_sheet_languages());
   char plain[] = "untouched", empty[1] = "x";
   tp_plain_text(NULL, 9, "text");
   tp_plain_text(plain, 0, "text");

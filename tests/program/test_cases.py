@@ -185,7 +185,9 @@ class Cases(GoverningCase):
         """What is of one case says so, and never takes the base: sweeps, simulations, formulas, studies."""
         scene = self.scene(slab(case("static") + case("wet", WATER) + case("DA1-2", "partial_factors: DA1-2", WATER)))
         x = ("--x=friction_angle_deg=38:39:1",)
-        for command in (("sweep", *x), ("tilt",), ("derive",), ("solve", "--find", "friction_angle_deg", "--for", "governing_fos=1.2")):
+        shaken = self.scene(slab(case("static") + case("wet", WATER)) + "tilt_test: {engine: path}\n", "shaken.yaml")
+        self.assertRegex(run("tilt", shaken)[2], r"--case NAME")
+        for command in (("sweep", *x), ("derive",), ("solve", "--find", "friction_angle_deg", "--for", "governing_fos=1.2")):
             status, _, err = run(*command, scene)
             self.assertEqual(status, 3, command)
             self.assertRegex(err, r"--case NAME", command)

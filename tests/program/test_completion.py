@@ -64,7 +64,7 @@ class Bash(unittest.TestCase):
             listed = re.findall(r"^ +(?:-., )?(--[a-z-]+)", run(command, "--help")[1], re.M)
             self.assertGreater(len(listed), 2)
             self.assertEqual([word.rstrip("=") for word in self.ask(command, "--")], listed)
-        self.assertEqual(self.ask("solve", "--le"), ["--level="])
+        self.assertEqual(self.ask("solve", "--le"), ["--level=", "--least-force"])
         self.assertEqual(self.ask("accuracy", "--sw"), ["--sweep"])
         self.assertEqual(self.ask("block.yaml", "--js"), ["--json"])
 

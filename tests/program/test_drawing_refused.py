@@ -114,7 +114,7 @@ class Svg(Read):
     def test_origins_frames_and_skews(self):
         turned = SQUARE.replace("/>", ' transform="rotate(10)" {}/>')
         for origin in ('transform-origin="1 1"', 'style="transform-origin: center"', 'transform-box="fill-box"'):
-            self.refuse(turned.format(origin), "an origin of its own")
+            self.refuse(turned.format(origin), "about another origin")
         self.taken(self.svg(turned.format('transform-origin="0 0"')), "d.svg")
         self.refuse(f'<svg x="10" viewBox="0 0 10 10">{SQUARE}</svg>', "an <svg> within the drawing")
         self.refuse(SQUARE, "stretches x and y", ":1:1", attributes=' viewBox="0 0 1 2" preserveAspectRatio="none"')

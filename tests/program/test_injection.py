@@ -192,8 +192,10 @@ class Sources(unittest.TestCase):
             for declaration in re.findall(r"TP_OUTSIDE\s+char([^;]*);", header.read_text(encoding="utf-8")):
                 fields |= set(re.findall(r"\w+(?=\s*(?:,|$|\[))", declaration))
         self.assertGreaterEqual(fields, {"title", "source", "id", "where", "note", "printed", "called_for_by", "symbols"})
-        use = re.compile(r"->(%s)\b(?!\s*[!=]=|\()" % "|".join(sorted(fields)))
         for source in self.writers():
+            # `name` is marked of load cases and of surveyed blocks; of loads and units it is a word of the library
+            marked = fields if re.search("batch|cases", source.name) else fields - {"name"}
+            use = re.compile(r"->(%s)\b(?!\s*[!=]=|\()" % "|".join(sorted(marked)))
             text = re.sub(r"'(?:\\.|[^'\\])'", "0", re.sub(r'"(?:\\.|[^"\\])*"', '""', source.read_text(encoding="utf-8")))
             if source != ROOT / "src/applications/cli/words.c":
                 self.assertNotIn("fprintf(stderr", text, source)

@@ -67,7 +67,7 @@ class LoadsWords(LoadsCase):
     def test_bad_loads(self):
         self.refuse("{anchors: [{at: [3, 4], direction_deg: 0, force_kn: 1}]}", "'at' lies outside its outline")
         self.refuse("{anchors: [{at: [1, 4], direction_deg: 0, force_kn: -1}]}", "must not be negative")
-        self.refuse("{anchors: [{at: [1, 4], force_kn: 1}]}", "'direction_deg' is missing here")
+        self.refuse("{anchors: [{at: [1, 4], force_kn: 1}]}", "an anchor its 'direction_deg'")
         self.refuse("{anchors: {at: [1, 4]}}", "anchors are a list")
         self.refuse("{pressures: [{from: [2, 0], to: [2, 5], kpa: [-1, 0]}]}", "a pressure must not be negative")
         self.refuse("{pressures: [{from: [2, 5], to: [2, 0], kpa: 1}]}", "this pressure would pull")

@@ -186,6 +186,8 @@ class Notes(unittest.TestCase):
                 if scene.name == "boulder.yaml":
                     self.assertIn("with the sole as it is drawn; with 46 of its facets, on asperities", notes.pop())
                     self.assertIn("towards the left", notes.pop())
+                if scene.name == "filled_crack.yaml":
+                    self.assertIn("the pressures of the water are taken as the block lies", notes.pop())
                 if scene.name == "boulder_traced.yaml":
                     self.assertTrue(notes.pop().startswith("curves of the outline are chords, which leave them by"))
                 self.assertEqual(notes, [SHAKING] if shakes else [])

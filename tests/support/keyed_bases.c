@@ -99,7 +99,12 @@ static void build_measured(tp_scene *scene, const double *n) {
   DO(tp_scene_set_base_rest(scene, true, &message));
 }
 
-enum { TEETH_BASE, SELF_AFFINE, ROUGH, OF_JRC, STANDARD, MEASURED };
+static void build_smooth(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_number(scene, "base.smooth", E(n[0]), &message));
+}
+
+enum { TEETH_BASE, SELF_AFFINE, ROUGH, OF_JRC, STANDARD, MEASURED, SMOOTH };
 
 static const keyed_scene kinds[] = {
     [TEETH_BASE] =
@@ -127,6 +132,7 @@ static const keyed_scene kinds[] = {
                   "base: {profile: {measured: [[@a, @b], [@c, @d], [@e, @f]], scaled: {z2: @g}}, "
                   "place: rest}\n",
                   {-8, -4, 1, -6, 14, -3, 0.25}},
+    [SMOOTH] = {build_smooth, HEAD "base: {smooth: @a}\n", {0.25}},
 };
 
 const keyed_row keyed_base_rows[KEYED_BASE_ROWS] = {
@@ -162,4 +168,5 @@ const keyed_row keyed_base_rows[KEYED_BASE_ROWS] = {
     {kinds + MEASURED, "base.profile.measured.1.2", 'b', -3},
     {kinds + MEASURED, "base.profile.measured.2.1", 'c', 2},
     {kinds + MEASURED, "base.profile.scaled.z2", 'g', 0.125},
+    {kinds + SMOOTH, "base.smooth", 'a', 0.5},
 };

@@ -82,7 +82,7 @@ static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
   put_number(s, at, 4, row->has_required_fos, row->required_fos.value, s->factor);
   if (row->has_required_fos) put_text(s, at, 5, tp_design_name(row->meets_required), NULL);
   put_number(s, at, 6, row->has_margin, row->margin_deg.value, s->angle);
-  put_number(s, at, 7, row->has_case, row->tilt_deg.value, s->angle);
+  put_number(s, at, 7, row->has_case, row->dip_deg.value, s->angle);
   put_number(s, at, 8, true, (double)row->line, NULL);
   put_text(s, at, 9, row->remark, NULL);
 }

@@ -141,6 +141,7 @@ static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
   w.solve.level = options->level;
   w.solve.pivots = TP_PIVOTS_GOVERNING;
   w.solve.threads = 1;
+  batch->size = sizeof *batch;
   batch->file = strdup(survey->path);
   batch->rows = calloc(count, sizeof *batch->rows);
   if (batch->file == NULL || batch->rows == NULL) return tp_fail_memory(message, "a table");

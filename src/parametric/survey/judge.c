@@ -100,9 +100,9 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   if (row->status == TP_UNDECIDED && row->standing == TP_BATCH_HOLDS) {
     row->standing = TP_BATCH_UNDECIDED;
   }
-  row->tilt_deg = s->tilt_angle_deg;
+  row->dip_deg = s->tilt_angle_deg;
   row->towards = c->towards;
-  row->mechanism = c->mechanism;
+  row->verdict = c->mechanism;
   row->fos = g->fos;
   row->has_fos_mechanism = factor != NULL;
   if (factor != NULL) row->fos_mechanism = factor->mechanism;
@@ -111,7 +111,7 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   row->meets_required = g->meets_required;
   row->has_margin = c->has_margin;
   row->margin_deg = c->margin_deg;
-  row->tilt_deg.digits = row->fos.value.digits = row->required_fos.digits = row->margin_deg.digits =
+  row->dip_deg.digits = row->fos.value.digits = row->required_fos.digits = row->margin_deg.digits =
       NULL; /* which the solution owns */
   return TP_OK;
 }

@@ -241,7 +241,7 @@ static void add_at_limit(tp_text *verdict, tp_text *more, const tp_figure *figur
 bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
                        double x, double width) {
   tp_text verdict = {0}, more = {0};
-  tp_text_governing(&verdict, state->own);
+  tp_text_governing(&verdict, state->own, " ");
   if (verdict.length > 0) tp_text_add(&verdict, ". ");
   const size_t begin = verdict.length;
   if (!tp_figure_lies_verdict(&verdict, &more, figure, state)) {

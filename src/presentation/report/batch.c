@@ -6,6 +6,7 @@
 #include "report/batch.h"
 
 #include "common/host.h"
+#include "common/message.h"
 #include "output/encode.h"
 #include "report/results.h"
 
@@ -66,7 +67,7 @@ tp_batch_cell tp_batch_margin(const tp_batch_row *row) {
 }
 
 tp_batch_cell tp_batch_dip(const tp_batch_row *row) {
-  return cell_of(row->has_case, row->tilt_deg, 3, "°");
+  return cell_of(row->has_case, row->dip_deg, 3, "°");
 }
 
 const char *tp_batch_against(const tp_batch_row *row) {
@@ -106,7 +107,8 @@ static void add_row(tp_text *t, const tp_batch_row *row) {
 
 tp_status tp_report_batch(char **text, const tp_batch *batch) {
   TP_GUARD_HOST;
-  if (text == NULL || batch == NULL) return TP_BAD_INPUT;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, batch);
   tp_text t = {0};
   tp_batch_add_sum(&t, batch);
   tp_text_add(&t, "\n\n%-*s  %-10s  %11s  %-21s  %8s  %8s\n", NAME, "block", "", "FoS", "against",
@@ -129,7 +131,8 @@ tp_status tp_report_batch(char **text, const tp_batch *batch) {
 
 tp_status tp_report_batch_csv(char **text, const tp_batch *batch) {
   TP_GUARD_HOST;
-  if (text == NULL || batch == NULL) return TP_BAD_INPUT;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, batch);
   tp_text t = {0};
   const tp_json_subject x = {.s = NULL};
   tp_text_add(&t, "name,line");
@@ -149,7 +152,8 @@ tp_status tp_report_batch_csv(char **text, const tp_batch *batch) {
 
 tp_status tp_report_batch_json(char **text, const tp_batch *batch) {
   TP_GUARD_HOST;
-  if (text == NULL || batch == NULL) return TP_BAD_INPUT;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, batch);
   tp_json_subject x = {.s = NULL};
   return tp_json_document_of_batch(text, batch, &x);
 }

@@ -15,7 +15,8 @@
 
 tp_status tp_report_batch_markdown(char **text, const tp_batch *batch) {
   TP_GUARD_HOST;
-  if (text == NULL || batch == NULL) return TP_BAD_INPUT;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, batch);
   tp_document document = {0};
   tp_batch_build_page(&document, batch, NULL);
   const tp_status status = tp_document_markdown(text, &document);

@@ -72,9 +72,9 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
                 f->solutions[k].error);
-    if (f->per_metre != NULL) {
+    if (f->per_metre_kn != NULL) {
       tp_text_add(&t, "    %s kN per metre along the slope, of all rows\n",
-                  tp_text_significant(number, f->per_metre[k], 9));
+                  tp_text_significant(number, f->per_metre_kn[k], 9));
     }
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
   }

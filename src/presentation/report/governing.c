@@ -65,24 +65,24 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   }
 }
 
-static void add_required(tp_text *t, const tp_governing_fos *g) {
+static void add_required(tp_text *t, const tp_governing_fos *g, const char *space) {
   static const char *const words[] = {"is met", "is not met", "may not be met: undecided"};
   char n[TP_NUMBER_SIZE];
   if (!g->has_required_fos) return;
   tp_text_add(t, "; the required %s %s", tp_text_significant(n, g->required_fos, 6),
               words[g->meets_required]);
   if (g->has_design_utilisation) {
-    tp_text_add(t, ", required/FoS %s", tp_text_fixed(n, g->design_utilisation, 3));
+    tp_text_add(t, ",%srequired/FoS %s", space, tp_text_fixed(n, g->design_utilisation, 3));
   }
 }
 
-void tp_text_governing(tp_text *t, const tp_case *c) {
+void tp_text_governing(tp_text *t, const tp_case *c, const char *space) {
   const tp_governing_fos *g = &c->governing_fos;
   if (g->fos.state == TP_FOS_NO_TILT) return;
   tp_text_factor(t, g);
   if (!g->sliding_judged) tp_text_add(t, "; sliding is not judged");
   if (g->tie) tp_text_add(t, "; a tie");
-  add_required(t, g);
+  add_required(t, g, space);
 }
 
 static const char *long_definition(const tp_factor *factor, bool loaded) {
@@ -142,7 +142,7 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   if (g->fos.state == TP_FOS_NO_TILT) return;
   tp_text_add(&p->text, "  ");
-  tp_text_governing(&p->text, c);
+  tp_text_governing(&p->text, c, "\n  ");
   tp_text_add(&p->text, "\n");
   if (g->factor_count < 2) {
     tp_text_add(&p->text, "\n");

@@ -10,8 +10,8 @@
 #include "report/page.h"
 
 /* "FoS 2.292 against toppling about the toe (moments)", or why there is none; nothing where the
- * scene gives no tilt. No line end. */
-void tp_text_governing(tp_text *text, const tp_case *own);
+ * scene gives no tilt. No line end; `space` stands before its last part. */
+void tp_text_governing(tp_text *text, const tp_case *own, const char *space);
 
 /* The same of any factor that governs. */
 void tp_text_factor(tp_text *text, const tp_governing_fos *governing);

@@ -16,7 +16,7 @@
 void tp_sheet_add_verdict(tp_sheet *s, const tp_case *c) {
   tp_text headline = {0};
   tp_page page = {.solution = s->solution};
-  tp_text_governing(&headline, c);
+  tp_text_governing(&headline, c, " ");
   if (headline.length > 0) {
     tp_text_add(&headline, ".");
     tp_document_take(&s->document, TP_PASSAGE_ANSWER, 0, &headline);

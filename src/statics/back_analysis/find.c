@@ -38,7 +38,7 @@ void tp_found_free(tp_found *found) {
   free(found->touching);
   free(found->intervals);
   free(found->governing);
-  free(found->per_metre);
+  free(found->per_metre_kn);
   free(found->least_over);
   free(found);
 }
@@ -179,8 +179,8 @@ static void tell_per_metre(tp_search *s) {
   tp_found *found = s->found;
   const tp_anchor_description *bolts = found_bolts(s);
   if (bolts == NULL || !bolts->spacing.given || found->count == 0) return;
-  found->per_metre = calloc(found->count, sizeof *found->per_metre);
-  if (found->per_metre == NULL) {
+  found->per_metre_kn = calloc(found->count, sizeof *found->per_metre_kn);
+  if (found->per_metre_kn == NULL) {
     s->status = tp_fail_memory(s->message, "the solutions");
     return;
   }
@@ -193,7 +193,7 @@ static void tell_per_metre(tp_search *s) {
   fmpq_clear(rows);
   for (size_t k = 0; k < found->count; k++) {
     const tp_bounded own = found->solutions[k];
-    found->per_metre[k] =
+    found->per_metre_kn[k] =
         (tp_bounded){.value = factor * own.value,
                      .error = factor * (own.error * (1 + 0x1p-50) + fabs(own.value) * 0x1p-50)};
   }

@@ -119,6 +119,7 @@ tp_status tp_solve_load_cases(tp_load_cases **cases, const tp_scene *scene,
                          ? read_all(scenes, own, scene, settings, count, message)
                          : tp_fail_memory(message, "the cases");
   if (status == TP_OK) {
+    made->size = sizeof *made;
     made->count = own;
     status = solve_all(made, scenes, options, message);
   }
