@@ -43,9 +43,9 @@ from .words import *  # noqa: F403
 __version__ = _ffi.string(_lib.tp_version()).decode()
 
 __all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution", "Chart", "CriticalAngles",
-           "DependencyFailed", "FileNotFound", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",
+           "DependencyFailed", "FileNotFound", "FrictionIs", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",
            "PermissionDenied", "RoughnessBy", "Scene", "SeismicDirection", "Status", "Summary", "Sweep",
-           "SystemFailed", "ToppleError", "Towards", "Undecided", "UndersideEnd", "Verdicts", "Wear",
+           "SystemFailed", "ToppleError", "Towards", "Undecided", "UndersideEnd", "Verdicts", "WaterFaces", "WaterUplift", "Wear",
            "accuracy_of_scene", "accuracy_sweep", "batch", "batch_text", "chart_fos", "chart_map", "chart_mechanisms",
            "chart_overturning", "chart_ranges", "chart_study", "chart_study_scatter", "chart_tilt_phase",
            "chart_tilt_reactions", "critical_angles", "csv", "derive", "derive_family", "explain", "find",

@@ -215,7 +215,7 @@ class Scene(Builder):
     @property
     def cases(self) -> tuple[str, ...]:
         """The names of its load cases, in their order; empty where it has none (docs/cases.md)."""
-        return tuple(text_of(lib.tp_scene_load_case_name(self._c, k))
+        return tuple(text_of(lib.tp_scene_load_case_name(self._c, k)) or ""
                      for k in range(lib.tp_scene_load_case_count(self._c)))
 
     def load_case(self, name: str) -> Scene:

@@ -187,7 +187,10 @@ class Cases(GoverningCase):
         x = ("--x=friction_angle_deg=38:39:1",)
         shaken = self.scene(slab(case("static") + case("wet", WATER)) + "tilt_test: {engine: path}\n", "shaken.yaml")
         self.assertRegex(run("tilt", shaken)[2], r"--case NAME")
-        for command in (("sweep", *x), ("derive",), ("solve", "--find", "friction_angle_deg", "--for", "governing_fos=1.2")):
+        plain = self.scene("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\nfriction_angle_deg: 30\ncases:\n- {name: a}\n",
+                           "plain.yaml")
+        self.assertRegex(run("derive", plain)[2], r"--case NAME")
+        for command in (("sweep", *x), ("solve", "--find", "friction_angle_deg", "--for", "governing_fos=1.2")):
             status, _, err = run(*command, scene)
             self.assertEqual(status, 3, command)
             self.assertRegex(err, r"--case NAME", command)

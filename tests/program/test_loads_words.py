@@ -74,7 +74,7 @@ class LoadsWords(LoadsCase):
         self.refuse("{pressures: [{from: [2, 0], to: [0, 5], kpa: 1}]}", "does not act on an edge of the block")
         self.refuse("{surcharges: [{from: [0, 6], to: [2, 6], kpa: 1}]}", "does not act on an edge of the block")
         self.refuse("{water: {height: 6}}", "the water stands above the top of the block")
-        self.refuse("{water: {uplift: true}}", "'height' is missing here")
+        self.refuse("{water: {uplift: true}}", "water needs 'height'")
         self.refuse("{seismic: {}}", "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)")
         self.refuse("{sismic: {horizontal: 1}}", "did you mean 'seismic'?")
         self.refuse("{cohesion_kpa: -1}", "cohesion_kpa must not be negative")

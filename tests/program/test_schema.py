@@ -27,8 +27,7 @@ LOADED = ("rounded:", "ellipse:", "loads:", "arcs:")
 # What the examples and the hard cases do not bring forth.
 SCENES = {
     "cases": "block: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 20, towards: left}\nfriction_angle_deg: 35\n"
-             "cases:\n- {name: DA1-2, partial_factors: DA1-2}\n- {name: held, required_fos: 1.5, loads: {support_pressures: "
-             "[{from: [0, 1], to: [0, 0], kpa: 400, passive: false}]}}\n",
+             "cases:\n- {name: DA1-2, partial_factors: DA1-2}\n- {name: level, set: {slope.dip_deg: 0}}\n",
     "a case": "block: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 20, towards: left}\nfriction_angle_deg: 35\n"
               "partial_factors: DA3\n",
     "within": "block: {outline: [[0, 0.01], [2, -0.01], [2, 3], [0, 3]]}\nbase: {profile: [[-1, 0], [3, 0]]}\n"
