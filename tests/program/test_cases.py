@@ -195,7 +195,7 @@ class Cases(GoverningCase):
             self.assertEqual(status, 3, command)
             self.assertRegex(err, r"--case NAME", command)
         study = self.folder / "study.yaml"
-        head = f"topple_study: 1\nscene: {scene.name}\nsamples: 4\nvary: {{friction_angle_deg: {{uniform: {{from: 38, to: 38.000001}}}}}}\n"
+        head = f"topple_study: 1\nscene: {scene.name}\nsamples: 4\nvary: {{friction_angle_deg: {{uniform: {{low: 38, high: 38.000001}}}}}}\n"
         study.write_text(head, encoding="utf-8")
         status, _, err = run("study", study)
         self.assertEqual(status, 3)

@@ -9,8 +9,9 @@
 #include "scene/anchor.h"
 
 const char *tp_load_name(tp_load_kind kind) {
-  static const char *const names[] = {"weight",   "seismic",   "water",            "uplift", "ice",
-                                      "pressure", "surcharge", "support pressure", "anchor"};
+  static const char *const names[] = {"weight", "seismic",  "water",     "uplift",
+                                      "ice",    "pressure", "surcharge", "support pressure",
+                                      "anchor"};
   return names[kind];
 }
 
