@@ -155,7 +155,7 @@ class Hdf5(StudyCase):
         (self.folder / "folder.h5").mkdir()
         refused("this file is there", "--rows", "mine.h5")
         refused("a file that the study reads", "--rows", "link.h5", "--restart")
-        refused("a file of its own", "--rows", "folder.h5", "--restart")
+        refused("a separate file", "--rows", "folder.h5", "--restart")
         refused("a shard writes CSV", "--rows", "rows.h5", "--shard", "1/2", status=2)
         self.study("study.yaml", "--rows", "rows.h5")
         self.write(STUDY.replace("mean: 30", "mean: 31"))
