@@ -5,7 +5,7 @@
  * every length. The story: points are told as a viewer shows them, which turns the picture; half a
  * picture from a messenger must be no block cut in half. */
 
-#include "runner.h"
+#include "suite.h"
 #include "trace/picture.h"
 
 #include <stdio.h>
@@ -136,12 +136,12 @@ START_TEST(cut_off_anywhere) {
 }
 END_TEST
 
-int main(void) {
+SUITE(picture) {
   Suite *suite = suite_create("picture");
   TCase *cases = tcase_create("picture");
   tcase_set_timeout(cases, 60);
   tcase_add_test(cases, turned_as_exif_says);
   tcase_add_test(cases, cut_off_anywhere);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* The arctangent in degrees against Arb's. */
 
 #include "random_runs.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "number/arctangent.h"
 #include "number/ball.h"
@@ -52,11 +52,11 @@ START_TEST(arctangents) {
 }
 END_TEST
 
-int main(void) {
+SUITE(arctangent) {
   Suite *suite = suite_create("arctangent");
   TCase *tests = tcase_create("arctangent");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, arctangents);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -8,7 +8,7 @@
 #include "number/ball.h"
 #include "number/binary.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <arb.h>
 #include <math.h>
@@ -269,7 +269,7 @@ START_TEST(powers_of_two_are_those_of_the_library) {
 }
 END_TEST
 
-int main(void) {
+SUITE(ball) {
   Suite *suite = suite_create("ball");
   TCase *balls = tcase_create("ball");
   tcase_add_test(balls, angles_enclose);
@@ -281,5 +281,5 @@ int main(void) {
   tcase_add_test(balls, doubles_of_balls_are_those_of_arb);
   tcase_add_test(balls, powers_of_two_are_those_of_the_library);
   suite_add_tcase(suite, balls);
-  return run_suite(suite);
+  return suite;
 }

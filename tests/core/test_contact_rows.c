@@ -12,7 +12,7 @@
 #include "number/ball.h"
 #include "plane/contact_rows.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 /* Where each result stands. */
 enum {
@@ -144,11 +144,11 @@ START_TEST(arithmetics_agree) {
 }
 END_TEST
 
-int main(void) {
+SUITE(contact_rows) {
   Suite *suite = suite_create("contact_rows");
   TCase *rows = tcase_create("rows");
   tcase_add_test(rows, rows_tell_how_points_move);
   tcase_add_test(rows, arithmetics_agree);
   suite_add_tcase(suite, rows);
-  return run_suite(suite);
+  return suite;
 }

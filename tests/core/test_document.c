@@ -6,7 +6,7 @@
 #include "document/html_math.h"
 #include "output/encode.h"
 #include "output/sha256.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,7 +83,7 @@ START_TEST(equations_sign_by_sign) {
 }
 END_TEST
 
-int main(void) {
+SUITE(document) {
   Suite *suite = suite_create("document");
   TCase *tests = tcase_create("document");
   tcase_add_test(tests, hashes_of_the_standard);
@@ -91,5 +91,5 @@ int main(void) {
   tcase_add_test(tests, text_is_no_markup);
   tcase_add_test(tests, equations_sign_by_sign);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

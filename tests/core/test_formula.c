@@ -6,7 +6,7 @@
 
 #include "formula/spelling.h"
 #include "formula_stage.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -172,7 +172,7 @@ START_TEST(names_have_lengths) {
 }
 END_TEST
 
-int main(void) {
+SUITE(formula) {
   Suite *suite = suite_create("formula");
   TCase *formulas = tcase_create("formula");
   tcase_add_test(formulas, operators_group_as_in_algebra);
@@ -181,5 +181,5 @@ int main(void) {
   tcase_add_test(formulas, a_plain_dialect_is_plain);
   tcase_add_test(formulas, names_have_lengths);
   suite_add_tcase(suite, formulas);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,7 +5,7 @@
 
 #include "formula/rational.h"
 #include "formula_stage.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -140,7 +140,7 @@ START_TEST(rational_failures) {
 }
 END_TEST
 
-int main(void) {
+SUITE(formula_refused) {
   Suite *suite = suite_create("formula_refused");
   TCase *tests = tcase_create("formula");
   tcase_add_test(tests, failures_have_places);
@@ -148,5 +148,5 @@ int main(void) {
   tcase_add_test(tests, lent_room);
   tcase_add_test(tests, rational_failures);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

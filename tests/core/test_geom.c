@@ -8,7 +8,7 @@
 #include "geom/geom.h"
 #include "geom_figure.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -232,7 +232,7 @@ START_TEST(test_degenerate_points_are_refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(geom) {
   Suite *suite = suite_create("geom");
   TCase *cases = tcase_create("geom");
   tcase_set_timeout(cases, 120);
@@ -242,5 +242,5 @@ int main(void) {
   tcase_add_loop_test(cases, test_rings_of_one_layer_and_of_two, 0, 2);
   tcase_add_test(cases, test_degenerate_points_are_refused);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

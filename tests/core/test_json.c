@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char folder[] = "/tmp/topple-json-XXXXXX";
+static const char *folder;
 
 START_TEST(values_of_every_kind) {
   tp_json j = {0};
@@ -225,9 +225,8 @@ static void make_locale(void) {
   comma_locale_make(folder);
 }
 
-int main(void) {
-  if (mkdtemp(folder) == NULL) return 1;
-
+SUITE(json) {
+  folder = scratch_folder();
   Suite *suite = suite_create("json");
   TCase *tests = tcase_create("writer");
   tcase_add_unchecked_fixture(tests, make_locale, NULL);
@@ -242,8 +241,5 @@ int main(void) {
   tcase_add_test(tests, many_members);
   tcase_add_test(tests, a_decimal_comma_stays_outside);
   suite_add_tcase(suite, tests);
-  const int failed = run_suite(suite);
-  char command[64];
-  snprintf(command, sizeof command, "rm -r '%s'", folder);
-  return system(command) == 0 ? failed : 1;
+  return suite;
 }

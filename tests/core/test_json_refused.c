@@ -100,11 +100,11 @@ START_TEST(printed_numbers) {
 }
 END_TEST
 
-int main(void) {
+SUITE(json_refused) {
   Suite *suite = suite_create("json_refused");
   TCase *tests = tcase_create("writer");
   tcase_add_test(tests, wrong_calls_are_refused);
   tcase_add_test(tests, printed_numbers);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

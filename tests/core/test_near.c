@@ -8,7 +8,7 @@
 #include "number/ball.h"
 #include "plane/contact_rows.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <flint/fmpq.h>
 #include <math.h>
@@ -168,7 +168,7 @@ START_TEST(what_is_no_number_tells_nothing) {
 }
 END_TEST
 
-int main(void) {
+SUITE(near) {
   Suite *suite = suite_create("near");
   TCase *nears = tcase_create("near");
   tcase_add_test(nears, products_of_triples_stay_within_their_bounds);
@@ -176,5 +176,5 @@ int main(void) {
   tcase_add_test(nears, balls_and_whole_numbers_lie_within);
   tcase_add_test(nears, what_is_no_number_tells_nothing);
   suite_add_tcase(suite, nears);
-  return run_suite(suite);
+  return suite;
 }

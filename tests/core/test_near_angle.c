@@ -4,7 +4,7 @@
 /* Sine, cosine and arctangent in doubles with bounds, against Arb's. */
 
 #include "random_runs.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "number/ball.h"
 #include "number/near_angle.h"
@@ -105,7 +105,7 @@ START_TEST(nothing_beyond) {
 }
 END_TEST
 
-int main(void) {
+SUITE(near_angle) {
   Suite *suite = suite_create("near_angle");
   TCase *tests = tcase_create("near_angle");
   tcase_set_timeout(tests, 0);
@@ -113,5 +113,5 @@ int main(void) {
   tcase_add_test(tests, arctangents);
   tcase_add_test(tests, nothing_beyond);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -8,7 +8,7 @@
 #include "number/ratio.h"
 #include "number/surd.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <gmp.h>
 #include <math.h>
@@ -222,7 +222,7 @@ START_TEST(signs_of_roots) {
 }
 END_TEST
 
-int main(void) {
+SUITE(number) {
   Suite *suite = suite_create("number");
   TCase *numbers = tcase_create("number");
   tcase_add_test(numbers, decimals_are_exact);
@@ -232,5 +232,5 @@ int main(void) {
   tcase_add_test(numbers, ladder);
   tcase_add_test(numbers, signs_of_roots);
   suite_add_tcase(suite, numbers);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
 
 #include "output/encode.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -132,7 +132,7 @@ START_TEST(bounds_of_what_is_reckoned_for_print) {
 }
 END_TEST
 
-int main(void) {
+SUITE(output) {
   Suite *suite = suite_create("output");
   TCase *tests = tcase_create("text");
   tcase_add_test(tests, a_text_grows);
@@ -142,5 +142,5 @@ int main(void) {
   tcase_add_test(tests, printed_digits_are_certain);
   tcase_add_test(tests, bounds_of_what_is_reckoned_for_print);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,7 +5,7 @@
  * Scientific Library would answer by ending the process: here its handler fails the test. */
 
 #include "number/root.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -139,7 +139,7 @@ START_TEST(what_gsl_refuses_never_reaches_it) {
 }
 END_TEST
 
-int main(void) {
+SUITE(root) {
   gsl_set_error_handler(refuse);
   Suite *suite = suite_create("root");
   TCase *tests = tcase_create("root");
@@ -148,5 +148,5 @@ int main(void) {
   tcase_add_test(tests, searches_end_where_enough_is_known);
   tcase_add_test(tests, what_gsl_refuses_never_reaches_it);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* Every status has a meaning and an exit status of its own list, and a number that is none says so.
  */
 
-#include "runner.h"
+#include "suite.h"
 #include "topple.h"
 
 #include <errno.h>
@@ -119,7 +119,7 @@ START_TEST(the_kind_of_wrong_input) {
 }
 END_TEST
 
-int main(void) {
+SUITE(status) {
   Suite *suite = suite_create("status");
   TCase *statuses = tcase_create("status");
   tcase_add_test(statuses, every_status_is_told);
@@ -128,5 +128,5 @@ int main(void) {
   tcase_add_test(statuses, the_place_of_a_complaint);
   tcase_add_test(statuses, the_kind_of_wrong_input);
   suite_add_tcase(suite, statuses);
-  return run_suite(suite);
+  return suite;
 }

@@ -9,7 +9,7 @@
 #include "block/check_ring.h"
 #include "geom/geom.h"
 #include "grid_contact.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdlib.h>
 
@@ -234,7 +234,7 @@ START_TEST(rock_under_a_profile_is_simple_where_the_sweep_says_so) {
 }
 END_TEST
 
-int main(void) {
+SUITE(base) {
   Suite *suite = suite_create("base");
   TCase *cases = tcase_create("base");
   tcase_set_timeout(cases, 300);
@@ -242,5 +242,5 @@ int main(void) {
   tcase_add_test(cases, mated_contact_is_found_by_the_search_too);
   tcase_add_test(cases, rock_under_a_profile_is_simple_where_the_sweep_says_so);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
 
 #include "block/ring_sums.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -216,7 +216,7 @@ START_TEST(test_a_far_off_square_is_certain) {
 }
 END_TEST
 
-int main(void) {
+SUITE(fast_sums) {
   Suite *suite = suite_create("fast sums");
   TCase *cases = tcase_create("fast sums");
   tcase_set_timeout(cases, 120);
@@ -227,5 +227,5 @@ int main(void) {
   tcase_add_test(cases, test_blocks_of_pairs_keep_their_bound);
   tcase_add_test(cases, test_a_far_off_square_is_certain);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

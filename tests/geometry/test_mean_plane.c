@@ -9,7 +9,7 @@
 #include "base/mean_plane.h"
 #include "exact_vectors.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 enum { ROUNDS = 3000, MOST = 9 };
 
@@ -124,11 +124,11 @@ START_TEST(no_line_is_nearer_to_the_chain) {
 }
 END_TEST
 
-int main(void) {
+SUITE(mean_plane) {
   Suite *suite = suite_create("mean_plane");
   TCase *cases = tcase_create("mean_plane");
   tcase_set_timeout(cases, 60);
   tcase_add_test(cases, no_line_is_nearer_to_the_chain);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -7,7 +7,7 @@
 
 #include "base/overlap.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -116,11 +116,11 @@ START_TEST(meetings_tell_of_an_overlap) {
 }
 END_TEST
 
-int main(void) {
+SUITE(overlap) {
   Suite *suite = suite_create("overlap");
   TCase *cases = tcase_create("overlap");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, meetings_tell_of_an_overlap);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
 
 #include "base/profile.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -184,12 +184,12 @@ START_TEST(profiles_that_are_none_are_refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(profile) {
   Suite *suite = suite_create("profile");
   TCase *cases = tcase_create("profile");
   tcase_set_timeout(cases, 60);
   tcase_add_test(cases, teeth_go_on_past_the_block);
   tcase_add_test(cases, profiles_that_are_none_are_refused);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -117,7 +117,7 @@ START_TEST(reports) {
 }
 END_TEST
 
-int main(void) {
+SUITE(profile_arguments) {
   Suite *suite = suite_create("arguments of profiles");
   TCase *tests = tcase_create("arguments of profiles");
   tcase_add_test(tests, profiles);
@@ -125,5 +125,5 @@ int main(void) {
   tcase_add_test(tests, names);
   tcase_add_test(tests, reports);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

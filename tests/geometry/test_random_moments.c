@@ -7,7 +7,7 @@
 
 #include "block/moments.h"
 #include "random_sums.h"
-#include "runner.h"
+#include "suite.h"
 
 enum { POLYGONS_A_SCENE = 32 };
 
@@ -197,11 +197,11 @@ START_TEST(test_moments_of_random_polygons) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_moments) {
   Suite *suite = suite_create("random moments");
   TCase *cases = tcase_create("random moments");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_moments_of_random_polygons);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

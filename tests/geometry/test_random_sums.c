@@ -6,7 +6,7 @@
 
 #include "block/ring_sums.h"
 #include "random_sums.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 
@@ -246,11 +246,11 @@ START_TEST(test_sums_of_random_polygons) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_sums) {
   Suite *suite = suite_create("random sums");
   TCase *cases = tcase_create("random sums");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_sums_of_random_polygons);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
  * and what GSL would answer by ending the process: here its handler fails the test. */
 
 #include "number/series.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -89,7 +89,7 @@ START_TEST(deviations) {
 }
 END_TEST
 
-int main(void) {
+SUITE(series) {
   gsl_set_error_handler(refuse);
   Suite *suite = suite_create("series");
   TCase *tests = tcase_create("series");
@@ -100,5 +100,5 @@ int main(void) {
   tcase_add_test(tests, lines);
   tcase_add_test(tests, deviations);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -8,7 +8,7 @@
 #include "geom/geom.h"
 #include "plane/lattice.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -283,7 +283,7 @@ START_TEST(test_lattice_rounds_as_it_says) {
 }
 END_TEST
 
-int main(void) {
+SUITE(sums) {
   Suite *suite = suite_create("sums");
   TCase *cases = tcase_create("sums");
   tcase_set_timeout(cases, 60);
@@ -293,5 +293,5 @@ int main(void) {
   tcase_add_loop_test(cases, test_sums_by_hand, 0, 2);
   tcase_add_loop_test(cases, test_lattice_rounds_as_it_says, 0, SCENES);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -240,7 +240,7 @@ START_TEST(changes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(base_arguments) {
   Suite *suite = suite_create("base_arguments");
   TCase *tests = tcase_create("bases");
   tcase_add_checked_fixture(tests, set_up, tear_down);
@@ -253,5 +253,5 @@ int main(void) {
   tcase_add_test(tests, self_affine);
   tcase_add_test(tests, changes);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

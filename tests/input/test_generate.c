@@ -10,7 +10,7 @@
 #include "generate/ticks.h"
 #include "generate/waves.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>
@@ -128,7 +128,7 @@ START_TEST(decimals) {
 }
 END_TEST
 
-int main(void) {
+SUITE(generate) {
   Suite *suite = suite_create("generate");
   TCase *cases = tcase_create("generate");
   tcase_set_timeout(cases, 60);
@@ -138,5 +138,5 @@ int main(void) {
   tcase_add_test(cases, coordinates);
   tcase_add_test(cases, decimals);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

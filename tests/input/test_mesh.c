@@ -7,7 +7,7 @@
 
 #include "format/mesh_cut.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <arb.h>
 #include <math.h>
@@ -288,7 +288,7 @@ START_TEST(azimuth) {
 }
 END_TEST
 
-int main(void) {
+SUITE(mesh) {
   state = random_numbers_from(20);
   Suite *suite = suite_create("mesh");
   TCase *cases = tcase_create("mesh");
@@ -298,5 +298,5 @@ int main(void) {
   tcase_add_test(cases, sides_a_hair_apart);
   tcase_add_test(cases, azimuth);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

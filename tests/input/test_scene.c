@@ -4,10 +4,10 @@
 /* Scenes: exact expressions, CSV in its dialects, suggestions for misspelt keys. What must be
  * refused is tested from outside, by tests/bad; here stands what must be understood, and how. */
 
-#include "runner.h"
 #include "scene/expression.h"
 #include "scene/node.h"
 #include "scene_reading/csv.h"
+#include "suite.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -217,7 +217,7 @@ START_TEST(scenes_from_text) {
 }
 END_TEST
 
-int main(void) {
+SUITE(scene) {
   Suite *suite = suite_create("scene");
   TCase *scenes = tcase_create("scene");
   tcase_add_test(scenes, expressions_are_exact);
@@ -229,5 +229,5 @@ int main(void) {
   tcase_add_test(scenes, polyline_orientation);
   tcase_add_test(scenes, scenes_from_text);
   suite_add_tcase(suite, scenes);
-  return run_suite(suite);
+  return suite;
 }

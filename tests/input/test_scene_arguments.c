@@ -300,7 +300,7 @@ START_TEST(whole_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(scene_arguments) {
   Suite *suite = suite_create("scene_arguments");
   TCase *tests = tcase_create("scenes");
   tcase_add_checked_fixture(tests, set_up, tear_down);
@@ -311,5 +311,5 @@ int main(void) {
   tcase_add_test(tests, outlines_at_once);
   tcase_add_test(tests, whole_scenes);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

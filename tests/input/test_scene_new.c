@@ -281,7 +281,7 @@ START_TEST(slope) {
 }
 END_TEST
 
-int main(void) {
+SUITE(scene_new) {
   Suite *suite = suite_create("scene_new");
   TCase *tests = tcase_create("scenes");
   tcase_set_timeout(tests, 0);
@@ -296,5 +296,5 @@ int main(void) {
   tcase_add_test(tests, frames);
   tcase_add_test(tests, slope);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

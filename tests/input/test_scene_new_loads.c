@@ -97,7 +97,7 @@ START_TEST(sweeps) {
 }
 END_TEST
 
-int main(void) {
+SUITE(scene_new_loads) {
   Suite *suite = suite_create("scene_new_loads");
   TCase *tests = tcase_create("scenes");
   tcase_set_timeout(tests, 0);
@@ -105,5 +105,5 @@ int main(void) {
   tcase_add_test(tests, friction);
   tcase_add_test(tests, sweeps);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

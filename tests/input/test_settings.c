@@ -192,7 +192,7 @@ START_TEST(refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(settings) {
   Suite *suite = suite_create("settings");
   TCase *tests = tcase_create("settings");
   tcase_set_timeout(tests, 0);
@@ -202,5 +202,5 @@ int main(void) {
   tcase_add_test(tests, units);
   tcase_add_test(tests, refused);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

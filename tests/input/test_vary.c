@@ -271,7 +271,7 @@ START_TEST(made_anew) {
 }
 END_TEST
 
-int main(void) {
+SUITE(vary) {
   Suite *suite = suite_create("vary");
   TCase *tests = tcase_create("scenes");
   tcase_set_timeout(tests, 0);
@@ -284,5 +284,5 @@ int main(void) {
   tcase_add_test(tests, refused);
   tcase_add_test(tests, made_anew);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -116,12 +116,12 @@ START_TEST(sweeps) {
 }
 END_TEST
 
-int main(void) {
+SUITE(vary_arguments) {
   Suite *suite = suite_create("vary_arguments");
   TCase *tests = tcase_create("vary_arguments");
   tcase_add_test(tests, numbers_by_keys);
   tcase_add_test(tests, sweeps);
   tcase_add_test(tests, load_cases);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -160,7 +160,7 @@ START_TEST(threads) {
 }
 END_TEST
 
-int main(void) {
+SUITE(vary_found) {
   Suite *suite = suite_create("vary_found");
   TCase *tests = tcase_create("scenes");
   tcase_set_timeout(tests, 0);
@@ -168,5 +168,5 @@ int main(void) {
   tcase_add_test(tests, derived);
   tcase_add_test(tests, threads);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -140,12 +140,12 @@ START_TEST(whole_table) {
 }
 END_TEST
 
-int main(void) {
+SUITE(vary_keys) {
   Suite *suite = suite_create("vary_keys");
   TCase *tests = tcase_create("keys");
   tcase_set_timeout(tests, 0);
   tcase_add_loop_test(tests, every_key, 0, ALL_ROWS);
   tcase_add_test(tests, whole_table);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

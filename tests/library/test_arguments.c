@@ -258,7 +258,7 @@ START_TEST(long_texts) {
 }
 END_TEST
 
-int main(void) {
+SUITE(arguments) {
   Suite *suite = suite_create("arguments");
   TCase *tests = tcase_create("arguments");
   tcase_set_timeout(tests, 600);
@@ -271,5 +271,5 @@ int main(void) {
   tcase_add_test(tests, long_paths);
   tcase_add_test(tests, long_texts);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -14,9 +14,8 @@
 #define _GNU_SOURCE
 #include "comma_locale.h"
 #include "host_settings.h"
-#include "rounds.h"
-#include "runner.h"
 #include "sayings.h"
+#include "suite.h"
 
 #include "common/host.h"
 #include "topple.h"
@@ -37,7 +36,7 @@
 
 #define EXAMPLE(name) TP_EXAMPLES "/" name
 
-static char folder[] = "/tmp/topple-host-XXXXXX";
+static const char *folder;
 
 static void make_locale(void) {
   comma_locale_make(folder);
@@ -176,9 +175,8 @@ START_TEST(threads_of_different_settings) {
 }
 END_TEST
 
-int main(void) {
-  if (mkdtemp(folder) == NULL) return 1;
-
+SUITE(host) {
+  folder = scratch_folder();
   Suite *suite = suite_create("host");
   TCase *tests = tcase_create("settings");
   tcase_set_timeout(tests, 600);
@@ -188,8 +186,5 @@ int main(void) {
   tcase_add_test(tests, threads_round_as_the_entry);
   tcase_add_test(tests, threads_of_different_settings);
   suite_add_tcase(suite, tests);
-  const int failed = run_suite(suite);
-  char command[64];
-  snprintf(command, sizeof command, "rm -r '%s'", folder);
-  return system(command) == 0 ? failed : 1;
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* Arguments that no call can do anything with, of calls that have no status to say so (those of all
  * others are in tests/library/test_arguments.c): they answer something, and write nowhere. */
 
-#include "runner.h"
+#include "suite.h"
 
 #include "topple.h"
 
@@ -61,11 +61,11 @@ START_TEST(no_options) {
 }
 END_TEST
 
-int main(void) {
+SUITE(plain_arguments) {
   Suite *suite = suite_create("plain_arguments");
   TCase *tests = tcase_create("arguments");
   tcase_add_test(tests, names);
   tcase_add_test(tests, no_options);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -13,9 +13,8 @@
 
 #define _GNU_SOURCE
 #include "crowd.h"
-#include "rounds.h"
-#include "runner.h"
 #include "sayings.h"
+#include "suite.h"
 #include "threads_stage.h"
 
 #include <stdio.h>
@@ -28,7 +27,7 @@
 
 enum { FOLDER = 64 };
 
-static char folder[] = "/tmp/topple-threads-XXXXXX";
+static const char *folder;
 
 /* Files of a thread lie in a folder of its own. */
 static const char *make_folder(char own[FOLDER], int number) {
@@ -72,7 +71,7 @@ START_TEST(different_scenes) {
     all_sayings[k].say(&alone);
     for (int turn = 0; turn < turns(); turn++) {
       ck_assert_ptr_nonnull(said[turn][k]);
-      expect_same(&alone, said[turn][k], all_sayings[k].name);
+      expect_same_sayings(&alone, said[turn][k], all_sayings[k].name);
       sayings_forget(said[turn][k]);
       free(said[turn][k]);
     }
@@ -134,7 +133,7 @@ START_TEST(one_scene) {
   if (path == NULL) scene = build_square(33.3);
   if (path != NULL) (void)!tp_scene_read(&scene, path, &message);
   ck_assert_msg(scene != NULL, "%s", message.text);
-  tp_solution *solution = solve(scene);
+  tp_solution *solution = solve_in_thread(scene);
   ck_assert_ptr_nonnull(solution);
   shared_scene = scene;
   shared_solution = solution;
@@ -144,7 +143,7 @@ START_TEST(one_scene) {
   ck_assert_uint_gt(alone.count, 25);
   for (int k = 0; k < THREADS; k++) {
     ck_assert_ptr_nonnull(of_thread[k]);
-    expect_same(&alone, of_thread[k], path != NULL ? path : "a scene in memory");
+    expect_same_sayings(&alone, of_thread[k], path != NULL ? path : "a scene in memory");
     sayings_forget(of_thread[k]);
     free(of_thread[k]);
   }
@@ -154,16 +153,13 @@ START_TEST(one_scene) {
 }
 END_TEST
 
-int main(void) {
-  if (mkdtemp(folder) == NULL) return 1;
+SUITE(threads) {
+  folder = scratch_folder();
   Suite *suite = suite_create("threads");
   TCase *tests = tcase_create("threads");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, different_scenes);
   tcase_add_loop_test(tests, one_scene, 0, (int)rounds(3, SHARED_SCENES));
   suite_add_tcase(suite, tests);
-  const int failed = run_suite(suite);
-  char command[64];
-  snprintf(command, sizeof command, "rm -r '%s'", folder);
-  return system(command) == 0 ? failed : 1;
+  return suite;
 }

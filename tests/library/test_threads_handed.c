@@ -7,8 +7,8 @@
  * one thread does it alone (test_threads.c tells more). */
 
 #include "crowd.h"
-#include "runner.h"
 #include "sayings.h"
+#include "suite.h"
 #include "threads_stage.h"
 
 #include <stdlib.h>
@@ -68,7 +68,7 @@ START_TEST(threads_within_a_call) {
   say_solved(&alone, scene, false, 6, false);
   for (int k = 0; k < SOLVES; k++) {
     ck_assert_ptr_nonnull(of_thread[k]);
-    expect_same(&alone, of_thread[k], "a long roof");
+    expect_same_sayings(&alone, of_thread[k], "a long roof");
     sayings_forget(of_thread[k]);
     free(of_thread[k]);
   }
@@ -98,7 +98,7 @@ static void hand_on(crowd *among, int number) {
             freed = (number + 3) % THREADS;
   handed_scene[number] = build_square(friction_of(number));
   crowd_wait(among);
-  handed_solution[solved] = solve(handed_scene[solved]);
+  handed_solution[solved] = solve_in_thread(handed_scene[solved]);
   crowd_wait(among);
   sayings *s = calloc(1, sizeof *s);
   if (s != NULL && handed_solution[reported] != NULL) say_reports(s, handed_solution[reported]);
@@ -114,11 +114,11 @@ START_TEST(handed_on) {
     for (int k = 0; k < THREADS; k++) {
       sayings alone = {0};
       tp_scene *scene = build_square(friction_of(k));
-      tp_solution *solution = solve(scene);
+      tp_solution *solution = solve_in_thread(scene);
       ck_assert_ptr_nonnull(solution);
       say_reports(&alone, solution);
       ck_assert_ptr_nonnull(of_thread[k]);
-      expect_same(&alone, of_thread[k], "handed on");
+      expect_same_sayings(&alone, of_thread[k], "handed on");
       sayings_forget(of_thread[k]);
       free(of_thread[k]);
       sayings_forget(&alone);
@@ -133,7 +133,7 @@ END_TEST
 static void make_and_end(crowd *among, int number) {
   (void)among;
   handed_scene[number] = build_square(friction_of(number));
-  handed_solution[number] = solve(handed_scene[number]);
+  handed_solution[number] = solve_in_thread(handed_scene[number]);
 }
 
 static void free_of_others(crowd *among, int number) {
@@ -146,11 +146,11 @@ START_TEST(outlives_its_thread) {
   run_together(make_and_end);
   for (int k = 0; k < THREADS; k++) {
     sayings of_the_dead = {0}, alone = {0};
-    tp_solution *solution = solve(handed_scene[k]);
+    tp_solution *solution = solve_in_thread(handed_scene[k]);
     ck_assert(solution != NULL && handed_solution[k] != NULL);
     say_reports(&alone, solution);
     say_reports(&of_the_dead, handed_solution[k]);
-    expect_same(&alone, &of_the_dead, "of a thread that has ended");
+    expect_same_sayings(&alone, &of_the_dead, "of a thread that has ended");
     sayings_forget(&of_the_dead);
     sayings_forget(&alone);
     tp_solution_free(solution);
@@ -159,7 +159,7 @@ START_TEST(outlives_its_thread) {
 }
 END_TEST
 
-int main(void) {
+SUITE(threads_handed) {
   Suite *suite = suite_create("threads_handed");
   TCase *tests = tcase_create("threads");
   tcase_set_timeout(tests, 0);
@@ -167,5 +167,5 @@ int main(void) {
   tcase_add_test(tests, handed_on);
   tcase_add_test(tests, outlives_its_thread);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -162,7 +162,7 @@ START_TEST(maps) {
 }
 END_TEST
 
-int main(void) {
+SUITE(chart_arguments) {
   Suite *suite = suite_create("arguments of charts");
   TCase *tests = tcase_create("arguments of charts");
   tcase_set_timeout(tests, 600);
@@ -171,5 +171,5 @@ int main(void) {
   tcase_add_test(tests, lists_of_a_chart);
   tcase_add_test(tests, maps);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -198,7 +198,7 @@ START_TEST(refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(sweep) {
   Suite *suite = suite_create("sweep");
   TCase *tests = tcase_create("sweep");
   tcase_set_timeout(tests, 0);
@@ -209,5 +209,5 @@ int main(void) {
   tcase_add_test(tests, threads);
   tcase_add_test(tests, refused);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

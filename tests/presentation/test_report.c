@@ -6,7 +6,7 @@
  * in test_report_json.c. */
 
 #include "report_stage.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "topple.h"
 
@@ -167,7 +167,7 @@ START_TEST(what_was_found) {
 }
 END_TEST
 
-int main(void) {
+SUITE(report) {
   Suite *suite = suite_create("report");
   TCase *cases = tcase_create("report");
   tcase_add_test(cases, windows);
@@ -178,5 +178,5 @@ int main(void) {
   tcase_add_test(cases, notes);
   tcase_add_test(cases, what_was_found);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

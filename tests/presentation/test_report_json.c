@@ -5,7 +5,7 @@
  * are listed, and titles from outside, on the page and in tables too. */
 
 #include "report_stage.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,12 +74,12 @@ START_TEST(titles_from_outside) {
 }
 END_TEST
 
-int main(void) {
+SUITE(report_json) {
   Suite *suite = suite_create("report_json");
   TCase *tests = tcase_create("json");
   tcase_add_test(tests, json_of_what_is_no_number);
   tcase_add_test(tests, json_of_pivots);
   tcase_add_test(tests, titles_from_outside);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

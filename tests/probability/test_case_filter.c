@@ -5,7 +5,7 @@
  * numbers whose bounds meet. The solve shares none of it. */
 
 #include "random_runs.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "case_filter/case_filter.h"
 #include "evaluation/case_numbers.h"
@@ -269,7 +269,7 @@ START_TEST(other_scenes_have_no_filter) {
 }
 END_TEST
 
-int main(void) {
+SUITE(case_filter) {
   Suite *suite = suite_create("case_filter");
   TCase *tests = tcase_create("case_filter");
   tcase_set_timeout(tests, 0);
@@ -279,5 +279,5 @@ int main(void) {
   tcase_add_test(tests, a_contact_that_may_change_is_not_told);
   tcase_add_test(tests, other_scenes_have_no_filter);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,8 +6,8 @@
  * words. */
 
 #include "draws_stage.h"
-#include "runner.h"
 #include "sampling/copula.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -106,7 +106,7 @@ START_TEST(no_correlation) {
 }
 END_TEST
 
-int main(void) {
+SUITE(copula) {
   TCase *tests = tcase_create("copula");
   tcase_set_timeout(tests, 120);
   tcase_add_test(tests, correlated);
@@ -114,5 +114,5 @@ int main(void) {
   tcase_add_test(tests, no_correlation);
   Suite *suite = suite_create("copula");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

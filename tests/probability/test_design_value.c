@@ -6,11 +6,11 @@
  * method and by counts of the same samples; how steep a slope may be, where the probability rises.
  */
 
-#include "runner.h"
 #include "sampling/draws.h"
 #include "statistics/design_value.h"
 #include "statistics/form.h"
 #include "statistics/proportion.h"
+#include "suite.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -137,12 +137,12 @@ START_TEST(refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(design_value) {
   TCase *tests = tcase_create("design value");
   tcase_add_test(tests, by_the_first_order_method);
   tcase_add_test(tests, by_counting);
   tcase_add_test(tests, refused);
   Suite *suite = suite_create("design_value");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,8 +5,8 @@
  * and from 1e-12 to 1 - 1e-12 and back; truncated ones, also far out in a tail; what is no
  * distribution is refused in words. GSL's handler, which would end the process, fails the test. */
 
-#include "runner.h"
 #include "sampling/distribution.h"
+#include "suite.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -275,7 +275,7 @@ START_TEST(none_is_refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(distribution) {
   gsl_set_error_handler(refuse);
   TCase *tests = tcase_create("distribution");
   tcase_set_timeout(tests, 120);
@@ -288,5 +288,5 @@ int main(void) {
   tcase_add_test(tests, none_is_refused);
   Suite *suite = suite_create("distribution");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

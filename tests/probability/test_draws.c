@@ -6,8 +6,8 @@
  * no plan refused in words. */
 
 #include "draws_stage.h"
-#include "runner.h"
 #include "sampling/distribution.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -172,7 +172,7 @@ START_TEST(no_plan) {
 }
 END_TEST
 
-int main(void) {
+SUITE(draws) {
   TCase *tests = tcase_create("draws");
   tcase_set_timeout(tests, 120);
   tcase_add_test(tests, wherever_one_begins);
@@ -182,5 +182,5 @@ int main(void) {
   tcase_add_test(tests, no_plan);
   Suite *suite = suite_create("draws");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

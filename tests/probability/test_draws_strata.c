@@ -6,9 +6,9 @@
  * strata. */
 
 #include "draws_stage.h"
-#include "runner.h"
 #include "sampling/permutation.h"
 #include "sampling/sobol_points.h"
+#include "suite.h"
 
 #include <gsl/gsl_qrng.h>
 #include <inttypes.h>
@@ -127,7 +127,7 @@ START_TEST(shifted_points) {
 }
 END_TEST
 
-int main(void) {
+SUITE(draws_strata) {
   TCase *tests = tcase_create("draws_strata");
   tcase_set_timeout(tests, 120);
   tcase_add_test(tests, every_stratum_once);
@@ -136,5 +136,5 @@ int main(void) {
   tcase_add_test(tests, shifted_points);
   Suite *suite = suite_create("draws_strata");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -7,7 +7,7 @@
  * design point. */
 
 #include "limit_states.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 
@@ -156,7 +156,7 @@ START_TEST(no_design_point) {
 }
 END_TEST
 
-int main(void) {
+SUITE(reliability) {
   refuse_gsl();
   TCase *tests = tcase_create("reliability");
   tcase_set_timeout(tests, 120);
@@ -167,5 +167,5 @@ int main(void) {
   tcase_add_test(tests, no_design_point);
   Suite *suite = suite_create("reliability");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

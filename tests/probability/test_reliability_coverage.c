@@ -8,11 +8,10 @@
  * from 180 to 200 do but once in 2000; of 40 those from 33 on but once in 2000. */
 
 #include "limit_states.h"
-#include "rounds.h"
-#include "runner.h"
 #include "statistics/design_points.h"
 #include "statistics/importance_sampling.h"
 #include "statistics/subset_simulation.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -210,7 +209,7 @@ START_TEST(subset_simulation) {
 }
 END_TEST
 
-int main(void) {
+SUITE(reliability_coverage) {
   refuse_gsl();
   TCase *tests = tcase_create("reliability_coverage");
   tcase_set_timeout(tests, 900);
@@ -218,5 +217,5 @@ int main(void) {
   tcase_add_test(tests, subset_simulation);
   Suite *suite = suite_create("reliability_coverage");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

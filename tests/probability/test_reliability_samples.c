@@ -7,9 +7,9 @@
  * every method of reliability ends with what the limit state says. */
 
 #include "limit_states.h"
-#include "runner.h"
 #include "statistics/importance_sampling.h"
 #include "statistics/subset_simulation.h"
+#include "suite.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -177,7 +177,7 @@ START_TEST(refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(reliability_samples) {
   refuse_gsl();
   TCase *tests = tcase_create("reliability_samples");
   tcase_set_timeout(tests, 120);
@@ -187,5 +187,5 @@ int main(void) {
   tcase_add_test(tests, refused);
   Suite *suite = suite_create("reliability_samples");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

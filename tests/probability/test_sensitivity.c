@@ -6,10 +6,10 @@
  * intervals say and at these seeds all do, and the intervals are narrow. And what Sobol' points and
  * strata are for: means of such functions come out closer, with intervals that hold. */
 
-#include "runner.h"
 #include "sampling/draws.h"
 #include "statistics/proportion.h"
 #include "statistics/sobol_indices.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -159,7 +159,7 @@ START_TEST(refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(sensitivity) {
   TCase *tests = tcase_create("sensitivity");
   tcase_set_timeout(tests, 120);
   tcase_add_test(tests, of_ishigami);
@@ -168,5 +168,5 @@ int main(void) {
   tcase_add_test(tests, refused);
   Suite *suite = suite_create("sensitivity");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,12 +5,12 @@
  * tables, intervals of quantiles by binomial probabilities of GSL, running estimates against those
  * of all samples at once, rank correlations against sums over ranks. */
 
-#include "runner.h"
 #include "statistics/convergence.h"
 #include "statistics/proportion.h"
 #include "statistics/quantiles.h"
 #include "statistics/rank_correlation.h"
 #include "statistics/score.h"
+#include "suite.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -191,7 +191,7 @@ START_TEST(rank_correlations) {
 }
 END_TEST
 
-int main(void) {
+SUITE(statistics) {
   TCase *tests = tcase_create("statistics");
   tcase_add_test(tests, wilson_as_published);
   tcase_add_test(tests, wilson_as_defined);
@@ -202,5 +202,5 @@ int main(void) {
   tcase_add_test(tests, rank_correlations);
   Suite *suite = suite_create("statistics");
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

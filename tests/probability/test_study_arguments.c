@@ -120,7 +120,7 @@ START_TEST(reports) {
 }
 END_TEST
 
-int main(void) {
+SUITE(study_arguments) {
   Suite *suite = suite_create("arguments of studies");
   TCase *tests = tcase_create("arguments of studies");
   tcase_add_test(tests, read);
@@ -129,5 +129,5 @@ int main(void) {
   tcase_add_test(tests, merge);
   tcase_add_test(tests, reports);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,8 +5,8 @@
  * blocks against the static limit and the onset of motion that the solve proves, which are one
  * number for them; that what stands does not creep; what is refused. */
 
-#include "runner.h"
 #include "springs_stage.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -229,7 +229,7 @@ START_TEST(stable_step_is_that_of_the_springs_of_a_slab) {
 }
 END_TEST
 
-int main(void) {
+SUITE(contact_springs) {
   Suite *suite = suite_create("contact_springs");
   TCase *tests = tcase_create("letting_go");
   tcase_set_timeout(tests, 120);
@@ -241,5 +241,5 @@ int main(void) {
   tcase_add_test(tests, settings_out_of_range_are_refused);
   tcase_add_test(tests, stable_step_is_that_of_the_springs_of_a_slab);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,8 +5,8 @@
  * pulse that overturns it, a disc that rolls, against their equations of motion; the account of
  * energy. */
 
-#include "runner.h"
 #include "springs_stage.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -217,7 +217,7 @@ START_TEST(energy_is_accounted_for) {
 }
 END_TEST
 
-int main(void) {
+SUITE(contact_springs_motion) {
   Suite *suite = suite_create("contact_springs_motion");
   TCase *tests = tcase_create("motion");
   tcase_add_test(tests, slab_slides_as_on_a_plane);
@@ -227,5 +227,5 @@ int main(void) {
   tcase_add_test(tests, disc_rolls);
   tcase_add_test(tests, energy_is_accounted_for);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,8 +6,8 @@
  * by another method that shares no code with them, the quasi-static path (docs/tilt_path.md). */
 
 #include "quasi_static/path.h"
-#include "runner.h"
 #include "springs_stage.h"
+#include "suite.h"
 
 #include <math.h>
 
@@ -116,12 +116,12 @@ START_TEST(what_gives_by_millimetres_stands) {
 }
 END_TEST
 
-int main(void) {
+SUITE(contact_springs_rough) {
   Suite *suite = suite_create("contact_springs_rough");
   TCase *tests = tcase_create("rough");
   tcase_set_timeout(tests, 300);
   tcase_add_test(tests, what_springs_give_bounds_how_far_they_are_off);
   tcase_add_test(tests, what_gives_by_millimetres_stands);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

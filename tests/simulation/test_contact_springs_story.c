@@ -4,8 +4,8 @@
 /* Contacts on springs that run along a profile and past its end, and the story of block E as its
  * table is tilted. */
 
-#include "runner.h"
 #include "springs_stage.h"
+#include "suite.h"
 
 #include <math.h>
 
@@ -111,7 +111,7 @@ START_TEST(ramp_tells_the_story_of_block_e) {
 }
 END_TEST
 
-int main(void) {
+SUITE(contact_springs_story) {
   Suite *suite = suite_create("contact_springs_story");
   TCase *tests = tcase_create("story");
   tcase_set_timeout(tests, 120);
@@ -119,5 +119,5 @@ int main(void) {
   tcase_add_test(tests, slab_runs_past_the_end_and_leaves);
   tcase_add_test(tests, ramp_tells_the_story_of_block_e);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

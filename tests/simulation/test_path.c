@@ -6,7 +6,7 @@
 
 #include "body_stage.h"
 #include "quasi_static/path.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <float.h>
 #include <glob.h>
@@ -274,7 +274,7 @@ START_TEST(bad_settings_are_refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(path) {
   degree = acos(-1) / 180;
   Suite *suite = suite_create("path");
   TCase *cases = tcase_create("path");
@@ -286,5 +286,5 @@ int main(void) {
   tcase_add_test(cases, locked_stress_holds_a_block_that_falls_without_it);
   tcase_add_test(cases, bad_settings_are_refused);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

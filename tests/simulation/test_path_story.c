@@ -7,7 +7,7 @@
 
 #include "body_stage.h"
 #include "quasi_static/path.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -244,7 +244,7 @@ START_TEST(block_f_slips_on_the_right_first) {
 }
 END_TEST
 
-int main(void) {
+SUITE(path_story) {
   degree = acos(-1) / 180;
   Suite *suite = suite_create("path story");
   TCase *cases = tcase_create("path story");
@@ -252,5 +252,5 @@ int main(void) {
   tcase_add_test(cases, block_e_is_left_to_two_facets_and_slips_on_the_middle_one);
   tcase_add_test(cases, block_f_slips_on_the_right_first);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

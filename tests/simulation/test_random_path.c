@@ -9,7 +9,7 @@
 #include "quasi_static/path.h"
 #include "random_runs.h"
 #include "random_scenes.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -160,11 +160,11 @@ START_TEST(paths_collapse_where_motions_can_begin) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_path) {
   Suite *suite = suite_create("random path");
   TCase *cases = tcase_create("random path");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, paths_collapse_where_motions_can_begin);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -7,7 +7,7 @@
 #include "body_stage.h"
 #include "rigid_body/drive.h"
 #include "rigid_body/history.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -385,7 +385,7 @@ START_TEST(what_is_not_simulated_is_refused_in_its_place) {
 }
 END_TEST
 
-int main(void) {
+SUITE(rigid_body) {
   Suite *suite = suite_create("rigid_body");
   TCase *tests = tcase_create("body");
   tcase_add_test(tests, slab_is_what_closed_forms_say);
@@ -401,5 +401,5 @@ int main(void) {
   tcase_add_test(tests, history_keeps_what_is_appended);
   tcase_add_test(tests, what_is_not_simulated_is_refused_in_its_place);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

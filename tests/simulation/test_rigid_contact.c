@@ -6,7 +6,7 @@
 
 #include "rigid_contact/extrapolation.h"
 #include "rocking.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -297,7 +297,7 @@ START_TEST(bounces_without_end_are_passed_at_their_time) {
 }
 END_TEST
 
-int main(void) {
+SUITE(rigid_contact) {
   Suite *suite = suite_create("rigid contact");
   TCase *tests = tcase_create("closed forms");
   tcase_set_timeout(tests, 300);
@@ -311,5 +311,5 @@ int main(void) {
   tcase_add_test(tests, disc_rolls_and_slips_down_a_slope);
   tcase_add_test(tests, bounces_without_end_are_passed_at_their_time);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

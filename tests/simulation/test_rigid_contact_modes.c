@@ -10,7 +10,7 @@
 #include "rigid_contact/impact.h"
 #include "rigid_contact/rest.h"
 #include "rigid_contact/rigid_contact.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -326,7 +326,7 @@ START_TEST(no_impact_gains_energy_or_presses_bodies_into_each_other) {
 }
 END_TEST
 
-int main(void) {
+SUITE(rigid_contact_modes) {
   Suite *suite = suite_create("modes of rigid contact");
   TCase *tests = tcase_create("modes");
   tcase_set_timeout(tests, 300);
@@ -338,5 +338,5 @@ int main(void) {
   tcase_add_test(tests, block_at_rest_does_not_creep);
   tcase_add_test(tests, no_impact_gains_energy_or_presses_bodies_into_each_other);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

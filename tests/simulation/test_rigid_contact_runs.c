@@ -7,7 +7,7 @@
 #include "body_stage.h"
 #include "random_numbers.h"
 #include "rigid_contact/rigid_contact.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <gsl/gsl_integration.h>
 #include <math.h>
@@ -240,7 +240,7 @@ START_TEST(blocks_tumble_down_rough_slopes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(rigid_contact_runs) {
   Suite *suite = suite_create("runs of rigid contact");
   TCase *tests = tcase_create("runs");
   tcase_set_timeout(tests, 300);
@@ -249,5 +249,5 @@ int main(void) {
   tcase_add_test(tests, runs_end_by_their_bounds_and_say_so);
   tcase_add_test(tests, blocks_tumble_down_rough_slopes);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,8 +4,8 @@
 /* The protocols of a tilt test over an engine of the test, which knows its critical angle, and the
  * shaking of a base against integrals and sums. */
 
-#include "runner.h"
 #include "shaking/shaking.h"
+#include "suite.h"
 #include "tilt/bracket.h"
 #include "tilt/follow.h"
 
@@ -233,7 +233,7 @@ START_TEST(peaks_are_integrals) {
 }
 END_TEST
 
-int main(void) {
+SUITE(tilt) {
   Suite *suite = suite_create("tilt");
   TCase *tests = tcase_create("tilt");
   tcase_add_test(tests, steps_bracket_whatever_was_expected);
@@ -244,5 +244,5 @@ int main(void) {
   tcase_add_test(tests, mechanisms_by_the_velocity);
   tcase_add_test(tests, peaks_are_integrals);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

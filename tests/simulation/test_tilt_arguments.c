@@ -261,7 +261,7 @@ START_TEST(spectra) {
 }
 END_TEST
 
-int main(void) {
+SUITE(tilt_arguments) {
   Suite *suite = suite_create("arguments of tilt tests");
   TCase *tests = tcase_create("arguments of tilt tests");
   tcase_add_checked_fixture(tests, set_up, tear_down);
@@ -275,5 +275,5 @@ int main(void) {
   tcase_add_test(tests, charts);
   tcase_add_test(tests, spectra);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* What is made of the answers of a test over its settings, by levels that are made up: when they
  * agree, from which on, and what is told of all together. */
 
-#include "runner.h"
+#include "suite.h"
 #include "tilt/converge.h"
 
 #include <math.h>
@@ -146,7 +146,7 @@ START_TEST(the_answer_over_all_settings) {
 }
 END_TEST
 
-int main(void) {
+SUITE(tilt_converge) {
   Suite *suite = suite_create("tilt over its settings");
   TCase *tests = tcase_create("tilt over its settings");
   tcase_add_test(tests, holds_refined_or_depends);
@@ -157,5 +157,5 @@ int main(void) {
   tcase_add_test(tests, finer_levels_are_run_until_two_agree);
   tcase_add_test(tests, the_answer_over_all_settings);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -52,11 +52,11 @@ START_TEST(blocks) {
 }
 END_TEST
 
-int main(void) {
+SUITE(block_arguments) {
   Suite *suite = suite_create("block_arguments");
   TCase *tests = tcase_create("arguments");
   tcase_set_timeout(tests, 600);
   tcase_add_test(tests, blocks);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* The verdicts of many blocks are what tp_solve tells of each alone, by any number of threads. */
 
 #include "drawn_blocks.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -108,11 +108,11 @@ START_TEST(verdicts_of_many) {
 }
 END_TEST
 
-int main(void) {
+SUITE(block_verdicts) {
   Suite *suite = suite_create("block_verdicts");
   TCase *tests = tcase_create("blocks");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, verdicts_of_many);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -9,7 +9,7 @@
  * test_block_verdicts.c. */
 
 #include "drawn_blocks.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <string.h>
@@ -197,7 +197,7 @@ START_TEST(moments_of_many) {
 }
 END_TEST
 
-int main(void) {
+SUITE(blocks) {
   Suite *suite = suite_create("blocks");
   TCase *tests = tcase_create("blocks");
   tcase_set_timeout(tests, 0);
@@ -210,5 +210,5 @@ int main(void) {
   tcase_add_test(tests, no_columns);
   tcase_add_test(tests, moments_of_many);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,7 +5,7 @@
  * its parabola y = x^2 says; and that it costs n log n. */
 
 #include "motion/twists.h"
-#include "runner.h"
+#include "suite.h"
 #include "whole_vectors.h"
 
 #include <stdlib.h>
@@ -98,11 +98,11 @@ START_TEST(bowl_has_the_rays_of_its_parabola) {
 }
 END_TEST
 
-int main(void) {
+SUITE(bowl) {
   Suite *suite = suite_create("bowl");
   TCase *cases = tcase_create("bowl");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, bowl_has_the_rays_of_its_parabola);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,7 +5,7 @@
  * the last, taken for zero where so many bits do not tell from it; and the order of two angles. */
 
 #include "evaluation/stages.h"
-#include "runner.h"
+#include "suite.h"
 
 /* A square of side 2, and the same with an arc, whose sums no rung has exactly. */
 static const char *const square =
@@ -216,7 +216,7 @@ START_TEST(above_by_a_millionth) {
 }
 END_TEST
 
-int main(void) {
+SUITE(certainty) {
   Suite *suite = suite_create("certainty");
   TCase *tests = tcase_create("certainty");
   tcase_add_test(tests, open_below_undecided_above);
@@ -226,5 +226,5 @@ int main(void) {
   tcase_add_test(tests, order_of_angles);
   tcase_add_test(tests, above_by_a_millionth);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -8,7 +8,7 @@
 #include "motion/bounds.h"
 #include "motion/strata.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 #include "whole_vectors.h"
 
 #include <arb.h>
@@ -263,12 +263,12 @@ START_TEST(columns_above_zero_are_so_exactly) {
 }
 END_TEST
 
-int main(void) {
+SUITE(filters) {
   Suite *suite = suite_create("filters");
   TCase *cases = tcase_create("filters");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, tilts_of_modes_are_those_of_balls);
   tcase_add_test(cases, columns_above_zero_are_so_exactly);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

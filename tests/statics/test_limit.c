@@ -9,7 +9,7 @@
 #include "limit/limit.h"
 #include "limit/search.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "geom/geom.h"
 
@@ -169,12 +169,12 @@ START_TEST(wrong_bases_are_refused) {
 }
 END_TEST
 
-int main(void) {
+SUITE(limit) {
   Suite *suite = suite_create("limit");
   TCase *cases = tcase_create("limit");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, limit_is_that_of_the_exact_program);
   tcase_add_test(cases, wrong_bases_are_refused);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

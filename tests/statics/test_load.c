@@ -6,7 +6,7 @@
 
 #include "load_stage.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -178,7 +178,7 @@ START_TEST(surcharge_weighs_on_its_line) {
 }
 END_TEST
 
-int main(void) {
+SUITE(load) {
   state = random_numbers_from(51);
   Suite *suite = suite_create("load");
   TCase *cases = tcase_create("load");
@@ -190,5 +190,5 @@ int main(void) {
   tcase_add_test(cases, pressure_pushes_into_the_block);
   tcase_add_test(cases, surcharge_weighs_on_its_line);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -7,7 +7,7 @@
 #include "load/check.h"
 #include "load_stage.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -285,7 +285,7 @@ START_TEST(lines_are_on_an_edge) {
 }
 END_TEST
 
-int main(void) {
+SUITE(load_scene) {
   state = random_numbers_from(52);
   Suite *suite = suite_create("load_scene");
   TCase *cases = tcase_create("load_scene");
@@ -295,5 +295,5 @@ int main(void) {
   tcase_add_test(cases, anchors_are_in_the_outline);
   tcase_add_test(cases, lines_are_on_an_edge);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
 
 #include "motion/twists.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 #include "whole_vectors.h"
 
 enum { CONES = 6000, MOST = 7 };
@@ -218,12 +218,12 @@ START_TEST(nothing_bounds_a_block_without_contacts) {
 }
 END_TEST
 
-int main(void) {
+SUITE(motion) {
   Suite *suite = suite_create("motion");
   TCase *cases = tcase_create("motion");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, rays_are_those_of_all_pairs_of_planes);
   tcase_add_test(cases, nothing_bounds_a_block_without_contacts);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -7,7 +7,7 @@
 #include "linear_program/precise_step.h"
 #include "linear_program/simplex.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "geom/geom.h"
 
@@ -274,12 +274,12 @@ START_TEST(doubles_against_exact) {
 }
 END_TEST
 
-int main(void) {
+SUITE(program) {
   Suite *suite = suite_create("program");
   TCase *cases = tcase_create("program");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, exact_against_all_bases);
   tcase_add_test(cases, doubles_against_exact);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

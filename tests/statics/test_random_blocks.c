@@ -9,7 +9,7 @@
  * of block that it could take for another is drawn, and what it does not decide is counted. */
 
 #include "claim_block.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "batch/turning.h"
 
@@ -90,15 +90,15 @@ static tp_status solve_alone(tp_block_turning *own, const random_block *block,
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
   *own = (tp_block_turning){NAN, NAN, -1};
-  claim(tp_scene_new(&scene, "m", &message) == TP_OK, "a scene");
+  claim(tp_scene_new(&scene, "m", &claim_message) == TP_OK, "a scene");
   tp_status status =
-      tp_scene_set_outline(scene, tp_coordinates_of(block->xy, block->count), &message);
+      tp_scene_set_outline(scene, tp_coordinates_of(block->xy, block->count), &claim_message);
   claim(status == TP_OK, "an outline");
   const bool left = towards == TP_TOWARDS_LEFT;
-  claim(tp_scene_set_tilt_towards(scene, left, !left, &message) == TP_OK, "a direction");
+  claim(tp_scene_set_tilt_towards(scene, left, !left, &claim_message) == TP_OK, "a direction");
   tp_solve_options options = tp_solve_options_default();
   options.limit = false;
-  status = tp_solve(&solution, scene, &options, &message);
+  status = tp_solve(&solution, scene, &options, &claim_message);
   tp_scene_free(scene);
   if (status != TP_OK) return status;
   const tp_case *one = solution->cases;
@@ -144,7 +144,8 @@ START_TEST(critical_angles_of_random_blocks) {
     tp_status status;
     tp_blocks_summary summary;
     const tp_critical_columns columns = {&own.angle_deg, &own.error_deg, &own.pivot, &status};
-    claim(tp_blocks_critical_angles(&columns, &summary, &outlines, &options, &message) == TP_OK,
+    claim(tp_blocks_critical_angles(&columns, &summary, &outlines, &options, &claim_message) ==
+              TP_OK,
           "the call");
     claim_alike(&own, status, &block, towards);
     const truth t = try_all(&block, towards == TP_TOWARDS_LEFT);
@@ -175,7 +176,7 @@ START_TEST(instruction_sets) {
       const tp_turning_task task = {TP_TOWARDS_LEFT, k % 2 == 0, tp_scan_kernel_choose(set)};
       tp_block_turning own;
       const tp_status status = tp_turning_filter(
-          &own, &workspace, tp_vertices_open(block.xy, block.count), &task, &message);
+          &own, &workspace, tp_vertices_open(block.xy, block.count), &task, &claim_message);
       if (set == TP_INSTRUCTIONS_BASELINE) {
         first = own;
         first_status = status;
@@ -187,12 +188,12 @@ START_TEST(instruction_sets) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_blocks) {
   Suite *suite = suite_create("random blocks");
   TCase *tests = tcase_create("blocks");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, critical_angles_of_random_blocks);
   tcase_add_test(tests, instruction_sets);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

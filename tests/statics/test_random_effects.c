@@ -10,7 +10,7 @@
  * one property drawn for it, else against all. */
 
 #include "random_variants.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 #include <time.h>
@@ -207,11 +207,11 @@ START_TEST(test_effects_of_random_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_effects) {
   Suite *suite = suite_create("random effects");
   TCase *cases = tcase_create("random effects");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_effects_of_random_scenes);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -9,7 +9,7 @@
 
 #include "random_runs.h"
 #include "random_variants.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -236,11 +236,11 @@ START_TEST(test_governing_of_random_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_governing) {
   Suite *suite = suite_create("random governing");
   TCase *cases = tcase_create("random governing");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_governing_of_random_scenes);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

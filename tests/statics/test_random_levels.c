@@ -7,9 +7,9 @@
 
 #include "compare_solutions.h"
 #include "random_scenes.h"
-#include "runner.h"
 #include "stability/solution.h"
 #include "stability/solve.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -123,11 +123,11 @@ START_TEST(test_levels_of_random_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_levels) {
   Suite *suite = suite_create("random levels");
   TCase *cases = tcase_create("random levels");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_levels_of_random_scenes);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

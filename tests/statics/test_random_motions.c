@@ -7,7 +7,7 @@
 
 #include "random_runs.h"
 #include "random_scenes.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <math.h>
 
@@ -121,11 +121,11 @@ START_TEST(test_ranges_of_random_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_motions) {
   Suite *suite = suite_create("random motions");
   TCase *cases = tcase_create("random motions");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_ranges_of_random_scenes);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,7 +5,7 @@
  * is simple against whole numbers of 128 bits, by trying every edge against every other. */
 
 #include "claim_block.h"
-#include "runner.h"
+#include "suite.h"
 
 #include "batch/simple.h"
 
@@ -126,7 +126,7 @@ static void finish(fan *f) {
 
 static void claim_moments(const random_block *block) {
   tp_area_moments own;
-  claim(tp_outline_moments(&own, block->xy, block->count, &message) == TP_OK, "moments");
+  claim(tp_outline_moments(&own, block->xy, block->count, &claim_message) == TP_OK, "moments");
   fan truth;
   fan_of(&truth, block->xy, block->count);
   finish(&truth);
@@ -220,12 +220,12 @@ START_TEST(simple_outlines) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_outlines) {
   Suite *suite = suite_create("random outlines");
   TCase *tests = tcase_create("outlines");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, moments_of_random_blocks);
   tcase_add_test(tests, simple_outlines);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

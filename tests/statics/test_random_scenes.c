@@ -7,7 +7,7 @@
 #include "compare_bits.h"
 #include "random_truth.h"
 #include "random_variants.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <string.h>
 
@@ -120,11 +120,11 @@ START_TEST(test_variants_of_random_scenes) {
 }
 END_TEST
 
-int main(void) {
+SUITE(random_scenes) {
   Suite *suite = suite_create("random scenes");
   TCase *cases = tcase_create("random scenes");
   tcase_set_timeout(cases, 0);
   tcase_add_test(cases, test_variants_of_random_scenes);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

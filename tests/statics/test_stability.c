@@ -8,7 +8,7 @@
  * whose tangent is 1, so that factors of safety are rational too. */
 
 #include "grid_scene.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <arb.h>
 #include <math.h>
@@ -285,11 +285,11 @@ START_TEST(small_blocks_on_small_bases) {
 }
 END_TEST
 
-int main(void) {
+SUITE(stability) {
   Suite *suite = suite_create("stability");
   TCase *cases = tcase_create("stability");
   tcase_set_timeout(cases, 300);
   tcase_add_test(cases, small_blocks_on_small_bases);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -9,7 +9,7 @@
  * back likewise. Which columns of the limit's program carry it there is arbitrary, and changes with
  * the size; those of a cohesion that it has not may not decide. */
 
-#include "runner.h"
+#include "suite.h"
 
 #include "topple.h"
 
@@ -51,10 +51,10 @@ START_TEST(a_tie_is_one_at_every_size) {
 }
 END_TEST
 
-int main(void) {
+SUITE(ties) {
   Suite *suite = suite_create("ties");
   TCase *tests = tcase_create("ties");
   tcase_add_test(tests, a_tie_is_one_at_every_size);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -5,8 +5,8 @@
  * tells: of every example and hard case that tilts, from level to nearly upright, under all its
  * loads and laws of friction; and hundreds of tilts are told so. */
 
-#include "runner.h"
 #include "stability/tilts.h"
+#include "suite.h"
 #include "topple.h"
 
 #include <flint/fmpq.h>
@@ -142,11 +142,11 @@ START_TEST(as_alone) {
 }
 END_TEST
 
-int main(void) {
+SUITE(tilts) {
   Suite *suite = suite_create("tilts");
   TCase *tests = tcase_create("all");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, as_alone);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

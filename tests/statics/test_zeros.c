@@ -10,7 +10,7 @@
 
 #include "load/zeros.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <arb_fmpz_poly.h>
 
@@ -238,7 +238,7 @@ START_TEST(double_zeros_are_left_open_at_once) {
 }
 END_TEST
 
-int main(void) {
+SUITE(zeros) {
   Suite *suite = suite_create("zeros");
   TCase *cases = tcase_create("zeros");
   tcase_set_timeout(cases, 300);
@@ -246,5 +246,5 @@ int main(void) {
   tcase_add_test(cases, zeros_with_level_water);
   tcase_add_test(cases, double_zeros_are_left_open_at_once);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

@@ -6,7 +6,7 @@
 #ifndef TP_TEST_BUILT_SCENE_H
 #define TP_TEST_BUILT_SCENE_H
 
-#include "runner.h"
+#include "suite.h"
 
 #include "topple.h"
 

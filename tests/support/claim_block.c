@@ -3,15 +3,16 @@
 
 #include "claim_block.h"
 
-#include "runner.h"
+#include "suite.h"
 
 #include <inttypes.h>
 
 uint64_t seed;
-tp_message message;
+tp_message claim_message;
 
 void claim(bool condition, const char *what) {
-  if (!condition) ck_abort_msg("%s: TOPPLE_RANDOM_SEED=%" PRIu64 "; %s", what, seed, message.text);
+  if (!condition)
+    ck_abort_msg("%s: TOPPLE_RANDOM_SEED=%" PRIu64 "; %s", what, seed, claim_message.text);
 }
 
 wide dot(const polygon *p, long a, long b, long c, long d) {

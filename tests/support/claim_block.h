@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 extern uint64_t seed; /* of the block in hand */
-extern tp_message message;
+extern tp_message claim_message;
 
 void claim(bool condition, const char *what);
 

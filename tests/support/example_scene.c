@@ -3,7 +3,7 @@
 
 #include "example_scene.h"
 
-#include "runner.h"
+#include "suite.h"
 
 tp_scene *example_scene(void) {
   tp_message message;

@@ -3,7 +3,7 @@
 
 #include "formula_stage.h"
 
-#include "runner.h"
+#include "suite.h"
 
 #include <stdint.h>
 #include <string.h>

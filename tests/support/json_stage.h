@@ -7,7 +7,7 @@
 #define TP_TEST_JSON_STAGE_H
 
 #include "output/json.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdlib.h>
 

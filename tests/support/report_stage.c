@@ -3,7 +3,7 @@
 
 #include "report_stage.h"
 
-#include "runner.h"
+#include "suite.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,11 +3,11 @@
 
 #include "threads_stage.h"
 
-#include "runner.h"
+#include "suite.h"
 
 sayings *of_thread[THREADS + 1];
 
-void expect_same(const sayings *alone, const sayings *among, const char *what) {
+void expect_same_sayings(const sayings *alone, const sayings *among, const char *what) {
   ck_assert_msg(alone->count == among->count, "%s: %zu texts, alone %zu", what, among->count,
                 alone->count);
   for (size_t k = 0; k < alone->count; k++) {
@@ -41,7 +41,7 @@ tp_scene *build_square(double friction_angle_deg) {
   return built(scene, status);
 }
 
-tp_solution *solve(const tp_scene *scene) {
+tp_solution *solve_in_thread(const tp_scene *scene) {
   tp_solution *solution = NULL;
   const tp_solve_options options = tp_solve_options_default();
   if (scene != NULL) (void)!tp_solve(&solution, scene, &options, NULL);

@@ -12,11 +12,11 @@
 /* What each thread has said. */
 extern sayings *of_thread[THREADS + 1];
 
-void expect_same(const sayings *alone, const sayings *among, const char *what);
+void expect_same_sayings(const sayings *alone, const sayings *among, const char *what);
 
 /* Scenes in memory, which threads make too: NULL where one cannot be made. */
 tp_scene *built(tp_scene *scene, tp_status status);
 tp_scene *build_square(double friction_angle_deg);
-tp_solution *solve(const tp_scene *scene);
+tp_solution *solve_in_thread(const tp_scene *scene);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "verify_bench.h"
 
-#include "runner.h"
+#include "suite.h"
 #include "verify/subject_init.h"
 
 #include <stdlib.h>
@@ -42,7 +42,7 @@ void bench_clear(bench *b) {
   tp_subject_clear(&b->subject);
 }
 
-void reads(tp_formula *formula, bench *b, const char *text) {
+void read_claim_formula(tp_formula *formula, bench *b, const char *text) {
   ck_assert_msg(tp_subject_read(formula, text, (tp_place){"t", 1, 1}, &b->subject, &b->message) ==
                     TP_OK,
                 "%s: %s", text, b->message.text);
@@ -52,7 +52,7 @@ double value_of(bench *b, const char *text) {
   tp_formula formula;
   arb_t ball;
   arb_init(ball);
-  reads(&formula, b, text);
+  read_claim_formula(&formula, b, text);
   ck_assert_msg(tp_evaluate_ball(ball, &formula, &b->subject, &b->sample, true, 128, &b->message) ==
                     TP_OK,
                 "%s: %s", text, b->message.text);
@@ -70,7 +70,7 @@ bool same(bench *b, const char *one, const char *other) {
     tp_formula formula;
     bool rational = false;
     fmpz_mpoly_q_init(values[k], ring);
-    reads(&formula, b, texts[k]);
+    read_claim_formula(&formula, b, texts[k]);
     ck_assert_int_eq(tp_evaluate_field(values[k], &rational, &formula, &b->subject, &b->message),
                      TP_OK);
     ck_assert_msg(rational, "%s", texts[k]);

@@ -19,7 +19,7 @@ typedef struct bench {
 tp_status init_subject(tp_subject *subject, const char *name, tp_message *message);
 void bench_init(bench *b);
 void bench_clear(bench *b);
-void reads(tp_formula *formula, bench *b, const char *text);
+void read_claim_formula(tp_formula *formula, bench *b, const char *text);
 /* The text's value at the sample. */
 double value_of(bench *b, const char *text);
 /* Are both texts the same rational function? */

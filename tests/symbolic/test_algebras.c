@@ -12,7 +12,7 @@
 
 #include "derive/field.h"
 #include "formula_drawing.h"
-#include "runner.h"
+#include "suite.h"
 #include "verify/evaluate.h"
 #include "verify/subject_init.h"
 
@@ -169,7 +169,7 @@ START_TEST(scenes_and_derive_agree_with_rationals) {
 }
 END_TEST
 
-int main(void) {
+SUITE(algebras) {
   Suite *suite = suite_create("algebras");
   TCase *algebras = tcase_create("algebras");
   tcase_set_timeout(algebras, 300);
@@ -177,5 +177,5 @@ int main(void) {
   tcase_add_test(algebras, verify_agrees_with_doubles);
   tcase_add_test(algebras, scenes_and_derive_agree_with_rationals);
   suite_add_tcase(suite, algebras);
-  return run_suite(suite);
+  return suite;
 }

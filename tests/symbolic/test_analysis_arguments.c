@@ -157,7 +157,7 @@ START_TEST(words) {
 }
 END_TEST
 
-int main(void) {
+SUITE(analysis_arguments) {
   Suite *suite = suite_create("analysis_arguments");
   TCase *tests = tcase_create("arguments");
   tcase_set_timeout(tests, 600);
@@ -167,5 +167,5 @@ int main(void) {
   tcase_add_test(tests, accuracy);
   tcase_add_test(tests, words);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -4,7 +4,7 @@
 /* Claims from within: the verdict on a formula about a slab that is right, wrong by a factor, right
  * at the claim's own values alone, or not rational. */
 
-#include "runner.h"
+#include "suite.h"
 #include "verify/decide.h"
 #include "verify/domain.h"
 #include "verify_bench.h"
@@ -16,8 +16,8 @@
 static tp_claim_result decide(bench *b, const char *quantity, const char *text) {
   tp_formula formulas[2];
   tp_claim_result result = {.is_formula = true};
-  reads(formulas, b, quantity);
-  reads(formulas + 1, b, text);
+  read_claim_formula(formulas, b, quantity);
+  read_claim_formula(formulas + 1, b, text);
   b->subject.domain = tp_domain_new(&b->subject, &b->sample);
   ck_assert_ptr_nonnull(b->subject.domain);
   const tp_question question = {.subject = &b->subject,
@@ -134,7 +134,7 @@ START_TEST(points_are_no_proof) {
 }
 END_TEST
 
-int main(void) {
+SUITE(claims) {
   Suite *suite = suite_create("claims");
   TCase *tests = tcase_create("claims");
   tcase_set_timeout(tests, 300);
@@ -143,5 +143,5 @@ int main(void) {
   tcase_add_test(tests, right_at_a_point_is_refuted);
   tcase_add_test(tests, points_are_no_proof);
   suite_add_tcase(suite, tests);
-  return run_suite(suite);
+  return suite;
 }

@@ -8,7 +8,7 @@
 #include "derive/field_work.h"
 #include "derive/model.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -263,7 +263,7 @@ START_TEST(formulas_of_a_slab) {
 }
 END_TEST
 
-int main(void) {
+SUITE(derive) {
   Suite *suite = suite_create("derive");
   TCase *derive = tcase_create("derive");
   tcase_add_test(derive, parameters_become_symbols);
@@ -272,5 +272,5 @@ int main(void) {
   tcase_add_test(derive, sums_are_shoelace_sums_at_all_values);
   tcase_add_test(derive, formulas_of_a_slab);
   suite_add_tcase(suite, derive);
-  return run_suite(suite);
+  return suite;
 }

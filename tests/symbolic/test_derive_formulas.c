@@ -8,7 +8,7 @@
 #include "derive/model.h"
 #include "exact_vectors.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
@@ -290,11 +290,11 @@ START_TEST(formulas_are_the_sums_over_triangles) {
 }
 END_TEST
 
-int main(void) {
+SUITE(derive_formulas) {
   Suite *suite = suite_create("derive_formulas");
   TCase *cases = tcase_create("derive_formulas");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, formulas_are_the_sums_over_triangles);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

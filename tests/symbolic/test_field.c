@@ -7,7 +7,7 @@
 
 #include "derive/field.h"
 #include "random_numbers.h"
-#include "runner.h"
+#include "suite.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
@@ -265,7 +265,7 @@ START_TEST(work_has_an_end) {
 }
 END_TEST
 
-int main(void) {
+SUITE(field) {
   Suite *suite = suite_create("field");
   TCase *cases = tcase_create("field");
   tcase_set_timeout(cases, 120);
@@ -273,5 +273,5 @@ int main(void) {
   tcase_add_test(cases, equal_formulas_are_the_same);
   tcase_add_test(cases, work_has_an_end);
   suite_add_tcase(suite, cases);
-  return run_suite(suite);
+  return suite;
 }

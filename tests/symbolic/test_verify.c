@@ -4,7 +4,7 @@
 /* Subjects of claims from within: what names one has and what they stand for, and the quantities of
  * a slab w wide and h high, which are known by hand. */
 
-#include "runner.h"
+#include "suite.h"
 #include "verify/subject_init.h"
 #include "verify_bench.h"
 
@@ -45,7 +45,7 @@ START_TEST(definitions_last_for_a_claim) {
   ck_assert(same(&b, "tan^-1 δ", "tan psi")); /* an angle by its form */
   int *used = calloc((size_t)b.subject.field->symbol_count, sizeof *used);
   tp_formula formula;
-  reads(&formula, &b, "k + 1");
+  read_claim_formula(&formula, &b, "k + 1");
   ck_assert_ptr_nonnull(used);
   ck_assert_int_eq(tp_subject_used(used, &formula, &b.subject, &b.message), TP_OK);
   ck_assert(used[tp_sample_symbol(&b.subject, "m")] && used[tp_sample_symbol(&b.subject, "w")]);
@@ -103,7 +103,7 @@ START_TEST(quantities_of_a_slab) {
   bool rational = false;
   fmpz_mpoly_q_t tangent;
   fmpz_mpoly_q_init(tangent, b.subject.field->ring);
-  reads(&formula, &b, "critical_angle");
+  read_claim_formula(&formula, &b, "critical_angle");
   ck_assert_int_eq(tp_evaluate_tangent(tangent, &rational, &formula, &b.subject, &b.message),
                    TP_OK);
   ck_assert(rational);
@@ -120,7 +120,7 @@ START_TEST(quantities_of_a_slab) {
 }
 END_TEST
 
-int main(void) {
+SUITE(verify) {
   Suite *suite = suite_create("verify");
   TCase *claims = tcase_create("verify");
   tcase_set_timeout(claims, 300);
@@ -129,5 +129,5 @@ int main(void) {
   tcase_add_test(claims, names_are_told_apart);
   tcase_add_test(claims, quantities_of_a_slab);
   suite_add_tcase(suite, claims);
-  return run_suite(suite);
+  return suite;
 }
