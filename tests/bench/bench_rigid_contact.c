@@ -2,9 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* What the tilt test of a rigid block costs, on blocks A towards its peak, E towards its valley and
- * F: the tilt at which it lets go, set down at each of 11 angles, so that the bracket is 0.05
- * degrees wide; the same on a table that tilts at 20 degrees a minute, up to the begin; and on to
- * the end of the fall. Medians of 9 of the time computed. */
+ * F: the tilt at which it begins to move, set down at each of 11 angles, so that the bracket is
+ * 0.05 degrees wide; the same on a table that tilts at 20 degrees a minute, up to the begin; and on
+ * to the end of the fall. Medians of 9 of the time computed. */
 
 #include "bench.h"
 

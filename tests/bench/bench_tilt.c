@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a bracket of 0.05 degrees of the tilt at which a block lets go costs, and how far it is off:
- * blocks A towards its peak, E towards its valley and F, by the quasi-static path from level, by
- * events and by springs (1000 and 10 GPa/m) set down at tilts between 0 and 60 degrees that are
- * halved, and likewise by Box2D at 1 kHz where it is installed. The methods take turns, so that a
- * busy machine is shared by all; medians of the time computed, their ratio to Box2D's, and the
- * middle of the bracket less the proven onset, which is the limit here. */
+/* What a bracket of 0.05 degrees of the tilt at which a block begins to move costs, and how far it
+ * is off: blocks A towards its peak, E towards its valley and F, by the quasi-static path from
+ * level, by events and by springs (1000 and 10 GPa/m) set down at tilts between 0 and 60 degrees
+ * that are halved, and likewise by Box2D at 1 kHz where it is installed. The methods take turns, so
+ * that a busy machine is shared by all; medians of the time computed, their ratio to Box2D's, and
+ * the middle of the bracket less the proven onset, which is the limit here. */
 
 #include "bench.h"
 #include "box2d.h"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """A calculation sheet as a reader of HTML has it: a tree whose elements all close, its tables, its headings, and its
-equations, which are reckoned again by intervals. It shares nothing with the program."""
+equations, which are recomputed by intervals. It shares nothing with the program."""
 
 import html.parser
 import math

@@ -135,7 +135,7 @@ class HardDecisions(unittest.TestCase):
             self.assertLessEqual(margin["error"], abs(margin["value"]) * 1e-9)
 
     def test_tie_of_sliding_and_toppling(self):
-        """Friction 45 degrees on a slab as wide as high: both let go at exactly 45 degrees."""
+        """Friction 45 degrees on a slab as wide as high: both move at exactly 45 degrees."""
         case = self.solve_slab(1, 1, "friction_angle_deg: 45")
         self.assertEqual(case["mechanism"], "slides and topples")
         case = self.solve_slab("1 + 1e-40", 1, "friction_angle_deg: 45")

@@ -14,7 +14,7 @@ from profile_case import JOINT, ProfileCase
 
 
 class Table2(ProfileCase):
-    """Every column: V, W, S and i by the scene, the normal stress at the tilt where the block let go, JRC by the
+    """Every column: V, W, S and i by the scene, the normal stress at the tilt where the block began to move, JRC by the
     equations."""
 
     PRINTED = {  # V cm3, W N, S cm2, stress kPa, i, JRC by (10), (12), (14)

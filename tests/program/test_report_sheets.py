@@ -135,7 +135,7 @@ class Report(unittest.TestCase):
 
     def test_sliding_under_loads(self):
         """N, U, T, tan φ, c A and P are stated in kN; from the JSON they make the factor, and so they do from the printed digits
-        (the formula is among those reckoned again below). N of a block on a level base is by hand W cos α + k W sin α."""
+        (the formula is among those recomputed below). N of a block on a level base is by hand W cos α + k W sin α."""
         seen = 0
         for page, cases, _ in self.each():
             loaded = [case for case in cases if "normal_n" in case.get("sliding", {})]
@@ -224,7 +224,7 @@ class Report(unittest.TestCase):
             self.assertFalse(count and self.pages[name][0].tables("Moments about the governing pivot"), name)
 
     def test_onset(self):
-        """Of each onset a formula, the limit that it is, or why neither: told by what the JSON has. Formulas are reckoned above."""
+        """Of each onset a formula, the limit that it is, or why neither: told by what the JSON has. Formulas are estimated above."""
         kinds = {"Onset: toppling about C is possible": 0, "Onset: sliding is possible": 0, "Onset: α_s is the static limit": 0,
                  "The onset has no one-line formula": 0}
         run("solve", "examples/boulder.yaml", "--report", self.path / "boulder.html")  # whose onset is below its limit

@@ -3,7 +3,7 @@
 """Calculation sheets of studies and of tilt tests (docs/report.md).
 
 The story: a probability is signed like a factor of safety. So its shares are those of the JSON, their intervals are
-reckoned again here by Wilson's formula from the counts that stand on the page, and the page names every file that the
+recomputed here by Wilson's formula from the counts that stand on the page, and the page names every file that the
 study rests on. A tilt test says first that it is a simulation."""
 
 import hashlib

@@ -56,7 +56,7 @@ class Tilt(unittest.TestCase):
 
     def test_slabs(self):
         """atan(w / h) where it topples, phi where it slides, by the path and by rigid contacts. The bracket holds the closed
-        form: a run stood below it, a run let go above it."""
+        form: a run stood below it, a run began to move above it."""
         for w, h, phi in ((1, 3, 40), (2, 5, 30), (4, 2, 25), (1, 1, 35)):
             topples = math.degrees(math.atan2(w, h))
             truth = min(topples, phi)

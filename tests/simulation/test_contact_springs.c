@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* When a block on contact springs lets go: against closed forms of slabs, and for the paper's
- * blocks against the static limit and the onset of motion that the solve proves, which are one
- * number for them; that what stands does not creep; what is refused. */
+/* When a block on contact springs begins to move: against closed forms of slabs, and for the
+ * paper's blocks against the static limit and the onset of motion that the solve proves, which are
+ * one number for them; that what stands does not creep; what is refused. */
 
 #include "springs_stage.h"
 #include "suite.h"

@@ -83,7 +83,7 @@ static tp_body_state lifted(double theta) {
   return (tp_body_state){.moved = {x - (c * x - s * y), y - (s * x + c * y)}, .turned = theta};
 }
 
-/* Housner's block let go from half of its diagonal: back to its flat in the time of the exact
+/* Housner's block released from half of its diagonal: back to its flat in the time of the exact
  * equation, within 1 %, from three amplitudes. */
 START_TEST(rocking_block_falls_back_in_housners_time) {
   static const double shares[] = {0.2, 0.5, 0.8};
@@ -162,7 +162,7 @@ START_TEST(least_pulse_that_overturns_is_housners) {
 END_TEST
 
 /* A disc rolls down by 2/3 of g sin(a) where friction holds it. It is cut off by a flat a hundredth
- * as wide, and let go on its round side. */
+ * as wide, and released on its round side. */
 START_TEST(disc_rolls) {
   body_stage s;
   body_stage_init(&s,

@@ -2,8 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The boulder of examples/boulder.yaml on springs: its foot has 46 facets, three of which bear it
- * in the end. What springs of a finite stiffness take off the tilt at which it lets go is bounded
- * by another method that shares no code with them, the quasi-static path (docs/tilt_path.md). */
+ * in the end. What springs of a finite stiffness take off the tilt at which it begins to move is
+ * bounded by another method that shares no code with them, the quasi-static path
+ * (docs/tilt_path.md). */
 
 #include "quasi_static/path.h"
 #include "springs_stage.h"
@@ -75,7 +76,7 @@ static tp_run_end end_at(const tp_rigid_body *body, double tilt_deg,
 }
 
 /* It stands where even the path's softening leaves it a hundredth of a degree to its onset, and
- * lets go a twentieth beyond its limit: with shear springs a
+ * begins to move a twentieth beyond its limit: with shear springs a
  * hundredth and a tenth as stiff as the normal ones. Softening goes to zero as the springs grow
  * stiff, and with it all that they can be off. */
 START_TEST(what_springs_give_bounds_how_far_they_are_off) {

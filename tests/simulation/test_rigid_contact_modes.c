@@ -140,7 +140,7 @@ START_TEST(window_is_that_of_the_solve) {
 }
 END_TEST
 
-/* On a table that tilts slowly from level it lets go at that tilt. */
+/* On a table that tilts slowly from level it begins to move at that tilt. */
 START_TEST(table_lets_go_at_the_onset_of_the_solve) {
   const tilted *own = scenes + _i;
   char text[1000];

@@ -15,7 +15,7 @@
 /* ---- an engine --------------------------------------------------------------------------------
  */
 
-/* Of a block that lets go at a tilt, to the left about a corner, and has no memory. */
+/* Of a block that begins to move at a tilt, to the left about a corner, and has no memory. */
 typedef struct corner_block {
   double lets_go;    /* radians */
   double open_above; /* of tilts beyond that no run is decided */
@@ -140,7 +140,7 @@ START_TEST(a_test_that_is_stopped_has_its_bracket) {
 }
 END_TEST
 
-/* A ramp ends its history where it lets go; tables that stop before it bracket that. */
+/* A ramp ends its history where it begins to move; tables that stop before it bracket that. */
 START_TEST(ramps_end_their_history_where_they_let_go) {
   stage s;
   begin(&s, 20);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The zeros of a moment, and the tilt at which the block lets go, against those of a polynomial.
+/* The zeros of a moment, and the tilt at which the block begins to move, against those of a
+ * polynomial.
  *
  * With t = tan(a / 2), cos a = (1 - t^2) / (1 + t^2) and sin a = 2 t / (1 + t^2), the moment
  *     f(a) = A cos a + B sin a + C + D / cos a + E / cos^2 a,   times cos^2 a (1 + t^2)^3,
@@ -140,9 +141,9 @@ static void check_zeros(const moment *m, const tp_roots *roots) {
   }
 }
 
-/* The block is stable where f is below zero. Tilted from level ground it lets go at the first zero
- * above, if it stands on level ground; if it does not, it would have to be tilted back to the last
- * zero below. */
+/* The block is stable where f is below zero. Tilted from level ground it begins to move at the
+ * first zero above, if it stands on level ground; if it does not, it would have to be tilted back
+ * to the last zero below. */
 static void check_critical(const moment *m, tp_roots *roots) {
   arb_t level, degrees, truth;
   arb_init(level);

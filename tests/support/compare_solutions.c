@@ -110,7 +110,7 @@ static bool goes_round(const comparison *c, const tp_case *one) {
   return any;
 }
 
-/* Under loads: every tilt at which it lets go, or holds again. */
+/* Under loads: every tilt at which it begins to move, or holds again. */
 static void need_limits(const comparison *c, const tp_pivot *p, const tp_pivot *q) {
   compare_need(c, p->never == q->never && p->always == q->always,
                "a pivot never or always topples");

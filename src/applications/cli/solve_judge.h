@@ -10,7 +10,7 @@
 
 /* What the solution of a scene of this name ends with, told on stderr. */
 int tp_cli_judge(const tp_solution *solution, const tp_solve_words *words, const char *scene);
-/* The gravest of all cases. */
+/* The most severe of all cases. */
 int tp_cli_judge_cases(const tp_load_cases *cases, const tp_solve_words *words, const char *scene);
 
 /* "scene.yaml, case wet" */

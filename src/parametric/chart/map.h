@@ -11,7 +11,7 @@
 #include "chart/motion_names.h"
 #include "stability/varied.h"
 
-/* What lets go first, by the limit analysis; at the scene's tilt, what the block does. */
+/* What begins to move first, by the limit analysis; at the scene's tilt, what the block does. */
 typedef enum tp_regime {
   TP_REGIME_NONE,   /* the scene has no answer there */
   TP_REGIME_STANDS, /* at the scene's tilt */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The map over two scalars of a scene: what lets go first, or what it does at the
+/* The map over two scalars of a scene: what begins to move first, or what it does at the
  * scene's tilt, and contour lines of the limit or of the factor of safety. */
 
 #include "chart/mechanism_style.h"

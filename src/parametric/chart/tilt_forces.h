@@ -46,7 +46,7 @@ TP_MUST_USE bool tp_tilt_forces_init(tp_tilt_forces *forces, const tp_force_face
                                      const tp_tilt_case *own);
 void tp_tilt_forces_clear(tp_tilt_forces *forces);
 
-/* How many moments are drawn: on a table that tilts those before the block lets go. */
+/* How many moments are drawn: on a table that tilts those before the block begins to move. */
 size_t tp_tilt_forces_shown(const tp_force_facets *facets, const tp_tilt_case *own);
 
 /* The tilt or the time of a moment. */

@@ -2,9 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Reactions of the facets of the base in a tilt test, normal and along the facet: against the tilt
- * up to where the block lets go, or where the table stands still against time. Points of the curves
- * are the test's moments, which on a path are its events too; these are marked. The facets that
- * bear most have a colour each, the others are drawn together; the table has them all. */
+ * up to where the block begins to move, or where the table stands still against time. Points of the
+ * curves are the test's moments, which on a path are its events too; these are marked. The facets
+ * that bear most have a colour each, the others are drawn together; the table has them all. */
 
 #include "chart/tilt_curves.h"
 #include "chart/tilt_forces.h"

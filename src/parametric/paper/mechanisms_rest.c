@@ -169,7 +169,7 @@ static tp_status add_toe(const tp_mechanisms_rest *r, tp_toe_kind toe, tp_chart_
   return status;
 }
 
-/* About a valley a block of so many flanks may let go below both formulas. */
+/* About a valley a block of so many flanks may move below both formulas. */
 static tp_status add_onset(const tp_mechanisms_rest *r, tp_message *message) {
   int step = 0;
   const int most = most_flanks(&step, r);

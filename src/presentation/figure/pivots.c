@@ -109,7 +109,7 @@ typedef struct wedge {
 
 /* The base of a block that is laid level, under an earthquake up-dip, dips in its frame. */
 static tp_spot up_the_base(const tp_panel *p, double side) {
-  const tp_world *world = p->figure->problem->world;
+  const tp_world *world = p->figure->problem->placement.world;
   if (world == NULL || !world->level) return tp_view_direction(&p->view, (tp_spot){side, 0});
   return tp_view_direction(
       &p->view, (tp_spot){side * fmpq_get_d(world->cosine), side * fmpq_get_d(world->sine)});

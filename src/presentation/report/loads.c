@@ -7,7 +7,8 @@
 #include "report/loads.h"
 #include "terms/names.h"
 
-/* The tilts in order: it lets go at the first if it stands level, holds again at the next. */
+/* The tilts in order: it begins to move at the first if it stands level, holds again at the next.
+ */
 static void add_limits(tp_page *p, const tp_case *c) {
   const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   char n[TP_NUMBER_SIZE];

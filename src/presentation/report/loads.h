@@ -12,8 +12,8 @@
 /* At which tilts the moments balance, and a caution where water stands above its face. */
 void tp_page_add_balance(tp_page *page, const tp_case *own);
 
-/* That, and the account of moments about the governing pivot, and the tilts at which it lets go and
- * holds again. Nothing where the scene has no loads. */
+/* That, and the account of moments about the governing pivot, and the tilts at which it begins to
+ * move and holds again. Nothing where the scene has no loads. */
 void tp_page_add_loads(tp_page *page, const tp_case *own);
 
 #endif

@@ -23,7 +23,7 @@ static const char *percent(char out[TP_NUMBER_SIZE], tp_bounded share) {
   return tp_text_fixed(out, hundred, 2);
 }
 
-/* At which tilt the block lets go. */
+/* At which tilt the block begins to move. */
 static const char *lets_go(char out[TP_NUMBER_SIZE + 4], const tp_resting_pose *pose, size_t c) {
   const tp_pose_verdict *v = pose->verdicts + c;
   if (pose->verdict_count == 0) return "unsolved";
@@ -89,7 +89,7 @@ static void add_rest_of_shifts(tp_page *p) {
   }
 }
 
-/* The pose that lets go first; as many as there are where none is solved. */
+/* The pose that begins to move first; as many as there are where none is solved. */
 size_t tp_poses_first_to_move(const tp_poses_result *r, size_t c) {
   size_t k = 0;
   while (k < r->pose_count && !r->poses[k].verdicts[c].least) k++;

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A decimal, with nothing to reckon. */
+/* A decimal, with nothing to compute. */
 static bool is_plain(const char *text) {
   char *end = NULL;
   (void)strtod(text, &end);

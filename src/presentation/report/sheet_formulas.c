@@ -3,7 +3,7 @@
 
 /* The formulas of a case with their numbers put in. Each side of an equation that holds numbers
  * alone is the same number within what its printed digits leave open:
- * tests/program/test_report_sheets.py reckons them again by intervals. Equations of Alejano et al.
+ * tests/program/test_report_sheets.py recomputes them by intervals. Equations of Alejano et al.
  * bear their numbers. */
 
 #include "report/sheet.h"

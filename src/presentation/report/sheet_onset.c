@@ -12,7 +12,7 @@
 #include <float.h>
 #include <math.h>
 
-/* The same angle, within both bounds and the rounding of what was reckoned here. */
+/* The same angle, within both bounds and the rounding of what was computed here. */
 static bool is_onset(const tp_onset *o, double angle_deg, double error_deg) {
   const double rounding = 64 * DBL_EPSILON * 90;
   return fabs(angle_deg - o->critical_angle_deg.value) <=

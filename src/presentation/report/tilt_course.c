@@ -11,8 +11,8 @@ double tp_tilt_course_at(const tp_tilt_course *course, const tp_tilt_moment *mom
   return course->timed ? moment->time_s : moment->angle_deg;
 }
 
-/* A table may tilt for minutes before the block lets go: as much of it is shown as of the motion,
- * at most. A block may rest for minutes after: a tenth as much is. */
+/* A table may tilt for minutes before the block begins to move: as much of it is shown as of the
+ * motion, at most. A block may rest for minutes after: a tenth as much is. */
 static void leave_out_rest(tp_tilt_course *c) {
   const tp_tilt_case *own = c->view->own;
   double begins = c->from, ends = c->to;

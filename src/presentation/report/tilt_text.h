@@ -11,7 +11,7 @@
 
 /* How it was run; a label, then nine columns in what is said. */
 void tp_tilt_add_settings(tp_text *text, const tp_tilt_test *test);
-/* At which tilt it lets go, and what statics says of it. */
+/* At which tilt it begins to move, and what statics says of it. */
 void tp_tilt_add_verdict(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 /* What happened, a line each; nothing where nothing did. */
 void tp_tilt_add_events(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);

@@ -216,9 +216,10 @@ static bool is_plain(const tp_problem *problem) {
   const bool form =
       scene->block.form == TP_OUTLINE_SLAB || scene->block.form == TP_OUTLINE_VERTICES;
   return form && scene->source != NULL && base->mated && problem->section.ring_count == 1 &&
-         problem->section.rings[0].count <= TP_MAP_VERTICES && problem->jointed == NULL &&
-         problem->rested == NULL && problem->snapped == NULL && problem->world == NULL &&
-         !base->below.given && !base->left_of.given && !base->right_of.given;
+         problem->section.rings[0].count <= TP_MAP_VERTICES && problem->placement.jointed == NULL &&
+         problem->placement.rested == NULL && problem->placement.snapped == NULL &&
+         problem->placement.world == NULL && !base->below.given && !base->left_of.given &&
+         !base->right_of.given;
 }
 
 /* Allocates what is exact; false when memory is exhausted. */

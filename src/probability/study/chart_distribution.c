@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* How the angle at which a block lets go is distributed: a histogram of bins of the width 2 IQR
- * n^(-1/3) (Freedman and Diaconis, Z. Wahrscheinlichkeitstheorie 57 (1981) 453-476), 5 to 60 of
+/* How the angle at which a block begins to move is distributed: a histogram of bins of the width 2
+ * IQR n^(-1/3) (Freedman and Diaconis, Z. Wahrscheinlichkeitstheorie 57 (1981) 453-476), 5 to 60 of
  * them, in shares of all samples kept, parted by what becomes of each. */
 
 #include "study/chart_panels.h"

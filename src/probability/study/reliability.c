@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Reliability of first order (statistics/form.h) at the scene's tilt: it fails where an angle at
- * which it lets go is not above the tilt, or its factor of safety not above 1. */
+ * which it begins to move is not above the tilt, or its factor of safety not above 1. */
 
 #include "generate/random.h"
 #include "statistics/design_points.h"

@@ -9,9 +9,9 @@
  * (watch.h). That is the elastic settlement: no contact has carried much more than it does in the
  * end. How far the springs give on the way tells nothing: few that bear the block near its limit
  * may give a thousandth of its extent. Where the block accelerates for good instead, it has no
- * equilibrium there: it is let go as it is placed, its springs without force, and the dashpots keep
- * it from bouncing through the first five periods of the shear springs; they resist no motion but
- * that of the springs. */
+ * equilibrium there: it is released as it is placed, its springs without force, and the dashpots
+ * keep it from bouncing through the first five periods of the shear springs; they resist no motion
+ * but that of the springs. */
 
 #ifndef TP_CONTACT_SPRINGS_SETTLEMENT_H
 #define TP_CONTACT_SPRINGS_SETTLEMENT_H
@@ -24,12 +24,12 @@ typedef enum tp_settlement {
   TP_SETTLEMENT_NO_MEMORY
 } tp_settlement;
 
-/* From the state where the run starts, at rest or not: one that moves is let go. `share`: of the
+/* From the state where the run starts, at rest or not: one that moves is released. `share`: of the
  * stable step. The stepper is ready to be evaluated at time 0. */
 TP_MUST_USE tp_settlement tp_stepper_settle(tp_stepper *stepper, const tp_body_state *start,
                                             double share);
 
-/* Have the dashpots of a block that was let go had their time? */
+/* Have the dashpots of a block that was released had their time? */
 bool tp_stepper_is_past_letting_go(const tp_stepper *stepper);
 
 #endif

@@ -210,7 +210,7 @@ static bool take_news(running *r, tp_spring_watch_news news, tp_run_end *end) {
 }
 
 /* A block that still creeps is not known to rest: where that alone is asked, it counts as one that
- * lets go. */
+ * begins to move. */
 static tp_run_end end_of_time(const running *r) {
   if (r->overturned) return TP_RUN_OVERTURNED;
   if (r->collapsed) return TP_RUN_MOVES;

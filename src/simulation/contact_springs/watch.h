@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Does the block rest, or is it in motion for good? Told by means over windows of a sixteenth of
- * sqrt(extent / g), the time in which a block that is let go moves: vibrations of the springs are
+ * sqrt(extent / g), the time in which a block that is released moves: vibrations of the springs are
  * far faster, so that they drop out.
  *
  * It collapses where through sixteen windows one after the other the kinetic energy grew and the

@@ -3,7 +3,7 @@
 
 /* The path followed. A step of the tilt that meets an event, or finds no equilibrium, is halved
  * until it is shorter than the tolerance; then the event is passed, or, where no equilibrium is
- * near, the block is let go (drift.h). The cost is some log2(step / tolerance) balances an event,
+ * near, the block is released (drift.h). The cost is some log2(step / tolerance) balances an event,
  * each of a few sums over the facets. */
 
 #include "quasi_static/follow.h"

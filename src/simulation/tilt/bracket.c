@@ -84,8 +84,8 @@ tp_status tp_tilting_bracket(tp_tilting *tilting, tp_tilt_look *by, double least
   return status;
 }
 
-/* The tilt at which a run let go, by its history, which ends there: that it is sure to move for
- * good is noticed later, and the motion is simulated anew from there. */
+/* The tilt at which a run began to move, by its history, which ends there: that it is sure to move
+ * for good is noticed later, and the motion is simulated anew from there. */
 static double cut_at_collapse(tp_history *history, double otherwise) {
   size_t k = history->event_count;
   while (k > 0 && history->events[k - 1].what != TP_EVENT_COLLAPSES) k--;

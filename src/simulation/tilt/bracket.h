@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The critical angle between a tilt at which the block stands and one at which it lets go, both of
- * them run. Where statics expects it the search begins, but a run decides. Between the two it goes
- * by halves: that a block stands below a tilt at which it stands, and lets go above one at which it
- * does, is supposed; where it does not hold the bracket is one of several. */
+/* The critical angle between a tilt at which the block stands and one at which it begins to move,
+ * both of them run. Where statics expects it the search begins, but a run decides. Between the two
+ * it goes by halves: that a block stands below a tilt at which it stands, and begins to move above
+ * one at which it does, is supposed; where it does not hold the bracket is one of several. */
 
 #ifndef TP_TILT_BRACKET_H
 #define TP_TILT_BRACKET_H

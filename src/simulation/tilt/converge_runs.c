@@ -51,7 +51,7 @@ static bool has(tp_converge_setting setting, tp_tilt_engine engine, tp_converge_
     return engine == TP_TILT_SPRINGS;
   case TP_CONVERGE_STEP_TOLERANCE:
     return engine == TP_TILT_RIGID;
-  case TP_CONVERGE_LEAST_BOUNCE: /* nothing bounces before the block lets go */
+  case TP_CONVERGE_LEAST_BOUNCE: /* nothing bounces before the block begins to move */
     return engine == TP_TILT_RIGID && quantity == TP_CONVERGE_OVERTURNING;
   }
   return false;

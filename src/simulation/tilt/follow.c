@@ -37,8 +37,9 @@ tp_mechanism tp_tilting_mechanism(tp_xy *centre, bool *has_centre, const tp_rigi
 /* ---- to the end --------------------------------------------------------------------------------
  */
 
-/* That the block lets go, and what its contacts do as it does, is in the history of a ramp already:
- * of the events behind `from` those of that moment are left out, and that it lets go. */
+/* That the block begins to move, and what its contacts do as it does, is in the history of a ramp
+ * already: of the events behind `from` those of that moment are left out, and that it begins to
+ * move. */
 static void drop_told(tp_history *history, size_t from) {
   size_t kept = from;
   for (size_t k = from; k < history->event_count; k++) {

@@ -79,7 +79,7 @@ static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most
           : tp_tilting_bracket(tilting, tp_tilting_look, least_deg, most_deg, s->until_deg);
   if (status != TP_OK || !own->has_bracket) return status;
   tp_xy centre = {0, 0};
-  /* rigid contacts are let go at rest */
+  /* rigid contacts are released at rest */
   if (s->engine == TP_TILT_RIGID &&
       !tp_tilt_engines_begin(&tilting->moves_off, tilting, own->lets_go_at_deg)) {
     tilting->moves_off = (tp_body_state){.turned = 0};

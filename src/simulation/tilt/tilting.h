@@ -28,7 +28,7 @@ typedef struct tp_tilting {
   const tp_path_traction *tractions; /* of the path; NULL: none */
   tp_tilt_case *own;                 /* what is found */
   tp_history history;                /* that is told */
-  tp_body_state moves_off;           /* as it let go at the least tilt so far */
+  tp_body_state moves_off;           /* as it began to move at the least tilt so far */
   bool weight_moves;         /* with the springs of a path: not in the limit of stiff ones */
   double path_tolerance_deg; /* of a path; 0: chosen */
   const tp_tilt_test_description *asked; /* of the scene, for places; NULL: none */

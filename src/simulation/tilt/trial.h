@@ -17,7 +17,7 @@ typedef enum tp_tilt_verdict {
 } tp_tilt_verdict;
 
 /* At a tilt in degrees: a fresh start there, or from level at the table's speed and held. Until it
- * lets go, which `last` is then; `history` may be NULL. */
+ * begins to move, which `last` is then; `history` may be NULL. */
 TP_MUST_USE tp_status tp_tilting_try(tp_tilt_verdict *verdict, tp_body_state *last,
                                      tp_tilting *tilting, double angle_deg, tp_history *history);
 

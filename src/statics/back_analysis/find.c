@@ -71,7 +71,7 @@ static tp_status set_range(tp_search *s, tp_found *found) {
 }
 
 /* What a result cannot depend on: moments about a pivot on what holds against sliding, an angle at
- * which the block lets go on the tilt at which the scene has it. */
+ * which the block begins to move on the tilt at which the scene has it. */
 static tp_status check_reach(const tp_search *s) {
   const tp_find_target target = s->options->target;
   tp_reach reach;

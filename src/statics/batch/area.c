@@ -11,7 +11,7 @@
  * Bound (w = 2^-53), with e_A the error of A2, e_X of X6 …: a quotient n / d of what is known to
  * within e_n and e_d < |d| lies within (e_n + |n / d| e_d) / (|d| - e_d) of the truth, and its own
  * rounding adds w |n / d|. A product of factors known to within e and f errs by |a| f + |b| e + e
- * f, and by w of itself. Every error is reckoned in a few operations, each rounded, and taken with
+ * f, and by w of itself. Every error is estimated in a few operations, each rounded, and taken with
  * a margin of 1e-12 of itself; powers of two are exact. */
 
 #include "batch/area.h"

@@ -117,7 +117,7 @@ void tp_evaluate_contact(const tp_evaluation *e, tp_contact_result *contact,
   const tp_problem *problem = e->problem;
   const tp_base_description *base = &problem->scene->base;
   contact->mated = base->mated;
-  contact->shifted = problem->jointed != NULL;
+  contact->shifted = problem->placement.jointed != NULL;
   contact->beyond_stated = (!base->mated && !contact->shifted) || base->beyond_left.given;
   contact->beyond_left_m = length_in_metres(e, &base->beyond_left);
   contact->beyond_right_m = length_in_metres(e, &base->beyond_right);
@@ -188,7 +188,7 @@ static void find_dip_direction(tp_frame_result *frame, const tp_slope_descriptio
 void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
   tp_frame_result *frame = &solution->frame;
   const tp_scene *scene = problem->scene;
-  const tp_world *world = problem->world;
+  const tp_world *world = problem->placement.world;
   *frame = (tp_frame_result){.stated = scene->frame != TP_FRAME_UNSTATED, .world = world != NULL};
   if (world != NULL) {
     frame->slope = world->unturned;
@@ -202,7 +202,8 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     find_dip_direction(frame, &scene->slope);
   }
   /* A block that was set down along y has said what is level. */
-  if (!frame->stated && problem->rested == NULL && scene->block.form == TP_OUTLINE_VERTICES) {
+  if (!frame->stated && problem->placement.rested == NULL &&
+      scene->block.form == TP_OUTLINE_VERTICES) {
     find_inclination(frame, problem);
   }
 }

@@ -51,14 +51,14 @@ void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
 /* The same of an angle of friction of the scene, which tp_friction_at gave. */
 void tp_friction_set_tangent(arb_t tangent, const tp_evaluation *evaluation, const arb_t degrees);
 
-/* The tilt at which the block lets go where the friction angle is `degrees`: to a few digits where
- * `tilt` is asked of as an estimate, else enclosed. False where there is none. */
+/* The tilt at which the block begins to move where the friction angle is `degrees`: to a few digits
+ * where `tilt` is asked of as an estimate, else enclosed. False where there is none. */
 typedef bool (*tp_friction_limit)(arb_t tilt, void *context, const arb_t degrees, bool estimate);
 
-/* The friction angle at the tilt at which the block lets go with it. There is one in an interval of
- * tilts that the limit maps into itself (Brouwer), and in one at whose lower end the block holds
- * with the friction there, and at its upper end not; false where none was found. `back`: tilts
- * count the other way. */
+/* The friction angle at the tilt at which the block begins to move with it. There is one in an
+ * interval of tilts that the limit maps into itself (Brouwer), and in one at whose lower end the
+ * block holds with the friction there, and at its upper end not; false where none was found.
+ * `back`: tilts count the other way. */
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *evaluation, tp_friction_limit limit,
                       void *context, bool back);
 

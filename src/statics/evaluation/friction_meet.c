@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The tilt at which a block lets go with the friction that it has there, and that friction: a
- * search in doubles, and its proof. */
+/* The tilt at which a block begins to move with the friction that it has there, and that friction:
+ * a search in doubles, and its proof. */
 
 #include "evaluation/friction.h"
 #include "number/ball.h"
@@ -18,7 +18,8 @@ typedef struct meeting {
   bool back;
 } meeting;
 
-/* The friction at a tilt, or at those of a ball, and the tilt at which the block lets go with it.
+/* The friction at a tilt, or at those of a ball, and the tilt at which the block begins to move
+ * with it.
  */
 static bool image_of(arb_t image, arb_t friction, const meeting *m, const arb_t tilt,
                      bool estimate) {

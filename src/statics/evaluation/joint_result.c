@@ -31,9 +31,9 @@ static tp_bounded ball_metres(const tp_scene *scene, const arb_t length) {
 
 /* Normal to the mean plane, also where the block was laid level as it lies on that. */
 static void measure(tp_aperture *a, const tp_problem *problem) {
-  const tp_sole *sole = &problem->jointed->sole;
+  const tp_sole *sole = &problem->placement.jointed->sole;
   const fmpq *closure = problem->scene->base.closure.value;
-  const tp_scene *along = problem->world != NULL ? problem->world->along : NULL;
+  const tp_scene *along = problem->placement.world != NULL ? problem->placement.world->along : NULL;
   if (along != NULL) {
     const tp_polyline *profile = &along->base.profile;
     tp_aperture_measure(a, &along->block.outline, sole->first, sole->count, profile, profile->count,
@@ -45,7 +45,7 @@ static void measure(tp_aperture *a, const tp_problem *problem) {
 }
 
 void tp_describe_joint(tp_solution *solution, const tp_problem *problem) {
-  const tp_jointed *j = problem->jointed;
+  const tp_jointed *j = problem->placement.jointed;
   if (j == NULL) return;
   const tp_scene *scene = problem->scene;
   const tp_base_description *base = &scene->base;

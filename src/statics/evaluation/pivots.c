@@ -115,8 +115,8 @@ static int rank(tp_fos_state state) {
   return state == TP_FOS_NUMBER ? 0 : 1;
 }
 
-/* At the scene's tilt, of two contact points about which it lets go at the same angle, or at none.
- * By the weight alone they have the same factor. */
+/* At the scene's tilt, of two contact points about which it begins to move at the same angle, or at
+ * none. By the weight alone they have the same factor. */
 static bool is_less_safe(const tp_evaluation *e, long k, long than, tp_certainty *certainty) {
   if (e->loaded == NULL || !e->problem->scene->tilt_angle_deg.given) return false;
   arb_t own, other;

@@ -52,5 +52,6 @@ tp_rest_result tp_rest_result_of(const tp_rested *r) {
 }
 
 void tp_describe_rest(tp_solution *solution, const tp_problem *problem) {
-  if (problem->rested != NULL) solution->rest = tp_rest_result_of(problem->rested);
+  if (problem->placement.rested != NULL)
+    solution->rest = tp_rest_result_of(problem->placement.rested);
 }

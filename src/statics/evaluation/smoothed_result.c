@@ -16,7 +16,7 @@ static tp_bounded metres(const tp_scene *scene, const fmpq_t length) {
 }
 
 void tp_describe_smoothed(tp_solution *solution, const tp_problem *problem) {
-  const tp_smoothed *own = problem->smoothed;
+  const tp_smoothed *own = problem->placement.smoothed;
   if (own == NULL) return;
   const tp_scene *scene = &own->scene;
   solution->smoothed = (tp_smoothed_result){.known = true,

@@ -25,7 +25,7 @@ static tp_bounded root_metres(const tp_scene *scene, const fmpq_t square) {
 }
 
 void tp_describe_within(tp_solution *solution, const tp_problem *problem) {
-  const tp_snapped *s = problem->snapped;
+  const tp_snapped *s = problem->placement.snapped;
   if (s == NULL) return;
   const tp_scene *scene = &s->scene;
   arb_t gap, unit;

@@ -13,7 +13,6 @@
 #include "problem/admissible.h"
 #include "problem/contact_width.h"
 #include "problem/effects.h"
-#include "problem/lay.h"
 #include "problem/water_site.h"
 #include "scene/check.h"
 #include "scene/partial_factors.h"
@@ -36,12 +35,8 @@ void tp_problem_clear(tp_problem *problem) {
   tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
   free(problem->admissible[1]);
-  tp_world_free(problem->world);
-  tp_snapped_free(problem->snapped);
-  tp_rested_free(problem->rested);
+  tp_placement_clear(&problem->placement);
   tp_on_face_free(problem->on_face);
-  tp_jointed_free(problem->jointed);
-  tp_smoothed_free(problem->smoothed);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -204,7 +199,7 @@ static tp_status meet_water(tp_problem *problem, bool left, const tp_solve_optio
                             tp_message *message) {
   if (!tp_problem_has_wetted(problem)) return check_water(problem, left, message);
   const tp_water_site site = {problem->scene, problem->section.rings, &problem->joint,
-                              problem->world};
+                              problem->placement.world};
   return tp_water_site_find(problem->wetted + (left ? 0 : 1), &site, left, options->digits,
                             message);
 }
@@ -239,23 +234,23 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
 }
 
 static bool was_turned(const tp_problem *problem) {
-  const tp_world *world = problem->world;
+  const tp_world *world = problem->placement.world;
   return world != NULL && (!world->unturned || world->level);
 }
 
 /* A block of one ring that was set down or turned was checked before, and is as simple after it:
  * its coordinates have hundreds of digits by then. */
 static bool was_checked(const tp_problem *problem) {
-  const bool moved_whole = problem->rested != NULL || was_turned(problem);
-  return moved_whole && problem->snapped == NULL && problem->section.ring_count == 1;
+  const bool moved_whole = problem->placement.rested != NULL || was_turned(problem);
+  return moved_whole && problem->placement.snapped == NULL && problem->section.ring_count == 1;
 }
 
 static tp_facets_counted counted_facets(const tp_problem *problem) {
   const tp_base *base = &problem->base;
   const bool turned = was_turned(problem);
-  if (problem->jointed != NULL) {
-    return (tp_facets_counted){problem->jointed->base_first, problem->jointed->sole.count, true,
-                               turned};
+  if (problem->placement.jointed != NULL) {
+    return (tp_facets_counted){problem->placement.jointed->base_first,
+                               problem->placement.jointed->sole.count, true, turned};
   }
   if (base->mated_count == 0) return (tp_facets_counted){0, base->edge_count, false, turned};
   return (tp_facets_counted){base->mated_first, base->mated_count, true, turned};
@@ -273,10 +268,11 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
     status = tp_notes_append(&solution->notes, &problem->section.notes, message);
   }
   if (status == TP_OK) status = tp_base_init(&problem->base, scene, &problem->section, message);
-  if (status == TP_OK && problem->jointed != NULL) { /* facets are counted as before the shift */
-    problem->base.mated_first = problem->jointed->base_first;
-    problem->base.mated_count = problem->jointed->sole.count;
-    problem->base.outline_first = problem->jointed->sole.first;
+  if (status == TP_OK &&
+      problem->placement.jointed != NULL) { /* facets are counted as before the shift */
+    problem->base.mated_first = problem->placement.jointed->base_first;
+    problem->base.mated_count = problem->placement.jointed->sole.count;
+    problem->base.outline_first = problem->placement.jointed->sole.first;
   }
   if (status == TP_OK) status = put_on_lattice(problem, message);
   if (status == TP_OK && !was_checked(problem)) {
@@ -303,10 +299,11 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   began = tp_effects_begin(solution);
   status = tp_contact_init(&problem->contact, &problem->section, &problem->corners, &problem->base,
                            &problem->lattice, message);
-  if (status == TP_OK && problem->jointed != NULL) {
-    problem->sole = problem->jointed->sole;
-  } else if (status == TP_OK && problem->world != NULL && problem->world->level) {
-    problem->sole = problem->world->sole;
+  if (status == TP_OK && problem->placement.jointed != NULL) {
+    problem->sole = problem->placement.jointed->sole;
+  } else if (status == TP_OK && problem->placement.world != NULL &&
+             problem->placement.world->level) {
+    problem->sole = problem->placement.world->sole;
   } else if (status == TP_OK && !scene->base.mated) {
     status = tp_sole_find(&problem->sole, scene, &problem->section, message);
   }
@@ -355,11 +352,11 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
     status = tp_on_face_init(&problem->on_face, scene, &solution->notes, message);
   if (problem->on_face != NULL) problem->scene = &problem->on_face->scene;
   if (status == TP_OK) {
-    status = tp_lay(&problem->scene, &problem->smoothed, &problem->jointed, &problem->rested,
-                    &problem->snapped, &problem->world, options, solution, message);
+    status = tp_placement_init(&problem->placement, &problem->scene, options, solution, message);
   }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
-  if (status == TP_BAD_INPUT && problem->snapped != NULL) tp_snapped_explain(scene, message);
+  if (status == TP_BAD_INPUT && problem->placement.snapped != NULL)
+    tp_snapped_explain(scene, message);
   /* Euler: any triangulation of n vertices and h holes has n + 2 h - 2 triangles. */
   problem->triangle_count = triangulation.count;
   if (triangulation.count == 0 && status == TP_OK) {

@@ -12,13 +12,9 @@
 #include "load/wetted.h"
 #include "problem/base_joint.h"
 #include "problem/facet_friction.h"
-#include "problem/jointed.h"
 #include "problem/on_face.h"
-#include "problem/rested.h"
-#include "problem/smoothed.h"
-#include "problem/snapped.h"
+#include "problem/placement.h"
 #include "problem/sole.h"
-#include "problem/world.h"
 
 /* Above this many vertices the elements form of the factor of safety, which needs a triangulation
  * at some hundred times the cost of everything else, is drawn up only when asked for. */
@@ -26,12 +22,8 @@ enum { TP_ELEMENTS_UNASKED = 10000 };
 
 typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
-  tp_smoothed *smoothed; /* its sole was levelled; else NULL */
-  tp_jointed *jointed;   /* the block was shifted along its mated base; else NULL */
-  tp_rested *rested;     /* the block was set down on its profile; else NULL */
-  tp_on_face *on_face;   /* NULL: no load lies beside its face */
-  tp_snapped *snapped;   /* what lies near its contact was moved there; else NULL */
-  tp_world *world;       /* the scene lies as it lies: turned into that frame; else NULL */
+  tp_placement placement;
+  tp_on_face *on_face; /* NULL: no load lies beside its face */
   tp_section section;
   tp_base base;
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */

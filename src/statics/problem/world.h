@@ -10,12 +10,12 @@
  * weight alone rest, exactly. The dip is rounded up to 256 binary digits, and added to the scene's
  * tilt: the block is never taken for lying flatter than it does.
  *
- * Under an earthquake up-dip the block lets go against the dip, and the frame is level as it lies:
- * tilts count from there, towards the side up-dip. The contact and what goes on past it are the
- * same. A block that a joint shifts is laid so when it has come to rest, as along its mean plane.
- * Water behind the block would hold it back. What that pushes is left out, and its uplift alone
- * acts, of the height given: no level up to that drives more where the block slides or turns about
- * the upper end of its contact, as the push resists both and the uplift grows with the level.
+ * Under an earthquake up-dip the block begins to move against the dip, and the frame is level as it
+ * lies: tilts count from there, towards the side up-dip. The contact and what goes on past it are
+ * the same. A block that a joint shifts is laid so when it has come to rest, as along its mean
+ * plane. Water behind the block would hold it back. What that pushes is left out, and its uplift
+ * alone acts, of the height given: no level up to that drives more where the block slides or turns
+ * about the upper end of its contact, as the push resists both and the uplift grows with the level.
  *
  * On a slope the dip is given and the coordinates run along the mean plane already: nothing is
  * turned, but for an earthquake up-dip.

@@ -58,7 +58,7 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
   const tp_contact_point *heel = contact->points + (left ? contact->point_count - 1 : 0);
   const tp_lattice *l = &problem->lattice;
   const char *towards = left ? "left" : "right";
-  const char *stance = problem->world != NULL ? "as it lies," : "tilted";
+  const char *stance = problem->placement.world != NULL ? "as it lies," : "tilted";
   const long facet = left ? heel->left : heel->right;
   if (facet >= 0 && end == tp_contact_extreme(contact, !left).point) {
     const tp_facet *f = contact->facets + facet;
@@ -98,8 +98,9 @@ static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {
 static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   const tp_block_description *block = &scene->block;
-  if (scene->base.mated || problem->jointed != NULL || problem->snapped != NULL ||
-      block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || problem->corners.count > 0) {
+  if (scene->base.mated || problem->placement.jointed != NULL ||
+      problem->placement.snapped != NULL || block->form == TP_OUTLINE_ELLIPSE ||
+      block->arc_count > 0 || problem->corners.count > 0) {
     return TP_OK;
   }
   tp_closeness near;
@@ -116,7 +117,7 @@ static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_messag
   return tp_notes_add(notes, message, TP_CAUTION, tp_polyline_place(line, miss.pair.vertex),
                       "%s%s, and does not touch: contact is exact; if it should, say %s'contact: "
                       "{within: …}'",
-                      gap, more, problem->rested == NULL ? "'place: rest', or " : "");
+                      gap, more, problem->placement.rested == NULL ? "'place: rest', or " : "");
 }
 
 /* An earthquake shakes both ways, and one direction of tilt looks at one of them. */
@@ -174,7 +175,7 @@ static tp_status note_anchors(tp_notes *notes, const tp_scene *scene, tp_message
 
 /* Levelled along x, a sole that dips off it comes to lie flatter, or steeper. */
 static tp_status note_levelled(tp_notes *notes, const tp_problem *problem, tp_message *message) {
-  const tp_smoothed *own = problem->smoothed;
+  const tp_smoothed *own = problem->placement.smoothed;
   if (own == NULL || !own->inclined) return TP_OK;
   const tp_scene *scene = &own->scene;
   const double degree = acos(-1) / 180, off = fabs(atan(fmpq_get_d(own->incline))) / degree;

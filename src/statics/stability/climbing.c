@@ -76,8 +76,9 @@ static tp_status add_tilts(tp_climbing *c, const tp_tilts *tilts, tp_message *me
  * from the world's frame, whose tilt is not the problem's, or whose water stands at a level, which
  * another tilt wets otherwise. */
 static bool may_share(const tp_climbing *c) {
-  return c->solution->decimals == NULL && c->problem->world == NULL && !c->options->elements &&
-         !tp_problem_has_wetted(c->problem) && c->problem->scene->tilt_angle_deg.given;
+  return c->solution->decimals == NULL && c->problem->placement.world == NULL &&
+         !c->options->elements && !tp_problem_has_wetted(c->problem) &&
+         c->problem->scene->tilt_angle_deg.given;
 }
 
 tp_status tp_climbing_init(tp_climbing *c, tp_solution *solution, const tp_problem *problem,

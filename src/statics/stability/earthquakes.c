@@ -85,7 +85,8 @@ static int rank_of(tp_mechanism mechanism) {
   }
 }
 
-/* As a number: one that is not defined, since the block lets go in any case, is the least. */
+/* As a number: one that is not defined, since the block begins to move in any case, is the least.
+ */
 static double factor_of(tp_fos fos) {
   switch (fos.state) {
   case TP_FOS_NUMBER:

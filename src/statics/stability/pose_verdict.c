@@ -57,7 +57,7 @@ tp_status tp_pose_solve(tp_resting_pose *pose, const tp_scene *placed,
   return status;
 }
 
-/* From the least safe on: it stands at no tilt, lets go at one, unknown, never. */
+/* From the least safe on: it stands at no tilt, begins to move at one, unknown, never. */
 typedef enum rank { RANK_NEVER_STANDS, RANK_ANGLE, RANK_UNKNOWN, RANK_NEVER_GOES } rank;
 
 static rank rank_of(const tp_pose_verdict *v) {

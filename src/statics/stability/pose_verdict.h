@@ -14,7 +14,7 @@
 TP_MUST_USE tp_status tp_pose_solve(tp_resting_pose *pose, const tp_scene *placed,
                                     const tp_solve_options *options, tp_message *message);
 
-/* Mark the pose that lets go first as the table is tilted, for each of so many cases. */
+/* Mark the pose that begins to move first as the table is tilted, for each of so many cases. */
 void tp_poses_least(tp_poses_result *poses, size_t case_count);
 
 #endif

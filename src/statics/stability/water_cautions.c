@@ -55,12 +55,12 @@ tp_status tp_water_cautions(tp_notes *notes, const tp_problem *problem, tp_messa
     status = tp_earthquake_note_water(notes, water, message);
   }
   if (status != TP_OK) return status;
-  const char *at = problem->world != NULL        ? "as the block lies"
-                   : scene->tilt_angle_deg.given ? "at the tilt of the scene"
-                                                 : "with the base level, as no tilt is given";
+  const char *at = problem->placement.world != NULL ? "as the block lies"
+                   : scene->tilt_angle_deg.given    ? "at the tilt of the scene"
+                                                    : "with the base level, as no tilt is given";
   return tp_notes_add(
       notes, message, TP_NOTE, water->place,
       "the pressures of the water are taken %s, and stay the same at other tilts, such "
       "as the critical one; where its level is held, vary the %s of the scene instead",
-      at, problem->world != NULL ? "dip" : "tilt");
+      at, problem->placement.world != NULL ? "dip" : "tilt");
 }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
 /**
- * Curves over one number of the scene: the governing factor of safety, or the tilts at which the block lets go. Each
+ * Curves over one number of the scene: the governing factor of safety, or the tilts at which the block begins to move. Each
  * point is a solve of the core's `sweep`; first a few, then more between them.
  */
 

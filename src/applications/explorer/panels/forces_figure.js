@@ -13,7 +13,7 @@ const WEIGHT_LENGTH = 0.45;
 const MARGIN = 0.12;
 /** A centre of rotation farther off than so many diagonals is told in words alone. */
 const FAR = 1.5;
-/** SVG reckons in single precision: sizes beyond are left to the table. */
+/** SVG computes in single precision: sizes beyond are left to the table. */
 const SIZES = { least: 1e-30, most: 1e30 };
 
 /**

@@ -3,7 +3,7 @@
 
 /**
  * The mechanism map over two numbers of the scene: what the block does at the scene's tilt where that is one of them,
- * else what lets go first. Points come from the core's `sweep`, borders, proven, from its `chart map`.
+ * else what begins to move first. Points come from the core's `sweep`, borders, proven, from its `chart map`.
  */
 
 import { element } from "./element.js";
@@ -97,7 +97,7 @@ export class MapPanel extends Panel {
     }
     [this.x, this.y] = chosen;
     const text = sweepable(this.store.parsed, this.towardsMenu.value);
-    const free = new Set([...chosen, this.numbers[0]]); // the tilt is an axis, or has no say in what lets go first
+    const free = new Set([...chosen, this.numbers[0]]); // the tilt is an axis, or has no say in what begins to move first
     const plane = new this.store.parsed.constructor(text).withNumbers([...free].map(({ path }) => ({ path, text: "0" })));
     const key = JSON.stringify([plane, this.x.key, this.y.key]);
     if (key !== this.#key) {

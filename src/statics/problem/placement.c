@@ -4,7 +4,7 @@
 /* Calls shift, world frame, rest and snapping in the order that the scene asks for, refuses more
  * digits than their poses carry, and notes the time of each. */
 
-#include "problem/lay.h"
+#include "problem/placement.h"
 
 #include "problem/effects.h"
 
@@ -69,41 +69,51 @@ static tp_status smooth(tp_smoothed **smoothed, const tp_scene *scene, tp_soluti
   return tp_effects_entered(status, message, tp_effects_note(solution, "smooth", place, "", began));
 }
 
-tp_status tp_lay(const tp_scene **scene, tp_smoothed **smoothed, tp_jointed **jointed,
-                 tp_rested **rested, tp_snapped **snapped, tp_world **world,
-                 const tp_solve_options *options, tp_solution *solution, tp_message *message) {
+tp_status tp_placement_init(tp_placement *placement, const tp_scene **scene,
+                            const tp_solve_options *options, tp_solution *solution,
+                            tp_message *message) {
+  tp_placement *p = placement;
   const bool shifts = tp_scene_is_shifted(*scene), turns = tp_scene_lies_in_place(*scene);
   if (tp_smoothed_is_asked(*scene)) {
-    const tp_status status = smooth(smoothed, *scene, solution, message);
+    const tp_status status = smooth(&p->smoothed, *scene, solution, message);
     if (status != TP_OK) return status;
-    if (*smoothed != NULL) *scene = &(*smoothed)->scene;
+    if (p->smoothed != NULL) *scene = &p->smoothed->scene;
   }
   const bool lies_along = shifts || (*scene)->frame == TP_FRAME_SLOPE;
   if (turns && lies_along) {
-    const tp_status status = turn(world, *scene, options, solution, message);
+    const tp_status status = turn(&p->world, *scene, options, solution, message);
     if (status != TP_OK) return status;
-    *scene = &(*world)->scene;
+    *scene = &p->world->scene;
   }
   if (shifts) {
-    const tp_status status = shift(jointed, *scene, solution, message);
+    const tp_status status = shift(&p->jointed, *scene, solution, message);
     if (status != TP_OK) return status;
-    *scene = &(*jointed)->scene;
+    *scene = &p->jointed->scene;
   }
   if ((*scene)->base.rests) {
-    const tp_status status = set_down(rested, *scene, options, solution, message);
+    const tp_status status = set_down(&p->rested, *scene, options, solution, message);
     if (status != TP_OK) return status;
-    *scene = &(*rested)->scene;
+    *scene = &p->rested->scene;
   }
   if ((*scene)->base.within.given) {
-    const tp_status status = snap(snapped, *scene, solution, message);
+    const tp_status status = snap(&p->snapped, *scene, solution, message);
     if (status != TP_OK) return status;
-    *scene = &(*snapped)->scene;
+    *scene = &p->snapped->scene;
   }
   if (turns && !lies_along) {
-    const tp_status status = turn(world, *scene, options, solution, message);
+    const tp_status status = turn(&p->world, *scene, options, solution, message);
     if (status != TP_OK) return status;
-    *scene = &(*world)->scene;
+    *scene = &p->world->scene;
   }
-  if (lies_along && turns && (*world)->goes_up_dip) return tp_world_level(*world, scene, message);
+  if (lies_along && turns && p->world->goes_up_dip) return tp_world_level(p->world, scene, message);
   return TP_OK;
+}
+
+void tp_placement_clear(tp_placement *placement) {
+  tp_world_free(placement->world);
+  tp_snapped_free(placement->snapped);
+  tp_rested_free(placement->rested);
+  tp_jointed_free(placement->jointed);
+  tp_smoothed_free(placement->smoothed);
+  *placement = (tp_placement){0};
 }
