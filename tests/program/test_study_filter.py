@@ -19,6 +19,22 @@ friction_angle_deg: 30
 tilt: {towards: TOWARDS, angle_deg: 15}
 """
 
+# loads that turn with the tilt: an earthquake, water in the joint behind and below, a weight on the top
+LOADED = """topple: 1
+length_unit: m
+block:
+  outline: [[0, 0], [0.5, -0.05], [1.2, 0], [1.2, 2.4], [0, 2.4]]
+  thickness: 2
+  unit_weight_kn_m3: 26
+base: {mated: true, between: [[0, 0], [1.2, 0]], beyond: {left: 0.5, right: 0.5}}
+loads:
+  seismic: {horizontal: 0.05, vertical: 0.02}
+  water: {height: 0.6, uplift: true, unit_weight_kn_m3: 9.81}
+  surcharges: [{from: [0.5, 2.4], to: [1.2, 2.4], kpa: 5}]
+friction_angle_deg: 34
+tilt: {towards: TOWARDS, angle_deg: 12}
+"""
+
 # valley, peak and the flank between them, three times over: facets in parallel
 TEETH = """topple: 1
 length_unit: mm
@@ -88,6 +104,31 @@ class Filter(StudyCase):
 
     def test_teeth_whose_friction_varies(self):
         self.check(TEETH, "  friction_angle_deg: {uniform: {low: 12, high: 45}}\n", [8, 20, 29, 36], least=0.4)
+
+    def test_loads_that_vary(self):
+        for towards in ("left", "right"):
+            self.check(LOADED.replace("TOWARDS", towards),
+                       "  friction_angle_deg: {normal: {mean: 34, deviation: 3}}\n"
+                       "  block.unit_weight_kn_m3: {uniform: {low: 25, high: 27}}\n"
+                       "  loads.water.height: {uniform: {low: 0, high: 1.4}}\n"
+                       "  loads.water.unit_weight_kn_m3: {uniform: {low: 9.8, high: 10.5}}\n"
+                       "  loads.seismic.horizontal: {normal: {mean: 0.05, deviation: 0.05}}\n"
+                       "  loads.seismic.vertical: {uniform: {low: -0.05, high: 0.05}}\n", [0, 6, 12, 18, 24])
+
+    def test_a_unit_weight_beside_that_of_a_part_moves_the_centroid(self):
+        """No row may be that of another unit weight: with a lighter part in it the block has another centroid."""
+        (self.folder / "parts.yaml").write_text(
+            "topple: 1\nlength_unit: m\nblock:\n  outline: [[0, 0], [1, 0], [1, 3], [0, 3]]\n  unit_weight_kn_m3: 26\n"
+            "  parts: [{outline: [[0.1, 0.1], [0.5, 0.1], [0.5, 2], [0.1, 2]], unit_weight_kn_m3: 10}]\n"
+            "base: {mated: true}\nfriction_angle_deg: 30\ntilt: {towards: left, angle_deg: 10}\n")
+        (self.folder / "study.yaml").write_text("topple_study: 1\nscene: parts.yaml\nvary:\n"
+                                                "  block.unit_weight_kn_m3: {list: [20, 26, 40]}\n")
+        self.summary("study.yaml", "--rows", "rows.csv")
+        for row, weight in zip(self.rows(), (20, 26, 40)):
+            status, out, err = run("solve", "--json", "parts.yaml", "--set", f"block.unit_weight_kn_m3={weight}",
+                                   folder=self.folder)
+            self.assertEqual(status, 0, err)
+            self.compare(row, json.loads(out)["cases"][0])
 
     def test_ties_climb(self):
         """A cube at 45 degrees of friction slides as soon as it topples: that no double tells, and the ladder does."""

@@ -3,9 +3,10 @@
 
 /* What a row of a study tells of a case, in doubles with proven bounds (number/near.h), where these
  * decide all of it: the governing pivot and its critical angle by moments, both limits, the
- * mechanism and the governing factor of safety at any tilts. For a block under its weight alone on
- * a contact with one friction angle, that stands on level ground; for others, and where a double
- * is too short, it tells nothing, and the ladder does.
+ * mechanism and the governing factor of safety at any tilts. For a block on a contact with one
+ * friction angle, under its weight and loads that turn with the tilt as that does
+ * (filter_loads.h), that stands on level ground; for others, and where a double is too short, it
+ * tells nothing, and the ladder does.
  *
  * What scenes share is prepared once (contact_plan.h), by any number of threads read at once. */
 
@@ -13,6 +14,7 @@
 #define TP_CASE_FILTER_CASE_FILTER_H
 
 #include "case_filter/limit_filter.h"
+#include "case_filter/load_plan.h"
 #include "case_filter/onset_filter.h"
 #include "case_filter/outline_map.h"
 
@@ -32,7 +34,8 @@ typedef struct tp_filter_facet {
 typedef struct tp_case_filter {
   tp_contact_plan plan;
   tp_case_shape shape; /* of the scene as it is */
-  bool varies;         /* the block does, by this map: */
+  tp_load_plan loads;
+  bool varies; /* the block does, by this map: */
   tp_outline_map map;
   int pivot_count, facet_count;
   tp_filter_pivot pivots[TP_PLAN_POINTS];
@@ -40,18 +43,25 @@ typedef struct tp_case_filter {
 } tp_case_filter;
 
 /* Of a scene that tilts one way, in which the block varies with the numbers at so many keys, beside
- * friction and tilt; `*filter` stays NULL where it is none for a filter. What of the scene is no
- * block on a base is told by a solve of it, not here. */
+ * friction, tilt and what loads depend on; `*filter` stays NULL where it is none for a filter. What
+ * of the scene is no block on a base is told by a solve of it, not here. */
 TP_MUST_USE tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
                                          const tp_scene_key *keys, size_t count,
                                          tp_message *message);
 
+/* The numbers of a sample. */
+typedef struct tp_case_sample {
+  tp_near friction_deg;
+  tp_near numbers[TP_LOAD_NUMBERS];
+  const tp_near *variables; /* at the keys */
+} tp_case_sample;
+
 /* At any tilt. */
 typedef struct tp_case_told {
   const tp_case_filter *filter;
-  const tp_case_shape *shape; /* the filter's, or this: */
+  tp_filter_case of; /* the filter's shape, or this: */
   tp_case_shape own;
-  tp_near friction; /* tan(phi) */
+  tp_filter_loads loads;
   tp_near pivot_x_m, pivot_y_m;
   tp_near moments_deg, limit_deg, limit_tangent, onset_deg;
   const tp_filter_pivot *pivot; /* that governs */
@@ -60,9 +70,9 @@ typedef struct tp_case_told {
   tp_onset_filter onset;
 } tp_case_told;
 
-/* With the friction angle and the numbers at the keys. False where doubles do not tell. */
+/* False where doubles do not tell. */
 TP_MUST_USE bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *filter,
-                                     tp_near friction_deg, const tp_near *variables);
+                                     const tp_case_sample *sample);
 
 /* A factor of safety: a number, or nothing overturns. */
 typedef struct tp_fos_told {

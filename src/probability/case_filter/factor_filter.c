@@ -10,11 +10,10 @@
 #include "case_filter/sliding_filter.h"
 #include "case_filter/strength_filter.h"
 
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_case_shape *shape,
+void tp_filter_arms(tp_near *x, tp_near *y, const tp_filter_case *of,
                     const tp_filter_pivot *pivot) {
-  const tp_shape_point *p = shape->points + pivot->point;
-  *x = tp_near_neg(p->x);
-  *y = tp_near_neg(p->y);
+  const tp_shape_point *p = of->shape->points + pivot->point;
+  tp_filter_load_arms(x, y, &of->loads->sum, p->x, p->y);
 }
 
 /* ---- what governs ------------------------------------------------------------------------------
@@ -23,6 +22,7 @@ void tp_filter_arms(tp_near *x, tp_near *y, const tp_case_shape *shape,
 /* What governs so far. */
 typedef struct least {
   bool any, number;
+  bool at_onset, perhaps_at_onset; /* one that counts is 1 there */
   tp_near fos;
   tp_mechanism mechanism;
   tp_fos_definition definition;
@@ -52,10 +52,25 @@ static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition de
   return true;
 }
 
+/* A factor that counts is 1 at the onset where the two tilts are one to 1e-9 degrees
+ * (stability/governing_factors.c); what is near that is open. */
+static void note_onset(least *l, const tp_case_told *told, const tp_filter_way *own) {
+  static const double beside_deg = 1e-9;
+  if (told->never || !own->has_critical) return;
+  const tp_near onset = told->onset.tangent, apart = tp_near_sub(own->critical, onset);
+  const double beside = beside_deg * M_PI / 180 * (1 + onset.value * onset.value);
+  const double size = fabs(apart.value);
+  if (size - apart.error > 2 * beside) return;
+  l->at_onset = l->at_onset || size + apart.error < beside / 2;
+  l->perhaps_at_onset = true;
+}
+
 /* What counts; of a block that moves, what is below 1 alone. */
-static bool take_counting(least *l, const tp_filter_state *s, const tp_filter_way *own) {
+static bool take_counting(least *l, const tp_case_told *told, const tp_filter_state *s,
+                          const tp_filter_way *own) {
   static const tp_near one = {1, 0};
   const tp_fos_told *fos = &own->fos;
+  note_onset(l, told, own);
   const bool below = fos->state == TP_FOS_NUMBER && tp_near_sign(tp_near_sub(fos->value, one)) < 0;
   return (s->moves && !below) || take(l, fos->state, fos->value, own->definition, own->mechanism);
 }
@@ -64,7 +79,7 @@ static bool take_judged(least *l, const tp_case_told *told, const tp_filter_stat
                         const tp_filter_way *own) {
   const tp_filter_standing standing = tp_standing_filter(told, s, own);
   return standing == TP_FILTER_EXCLUDED ||
-         (standing == TP_FILTER_COUNTS && take_counting(l, s, own));
+         (standing == TP_FILTER_COUNTS && take_counting(l, told, s, own));
 }
 
 /* Does a mode turn about the point: sticking there, or slipping there alone? */
@@ -94,20 +109,60 @@ static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *
   return found;
 }
 
-static tp_filter_way moments_about(const tp_case_told *told, const tp_filter_state *s,
-                                   const tp_filter_pivot *pivot) {
-  const bool level = tp_near_is_zero(s->tangent); /* nothing overturns */
+/* A moment on the side of its sign, if it is none of nothing. */
+static bool weigh(tp_near *stabilising, tp_near *overturning, tp_near holds) {
+  const int sign = tp_near_sign(holds);
+  if (sign > 0) *stabilising = tp_near_plus(*stabilising, holds);
+  if (sign < 0) *overturning = tp_near_minus(*overturning, holds);
+  return sign != 0 || tp_near_is_zero(holds);
+}
+
+/* The weight by its two components, then each load (evaluation/loaded_balance.c). */
+static bool balance(tp_fos_told *fos, const tp_filter_case *of, const tp_shape_point *p,
+                    tp_near tangent) {
+  tp_near stabilising = {0, 0}, overturning = {0, 0};
+  for (int k = 0; k < of->loads->count; k++) {
+    tp_near level, rise;
+    tp_filter_load_arms(&level, &rise, of->loads->items + k, p->x, p->y);
+    const tp_near turned = tp_near_neg(tp_near_times(rise, tangent));
+    const bool told = k == 0 ? weigh(&stabilising, &overturning, level) &&
+                                   weigh(&stabilising, &overturning, turned)
+                             : weigh(&stabilising, &overturning, tp_near_plus(level, turned));
+    if (!told) return false;
+  }
+  const bool number = !tp_near_is_zero(overturning);
+  *fos = (tp_fos_told){number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING,
+                       number ? tp_near_div(stabilising, overturning) : overturning};
+  return true;
+}
+
+/* By the weight alone: nothing overturns on level ground. */
+static tp_fos_told by_arms(tp_near x, tp_near y, tp_near tangent) {
+  if (tp_near_is_zero(tangent)) return (tp_fos_told){TP_FOS_NO_OVERTURNING, tangent};
+  return (tp_fos_told){TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent))};
+}
+
+static bool moments_about(tp_filter_way *way, const tp_case_told *told, const tp_filter_state *s,
+                          const tp_filter_pivot *pivot) {
   tp_near x, y;
-  tp_filter_arms(&x, &y, told->shape, pivot);
+  tp_filter_arms(&x, &y, &told->of, pivot);
   const tp_mechanism turn = s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
   const bool begins = turn != TP_MECHANISM_UNDECIDED;
-  const tp_near fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent));
-  return (tp_filter_way){.fos = {level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER, fos},
+  *way = (tp_filter_way){.fos = by_arms(x, y, s->tangent),
                          .has_critical = true,
                          .critical = tp_near_div(x, y),
                          .begins = begins,
                          .definition = TP_FOS_BY_MOMENTS,
                          .mechanism = begins ? turn : TP_TOPPLES};
+  return !told->of.loads->called_for ||
+         balance(&way->fos, &told->of, told->of.shape->points + pivot->point, s->tangent);
+}
+
+/* The less safe of two. */
+static tp_fos_told lesser(tp_fos_told a, tp_fos_told b) {
+  if (a.state != TP_FOS_NUMBER) return b;
+  if (b.state == TP_FOS_NUMBER) a.value = tp_near_lesser(a.value, b.value);
+  return a;
 }
 
 /* About the pivot that governs, and then all others that are admissible; `by_moments` is the least
@@ -119,13 +174,12 @@ static bool take_moments(least *l, tp_fos_told *by_moments, const tp_case_told *
   for (int k = -1; k < told->filter->pivot_count; k++) {
     const tp_filter_pivot *pivot = k < 0 ? told->pivot : told->filter->pivots + k;
     if (k >= 0 && (!pivot->admissible || pivot == told->pivot)) continue;
-    const tp_filter_way own = moments_about(told, s, pivot);
+    tp_filter_way own;
+    if (!moments_about(&own, told, s, pivot)) return false;
     const tp_filter_standing standing = tp_standing_filter(told, s, &own);
     const bool counts = standing == TP_FILTER_COUNTS;
-    if (standing == TP_FILTER_OPEN || (counts && !take_counting(l, s, &own))) return false;
-    found[counts] = (tp_fos_told){own.fos.state,
-                                  has[counts] ? tp_near_lesser(found[counts].value, own.fos.value)
-                                              : own.fos.value};
+    if (standing == TP_FILTER_OPEN || (counts && !take_counting(l, told, s, &own))) return false;
+    found[counts] = has[counts] ? lesser(found[counts], own.fos) : own.fos;
     has[counts] = true;
   }
   *by_moments = found[has[true]];
@@ -176,8 +230,8 @@ static bool take_tilt(least *l, const tp_case_told *told, const tp_filter_state 
   return find_beginning(&mechanism, told) && take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_TILT, mechanism);
 }
 
-/* Do the modes that hold the tilt lead up to the end of all tilts? */
-static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
+/* Do the modes that hold the tilt lead on to a wanted one? */
+static bool reaches(const tp_onset_filter *o, tp_near tangent, tp_near wanted) {
   static const double beside = 0x1p-30;
   tp_near at = tangent;
   for (int step = 0; step <= o->plan->mode_count; step++) {
@@ -188,24 +242,27 @@ static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
       if (!own->has_high) return true;
       if (tp_near_sign(tp_near_sub(own->high, most)) > 0) most = own->high;
     }
+    if (tp_near_sign(tp_near_sub(most, wanted)) > 0) return true;
     if (tp_near_sign(tp_near_sub(most, at)) <= 0) return false;
     at = tp_near_mul(most, (tp_near){1 + beside, 0});
   }
   return false;
 }
 
-/* Does the window that holds the tilt begin at the onset and go on to the end of all tilts? */
-static bool is_in_last_window(const tp_case_told *told, tp_near tangent) {
+/* Does the window that holds the tilt begin at the onset, and end where the factor by its upper
+ * end, that of the tilts, is less than one at hand? */
+static bool begins_at_onset(const tp_case_told *told, tp_near tangent, tp_near fos) {
   return tp_filter_begins_from(told, told->onset.tangent, tangent) == TP_FILTER_COUNTS &&
-         goes_on(&told->onset, tangent);
+         reaches(&told->onset, tangent, tp_near_div(tangent, fos));
 }
 
-/* Of a block that moves whatever its strength, in the window that begins at the onset and goes on:
- * by the tilt. */
+/* Of a block that moves whatever its strength, in the window that begins at the onset, the nearer
+ * of its ends: by the tilt. */
 static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state *s) {
-  if (told->never || !is_in_last_window(told, s->tangent)) return false;
-  return take(l, TP_FOS_NUMBER, tp_near_div(told->onset.tangent, s->tangent), TP_FOS_BY_TILT,
-              s->mover);
+  if (told->never) return false;
+  const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
+  return begins_at_onset(told, s->tangent, fos) &&
+         take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_TILT, s->mover);
 }
 
 /* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
@@ -214,10 +271,7 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
   tp_strength_told own;
   const double most =
       l->number && !s->moves ? (l->fos.value + l->fos.error) * (1 + 0x1p-30) : INFINITY;
-  if (!tp_strength_filter_find(&own, &told->filter->plan, told->shape, told->friction, s->tangent,
-                               s->moves, most)) {
-    return false;
-  }
+  if (!tp_strength_filter_find(&own, &told->of, s->tangent, s->moves, most)) return false;
   if (own.found && own.farther) return true;
   if (!own.found && s->moves) return l->number || take_onset(l, told, s);
   if (!own.found) return take_tilt(l, told, s);
@@ -236,17 +290,27 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
   return true;
 }
 
+/* Of a block that stands, may the tilt at which another window begins, above that of the onset,
+ * tell less than what governs? */
+static bool is_told_beyond(const least *l, const tp_case_told *told, tp_near tangent) {
+  static const double beside = 0x1p-30;
+  const tp_near above = tp_near_mul(told->onset.tangent, (tp_near){1 + beside, 0});
+  return reaches(&told->onset, above, tp_near_mul(l->fos, tangent));
+}
+
 /* Where the tilt tells beside a change of strength, as at an end of a window that strength does not
- * move, balls do: that of a gap or of a window that begins at the onset and goes on is known. */
+ * move and at which no formula is 1, balls do: that of a gap or of the window that begins at the
+ * onset is known. */
 static bool is_told_without_tilt(const least *l, const tp_case_told *told,
                                  const tp_filter_state *s) {
   if (!l->number || told->never || tp_near_is_zero(s->tangent)) return true;
-  if (s->moves && !is_in_last_window(told, s->tangent)) return false;
+  if (s->moves && !begins_at_onset(told, s->tangent, l->fos)) return false;
   const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
   const int order = tp_near_sign(tp_near_sub(fos, l->fos));
-  return (s->moves ? order <= 0 : order >= 0) ||
-         tp_strength_filter_moves_onset(&told->filter->plan, told->shape, told->friction,
-                                        told->onset.tangent);
+  if (s->moves ? order <= 0 : order >= 0) return true;
+  if (!s->moves && !is_told_beyond(l, told, s->tangent)) return false;
+  if (l->perhaps_at_onset) return l->at_onset;
+  return tp_strength_filter_moves_onset(&told->of, told->onset.tangent);
 }
 
 /* Between windows of motion, where the tilt may tell, balls do. */

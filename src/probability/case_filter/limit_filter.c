@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Over the weight and cos(tilt) the base has to bear b = (t, 1, 0), t = tan(tilt), by edges e with
- * factors that are not negative. Two edges e_i, e_j span a face if their twist v = +-e_i x e_j has
- * v . e > 0 with all edges but those that it is zero for by construction: of a slide the parallel
- * ones, of a turn about a contact point those there. Where v . b = 0 and b = f_i e_i + f_j e_j with
- * f_i, f_j > 0, forces hold; where v . b < 0, none do (Farkas). With v_x < 0 that is the last tilt
- * that holds. */
+/* Over the weight and cos(tilt) the base has to bear b = b_0 + t b_1, t = tan(tilt), (t, 1, 0) of
+ * the weight alone, by edges e with factors that are not negative. Two edges e_i, e_j span a face
+ * if their twist v = +-e_i x e_j has v . e > 0 with all edges but those that it is zero for by
+ * construction: of a slide the parallel ones, of a turn about a contact point those there. Where v
+ * . b = 0 and b = f_i e_i + f_j e_j with f_i, f_j > 0, forces hold; where v . b < 0, none do
+ * (Farkas). With v . b_1 < 0 that is the last tilt that holds. */
 
 #include "case_filter/limit_filter.h"
 
-void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_case_shape *shape,
-                      tp_near friction) {
-  set->plan = plan;
-  set->shape = shape;
-  for (int k = 0; k < plan->edge_count; k++) {
-    tp_shape_edge(set->of[k], shape, plan->edges[k], friction);
+void tp_edge_set_init(tp_edge_set *set, const tp_filter_case *of) {
+  set->plan = of->plan;
+  set->shape = of->shape;
+  set->loads = of->loads;
+  for (int k = 0; k < set->plan->edge_count; k++) {
+    tp_shape_edge(set->of[k], set->shape, set->plan->edges[k], of->friction);
   }
 }
 
@@ -79,8 +79,8 @@ static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
 
 /* b = f_i e_i + f_j e_j: from the largest component of e_i x e_j. */
 static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
-  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
-  tp_near c[3], of_i[3], of_j[3];
+  tp_near b[3], c[3], of_i[3], of_j[3];
+  tp_filter_loads_at(b, set->loads, tangent);
   tp_sparse_cross(c, set->of[i], set->of[j]);
   tp_sparse_cross(of_i, b, set->of[j]);
   tp_sparse_cross(of_j, set->of[i], b);
@@ -96,11 +96,16 @@ static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
  */
 
 static bool is_limit(tp_near *tangent, const tp_edge_set *set, int i, int j) {
-  tp_near v[3];
+  tp_near v[3], level, rise;
   set_twist(v, set, i, j);
-  if (v[0].value > 0) tp_sparse_reverse(v);
-  if (!may_span(v, set, i, j) || tp_near_sign(v[0]) == 0 || !spans(v, set, i, j)) return false;
-  *tangent = tp_near_neg(tp_near_div(v[1], v[0]));
+  tp_filter_loads_power(&level, &rise, set->loads, v);
+  if (rise.value > 0) {
+    tp_sparse_reverse(v);
+    level = tp_near_neg(level);
+    rise = tp_near_neg(rise);
+  }
+  if (!may_span(v, set, i, j) || tp_near_sign(rise) == 0 || !spans(v, set, i, j)) return false;
+  *tangent = tp_near_neg(tp_near_div(level, rise));
   return presses(set, i, j, *tangent);
 }
 
@@ -133,7 +138,8 @@ static bool bears(const tp_edge_set *set, const int of[3], const tp_near b[3]) {
 
 static bool holds(const tp_edge_set *set, tp_near tangent) {
   const int count = set->plan->edge_count;
-  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
+  tp_near b[3];
+  tp_filter_loads_at(b, set->loads, tangent);
   for (int i = 0; i < count; i++) {
     for (int j = i + 1; j < count; j++) {
       for (int k = j + 1; k < count; k++) {

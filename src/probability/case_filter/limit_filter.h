@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The static limit of a case by the weight alone, in doubles with bounds: searched in doubles, and
+/* The static limit of a case, in doubles with bounds: searched in doubles, and
  * then proven as certificate/face.h does, by a mechanism that no edge of a friction cone resists
  * and by forces that hold. */
 
 #ifndef TP_CASE_FILTER_LIMIT_FILTER_H
 #define TP_CASE_FILTER_LIMIT_FILTER_H
 
-#include "case_filter/shape.h"
+#include "case_filter/filter_loads.h"
 
 /* The edges of the plan with a friction. */
 typedef struct tp_edge_set {
   const tp_contact_plan *plan;
   const tp_case_shape *shape;
+  const tp_filter_loads *loads;
   tp_near of[2 * TP_PLAN_POINTS][3];
 } tp_edge_set;
 
-void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_case_shape *shape,
-                      tp_near friction);
+void tp_edge_set_init(tp_edge_set *set, const tp_filter_case *of);
 
 typedef struct tp_limit_filter {
   tp_near value; /* the tangent of the limit */

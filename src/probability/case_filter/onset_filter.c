@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A mode can begin where its cone of loads holds the weight (motion/bounds.h), over cos(tilt)
- * w = (-t, -1, 0) with t = tan(tilt). The cone is the union of the simple ones of three of its
- * generators each, so that its tilts, an interval, reach from the least lower to the largest upper
- * end of theirs. With h across g_1 and g_2 the factor of g_0 in w is (h . w) / (h . g_0), a linear
- * function of t. Every sign is that of a double beyond its bound. */
+/* A mode can begin where its cone of loads holds those of the block (motion/bounds.h), over the
+ * weight and cos(tilt) w = -(b_0 + t b_1) with t = tan(tilt) (filter_loads.h). The cone is the
+ * union of the simple ones of three of its generators each, so that its tilts, an interval, reach
+ * from the least lower to the largest upper end of theirs. With h across g_1 and g_2 the factor of
+ * g_0 in w is (h . w) / (h . g_0), a linear function of t. Every sign is that of a double beyond
+ * its bound. */
 
 #include "case_filter/onset_filter.h"
 
@@ -43,13 +44,16 @@ static void settle(tp_near_interval *own) {
 /* What spans the cone of a mode: rays, then edges turned round. */
 typedef struct cone {
   const tp_plan_mode *mode;
+  const tp_filter_loads *loads;
   tp_near of[GENERATORS][3];
   tp_near across[3]; /* to both rays: M^-1 h of their normal line, times k^2 */
 } cone;
 
-static void set_cone(cone *c, const tp_plan_mode *mode, const tp_case_shape *shape,
+static void set_cone(cone *c, const tp_plan_mode *mode, const tp_filter_case *of,
                      tp_near edges[][2][3]) {
+  const tp_case_shape *shape = of->shape;
   c->mode = mode;
+  c->loads = of->loads;
   for (int k = 0; k < mode->ray_count; k++) {
     for (int e = 0; e < 3; e++) c->of[k][e] = shape->inertia[mode->rays[k]][e];
   }
@@ -60,10 +64,7 @@ static void set_cone(cone *c, const tp_plan_mode *mode, const tp_case_shape *sha
     }
   }
   if (mode->ray_count < 2) return;
-  const tp_shape_point *p = shape->points + mode->line;
-  c->across[0] = tp_near_times(p->normal[0], shape->gyration);
-  c->across[1] = tp_near_times(p->normal[1], shape->gyration);
-  c->across[2] = p->normal[2];
+  tp_shape_response(c->across, shape, mode->line);
 }
 
 /* The normal of the plane of two generators; of two rays from their normal line, which is exact
@@ -76,14 +77,22 @@ static void set_plane(tp_near plane[3], const cone *c, int i, int j) {
   }
 }
 
-/* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two and w = (-t, -1, 0). */
+/* Where the loads have h . w >= 0, times `sign`. False where open. */
+static bool keep_loads(tp_near_interval *own, const tp_near h[3], const tp_filter_loads *loads,
+                       int sign) {
+  tp_near level, rise;
+  tp_filter_loads_power(&level, &rise, loads, h);
+  return keep(own, rise, tp_near_neg(level), sign);
+}
+
+/* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two. */
 static bool span_triple(tp_near_interval *own, const cone *c, const signed char of[3]) {
   *own = (tp_near_interval){.empty = false};
   for (int k = 0; k < 3 && !own->empty; k++) {
     tp_near h[3];
     set_plane(h, c, of[(k + 1) % 3], of[(k + 2) % 3]);
     const int sign = tp_near_sign(tp_sparse_dot(h, c->of[of[k]]));
-    if (sign == 0 || !keep(own, h[0], tp_near_neg(h[1]), sign)) return false;
+    if (sign == 0 || !keep_loads(own, h, c->loads, sign)) return false;
   }
   settle(own);
   return true;
@@ -124,10 +133,10 @@ static void add_perhaps(tp_near_interval *sum, const tp_near_interval *perhaps) 
   }
 }
 
-static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_case_shape *shape,
+static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_filter_case *of,
                       tp_near edges[][2][3]) {
   cone c;
-  set_cone(&c, mode, shape, edges);
+  set_cone(&c, mode, of, edges);
   const tp_near_interval none = {.empty = true};
   tp_near_interval perhaps = none, perhaps_with_rays = none;
   own->all = own->with_rays = none;
@@ -143,19 +152,29 @@ static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_
   return true;
 }
 
-/* Where all points open under the weight: h . (-t, -1, 0) >= 0 of each. */
-static bool find_leaving(tp_near_interval *own, const tp_contact_plan *plan,
-                         const tp_case_shape *shape) {
+/* Does a point before it open under the same loads? Of those without a moment, one on a parallel
+ * facet. */
+static bool is_repeated(const tp_filter_case *of, int k) {
+  const tp_plan_point *point = of->plan->points + k;
+  for (int before = 0; before < k; before++) {
+    const tp_plan_point *own = of->plan->points + before;
+    if (own->axis == point->axis && own->along == point->along &&
+        (!of->loads->turns || own->site == point->site)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Where all points open under the loads: h . M^-1 w >= 0 of each. */
+static bool find_leaving(tp_near_interval *own, const tp_filter_case *of) {
+  const tp_contact_plan *plan = of->plan;
   *own = (tp_near_interval){.empty = !plan->opens_all};
   for (int k = 0; k < plan->point_count && !own->empty; k++) {
-    const tp_plan_point *point = plan->points + k;
-    bool seen = false; /* a facet parallel to one before it says the same */
-    for (int before = 0; before < k; before++) {
-      seen = seen || (plan->points[before].axis == point->axis &&
-                      plan->points[before].along == point->along);
-    }
-    const tp_shape_point *p = shape->points + k;
-    if (!seen && !keep(own, tp_near_neg(p->ty), tp_near_neg(p->tx), 1)) return false;
+    tp_near response[3];
+    if (is_repeated(of, k)) continue;
+    tp_shape_response(response, of->shape, k);
+    if (!keep_loads(own, response, of->loads, 1)) return false;
   }
   settle(own);
   return true;
@@ -176,20 +195,20 @@ static bool take(tp_onset_filter *found, const tp_near_interval *own) {
   return true;
 }
 
-bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
-                          const tp_case_shape *shape, tp_near friction) {
+bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of) {
+  const tp_contact_plan *plan = of->plan;
   tp_near edges[TP_PLAN_POINTS][2][3];
   for (long k = 0; k < plan->point_count; k++) {
-    tp_shape_edge(edges[k][0], shape, (tp_cone_edge){k, false}, friction);
-    tp_shape_edge(edges[k][1], shape, (tp_cone_edge){k, true}, friction);
+    tp_shape_edge(edges[k][0], of->shape, (tp_cone_edge){k, false}, of->friction);
+    tp_shape_edge(edges[k][1], of->shape, (tp_cone_edge){k, true}, of->friction);
   }
   found->plan = plan;
   found->never = true;
   found->has_perhaps = false;
-  if (!find_leaving(&found->leaves, plan, shape) || !take(found, &found->leaves)) return false;
+  if (!find_leaving(&found->leaves, of) || !take(found, &found->leaves)) return false;
   for (int k = 0; k < plan->mode_count; k++) {
     tp_mode_interval *own = found->modes + k;
-    if (!find_mode(own, plan->modes + k, shape, edges) || !take(found, &own->all)) return false;
+    if (!find_mode(own, plan->modes + k, of, edges) || !take(found, &own->all)) return false;
   }
   return !found->has_perhaps ||
          (!found->never && tp_near_sign(tp_near_sub(found->perhaps, found->tangent)) > 0);

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The tilts at which motions can begin, by the weight alone, in doubles with bounds. */
+/* The tilts at which motions can begin, in doubles with bounds. */
 
 #ifndef TP_CASE_FILTER_ONSET_FILTER_H
 #define TP_CASE_FILTER_ONSET_FILTER_H
 
-#include "case_filter/shape.h"
+#include "case_filter/filter_loads.h"
 
 /* Of a set of tangents t of the tilt, an interval; or none. One whose ends are not told apart is a
  * single tilt at most, or none: `perhaps`. */
@@ -32,8 +32,7 @@ typedef struct tp_onset_filter {
 } tp_onset_filter;
 
 /* False where doubles do not tell, or where a motion can begin on level ground. */
-bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
-                          const tp_case_shape *shape, tp_near friction);
+bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of);
 
 /* Can a motion begin at the tilt, and which: the bit 1 << mechanism of each. False where doubles do
  * not tell. */

@@ -2,8 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Preparation of a case filter from a scene: tests whether the scene is of the simple kind that
- * filters take (weight alone, one friction angle), solves its contact exactly, and rounds shape,
- * pivots and facets to doubles with bounds. */
+ * filters take (one friction angle, loads that turn with the tilt), solves its contact exactly, and
+ * rounds shape, pivots and facets to doubles with bounds. */
 
 #include "case_filter/case_filter.h"
 
@@ -17,10 +17,10 @@
 /* Balls of the preparation; what they tell is rounded to doubles. */
 enum { BITS = 256 };
 
-/* Under the weight alone, with one friction angle, on the tilt as it is given. */
+/* Under loads that turn with the tilt, with one friction angle, on the tilt as it is given. */
 static bool is_plain(const tp_scene *scene) {
   return scene->friction_angle_deg.given && scene->friction.facet_count == 0 &&
-         !scene->base.all_poses && !tp_loads_are_called_for(&scene->loads) &&
+         !scene->base.all_poses && scene->partial_factors == NULL && tp_load_plan_fits(scene) &&
          !tp_smoothed_is_asked(scene) && !tp_scene_lies_in_place(scene) &&
          scene->towards_left != scene->towards_right;
 }
@@ -119,13 +119,21 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
   tp_onset_asked asked;
   if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
   set_shape(&f->shape, &asked);
+  *fits = tp_load_plan_init(&f->loads, e, &asked, towards);
   tp_onset_asked_clear(&asked);
   set_pivots(f, e, towards);
   set_facets(f, problem, towards);
-  *fits = is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);
+  *fits = *fits && is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);
   f->varies = count > 0;
+  if (f->varies && tp_load_plan_knows_outline(&f->loads)) *fits = false;
   if (!*fits || !f->varies) return TP_OK;
   return tp_outline_map_init(&f->map, fits, problem, towards, &f->plan, keys, count, message);
+}
+
+/* Do corners or arcs leave points that are none of the lattice? */
+static bool is_rounded(const tp_problem *problem) {
+  return problem->corners.count > 0 || problem->section.ellipse != NULL ||
+         problem->section.arc_tips.count > 0;
 }
 
 static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *scene,
@@ -140,7 +148,7 @@ static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *sc
   if (status == TP_OK) {
     tp_evaluation e;
     tp_evaluation_init(&e, &problem, (tp_rung){TP_LEVEL_BALL, BITS}, &options);
-    if (!tp_problem_is_enclosed(&problem) && !tp_friction_is_load_dependent(&e)) {
+    if (!is_rounded(&problem) && !tp_friction_is_load_dependent(&e)) {
       status = prepare(f, fits, &e, keys, count, message);
     }
     tp_evaluation_clear(&e);

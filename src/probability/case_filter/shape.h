@@ -33,4 +33,12 @@ static inline void tp_shape_edge(tp_near force[3], const tp_case_shape *shape, t
   tp_sparse_cone_row(force, p->normal, p->slip, &friction, edge.against);
 }
 
+/* k^2 M^-1 h of a point: what loads do to how it opens. */
+static inline void tp_shape_response(tp_near response[3], const tp_case_shape *shape, long point) {
+  const tp_near *normal = shape->points[point].normal;
+  response[0] = tp_near_times(normal[0], shape->gyration);
+  response[1] = tp_near_times(normal[1], shape->gyration);
+  response[2] = normal[2];
+}
+
 #endif

@@ -3,7 +3,8 @@
 
 /* The motion down-dip along a facet has the run t_x and the rise -t_y: i = atan2(rise, run). With
  * r = rise / run, a = tan(tilt) and f = tan(phi), tan(tilt - i) = (a - r) / (1 + a r) and
- * tan(phi + i) = (f + r) / (1 - f r). */
+ * tan(phi + i) = (f + r) / (1 - f r). Under loads b, what the base bears over the weight and
+ * cos(tilt), b . t drives along the facet against f b . n (evaluation/loaded_sliding.c). */
 
 #include "case_filter/sliding_filter.h"
 
@@ -13,7 +14,7 @@ static int compare(const tp_case_told *told, int facet, int other) {
   const tp_contact_plan *plan = &f->plan;
   const long a = f->facets[facet].point, b = f->facets[other].point;
   if (plan->points[a].axis == plan->points[b].axis) return 0; /* all runs are positive */
-  const tp_shape_point *p = told->shape->points + a, *q = told->shape->points + b;
+  const tp_shape_point *p = told->of.shape->points + a, *q = told->of.shape->points + b;
   const int sign =
       tp_near_sign(tp_near_minus(tp_near_times(q->ty, p->tx), tp_near_times(p->ty, q->tx)));
   return sign != 0 ? sign : 2;
@@ -25,7 +26,7 @@ static int steepest(const tp_case_told *told, bool all) {
   const tp_case_filter *f = told->filter;
   int best = -1;
   for (int k = 0; k < f->facet_count; k++) {
-    const int side = tp_near_sign(told->shape->points[f->facets[k].down_dip].x);
+    const int side = tp_near_sign(told->of.shape->points[f->facets[k].down_dip].x);
     if (!all && side == 0) return -2;
     if (!all && side > 0) continue;
     const int order = best < 0 ? 1 : compare(told, k, best);
@@ -37,7 +38,7 @@ static int steepest(const tp_case_told *told, bool all) {
 
 static tp_near slope_of(const tp_case_told *told, int facet) {
   const tp_case_filter *f = told->filter;
-  const tp_shape_point *p = told->shape->points + f->facets[facet].point;
+  const tp_shape_point *p = told->of.shape->points + f->facets[facet].point;
   return f->facets[facet].is_level ? (tp_near){0, 0} : tp_near_neg(tp_near_div(p->ty, p->tx));
 }
 
@@ -49,18 +50,18 @@ static int find_facet(const tp_case_told *told) {
   if (best < 0) return steepest(told, true);
   const tp_near slope = slope_of(told, best);
   if (tp_near_is_zero(slope) || tp_near_sign(slope) > 0) return best;
-  const int rest = tp_near_sign(tp_near_plus(told->friction, slope));
+  const int rest = tp_near_sign(tp_near_plus(told->of.friction, slope));
   return rest > 0 ? best : rest < 0 ? steepest(told, true) : -2;
 }
 
 /* Does sliding down-dip along it, by -t, press on no other facet? 2 where open. */
 static int opens(const tp_case_told *told, int facet) {
   const tp_case_filter *f = told->filter;
-  const tp_shape_point *own = told->shape->points + f->facets[facet].point;
+  const tp_shape_point *own = told->of.shape->points + f->facets[facet].point;
   for (int k = 0; k < f->facet_count; k++) {
     const long at = f->facets[k].point;
     if (f->plan.points[at].axis == f->plan.points[f->facets[facet].point].axis) continue;
-    const tp_shape_point *p = told->shape->points + at;
+    const tp_shape_point *p = told->of.shape->points + at;
     const int sign =
         tp_near_sign(tp_near_minus(tp_near_times(own->tx, p->ty), tp_near_times(own->ty, p->tx)));
     if (sign <= 0) return sign < 0 ? 0 : 2;
@@ -68,31 +69,73 @@ static int opens(const tp_case_told *told, int facet) {
   return 1;
 }
 
-bool tp_sliding_filter(tp_sliding_told *s, const tp_case_told *told, tp_near tangent) {
+/* By the weight alone. */
+static bool by_angles(tp_sliding_told *s, const tp_case_told *told, int facet, tp_near tangent) {
   static const tp_near one = {1, 0};
-  const int facet = find_facet(told);
-  if (facet < 0) return false;
-  const int free = opens(told, facet);
   const tp_near slope = slope_of(told, facet);
   const tp_near needed = tp_near_minus(tangent, slope);
   const tp_near level = tp_near_plus(one, tp_near_times(tangent, slope));
-  const tp_near rest = tp_near_minus(one, tp_near_times(told->friction, slope));
+  const tp_near rest = tp_near_minus(one, tp_near_times(told->of.friction, slope));
   const int needs = tp_near_sign(needed), upright = tp_near_sign(rest);
   const bool open = needs == 0 && !tp_near_is_zero(needed);
-  if (free == 2 || open || upright == 0 || tp_near_sign(level) <= 0) return false;
+  if (open || upright == 0 || tp_near_sign(level) <= 0) return false;
   s->has_critical = upright > 0;
-  if (s->has_critical) s->critical = tp_near_div(tp_near_plus(told->friction, slope), rest);
-  s->counts = free == 1;
+  if (s->has_critical) s->critical = tp_near_div(tp_near_plus(told->of.friction, slope), rest);
   s->is_level = told->filter->facets[facet].is_level;
   s->shear = needs > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
   const bool overturns = upright > 0 && !tp_near_is_zero(tangent);
   s->rough = overturns ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
   if (needs > 0) {
-    s->by_shear = tp_near_div(tp_near_times(told->friction, level), needed);
+    s->by_shear = tp_near_div(tp_near_times(told->of.friction, level), needed);
   }
   if (overturns) {
     s->by_roughness =
-        tp_near_div(tp_near_plus(told->friction, slope), tp_near_times(rest, tangent));
+        tp_near_div(tp_near_plus(told->of.friction, slope), tp_near_times(rest, tangent));
   }
   return true;
+}
+
+/* Along the facet, and against it. */
+static void resolve(tp_near *along, tp_near *against, const tp_near borne[3],
+                    const tp_shape_point *p) {
+  *along = tp_near_plus(tp_near_times(borne[0], p->tx), tp_near_times(borne[1], p->ty));
+  *against = tp_near_minus(tp_near_times(borne[1], p->tx), tp_near_times(borne[0], p->ty));
+}
+
+/* What drives less what resists, over the weight and cos(tilt). */
+static tp_near excess(const tp_case_told *told, const tp_near borne[3], const tp_shape_point *p) {
+  tp_near along, against;
+  resolve(&along, &against, borne, p);
+  return tp_near_minus(along, tp_near_times(told->of.friction, against));
+}
+
+/* It begins to slide where the excess rises through zero above level ground. */
+static bool by_forces(tp_sliding_told *s, const tp_case_told *told, int facet, tp_near tangent) {
+  const tp_filter_load *sum = &told->of.loads->sum;
+  const tp_shape_point *p = told->of.shape->points + told->filter->facets[facet].point;
+  const tp_near level = excess(told, sum->at, p), rise = excess(told, sum->rise, p);
+  tp_near borne[3], along, against;
+  tp_filter_loads_at(borne, told->of.loads, tangent);
+  resolve(&along, &against, borne, p);
+  const int drives = tp_near_sign(along), rises = tp_near_sign(rise);
+  if (tp_near_sign(level) >= 0 || rises == 0 || tp_near_sign(against) <= 0 ||
+      (drives == 0 && !tp_near_is_zero(along))) {
+    return false;
+  }
+  s->has_critical = rises > 0;
+  if (s->has_critical) s->critical = tp_near_neg(tp_near_div(level, rise));
+  s->is_level = true; /* the factor is one, whatever the facet's angle */
+  s->rough = TP_FOS_NO_OVERTURNING;
+  s->shear = drives > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
+  if (drives > 0) s->by_shear = tp_near_div(tp_near_times(told->of.friction, against), along);
+  return true;
+}
+
+bool tp_sliding_filter(tp_sliding_told *s, const tp_case_told *told, tp_near tangent) {
+  const int facet = find_facet(told);
+  if (facet < 0) return false;
+  const int free = opens(told, facet);
+  s->counts = free == 1;
+  return free != 2 && (told->of.loads->called_for ? by_forces(s, told, facet, tangent)
+                                                  : by_angles(s, told, facet, tangent));
 }

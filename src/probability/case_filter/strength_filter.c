@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The modes of the plan as functions of the share, over cos(tilt): w = (-t, -1, 0), and
- * e = N + s f T with f = tan(phi). Where no motion can begin, forces have to hold the block too. */
+/* The modes of the plan as functions of the share, over the weight and cos(tilt): w the loads at
+ * the tilt, and e = N + s f T with f = tan(phi). Where no motion can begin, forces have to hold the
+ * block too. */
 
 #include "case_filter/strength_filter.h"
 
@@ -22,60 +23,60 @@ static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_c
   own->parallel = 1 + 4 * at->axis + 2 * at->along + edge.against;
 }
 
-static void set_loads(tp_share_mode *mode, tp_near tangent) {
-  mode->loads = (tp_share_line){.at = {tp_near_neg(tangent), {-1, 0}, {0, 0}}};
+static void set_loads(tp_share_mode *mode, const tp_filter_loads *loads, tp_near tangent) {
+  tp_near borne[3];
+  tp_filter_loads_at(borne, loads, tangent);
+  mode->loads = (tp_share_line){.site = 0};
+  for (int e = 0; e < 3; e++) mode->loads.at[e] = tp_near_neg(borne[e]);
   mode->free_count = 0;
 }
 
-static void set_mode(tp_share_mode *mode, const tp_contact_plan *plan, const tp_case_shape *shape,
-                     const tp_plan_mode *own, tp_near friction) {
+static void set_mode(tp_share_mode *mode, const tp_filter_case *of, const tp_plan_mode *own) {
   mode->mechanism = own->mechanism;
   mode->interior = false;
   mode->ray_count = own->ray_count;
   mode->count = own->ray_count + own->edge_count;
   for (int k = 0; k < own->ray_count; k++) {
     mode->of[k] = (tp_share_line){.site = 0};
-    for (int e = 0; e < 3; e++) mode->of[k].at[e] = shape->inertia[own->rays[k]][e];
+    for (int e = 0; e < 3; e++) mode->of[k].at[e] = of->shape->inertia[own->rays[k]][e];
   }
   for (int k = 0; k < own->edge_count; k++) {
     tp_share_line *edge = mode->of + own->ray_count + k;
     *edge = (tp_share_line){.site = 0};
-    set_edge(edge, plan, shape, own->edges[k], friction);
+    set_edge(edge, of->plan, of->shape, own->edges[k], of->friction);
   }
 }
 
-/* Where all points open under the weight: no share changes that. */
-static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan,
-                         const tp_case_shape *shape) {
+/* Where all points open under the loads: no share changes that. */
+static void set_interior(tp_share_mode *mode, const tp_filter_case *of) {
   mode->mechanism = TP_LEAVES_BASE;
   mode->interior = true;
   mode->ray_count = 0;
-  mode->count = plan->point_count;
-  for (int k = 0; k < plan->point_count; k++) {
-    const tp_shape_point *p = shape->points + k;
-    mode->of[k] = (tp_share_line){.at = {p->normal[0], p->normal[1], p->normal[2]}};
+  mode->count = of->plan->point_count;
+  for (int k = 0; k < of->plan->point_count; k++) {
+    mode->of[k] = (tp_share_line){.site = 0};
+    tp_shape_response(mode->of[k].at, of->shape, k);
   }
 }
 
 /* The modes at a tilt, one after another; the last is that in which all points open. */
 typedef struct modes {
-  const tp_contact_plan *plan;
-  const tp_case_shape *shape;
-  tp_near friction, tangent;
+  const tp_filter_case *of;
+  tp_near tangent;
 } modes;
 
 static int count_of(const modes *m) {
-  return m->plan->mode_count + (m->plan->opens_all ? 1 : 0);
+  return m->of->plan->mode_count + (m->of->plan->opens_all ? 1 : 0);
 }
 
 static void read_mode(tp_share_mode *mode, const modes *m, int k) {
   mode->sum = NULL;
   mode->bits = 0;
-  set_loads(mode, m->tangent);
-  if (k < m->plan->mode_count) {
-    set_mode(mode, m->plan, m->shape, m->plan->modes + k, m->friction);
+  set_loads(mode, m->of->loads, m->tangent);
+  if (k < m->of->plan->mode_count) {
+    set_mode(mode, m->of, m->of->plan->modes + k);
   } else {
-    set_interior(mode, m->plan, m->shape);
+    set_interior(mode, m->of);
   }
 }
 
@@ -90,7 +91,9 @@ static int side_of(const modes *m, double share) {
     if (side == 0) any = 0;
   }
   tp_edge_set edges;
-  tp_edge_set_init(&edges, m->plan, m->shape, tp_near_mul(m->friction, (tp_near){share, 0}));
+  tp_filter_case reduced = *m->of;
+  reduced.friction = tp_near_mul(reduced.friction, (tp_near){share, 0});
+  tp_edge_set_init(&edges, &reduced);
   return any < 0 && tp_limit_filter_holds(&edges, m->tangent) ? -1 : 0;
 }
 
@@ -120,10 +123,9 @@ static bool find_change(tp_share_change *change, const modes *m, bool moves) {
   return done;
 }
 
-bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
-                             const tp_case_shape *shape, tp_near friction, tp_near tangent,
+bool tp_strength_filter_find(tp_strength_told *told, const tp_filter_case *of, tp_near tangent,
                              bool moves, double most) {
-  const modes m = {plan, shape, friction, tangent};
+  const modes m = {of, tangent};
   tp_share_change change;
   const bool done = find_change(&change, &m, moves);
   told->found = change.found;
@@ -133,11 +135,10 @@ bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan
   return enclose(&told->share, &m, change.share);
 }
 
-bool tp_strength_filter_moves_onset(const tp_contact_plan *plan, const tp_case_shape *shape,
-                                    tp_near friction, tp_near onset) {
+bool tp_strength_filter_moves_onset(const tp_filter_case *of, tp_near onset) {
   static const double beside = TP_BESIDE_END_DEG * M_PI / 180;
   const double t = onset.value;
-  const modes m = {plan, shape, friction, {t + beside * (1 + t * t), 0}};
+  const modes m = {of, {t + beside * (1 + t * t), 0}};
   tp_share_change change;
   return find_change(&change, &m, true) && change.found &&
          fabs(log(change.share)) < TP_LITTLE_STRENGTH;

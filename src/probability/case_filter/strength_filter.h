@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The share of its friction nearest to 1 at which it changes whether a motion can begin at a tilt
- * (motion/strength_change.h), by the weight alone, in doubles with bounds. */
+ * (motion/strength_change.h), in doubles with bounds. */
 
 #ifndef TP_CASE_FILTER_STRENGTH_FILTER_H
 #define TP_CASE_FILTER_STRENGTH_FILTER_H
@@ -18,14 +18,11 @@ typedef struct tp_strength_told {
 
 /* `moves`: a motion can begin with all of it. Ratios above `most` do not matter. False where
  * doubles do not tell. */
-TP_MUST_USE bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
-                                         const tp_case_shape *shape, tp_near friction,
+TP_MUST_USE bool tp_strength_filter_find(tp_strength_told *told, const tp_filter_case *of,
                                          tp_near tangent, bool moves, double most);
 
 /* Does a little more or less friction move the onset (tp_window.from_by_strength)? By the same
  * search just above it; false where doubles do not tell. */
-TP_MUST_USE bool tp_strength_filter_moves_onset(const tp_contact_plan *plan,
-                                                const tp_case_shape *shape, tp_near friction,
-                                                tp_near onset);
+TP_MUST_USE bool tp_strength_filter_moves_onset(const tp_filter_case *of, tp_near onset);
 
 #endif

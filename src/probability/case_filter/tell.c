@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The verdicts of stability/mechanism.c, of a block under its weight alone that has a limit at an
- * angle. Tangents rise with tilts, so that the order of the two is the same. */
+/* The verdicts of stability/mechanism.c, of a block that has a limit at an angle. Tangents rise
+ * with tilts, so that the order of the two is the same. */
 
 #include "case_filter/factor_filter.h"
 
@@ -28,7 +28,7 @@ static bool find_pivot(tp_case_told *told) {
   for (int k = 0; k < f->pivot_count; k++) {
     tp_near x, y;
     if (!f->pivots[k].admissible) continue;
-    tp_filter_arms(&x, &y, told->shape, f->pivots + k);
+    tp_filter_arms(&x, &y, &told->of, f->pivots + k);
     if (tp_near_sign(x) <= 0 || tp_near_sign(y) <= 0) return false;
     const tp_near tangent = tp_near_div(x, y);
     const int order = told->pivot == NULL ? -1 : tp_near_sign(tp_near_sub(tangent, least));
@@ -47,7 +47,7 @@ static bool find_pivot(tp_case_told *told) {
 /* The shape of a block that varies, and where its pivots lie. */
 static bool take_shape(tp_case_told *told, tp_near_outline *outline, const tp_near *variables) {
   const tp_case_filter *f = told->filter;
-  told->shape = f->varies ? &told->own : &f->shape;
+  told->of.shape = f->varies ? &told->own : &f->shape;
   return !f->varies || (tp_outline_map_shape(&told->own, outline, &f->map, &f->plan, variables) &&
                         tp_shape_complete(&told->own, &f->plan));
 }
@@ -66,23 +66,25 @@ static void place_pivot(tp_case_told *told, const tp_near_outline *outline) {
   told->pivot_y_m = coordinate(f, outline->y[at], y, told->pivot->y_m);
 }
 
-bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f, tp_near friction_deg,
-                         const tp_near *variables) {
+bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
+                         const tp_case_sample *sample) {
   static const tp_near level = {0, 0};
   tp_near_outline outline;
   outline.x[0] = outline.y[0] = level;
   told->filter = f;
-  told->friction = tangent_of(friction_deg);
-  if (tp_near_sign(told->friction) <= 0 || !take_shape(told, &outline, variables) ||
-      !find_pivot(told)) {
+  told->of.plan = &f->plan;
+  told->of.loads = &told->loads;
+  told->of.friction = tangent_of(sample->friction_deg);
+  if (tp_near_sign(told->of.friction) <= 0 || !take_shape(told, &outline, sample->variables) ||
+      !tp_load_plan_evaluate(&told->loads, &f->loads, sample->numbers) || !find_pivot(told)) {
     return false;
   }
   place_pivot(told, &outline);
   tp_edge_set edges;
   tp_limit_filter limit;
-  tp_edge_set_init(&edges, &f->plan, told->shape, told->friction);
+  tp_edge_set_init(&edges, &told->of);
   if (!tp_limit_filter_find(&limit, &edges) || !tp_limit_filter_holds(&edges, level) ||
-      !tp_onset_filter_find(&told->onset, &f->plan, told->shape, told->friction)) {
+      !tp_onset_filter_find(&told->onset, &told->of)) {
     return false;
   }
   told->limit = limit.mechanism;

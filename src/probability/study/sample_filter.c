@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Tells which variables are friction, tilt or unit weight, converts a sample's numbers to doubles
- * with bounds, and fills the row from a case filter. */
+/* Tells which variables are friction, tilt or numbers of loads, converts a sample's numbers to
+ * doubles with bounds, and fills the row from a case filter. */
 
 #include "study/sample_filter.h"
 
@@ -11,18 +11,20 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What a number that varies is. */
 typedef enum tp_sample_part {
   TP_SAMPLE_FRICTION,
   TP_SAMPLE_TILT,
-  TP_SAMPLE_WEIGHT,
-  TP_SAMPLE_BLOCK
+  TP_SAMPLE_THICKNESS, /* on which nothing in a row depends */
+  TP_SAMPLE_BLOCK,
+  TP_SAMPLE_LOAD /* and on, by tp_load_number */
 } tp_sample_part;
 
 struct tp_sample_filter {
   tp_case_filter *of;
-  tp_sample_part *parts; /* by variable */
+  int *parts; /* by variable */
   bool has_tilt;
   tp_near friction_deg, tilt_deg; /* of the scene, where they do not vary */
 };
@@ -37,12 +39,14 @@ static bool is_key(const tp_scene_key *key, const tp_study *study, const char *t
          tp_scene_key_same(key, &other);
 }
 
-static tp_sample_part part_of(const tp_scene_key *key, const tp_study *study) {
+static int part_of(const tp_scene_key *key, const tp_study *study) {
   if (is_key(key, study, "friction_angle_deg")) return TP_SAMPLE_FRICTION;
   if (is_key(key, study, "tilt.angle_deg")) return TP_SAMPLE_TILT;
-  const bool weight =
-      is_key(key, study, "block.unit_weight_kn_m3") || is_key(key, study, "block.thickness");
-  return weight ? TP_SAMPLE_WEIGHT : TP_SAMPLE_BLOCK;
+  if (is_key(key, study, "block.thickness")) return TP_SAMPLE_THICKNESS;
+  for (int k = 0; k < TP_LOAD_NUMBERS; k++) {
+    if (is_key(key, study, tp_load_number_key((tp_load_number)k))) return TP_SAMPLE_LOAD + k;
+  }
+  return TP_SAMPLE_BLOCK;
 }
 
 /* A double is the decimal that names it to half a unit of its last place. */
@@ -62,7 +66,7 @@ static tp_near near_of_rational(const fmpq_t value) {
 /* With room for all that varies. */
 static tp_sample_filter *allocate(size_t variables) {
   tp_sample_filter *own = calloc(1, sizeof *own);
-  tp_sample_part *parts = calloc(variables + 1, sizeof *parts);
+  int *parts = calloc(variables + 1, sizeof *parts);
   if (own != NULL && parts != NULL) {
     own->parts = parts;
     return own;
@@ -79,6 +83,8 @@ static tp_status find(tp_sample_filter *own, const tp_study *study, tp_message *
   for (size_t k = 0; k < study->variable_count; k++) {
     const tp_scene_key *key = &study->variables[k].key;
     own->parts[k] = part_of(key, study);
+    const bool weighs = own->parts[k] == TP_SAMPLE_LOAD + TP_NUMBER_UNIT_WEIGHT;
+    if (weighs && scene->block.part_count > 0) return TP_OK; /* it moves the centroid */
     if (own->parts[k] != TP_SAMPLE_BLOCK) continue;
     if (count == TP_AFFINE_VARIABLES) return TP_OK;
     keys[count++] = *key;
@@ -115,26 +121,40 @@ void tp_sample_filter_free(tp_sample_filter *filter) {
 
 /* The numbers of a sample. */
 typedef struct numbers {
-  tp_near friction_deg, tilt_deg;
+  tp_case_sample sample;
+  tp_near tilt_deg;
   tp_near variables[TP_AFFINE_VARIABLES];
 } numbers;
 
-/* False where one is none that every scene takes. */
+/* Is it a number of its kind that every scene takes? */
+static bool is_taken(double value, int part) {
+  static const double least = 1e-6, most = 1e6;
+  const double size = fabs(value);
+  const bool is_share =
+      part == TP_SAMPLE_LOAD + TP_NUMBER_HORIZONTAL || part == TP_SAMPLE_LOAD + TP_NUMBER_VERTICAL;
+  const bool is_water = part == TP_SAMPLE_LOAD + TP_NUMBER_WATER_HEIGHT ||
+                        part == TP_SAMPLE_LOAD + TP_NUMBER_WATER_WEIGHT;
+  if (value == 0) return is_share || is_water;
+  return size >= least && size <= most && (value > 0 || is_share || part == TP_SAMPLE_BLOCK);
+}
+
 static bool take_values(numbers *n, const tp_sample_filter *f, const tp_study_row *row,
                         size_t count) {
-  static const double least = 1e-6, most = 1e6;
   size_t next = 0;
-  n->friction_deg = f->friction_deg;
+  n->sample.friction_deg = f->friction_deg;
+  n->sample.variables = n->variables;
+  memcpy(n->sample.numbers, f->of->loads.numbers, sizeof n->sample.numbers);
   n->tilt_deg = f->tilt_deg;
   for (size_t k = 0; k < count; k++) {
-    const double value = row->values[k], size = fabs(value);
-    const bool is_block = f->parts[k] == TP_SAMPLE_BLOCK;
-    if (!((value >= least || (is_block && size >= least)) && size <= most)) return false;
-    if (f->parts[k] == TP_SAMPLE_FRICTION) n->friction_deg = near_of(value);
-    if (f->parts[k] == TP_SAMPLE_TILT) n->tilt_deg = near_of(value);
-    if (is_block) n->variables[next++] = near_of(value);
+    const int part = f->parts[k];
+    if (!is_taken(row->values[k], part)) return false;
+    const tp_near own = near_of(row->values[k]);
+    if (part == TP_SAMPLE_FRICTION) n->sample.friction_deg = own;
+    if (part == TP_SAMPLE_TILT) n->tilt_deg = own;
+    if (part == TP_SAMPLE_BLOCK) n->variables[next++] = own;
+    if (part >= TP_SAMPLE_LOAD) n->sample.numbers[part - TP_SAMPLE_LOAD] = own;
   }
-  return n->friction_deg.value < 89 && n->tilt_deg.value < 89;
+  return n->sample.friction_deg.value < 89 && n->tilt_deg.value < 89;
 }
 
 /* A number as a row shows it, where all of its digits are certain: that of solve, which is as close
@@ -192,7 +212,7 @@ bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilt
   numbers n;
   tp_case_told told;
   if (f == NULL || !take_values(&n, f, row, study->variable_count) ||
-      !tp_case_filter_tell(&told, f->of, n.friction_deg, n.variables) || !take_case(row, &told) ||
+      !tp_case_filter_tell(&told, f->of, &n.sample) || !take_case(row, &told) ||
       !take_own(row, &told, n.tilt_deg, f->has_tilt)) {
     return false;
   }

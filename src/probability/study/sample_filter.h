@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Samples told by doubles with proven bounds (case_filter/case_filter.h), where what varies leaves
- * block and contact as they are: friction, the scene's own tilt, and the weight of a unit, on which
- * nothing in a row depends where the weight acts alone. */
+/* Samples told by doubles with proven bounds (case_filter/case_filter.h): where friction varies,
+ * the scene's own tilt, numbers of its loads, its unit weight, on which without loads nothing in a
+ * row depends, and vertices as functions of numbers. */
 
 #ifndef TP_STUDY_SAMPLE_FILTER_H
 #define TP_STUDY_SAMPLE_FILTER_H
