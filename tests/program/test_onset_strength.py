@@ -12,7 +12,7 @@ from fractions import Fraction
 import exact
 from harness import ROUNDS, main, rounds
 from limit_oracle import contacts
-from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
+from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, text_of, worn_profile
 from onset_case import degrees_of, rough_tangent
 from onset_oracle import gyration
 from onset_strength_oracle import StrongOnset, facets
@@ -208,6 +208,35 @@ class Trial(Strength):
             for window in case["onset"]["windows"]:
                 if window["from_deg"] and window["to_deg"]:
                     self.assertLessEqual(value(window["from_deg"]), value(window["to_deg"]))
+
+
+class RoughArch(Strength):
+    """A serrated arch, or a profile scanned at thousands of points, bounds the motions in which the whole contact opens
+    by more than two dozen planes: the factor was left undecided there."""
+
+    def solve(self, outline, friction, tilt):
+        return self.scene.solve(f"outline: {text_of(outline)}", "mated: true", friction, "", f", angle_deg: {tilt}")["left"]
+
+    def test_the_factor_divides_the_strength(self):
+        """Solves with the friction divided by a little less than the factor, and a little more, stand and do not; where
+        the factor is unbounded they stand at next to no friction."""
+        sole = [(100 * k, (900 - k * k) * Fraction(10 if k % 2 else 9, 10)) for k in range(-30, 31)]
+        outline = [*((x, float(y)) for x, y in sole), (3000, 6000), (-3000, 6000)]
+        case = self.solve(outline, 5, 29)
+        factor = value(case["onset"]["fos"])
+        self.assertAlmostEqual(factor, 1.065, delta=1e-3)
+        for divisor, mechanism in ((factor * (1 - 1e-7), "stands"), (factor * (1 + 1e-7), "may move")):
+            friction = math.degrees(math.atan(math.tan(math.radians(5)) / divisor))
+            self.assertEqual(self.solve(outline, f"{friction:.17g}", 29)["mechanism"], mechanism)
+        case = self.solve(outline, 5, 20)
+        self.assertEqual((case["mechanism"], case["onset"]["fos_is"]), ("stands", "unbounded: no driving action"))
+        self.assertEqual(self.solve(outline, "0.0001", 20)["mechanism"], "stands")
+
+    def test_a_scanned_profile(self):
+        random.seed(4)
+        sole = [(k, random.randint(0, 1500) / 1000) for k in range(12001)]
+        case = self.solve([*sole, (12000, 8000), (0, 8000)], 30, 10)
+        self.assertEqual((case["mechanism"], case["onset"]["fos_is"]), ("stands", "unbounded: no driving action"))
 
 
 if __name__ == "__main__":

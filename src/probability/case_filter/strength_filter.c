@@ -51,8 +51,9 @@ static void set_mode(tp_share_mode *mode, const tp_filter_case *of, const tp_pla
 static void set_interior(tp_share_mode *mode, const tp_filter_case *of) {
   mode->mechanism = TP_LEAVES_BASE;
   mode->interior = true;
-  mode->ray_count = 0;
-  mode->count = of->plan->point_count;
+  mode->ray_count = mode->count = 0;
+  mode->planes = mode->of;
+  mode->plane_count = of->plan->point_count;
   for (int k = 0; k < of->plan->point_count; k++) {
     mode->of[k] = (tp_share_line){.site = 0};
     tp_shape_response(mode->of[k].at, of->shape, k);

@@ -10,6 +10,7 @@
 #include "number/ball.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 enum { BALLS = TP_SHARE_LINES + TP_SHARE_FREE + 2 }; /* the last two: of loads, and their sum */
 
@@ -37,6 +38,7 @@ void tp_mode_reading_init(tp_mode_reading *r, const tp_motion_question *q, const
   r->length = isfinite(log2_gyration) ? (slong)(log2_gyration / 2) : 0;
   tp_vector_init(&r->loads);
   r->keeps_balls = false;
+  r->planes = NULL;
   tp_vector_init(&r->line.at);
   tp_vector_init(&r->line.rise);
   for (int k = 0; k < BALLS; k++) {
@@ -48,6 +50,7 @@ void tp_mode_reading_init(tp_mode_reading *r, const tp_motion_question *q, const
 }
 
 void tp_mode_reading_clear(tp_mode_reading *r) {
+  free(r->planes);
   tp_vector_clear(&r->loads);
   tp_vector_clear(&r->line.at);
   tp_vector_clear(&r->line.rise);
@@ -93,11 +96,16 @@ static void set_line(tp_share_line *own, tp_mode_reading *r, int place, slong po
   set_near(own->rise, &balls->rise);
 }
 
-/* The next of the mode, with its largest entry about 1, as generators may be. */
-static tp_share_line *add_generator(tp_share_mode *to, tp_mode_reading *r, slong length) {
+/* With its largest entry about 1, as generators and planes may be. */
+static void set_scaled(tp_share_line *own, tp_mode_reading *r, int place, slong length) {
   const double log2_size = log2_of(&r->line, length);
+  set_line(own, r, place, isfinite(log2_size) ? -(slong)log2_size : 0, length);
+}
+
+/* The next of the mode. */
+static tp_share_line *add_generator(tp_share_mode *to, tp_mode_reading *r) {
   tp_share_line *own = to->of + to->count;
-  set_line(own, r, to->count++, isfinite(log2_size) ? -(slong)log2_size : 0, length);
+  set_scaled(own, r, to->count++, r->length);
   return own;
 }
 
@@ -111,7 +119,7 @@ static void clear_line(tp_ball_line *line) {
 static void add_ray(tp_share_mode *to, tp_mode_reading *r, long ray) {
   clear_line(&r->line);
   tp_newton_inertia(&r->line.at, r->question, r->motions->twists.rays + ray);
-  (void)add_generator(to, r, r->length);
+  (void)add_generator(to, r);
 }
 
 /* The force n +- t tan(phi) turned round, as tp_newton_force has it. */
@@ -133,7 +141,7 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
   tp_newton_moment(&line->rise, q, q->cones->x + edge->point, q->cones->y + edge->point,
                    q->judge.precision);
   if (!edge->against) tp_vector_neg(&line->rise);
-  tp_share_line *own = add_generator(to, r, r->length);
+  tp_share_line *own = add_generator(to, r);
   own->site = point->site + 1;
   const long family = n->families[n->family_of[edge->point]].axis;
   own->parallel = 1 + 2 * (family * (q->cones->own_count + 1) + point->own) + edge->against;
@@ -142,7 +150,7 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
 static void add_vector(tp_share_mode *to, tp_mode_reading *r, const tp_vector *of) {
   clear_line(&r->line);
   for (int e = 0; e < 3; e++) arb_set(r->line.at.of + e, of->of + e);
-  (void)add_generator(to, r, r->length);
+  (void)add_generator(to, r);
 }
 
 /* The loads, and what is free beside them, in one scale. */
@@ -176,15 +184,21 @@ static bool find_strength(const tp_share_mode *to, tp_mode_reading *r, const tp_
          to->count + s->pull_count <= TP_SHARE_LINES;
 }
 
+/* A rough base has dozens of planes, a vault as many as facets. */
 static bool add_planes(tp_share_mode *to, tp_mode_reading *r) {
   const tp_motions *m = r->motions;
+  if (r->planes == NULL) r->planes = malloc((size_t)(m->twists.face_count + 1) * sizeof *r->planes);
+  if (r->planes == NULL) {
+    r->outcome = TP_MOTION_OUT_OF_MEMORY;
+    return false;
+  }
+  to->planes = r->planes;
   for (long k = 0; k < m->twists.face_count; k++) {
     const long normal = m->twists.faces[k].normal;
     if (k > 0 && normal == m->twists.faces[k - 1].normal) continue;
-    if (to->count == TP_SHARE_LINES) return false;
     clear_line(&r->line);
     tp_newton_normal(&r->line.at, r->question, &m->normals, normal);
-    (void)add_generator(to, r, -r->length);
+    set_scaled(r->planes + to->plane_count++, r, 0, -r->length);
   }
   return true;
 }
@@ -195,6 +209,7 @@ bool tp_mode_read(tp_share_mode *to, tp_mode_reading *r, const tp_motion_mode *m
   to->interior = mode->ray_count == 0;
   to->ray_count = mode->ray_count;
   to->count = to->free_count = 0;
+  to->plane_count = 0;
   to->sum = r->keeps_balls ? r->balls + BALLS - 1 : NULL;
   to->bits = r->question->judge.precision;
   if (to->interior && !add_planes(to, r)) return false;

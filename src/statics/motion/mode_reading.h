@@ -21,6 +21,7 @@ typedef struct tp_mode_reading {
   tp_ball_line line;
   bool keeps_balls; /* of the mode read last */
   tp_ball_line balls[TP_SHARE_LINES + TP_SHARE_FREE + 2];
+  tp_share_line *planes; /* of the interior; NULL: not read yet */
   tp_strength strength;
   tp_motion_outcome outcome; /* of what cohesion and bonds do */
 } tp_mode_reading;

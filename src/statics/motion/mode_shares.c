@@ -191,8 +191,8 @@ static tp_share_polynomial work_of(const tp_share_line *loads, const tp_near h[3
 /* Half-spaces, of which each is a condition: the spans that all leave. */
 static bool add_interior(tp_share_spans *spans, const tp_share_mode *m) {
   double low = TP_LEAST_SHARE, high = TP_MOST_SHARE;
-  for (int k = 0; k < m->count; k++) {
-    const tp_share_polynomial p = work_of(&m->loads, m->of[k].at);
+  for (long k = 0; k < m->plane_count; k++) {
+    const tp_share_polynomial p = work_of(&m->loads, m->planes[k].at);
     if (p.degree == 0) {
       if (p.of[0] < 0) return true;
       continue;
@@ -270,8 +270,8 @@ static int side_of_interior(const tp_share_mode *m, tp_near share) {
   tp_near w[3];
   evaluate_line(w, &m->loads, share);
   int all = 1;
-  for (int k = 0; k < m->count; k++) {
-    const int side = tp_near_sign(tp_near_dot(m->of[k].at, w));
+  for (long k = 0; k < m->plane_count; k++) {
+    const int side = tp_near_sign(tp_near_dot(m->planes[k].at, w));
     if (side < 0) return -1;
     if (side == 0) all = 0;
   }

@@ -35,10 +35,13 @@ typedef struct tp_share_line {
 
 enum { TP_SHARE_LINES = 24, TP_SHARE_FREE = 4 };
 
-/* A mode at one tilt. In the interior `of` are planes h, with h . w >= 0 of each. */
+/* A mode at one tilt. In the interior there are no generators but planes h, as many as the contact
+ * has, with h . w >= 0 of each. */
 typedef struct tp_share_mode {
   tp_mechanism mechanism;
   bool interior;
+  const tp_share_line *planes;
+  long plane_count;
   int ray_count, count; /* of the generators, rays first, */
   int free_count;       /* and of what is free, behind them */
   tp_share_line loads, of[TP_SHARE_LINES + TP_SHARE_FREE];
