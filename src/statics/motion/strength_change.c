@@ -11,6 +11,7 @@
 #include "motion/windows.h"
 #include "number/ball.h"
 
+#include <float.h>
 #include <math.h>
 
 void tp_strength_change_init(tp_strength_change *change) {
@@ -174,10 +175,14 @@ static tp_motion_outcome side_of(int *side, searching *r, const arf_t share) {
   return side_by_balls(side, r->asked, share);
 }
 
-/* The sides of a share within 2^-wanted of it: do they differ? */
+/* From what doubles tell apart, 2^-43 or about 10^-13, to what is asked for. */
+enum { NARROWEST = 43, STEP = 4, SPARE = 4 };
+
+/* The sides of a share within 2^-wanted of it: do they differ? Where doubles may tell, the sides
+ * are doubles. */
 static tp_motion_outcome try_about(bool *proven, searching *r, arb_t share, const arf_t about,
                                    slong wanted) {
-  const long bits = r->asked->question->judge.bits;
+  const long bits = wanted > NARROWEST ? r->asked->question->judge.bits : DBL_MANT_DIG;
   arf_t width, end;
   int below = 0, above = 0;
   arf_init(width);
@@ -226,9 +231,8 @@ static tp_motion_outcome refine(arf_t about, searching *r, slong bracket, slong 
   return done;
 }
 
-/* From what doubles tell apart to what is asked for; what that lacks is halved. */
+/* To what doubles tell apart, and where more is asked for on from there by halves. */
 static tp_motion_outcome enclose(bool *proven, searching *r, arb_t share, double estimate) {
-  enum { NARROWEST = 43, STEP = 4, SPARE = 4 }; /* 2^-43 is about 10^-13 */
   const slong asked = (slong)tp_digits_bits(r->asked->digits + 1) + 1;
   tp_motion_outcome done = TP_MOTION_PROVEN;
   arf_t about;

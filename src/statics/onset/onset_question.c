@@ -28,10 +28,31 @@ static void set_inertia(tp_motion_question *q, const tp_evaluation *e, tp_direct
   arb_submul(q->gyration, q->y, q->y, bits);
 }
 
-/* The moment of all loads about the centroid, N m, in the question's lengths. */
-static void set_moment(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
+/* Weight and inertia act at the centroid. */
+static bool acts_at_centroid(const tp_load *load) {
+  return load->kind == TP_LOAD_WEIGHT || load->kind == TP_LOAD_SEISMIC;
+}
+
+/* Of the others. False: there are none. */
+static bool add_others(tp_wrench *sum, const tp_evaluation *e) {
   const long bits = e->rung.bits;
-  const tp_wrench *sum = &e->loaded->sum;
+  bool any = false;
+  for (long k = 0; k < e->loaded->count; k++) {
+    const tp_load *own = e->loaded->items + k;
+    if (acts_at_centroid(own)) continue;
+    any = true;
+    tp_trig_add(&sum->x, &own->wrench.x, bits);
+    tp_trig_add(&sum->y, &own->wrench.y, bits);
+    tp_trig_add(&sum->moment, &own->wrench.moment, bits);
+  }
+  return any;
+}
+
+/* The moment of all loads about the centroid, N m, in the question's lengths: without those that
+ * act there, of which rounding would leave a moment that is not zero. */
+static void set_moment(tp_motion_question *q, const tp_evaluation *e, const tp_wrench *others,
+                       tp_direction towards) {
+  const long bits = e->rung.bits;
   arb_t x, y, factor;
   arb_init(x);
   arb_init(y);
@@ -41,7 +62,7 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, tp_directi
   tp_ball_mirror(x, towards);
   tp_loaded_metres(x, y, e);
   tp_ball_mirror(x, towards);
-  tp_wrench_moment(&q->load.moment, sum, x, y, bits);
+  tp_wrench_moment(&q->load.moment, others, x, y, bits);
   arb_set_fmpq(factor, e->problem->lattice.step_m, bits);
   arb_div(factor, q->scale, factor, bits);
   for (int basis = 0; basis < TP_BASIS; basis++) {
@@ -52,25 +73,20 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, tp_directi
   arb_clear(factor);
 }
 
-/* Weight and inertia act at the centroid. */
-static bool acts_at_centroid(const tp_loaded *loaded) {
-  for (long k = 0; k < loaded->count; k++) {
-    const tp_load_kind kind = loaded->items[k].kind;
-    if (kind != TP_LOAD_WEIGHT && kind != TP_LOAD_SEISMIC) return false;
-  }
-  return true;
-}
-
 static void set_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
-  q->through_centroid = e->loaded == NULL || acts_at_centroid(e->loaded);
   if (e->loaded == NULL) {
+    q->through_centroid = true;
     arb_set_si(q->load.x.of + TP_SIN, -1);
     arb_set_si(q->load.y.of + TP_COS, -1);
     return;
   }
   tp_trig_add(&q->load.x, &e->loaded->sum.x, e->rung.bits);
   tp_trig_add(&q->load.y, &e->loaded->sum.y, e->rung.bits);
-  if (!q->through_centroid) set_moment(q, e, towards);
+  tp_wrench others;
+  tp_wrench_init(&others);
+  q->through_centroid = !add_others(&others, e);
+  if (!q->through_centroid) set_moment(q, e, &others, towards);
+  tp_wrench_clear(&others);
 }
 
 bool tp_onset_has_strength(const tp_evaluation *e) {
