@@ -53,7 +53,8 @@ enum { TP_BATCH_STANDINGS = TP_BATCH_HOLDS + 1 };
 /* fails, undecided, not solved or holds. */
 const char *tp_batch_standing_name(tp_batch_standing standing);
 
-/* A block. Of the directions that its scene looks at it has the worst. */
+/* A block. Of the directions that its scene looks at it has the worst, and of load cases the one
+ * that governs (topple_load_cases.h). */
 typedef struct tp_batch_row {
   size_t line;                /* of its row in the file, from 1 */
   TP_OUTSIDE char *name;      /* of the block; where the row has none, "row" and its line */
@@ -75,9 +76,14 @@ typedef struct tp_batch_row {
   bool has_margin;            /* there is one: */
   tp_bounded margin_deg; /* if has_margin: by how much it may steepen and is certain to stand; below
                             0 beyond that */
-  TP_OUTSIDE char *scene_name; /* the file that its scene is over, beside which it names others */
-  TP_OUTSIDE char *scene; /* the scene that was solved, as the text of a scene file; NULL: there is
-                             none */
+  TP_OUTSIDE char *load_case;    /* the name of the load case that is told of; NULL: its scene has
+                                    none */
+  bool has_design_utilisation;   /* it has a factor, and one is required: */
+  tp_bounded design_utilisation; /* if has_design_utilisation: required_fos / fos, at most 1 where
+                                    that is met; with partial factors E_d / R_d */
+  TP_OUTSIDE char *scene_name;   /* the file that its scene is over, beside which it names others */
+  TP_OUTSIDE char *scene; /* the scene that was solved, with all its load cases, as the text of a
+                             scene file; NULL: there is none */
 } tp_batch_row;
 
 /* A table solved. */
@@ -132,7 +138,7 @@ TP_MUST_USE tp_status tp_report_sheet_batch(const char *path, const tp_batch *ba
 
 /* A figure of each block that was solved, into the folder `folder`, which is made where there is
  * none, a file each: the line of its row, an _, and of its name letters, digits, - and _, with the
- * `ending` .svg, .pdf or .png. */
+ * `ending` .svg, .pdf, .png or .dxf. */
 TP_MUST_USE tp_status tp_report_figures_batch(const char *folder, const char *ending,
                                               const tp_batch *batch, tp_message *message);
 

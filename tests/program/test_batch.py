@@ -148,6 +148,62 @@ class Batch(unittest.TestCase):
         found, _ = self.batch(self.write("name;width_m;height_m;dip;phi\nslides;3;1;30;20\n"))
         self.assertEqual((found["slides"]["standing"], found["slides"]["verdict"]), ("fails", "slides"))
 
+    def test_load_cases(self):
+        """A block over a scene with load cases is told of by the case that governs: of all of them, each solved alone by
+        `--case`, the one of the greatest required/FoS among those that miss it, else among all. A column names one case."""
+        cases = ("cases:\n- {name: static, required_fos: 1.5}\n- {name: wet, required_fos: 1.3, loads: {water: {height: 0.4, "
+                 "uplift: true}}}\n- {name: shaken, required_fos: 1.1, loads: {seismic: {horizontal: 0.12}}}\n"
+                 "- {name: weak, set: {friction_angle_deg: 27}}\n- {name: code, partial_factors: DA1-2}\n")
+        text = TEMPLATE + "friction_angle_deg: 35\n" + cases
+        template = self.write(text, "template.yaml")
+        names = ["static", "wet", "shaken", "weak", "code"]
+        random.seed(7)
+        blocks = {f"B{k}": (random.randint(5, 40) / 10, random.randint(5, 25) / 10, random.randint(8, 30)) for k in range(12)}
+        head = "name,width (m),height (m),dip (deg),case\n"
+        all_cases = self.write(head + "".join(f"{name},{w},{h},{dip},\n" for name, (w, h, dip) in blocks.items()))
+        status, out, err = run("solve", "--batch", "--csv", all_cases, "--template", template)
+        self.assertIn(status, (0, 1), err)
+        found = {row["name"]: row for row in rows(out)}
+        self.assertGreater(len({row["load_case"] for row in found.values()}), 2, "several cases govern")
+        for name, (w, h, dip) in blocks.items():
+            own = text.replace("width: 1, height: 1", f"width: {w}, height: {h}")
+            own = own.replace("cases:", f"slope: {{dip_deg: {dip}, towards: right}}\ncases:")
+            alone = {}
+            for case in names:
+                got = rows(run("solve", "--csv", "--case", case, self.write(own, "alone.yaml"))[1])[0]
+                alone[case] = got
+                one = self.write(head + f"{name},{w},{h},{dip},{case}\n", "one.csv")
+                single = rows(run("solve", "--batch", "--csv", one, "--template", template)[1])[0]
+                self.assertEqual([single[key] for key in SHARED], [got[key] for key in SHARED], (name, case))
+                self.assertEqual(single["load_case"], case)
+            needs = {case: (float(got["fos"]) < float(got["required_fos"] or 1), float(got["required_fos"] or 1) / float(got["fos"]))
+                     for case, got in alone.items()}
+            governing = max(needs, key=needs.get)
+            row = found[name]
+            self.assertEqual(row["load_case"], governing, (name, needs))
+            self.assertEqual([row[key] for key in SHARED], [alone[governing][key] for key in SHARED])
+            self.assertEqual(row["standing"], "fails" if needs[governing][0] else "holds")
+            self.assertAlmostEqual(float(row["design_utilisation"]), needs[governing][1], delta=1e-9)
+        printed = run("solve", "--batch", all_cases, "--template", template)[1]
+        self.assertIn("required/FoS  case", printed)
+        page = self.folder / "page.html"
+        run("solve", "--batch", all_cases, "--template", template, "--output", page, "--figures", self.folder / "drawn")
+        self.assertEqual(len(list((self.folder / "drawn").iterdir())), len(blocks))
+        self.assertIn(", case ", page.read_text(encoding="utf-8"))
+
+    def test_load_cases_that_are_wrong(self):
+        """A case that the scene does not have, a case where it has none, and one that cannot be solved name themselves."""
+        bad = TEMPLATE + "friction_angle_deg: 35\ncases:\n- {name: dry}\n- {name: wet, loads: {water: {height: -1}}}\n"
+        template = self.write(bad, "template.yaml")
+        table = self.write("name,width (m),height (m),dip (deg),case\na,3,1,20,dry\nb,3,1,20,damp\nc,3,1,20,\n")
+        found, err = self.batch(table, "--template", template, status=3)
+        self.assertEqual((found["a"]["standing"], found["a"]["load_case"]), ("holds", "dry"))
+        self.assertIn("survey.csv:3: block 'b': ", err)
+        self.assertIn("no case 'damp'; its cases are dry, wet", err)
+        self.assertRegex(err, r"survey\.csv:4: block 'c': case 'wet': .*template\.yaml:8:\d+: .*height")
+        found, err = self.batch(self.write("name,width (m),height (m),dip (deg),friction (deg),case\na,3,1,20,35,wet\n"), status=3)
+        self.assertIn("the scene has no cases, so none of the name 'wet'", err)
+
     def test_template_and_outlines(self):
         """Cells go over a scene; an outline takes the place of its slab; a row's own scene that of all. Empty cells leave the
         number of the scene."""

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <xlsxwriter.h>
 
-enum { COLUMNS = 10, EXCEL_TEXT = 32767 };
+enum { COLUMNS = 12, EXCEL_TEXT = 32767 };
 
 typedef struct sheet {
   lxw_worksheet *to;
@@ -60,6 +60,8 @@ static void put_heads(sheet *s) {
                         {"margin (\xc2\xb0)", 12},
                         {"dip (\xc2\xb0)", 10},
                         {"line", 8},
+                        {"case", 20},
+                        {"required/FoS", 12},
                         {"remark", 60}};
   for (int column = 0; column < COLUMNS; column++) {
     const lxw_col_t k = (lxw_col_t)column;
@@ -84,7 +86,9 @@ static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
   put_number(s, at, 6, row->has_margin, row->margin_deg.value, s->angle);
   put_number(s, at, 7, row->has_case, row->dip_deg.value, s->angle);
   put_number(s, at, 8, true, (double)row->line, NULL);
-  put_text(s, at, 9, row->remark, NULL);
+  put_text(s, at, 9, row->load_case, NULL);
+  put_number(s, at, 10, row->has_design_utilisation, row->design_utilisation.value, s->factor);
+  put_text(s, at, 11, row->remark, NULL);
 }
 
 static lxw_error write_book(const char *path, const tp_batch *batch) {

@@ -162,6 +162,8 @@ class Columns:
             return f"tp_csv_{row.kind.replace(' ', '_')}(t, {value}, r);"
         if row.kind == "bounded":
             return f"tp_csv_bounded(t, {known}, {value});"
+        if row.kind == "text":
+            return f"tp_csv_text(t, {known} ? {value} : NULL);"
         if row.kind == "count":
             return f"tp_csv_count(t, {known}, {value});"
         return f"tp_csv_words(t, {known} ? {in_words(self.words.of(row.kind)[0], value)} : NULL);"

@@ -8,10 +8,8 @@
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
-#include "scene/scene.h"
 #include "survey/judge.h"
 #include "survey/survey.h"
-#include "topple_solve.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,17 +33,14 @@ typedef struct work {
 /* ---- one row -----------------------------------------------------------------------------------
  */
 
-static tp_status solve_text(tp_batch_row *own, const work *w, const tp_scene_text *text,
-                            tp_message *message) {
+static tp_status solve_text(tp_batch_row *own, const work *w, size_t row, const tp_scene_text *text,
+                            char failed[TP_FAILED_CASE], tp_message *message) {
   tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
   tp_status status = tp_scene_read_text(&scene, text->text, text->name, message);
   if (status == TP_OK) {
-    scene->base.all_poses = false; /* a row has no place for them */
-    status = tp_solve(&solution, scene, &w->solve, message);
+    status = tp_batch_solve_scene(own, scene, tp_survey_cell(w->survey, row, TP_COLUMN_CASE),
+                                  failed, &w->solve, message);
   }
-  if (status == TP_OK) status = tp_batch_judge(own, solution, message);
-  tp_solution_free(solution);
   tp_scene_free(scene);
   return status;
 }
@@ -53,9 +48,10 @@ static tp_status solve_text(tp_batch_row *own, const work *w, const tp_scene_tex
 /* A row that was not solved: a file of it that is not there stops the others as little as a number
  * that is wrong. */
 static tp_status note_failure(tp_batch_row *own, tp_status status, const work *w, size_t row,
-                              const tp_scene_text *text, tp_message *message) {
+                              const tp_scene_text *text, const char *load_case,
+                              tp_message *message) {
   if (status == TP_OUT_OF_MEMORY || status == TP_DEPENDENCY_FAILED) return status;
-  tp_survey_locate(message, w->survey, row, text);
+  tp_survey_locate(message, w->survey, row, text, load_case[0] != '\0' ? load_case : NULL);
   own->standing = status == TP_UNDECIDED ? TP_BATCH_UNDECIDED : TP_BATCH_UNSOLVED;
   own->status = status;
   free(own->remark);
@@ -78,13 +74,14 @@ static tp_status solve_row(tp_workspace *workspace, const void *task, size_t num
   tp_batch_row *own = w->batch->rows + number;
   tp_scene_text text = {0};
   tp_message message = {.text = ""};
+  char load_case[TP_FAILED_CASE] = "";
   (void)workspace;
   own->line = w->survey->cells.rows[row].line;
   own->name = make_name(w->survey, row);
   if (own->name == NULL) return tp_fail_memory(told, "a table");
   tp_status status = tp_survey_scene(&text, w->survey, row, &message);
-  if (status == TP_OK) status = solve_text(own, w, &text, &message);
-  if (status != TP_OK) status = note_failure(own, status, w, row, &text, &message);
+  if (status == TP_OK) status = solve_text(own, w, row, &text, load_case, &message);
+  if (status != TP_OK) status = note_failure(own, status, w, row, &text, load_case, &message);
   own->scene = text.text;
   own->scene_name = text.name;
   text.text = text.name = NULL;
@@ -196,12 +193,7 @@ tp_status tp_batch_solve_text(tp_batch **batch, const char *text, const char *na
 
 void tp_batch_free(tp_batch *batch) {
   if (batch == NULL) return;
-  for (size_t k = 0; k < batch->row_count; k++) {
-    free(batch->rows[k].name);
-    free(batch->rows[k].remark);
-    free(batch->rows[k].scene_name);
-    free(batch->rows[k].scene);
-  }
+  for (size_t k = 0; k < batch->row_count; k++) tp_batch_row_clear(batch->rows + k);
   for (size_t k = 0; k < batch->source_count; k++) free(batch->sources[k]);
   free(batch->rows);
   free(batch->sources);

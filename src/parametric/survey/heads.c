@@ -244,6 +244,12 @@ tp_status tp_survey_read(tp_survey *survey, const char *path, const char *text,
     status = read_column(survey->columns + k, survey, k, message);
     if (status == TP_OK) status = check_once(survey, k, message);
   }
+  if (status == TP_OK && survey->scene != NULL) {
+    /* what is wrong with it each row tells that is over it */
+    tp_message own;
+    const tp_status read = tp_node_read(&survey->root, survey->scene, &own);
+    if (read == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "a table");
+  }
   return status;
 }
 
@@ -251,6 +257,7 @@ void tp_survey_clear(tp_survey *survey) {
   for (size_t k = 0; k < survey->column_count; k++) free(survey->columns[k].key);
   free(survey->columns);
   tp_cells_clear(&survey->cells);
+  tp_node_free(survey->root);
   *survey = (tp_survey){0};
 }
 

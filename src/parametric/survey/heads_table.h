@@ -7,8 +7,8 @@
  *   ROW(kind, word, key)
  *
  * A head is read in small letters, with _ for blanks and hyphens, without the unit in brackets or
- * behind an _ at its end. KEY: a key of a scene; NAME, SCENE, OUTLINE: as survey.h tells; PASSED: a
- * note of the survey. */
+ * behind an _ at its end. KEY: a key of a scene; NAME, SCENE, CASE, OUTLINE: as survey.h tells;
+ * PASSED: a note of the survey. */
 
 #ifndef TP_SURVEY_HEADS_TABLE_H
 #define TP_SURVEY_HEADS_TABLE_H
@@ -20,6 +20,8 @@
   ROW(NAME, "title", "title")                                                                      \
   ROW(SCENE, "scene", "")                                                                          \
   ROW(SCENE, "template", "")                                                                       \
+  ROW(CASE, "case", "")                                                                            \
+  ROW(CASE, "load_case", "")                                                                       \
   ROW(OUTLINE, "outline", "")                                                                      \
   ROW(OUTLINE, "drawing", "")                                                                      \
   ROW(OUTLINE, "file", "")                                                                         \

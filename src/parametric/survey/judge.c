@@ -91,8 +91,15 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   const tp_factor *factor = tp_case_factor(c);
   char *remark = make_remark(s);
   if (remark == NULL) return tp_fail_memory(message, "a table");
+  char *load_case = s->load_case != NULL ? strdup(s->load_case) : NULL;
+  if (s->load_case != NULL && load_case == NULL) {
+    free(remark);
+    return tp_fail_memory(message, "a table");
+  }
   free(row->remark);
+  free(row->load_case);
   row->remark = remark;
+  row->load_case = load_case;
   row->has_case = true;
   row->as_it_lies = s->frame.world;
   row->standing = standing_of(c);
@@ -109,10 +116,12 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   row->has_required_fos = g->has_required_fos;
   row->required_fos = g->required_fos;
   row->meets_required = g->meets_required;
+  row->has_design_utilisation = g->has_design_utilisation;
+  row->design_utilisation = g->design_utilisation;
   row->has_margin = c->has_margin;
   row->margin_deg = c->margin_deg;
   row->dip_deg.digits = row->fos.value.digits = row->required_fos.digits = row->margin_deg.digits =
-      NULL; /* which the solution owns */
+      row->design_utilisation.digits = NULL; /* which the solution owns */
   return TP_OK;
 }
 

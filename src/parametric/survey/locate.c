@@ -21,15 +21,20 @@ static const char *without_place(const tp_message *message) {
   return begins ? message->text + length + 2 : message->text;
 }
 
-/* "block B3, ", or nothing where it has no name. */
-static void add_name(char *head, size_t size, const tp_survey *survey, size_t row) {
+/* "block 'B3': case 'wet': ", or what of that it has. */
+static void add_name(char *head, size_t size, const tp_survey *survey, size_t row,
+                     const char *load_case) {
   const char *name = tp_survey_cell(survey, row, TP_COLUMN_NAME);
   head[0] = '\0';
   if (name != NULL) snprintf(head, size, "block '%s': ", tp_quote_all(name).text);
+  const size_t used = strlen(head);
+  if (load_case != NULL) {
+    snprintf(head + used, size - used, "case '%s': ", tp_quote_all(load_case).text);
+  }
 }
 
 void tp_survey_locate(tp_message *message, const tp_survey *survey, size_t row,
-                      const tp_scene_text *text) {
+                      const tp_scene_text *text, const char *load_case) {
   const tp_message own = *message;
   const char *rest = without_place(&own);
   const bool of_text = text->name != NULL && text->text != NULL &&
@@ -37,8 +42,8 @@ void tp_survey_locate(tp_message *message, const tp_survey *survey, size_t row,
                        (size_t)own.line <= text->line_count;
   const tp_mark mark = of_text ? text->lines[own.line - 1].mark : (tp_mark){0, 0};
   const tp_place place = {survey->path, (int)survey->cells.rows[row].line, 0};
-  char name[160], at[sizeof own.file + 40] = "";
-  add_name(name, sizeof name, survey, row);
+  char name[320], at[sizeof own.file + 40] = "";
+  add_name(name, sizeof name, survey, row, load_case);
   if (mark.line < 0) {
     snprintf(at, sizeof at,
              "column '%s': ", tp_quote_all(survey->columns[-mark.line - 1].head).text);

@@ -24,20 +24,37 @@ static bool has_only(const tp_node *map, const char *const *keys) {
   return true;
 }
 
-/* Is the scene its own mirror image, by what it has? A key that is not listed here may have a side.
- */
-static bool has_no_side(const tp_node *root) {
-  static const char *const of_root[] = {
-      "topple", "title", "length_unit",        "result_units", "parameters", "block",
-      "slope",  "loads", "friction_angle_deg", "required_fos", NULL};
-  static const char *const of_block[] = {"slab", "thickness", "unit_weight_kn_m3", NULL};
+static bool loads_have_no_side(const tp_node *root) {
   static const char *const of_loads[] = {"seismic", "water", "cohesion_kpa", "bond_kpa", NULL};
   static const char *const of_water[] = {"height", "uplift", "stays_level", "unit_weight_kn_m3",
                                          NULL};
   const tp_node *loads = tp_node_get(root, "loads");
+  return has_only(loads, of_loads) && has_only(tp_node_get(loads, "water"), of_water);
+}
+
+/* What a case sets by its keys is among the numbers of the scene. */
+static bool cases_have_no_side(const tp_node *cases) {
+  static const char *const of_case[] = {
+      "name", "required_fos", "partial_factors", "friction_angle_deg", "set", "loads", NULL};
+  const tp_node *own = cases != NULL ? cases->first : NULL;
+  while (own != NULL && own->kind == TP_NODE_MAPPING && has_only(own, of_case) &&
+         loads_have_no_side(own)) {
+    own = own->next;
+  }
+  return own == NULL;
+}
+
+/* Is the scene its own mirror image, by what it has? A key that is not listed here may have a side.
+ */
+static bool has_no_side(const tp_node *root) {
+  static const char *const of_root[] = {
+      "topple",          "title", "length_unit", "result_units",       "parameters",
+      "block",           "slope", "loads",       "friction_angle_deg", "required_fos",
+      "partial_factors", "cases", NULL};
+  static const char *const of_block[] = {"slab", "thickness", "unit_weight_kn_m3", NULL};
   return has_only(root, of_root) && has_only(tp_node_get(root, "block"), of_block) &&
-         tp_node_get(tp_node_get(root, "block"), "slab") != NULL && has_only(loads, of_loads) &&
-         has_only(tp_node_get(loads, "water"), of_water);
+         tp_node_get(tp_node_get(root, "block"), "slab") != NULL && loads_have_no_side(root) &&
+         cases_have_no_side(tp_node_get(root, "cases"));
 }
 
 /* Such a slab dips to the right where no side is named. */
@@ -92,7 +109,12 @@ static tp_status choose_scene(char **path, const tp_survey *survey, size_t row,
   return TP_OK;
 }
 
-static tp_status make_root(tp_node **root, const char *path, tp_message *message) {
+static tp_status make_root(tp_node **root, const char *path, const tp_survey *survey, size_t row,
+                           tp_message *message) {
+  if (survey->root != NULL && tp_survey_cell(survey, row, TP_COLUMN_SCENE) == NULL) {
+    *root = tp_tree_copy(NULL, survey->root);
+    return *root != NULL ? TP_OK : tp_fail_memory(message, "the scene of a row");
+  }
   if (path != NULL) return tp_node_read(root, path, message);
   *root = tp_node_add(NULL, NULL, TP_NODE_MAPPING, NULL);
   if (*root != NULL && tp_node_add(*root, "topple", TP_NODE_SCALAR, "1") != NULL) return TP_OK;
@@ -116,7 +138,7 @@ tp_status tp_survey_scene(tp_scene_text *text, const tp_survey *survey, size_t r
   tp_status status = check_width(survey, row, message);
   if (status == TP_OK) status = choose_scene(&text->name, survey, row, message);
   if (status != TP_OK) return status;
-  status = make_root(&root, text->name, message);
+  status = make_root(&root, text->name, survey, row, message);
   if (text->name == NULL) text->name = strdup(survey->path);
   if (status == TP_OK && text->name == NULL) {
     status = tp_fail_memory(message, "the scene of a row");

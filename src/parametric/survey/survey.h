@@ -13,6 +13,7 @@ typedef enum tp_column_kind {
   TP_COLUMN_KEY,     /* a key of a scene */
   TP_COLUMN_NAME,    /* of the block; the title of its scene */
   TP_COLUMN_SCENE,   /* the file of the scene that the row is over */
+  TP_COLUMN_CASE,    /* the load case of its scene that is solved; else all are */
   TP_COLUMN_OUTLINE, /* a file with the outline of the block */
   TP_COLUMN_PASSED   /* what a survey notes and no scene has */
 } tp_column_kind;
@@ -29,6 +30,7 @@ typedef struct tp_column {
 typedef struct tp_survey {
   const char *path;
   const char *scene; /* of the options; or NULL */
+  tp_node *root;     /* what stands in that, read once; NULL: there is none, or it cannot be read */
   tp_cells cells;
   size_t column_count;
   tp_column *columns;
@@ -65,8 +67,9 @@ void tp_scene_text_clear(tp_scene_text *text);
 TP_MUST_USE bool tp_scene_text_write(tp_scene_text *text, const tp_node *root);
 
 /* The complaint of a row with its place in the table: "survey.csv:7: block B3, column width (m):
- * …". `message` is what reading or solving its scene told. */
+ * …". `message` is what reading or solving its scene told, or that of its load case; NULL: of none.
+ */
 void tp_survey_locate(tp_message *message, const tp_survey *survey, size_t row,
-                      const tp_scene_text *text);
+                      const tp_scene_text *text, const char *load_case);
 
 #endif

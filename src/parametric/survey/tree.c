@@ -69,6 +69,20 @@ tp_status tp_tree_put(tp_node *root, const char *key, const char *text, tp_mark 
   return TP_OK;
 }
 
+tp_node *tp_tree_copy(tp_node *parent, const tp_node *node) {
+  tp_node *copy = tp_node_add(parent, node->key, node->kind, node->text);
+  if (copy == NULL) return NULL;
+  copy->mark = node->mark;
+  copy->key_mark = node->key_mark;
+  copy->text_offset = node->text_offset;
+  for (const tp_node *child = node->first; child != NULL; child = child->next) {
+    if (tp_tree_copy(copy, child) != NULL) continue;
+    if (parent == NULL) tp_node_free(copy);
+    return NULL;
+  }
+  return copy;
+}
+
 void tp_tree_drop(tp_node *parent, const char *key) {
   tp_node *before = NULL;
   for (tp_node *child = parent->first; child != NULL; before = child, child = child->next) {

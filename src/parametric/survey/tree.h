@@ -17,6 +17,10 @@ tp_node *tp_tree_child(const tp_node *at, const char *part, size_t length);
 TP_MUST_USE tp_status tp_tree_put(tp_node *root, const char *key, const char *text, tp_mark mark,
                                   tp_message *message);
 
+/* A copy of the node with its places, below the parent, or NULL for a tree of its own; it is as
+ * deep as the reader allows. NULL when memory is exhausted. */
+tp_node *tp_tree_copy(tp_node *parent, const tp_node *node);
+
 void tp_tree_drop(tp_node *parent, const char *key);
 
 /* The mark of what comes from a column. */

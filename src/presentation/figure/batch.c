@@ -29,13 +29,26 @@ static tp_status draw(const tp_figure *figure, void *context, tp_message *messag
   return tp_figure_bytes(&own->text, &own->length, own->ending, figure, message);
 }
 
+/* Its scene, or that of the load case that is told of. */
+static tp_status read_row(tp_scene **scene, const tp_batch_row *row, tp_message *message) {
+  tp_scene *all = NULL;
+  tp_status status = tp_scene_read_text(&all, row->scene, row->scene_name, message);
+  if (status != TP_OK || row->load_case == NULL) {
+    *scene = all;
+    return status;
+  }
+  status = tp_scene_load_case(scene, all, row->load_case, message);
+  tp_scene_free(all);
+  return status;
+}
+
 /* A figure of the row, to be freed. */
 static tp_status draw_row(bytes *own, const tp_batch_row *row, tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
   tp_solve_options options = tp_solve_options_default();
   options.pivots = TP_PIVOTS_ALL;
-  tp_status status = tp_scene_read_text(&scene, row->scene, row->scene_name, message);
+  tp_status status = read_row(&scene, row, message);
   if (status == TP_OK) status = tp_solve(&solution, scene, &options, message);
   if (status == TP_OK) status = tp_figure_prepare(scene, solution, draw, own, message);
   tp_solution_free(solution);
@@ -137,7 +150,7 @@ tp_status tp_report_figures_batch(const char *folder, const char *ending, const 
   snprintf(name, sizeof name, "x%s", ending);
   if (tp_figure_kind_of(name) == TP_FIGURE_UNKNOWN) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "a figure is of the kind that its name ends in: .svg, .pdf or .png");
+                     "a figure is of the kind that its name ends in: .svg, .pdf, .png or .dxf");
   }
   if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
     return tp_fail_file(message, folder, "made", errno);

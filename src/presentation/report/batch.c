@@ -62,6 +62,16 @@ tp_batch_cell tp_batch_required(const tp_batch_row *row) {
   return cell_of(row->has_required_fos, row->required_fos, 3, "");
 }
 
+tp_batch_cell tp_batch_utilisation(const tp_batch_row *row) {
+  return cell_of(row->has_design_utilisation, row->design_utilisation, 3, "");
+}
+
+bool tp_batch_has_cases(const tp_batch *batch) {
+  size_t k = 0;
+  while (k < batch->row_count && batch->rows[k].load_case == NULL) k++;
+  return k < batch->row_count;
+}
+
 tp_batch_cell tp_batch_margin(const tp_batch_row *row) {
   return cell_of(row->has_margin, row->margin_deg, 3, "°");
 }
@@ -98,11 +108,15 @@ void tp_batch_add_sum(tp_text *text, const tp_batch *batch) {
 
 enum { NAME = 20 };
 
-static void add_row(tp_text *t, const tp_batch_row *row) {
+static void add_row(tp_text *t, const tp_batch_row *row, bool cases) {
   tp_encode_column(t, row->name, NAME);
-  tp_text_add(t, "  %-10s  %11s  %-21s  %8s  %9s\n", tp_batch_standing_name(row->standing),
+  tp_text_add(t, "  %-10s  %11s  %-21s  %8s  %9s", tp_batch_standing_name(row->standing),
               tp_batch_fos(row).text, tp_batch_against(row), tp_batch_required(row).text,
               row->has_margin ? tp_batch_margin(row).text : "");
+  if (cases)
+    tp_text_add(t, "%s  %12s  ", row->has_margin ? "" : " ", tp_batch_utilisation(row).text);
+  if (cases && row->load_case != NULL) tp_encode_plain(t, row->load_case);
+  tp_text_add(t, "\n");
 }
 
 tp_status tp_report_batch(char **text, const tp_batch *batch) {
@@ -111,9 +125,10 @@ tp_status tp_report_batch(char **text, const tp_batch *batch) {
   TP_REFUSE_NULL(NULL, batch);
   tp_text t = {0};
   tp_batch_add_sum(&t, batch);
-  tp_text_add(&t, "\n\n%-*s  %-10s  %11s  %-21s  %8s  %8s\n", NAME, "block", "", "FoS", "against",
-              "required", "margin");
-  for (size_t k = 0; k < batch->row_count; k++) add_row(&t, batch->rows + k);
+  const bool cases = tp_batch_has_cases(batch);
+  tp_text_add(&t, "\n\n%-*s  %-10s  %11s  %-21s  %8s  %8s%s\n", NAME, "block", "", "FoS", "against",
+              "required", "margin", cases ? "  required/FoS  case" : "");
+  for (size_t k = 0; k < batch->row_count; k++) add_row(&t, batch->rows + k, cases);
   for (size_t k = 0; k < batch->row_count; k++) {
     const tp_batch_row *row = batch->rows + k;
     if (row->remark[0] == '\0' || !row->has_case) continue;

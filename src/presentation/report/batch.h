@@ -20,6 +20,10 @@ tp_batch_cell tp_batch_required(const tp_batch_row *row);
 /* With the sign of degrees. */
 tp_batch_cell tp_batch_margin(const tp_batch_row *row);
 tp_batch_cell tp_batch_dip(const tp_batch_row *row);
+/* required/FoS. */
+tp_batch_cell tp_batch_utilisation(const tp_batch_row *row);
+/* Has a row a load case? Then these have columns. */
+bool tp_batch_has_cases(const tp_batch *batch);
 /* Against which motion the factor is. */
 const char *tp_batch_against(const tp_batch_row *row);
 

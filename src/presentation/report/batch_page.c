@@ -12,16 +12,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8 };
+enum { COLUMNS = 8, OF_CASES = 2 };
 
 static void add_table(tp_document *d, const tp_batch *batch) {
-  static const char *const heads[COLUMNS] = {"Block",    "Stands?", "FoS", "against",
-                                             "required", "margin",  "dip", "line"};
-  const unsigned numeric = 1U << 2 | 1U << 4 | 1U << 5 | 1U << 6 | 1U << 7;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, COLUMNS, numeric,
+  static const char *const heads[COLUMNS + OF_CASES] = {"Block",        "Stands?", "FoS", "against",
+                                                        "required",     "margin",  "dip", "line",
+                                                        "required/FoS", "case"};
+  const unsigned numeric = 1U << 2 | 1U << 4 | 1U << 5 | 1U << 6 | 1U << 7 | 1U << 8;
+  const bool cases = tp_batch_has_cases(batch);
+  const size_t columns = COLUMNS + (cases ? OF_CASES : 0);
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, columns, numeric,
                     "The blocks, the worst first. Margin: by how much the slope may steepen and "
                     "the block is certain to stand; line: of its row in the table");
-  for (size_t k = 0; k < COLUMNS; k++) tp_document_cell(d, "%s", heads[k]);
+  for (size_t k = 0; k < columns; k++) tp_document_cell(d, "%s", heads[k]);
   for (size_t k = 0; k < batch->row_count; k++) {
     const tp_batch_row *row = batch->rows + k;
     tp_document_outside_cell(d, row->name);
@@ -32,6 +35,9 @@ static void add_table(tp_document *d, const tp_batch *batch) {
     tp_document_cell(d, "%s", tp_batch_margin(row).text);
     tp_document_cell(d, "%s", tp_batch_dip(row).text);
     tp_document_cell(d, "%zu", row->line);
+    if (!cases) continue;
+    tp_document_cell(d, "%s", tp_batch_utilisation(row).text);
+    tp_document_outside_cell(d, row->load_case != NULL ? row->load_case : "");
   }
 }
 
@@ -65,6 +71,10 @@ static void add_figure(tp_document *d, const tp_batch_row *row, tp_picture pictu
   tp_text_add(&caption, ": %s", tp_batch_standing_name(row->standing));
   if (fos.text[0] != '\0') tp_text_add(&caption, ", FoS %s", fos.text);
   if (row->has_fos_mechanism) tp_text_add(&caption, " against %s", tp_batch_against(row));
+  if (row->load_case != NULL) {
+    tp_text_add(&caption, ", case ");
+    tp_encode_plain(&caption, row->load_case);
+  }
   if (tp_text_finish(&caption, &text) != TP_OK) d->failed = true;
   tp_document_figure(d, picture, text != NULL ? text : "",
                      "The block on its base, with its pivots, its forces and the verdict");

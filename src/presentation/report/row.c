@@ -45,6 +45,11 @@ void tp_csv_count(tp_text *t, bool known, size_t count) {
   if (known) tp_text_add(t, "%zu", count);
 }
 
+void tp_csv_text(tp_text *t, const char *outside) {
+  tp_text_add(t, ",");
+  if (outside != NULL) tp_encode_csv(t, outside);
+}
+
 void tp_csv_words(tp_text *t, const char *words) {
   tp_text_add(t, ",%s", words != NULL ? words : "");
 }
