@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* Does the name end in .svg, .pdf or .png, the kinds of file that a figure can be? */
+/* Does the name end in .svg, .pdf, .png or .dxf, the kinds of file that a figure can be? */
 bool tp_figure_is_file_name(const char *path);
 
 /* Draw the solution of the scene into the file `path`, of the kind that its ending names; a file of

@@ -50,7 +50,7 @@ class BatchMethods:
         checked(drawing().lib.tp_report_sheet_batch, c_path(path), struct_of(self), figures)
 
     def write_figures(self, folder: File, ending: str = ".svg") -> None:
-        """Draw each block that was solved into a folder: .svg, .pdf or .png."""
+        """Draw each block that was solved into a folder: .svg, .pdf, .png or .dxf."""
         checked(drawing().lib.tp_report_figures_batch, c_path(folder), c_text(ending), struct_of(self))
 
 

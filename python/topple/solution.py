@@ -114,7 +114,7 @@ class SolutionMethods:
         return table([self])
 
     def write_figure(self: Any, path: File) -> None:
-        """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene,
+        """Draw the block on its base into a file: .svg, .pdf, .png or .dxf. It is drawn of the scene,
         which must be as it was when it was solved."""
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]

@@ -199,7 +199,7 @@ class Mistakes(unittest.TestCase):
             status, out, err = run("solve", "--figure", self.path / name if name else "",
                                    ROOT / E_VALLEY, folder=self.path)
             self.assertEqual((status, out), (2, ""), name)
-            self.assertIn(".svg, .pdf or .png", err)
+            self.assertIn(".svg, .pdf, .png or .dxf", err)
             self.assertEqual(list(self.path.iterdir()), [])
 
     def test_with_find(self):

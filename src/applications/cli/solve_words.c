@@ -48,7 +48,7 @@ static const struct argp_option options[] = {
      "List the effects computed, the input that required them, and their time", 0},
     {"elements", 'e', NULL, 0, "Also print the account of moments by elements", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
-     "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
+     "Draw the solution into FILE, which ends in .svg, .pdf, .png or .dxf", 0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"language", KEY_LANGUAGE, "CODE", 0,
@@ -116,7 +116,8 @@ static void read_target(tp_solve_words *a, const char *text, struct argp_state *
 
 static void read_figure(tp_solve_words *a, const char *path, struct argp_state *state) {
   if (!tp_figure_is_file_name(path)) {
-    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
+    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf, .png or .dxf, not '%s'",
+                  path);
   }
   a->figure = path;
 }

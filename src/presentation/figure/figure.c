@@ -60,7 +60,7 @@ tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_
   TP_REFUSE_NULL(message, solution);
   if (!tp_figure_is_file_name(path)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                     "the ending of a figure's name is its format: .svg, .pdf or .png");
+                     "the ending of a figure's name is its format: .svg, .pdf, .png or .dxf");
   }
   file own = {path, consent};
   return tp_figure_prepare(scene, solution, write_file, &own, message);

@@ -153,6 +153,14 @@ void tp_figure_draw_block(const tp_panel *panel);
 void tp_figure_draw_contact(const tp_panel *panel);
 /* Sited water: its levels, and its pressures as areas over the lines that they act on. */
 void tp_figure_draw_wetted(const tp_panel *panel);
+/* These areas, in the frame of the shape: how wide a unit of depth is drawn, no pressure wider than
+ * a share of what the figure shows; and the area over a line. */
+double tp_figure_wet_width(const tp_figure *figure, const tp_wetted *wetted);
+void tp_figure_wet_area(tp_spot corners[4], const tp_figure *figure, const tp_line_load *line,
+                        double width);
+/* Water of a height: the pressure on the up-dip face and the uplift below the base, as triangles;
+ * how many there are. */
+int tp_figure_water_areas(tp_spot areas[2][3], const tp_figure *figure, const tp_state *state);
 void tp_figure_draw_loads(tp_panel *panel);
 void tp_figure_draw_forces(tp_panel *panel);
 void tp_figure_draw_tilt(tp_panel *panel);

@@ -7,7 +7,7 @@
 #define _GNU_SOURCE
 #include "output/file.h"
 #include "common/message.h"
-#include "figure/figure.h"
+#include "figure/dxf.h"
 #include "figure/name.h"
 #include "figure/sink.h"
 
@@ -111,6 +111,7 @@ static void drop_surface_number(tp_sink *s) {
 tp_status tp_figure_bytes(char **bytes, size_t *length, const char *path, const tp_figure *figure,
                           tp_message *message) {
   tp_sink s = {0};
+  if (tp_figure_kind_of(path) == TP_FIGURE_DXF) return tp_cad_draw(bytes, length, figure, message);
   const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
   if (!s.failed && drawn == CAIRO_STATUS_SUCCESS) {
     if (tp_figure_kind_of(path) == TP_FIGURE_SVG) drop_surface_number(&s);

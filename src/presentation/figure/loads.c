@@ -14,8 +14,8 @@
 #define LOAD_ARROW 15.0 /* points */
 #define WATER_WIDTH 0.3 /* of the height: how wide the triangle of its pressure is drawn */
 
-static double in_units(const tp_panel *p, const fmpq *length) {
-  return fmpq_get_d(length) * p->figure->solution->metres_per_unit / p->figure->shape.unit_m;
+static double in_units(const tp_figure *figure, const fmpq *length) {
+  return fmpq_get_d(length) * figure->solution->metres_per_unit / figure->shape.unit_m;
 }
 
 static void fill_triangle(const tp_panel *p, const tp_spot corners[3]) {
@@ -33,12 +33,12 @@ static void fill_triangle(const tp_panel *p, const tp_spot corners[3]) {
 
 /* An end of the joint that water fills: as the contact's where it is that, so that a rounded corner
  * ends where it is drawn. */
-static tp_spot joint_spot(const tp_panel *p, int side) {
-  const tp_problem *problem = p->figure->problem;
+static tp_spot joint_spot(const tp_figure *figure, const tp_state *state, int side) {
+  const tp_problem *problem = figure->problem;
   const tp_contact *contact = &problem->contact;
   const tp_base_joint *joint = &problem->joint;
   if (joint->vertex[side] == tp_contact_extreme(contact, side == 0).point) {
-    return tp_figure_pivot_spot(p->figure, p->state->own,
+    return tp_figure_pivot_spot(figure, state->own,
                                 side == 0 ? 0 : (size_t)contact->point_count - 1);
   }
   fmpq_t x, y;
@@ -46,30 +46,40 @@ static tp_spot joint_spot(const tp_panel *p, int side) {
   fmpq_init(y);
   fmpq_div(x, joint->x + side, problem->scene->metres_per_unit);
   fmpq_div(y, joint->y + side, problem->scene->metres_per_unit);
-  const tp_spot spot = tp_shape_of_scene(&p->figure->shape, problem, x, y);
+  const tp_spot spot = tp_shape_of_scene(&figure->shape, problem, x, y);
   fmpq_clear(x);
   fmpq_clear(y);
   return spot;
 }
 
-/* The pressure on the up-dip face, and the uplift below the base, as triangles. */
-static void draw_water(const tp_panel *p) {
-  const tp_water_description *water = &p->figure->problem->scene->loads.water;
-  const tp_contact *contact = &p->figure->problem->contact;
-  if (!water->given || contact->point_count == 0) return;
+int tp_figure_water_areas(tp_spot areas[2][3], const tp_figure *figure, const tp_state *state) {
+  const tp_water_description *water = &figure->problem->scene->loads.water;
+  int count = 0;
+  if (!water->given || figure->problem->contact.point_count == 0) return 0;
   /* behind a block that goes down-dip, before one that goes up-dip */
-  const bool left = (p->state->own->towards == TP_TOWARDS_LEFT) != water->lifts_alone;
-  const tp_spot heel = joint_spot(p, left ? 1 : 0), toe = joint_spot(p, left ? 0 : 1);
-  double height = in_units(p, water->height.value);
-  if (water->stays_level && !water->lifts_alone) height /= fmax(cos(p->state->turn), 0.05);
+  const bool left = (state->own->towards == TP_TOWARDS_LEFT) != water->lifts_alone;
+  const tp_spot heel = joint_spot(figure, state, left ? 1 : 0);
+  const tp_spot toe = joint_spot(figure, state, left ? 0 : 1);
+  double height = in_units(figure, water->height.value);
+  if (water->stays_level && !water->lifts_alone) height /= fmax(cos(state->turn), 0.05);
   const double width = WATER_WIDTH * height, side = left ? 1 : -1;
-  cairo_new_path(p->cr);
   if (!water->lifts_alone) {
-    fill_triangle(
-        p, (const tp_spot[3]){heel, {heel.x + side * width, heel.y}, {heel.x, heel.y + height}});
+    areas[count][0] = heel;
+    areas[count][1] = (tp_spot){heel.x + side * width, heel.y};
+    areas[count++][2] = (tp_spot){heel.x, heel.y + height};
   }
-  if (!water->uplift) return;
-  fill_triangle(p, (const tp_spot[3]){heel, toe, {heel.x, heel.y - width / 2}});
+  if (!water->uplift) return count;
+  areas[count][0] = heel;
+  areas[count][1] = toe;
+  areas[count++][2] = (tp_spot){heel.x, heel.y - width / 2};
+  return count;
+}
+
+static void draw_water(const tp_panel *p) {
+  tp_spot areas[2][3];
+  const int count = tp_figure_water_areas(areas, p->figure, p->state);
+  cairo_new_path(p->cr);
+  for (int k = 0; k < count; k++) fill_triangle(p, areas[k]);
 }
 
 static void arrow_onto(tp_panel *p, tp_spot tip, tp_spot direction, double length) {
@@ -113,7 +123,7 @@ static void draw_bolt(tp_panel *p, const tp_anchor_description *anchor, const fm
   enum { BITS = 64, HEAD = 5 };
   const tp_problem *problem = p->figure->problem;
   const tp_spot own = tp_shape_of_scene(&p->figure->shape, problem, x, y);
-  const double length = in_units(p, anchor->length.value);
+  const double length = in_units(p->figure, anchor->length.value);
   arb_t way;
   arb_init(way);
   (void)tp_bolt_way(way, problem->section.rings, x, y, direction_deg, BITS);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Kind of a figure by the ending of its file name, case ignored: SVG, PDF or PNG. */
+/* Kind of a figure by the ending of its file name, case ignored: SVG, PDF, PNG or DXF. */
 
 #include "figure/name.h"
 
@@ -13,6 +13,7 @@ tp_figure_kind tp_figure_kind_of(const char *path) {
   if (ending == NULL || ending == path || ending[-1] == '/') return TP_FIGURE_UNKNOWN;
   if (strcasecmp(ending, ".svg") == 0) return TP_FIGURE_SVG;
   if (strcasecmp(ending, ".pdf") == 0) return TP_FIGURE_PDF;
+  if (strcasecmp(ending, ".dxf") == 0) return TP_FIGURE_DXF;
   return strcasecmp(ending, ".png") == 0 ? TP_FIGURE_PNG : TP_FIGURE_UNKNOWN;
 }
 

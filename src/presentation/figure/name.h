@@ -12,6 +12,7 @@ typedef enum tp_figure_kind {
   TP_FIGURE_SVG,
   TP_FIGURE_PDF,
   TP_FIGURE_PNG,
+  TP_FIGURE_DXF,
   TP_FIGURE_UNKNOWN
 } tp_figure_kind;
 

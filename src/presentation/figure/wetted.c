@@ -14,29 +14,28 @@
 #define REACH 26.0 /* points: how far the level is drawn from the block */
 #define ARROW 12.0
 
-static double depth_of(const tp_panel *p, const fmpq *kpa) {
-  const tp_problem *problem = p->figure->problem;
+static double depth_of(const tp_figure *figure, const fmpq *kpa) {
+  const tp_problem *problem = figure->problem;
   const double gamma = fmpq_get_d(problem->scene->loads.water.unit_weight_kn_m3.value);
-  return gamma > 0 ? fmpq_get_d(kpa) / gamma / p->figure->shape.unit_m : 0;
+  return gamma > 0 ? fmpq_get_d(kpa) / gamma / figure->shape.unit_m : 0;
 }
 
-/* How wide a unit of depth is drawn: no pressure wider than a share of what the figure shows. */
-static double width_of(const tp_panel *p, const tp_wetted *wetted) {
+double tp_figure_wet_width(const tp_figure *figure, const tp_wetted *wetted) {
   const tp_wet_lines *const all[] = {&wetted->faces, &wetted->joint};
-  const double height = p->figure->shape.box.y1 - p->figure->shape.box.y0;
+  const double height = figure->shape.box.y1 - figure->shape.box.y0;
   double deepest = 0;
   for (int kind = 0; kind < 2; kind++) {
     for (long k = 0; k < all[kind]->count; k++) {
       const tp_line_load *line = all[kind]->items + k;
-      deepest = fmax(deepest,
-                     fmax(depth_of(p, line->first_kpa.value), depth_of(p, line->last_kpa.value)));
+      deepest = fmax(deepest, fmax(depth_of(figure, line->first_kpa.value),
+                                   depth_of(figure, line->last_kpa.value)));
     }
   }
   return deepest * WIDTH > height * WIDEST ? height * WIDEST / deepest : WIDTH;
 }
 
-static tp_spot spot_of(const tp_panel *p, const fmpq *x, const fmpq *y) {
-  return tp_shape_of_scene(&p->figure->shape, p->figure->problem, x, y);
+static tp_spot spot_of(const tp_figure *figure, const fmpq *x, const fmpq *y) {
+  return tp_shape_of_scene(&figure->shape, figure->problem, x, y);
 }
 
 /* A unit away from the block, which lies to the left of the line. */
@@ -45,14 +44,22 @@ static tp_spot outwards(tp_spot a, tp_spot b) {
   return (tp_spot){(b.y - a.y) / length, -(b.x - a.x) / length};
 }
 
-static void draw_pressure(const tp_panel *p, const tp_line_load *line, double width) {
-  const tp_spot a = spot_of(p, line->x0.value, line->y0.value);
-  const tp_spot b = spot_of(p, line->x1.value, line->y1.value);
+void tp_figure_wet_area(tp_spot corners[4], const tp_figure *figure, const tp_line_load *line,
+                        double width) {
+  const tp_spot a = spot_of(figure, line->x0.value, line->y0.value);
+  const tp_spot b = spot_of(figure, line->x1.value, line->y1.value);
   const tp_spot out = outwards(a, b);
-  const double first = width * depth_of(p, line->first_kpa.value);
-  const double last = width * depth_of(p, line->last_kpa.value);
-  const tp_spot corners[4] = {
-      a, b, {b.x + last * out.x, b.y + last * out.y}, {a.x + first * out.x, a.y + first * out.y}};
+  const double first = width * depth_of(figure, line->first_kpa.value);
+  const double last = width * depth_of(figure, line->last_kpa.value);
+  corners[0] = a;
+  corners[1] = b;
+  corners[2] = (tp_spot){b.x + last * out.x, b.y + last * out.y};
+  corners[3] = (tp_spot){a.x + first * out.x, a.y + first * out.y};
+}
+
+static void draw_pressure(const tp_panel *p, const tp_line_load *line, double width) {
+  tp_spot corners[4];
+  tp_figure_wet_area(corners, p->figure, line, width);
   cairo_new_path(p->cr);
   for (int k = 0; k < 4; k++) {
     const tp_spot at = tp_view_spot(&p->view, corners[k]);
@@ -93,10 +100,11 @@ static void draw_level_of(const tp_panel *p, const tp_line_load *lines, long cou
   tp_spot at = {0, 0};
   for (long k = 0; k < count; k++) {
     const tp_line_load *l = lines + k;
-    const double first = depth_of(p, l->first_kpa.value), last = depth_of(p, l->last_kpa.value);
-    if (first < least) at = spot_of(p, l->x0.value, l->y0.value);
+    const double first = depth_of(p->figure, l->first_kpa.value),
+                 last = depth_of(p->figure, l->last_kpa.value);
+    if (first < least) at = spot_of(p->figure, l->x0.value, l->y0.value);
     least = fmin(least, first);
-    if (last < least) at = spot_of(p, l->x1.value, l->y1.value);
+    if (last < least) at = spot_of(p->figure, l->x1.value, l->y1.value);
     least = fmin(least, last);
   }
   if (count == 0) return;
@@ -106,8 +114,8 @@ static void draw_level_of(const tp_panel *p, const tp_line_load *lines, long cou
 }
 
 static void draw_ice(const tp_panel *p, const tp_line_load *line) {
-  const tp_spot a = spot_of(p, line->x0.value, line->y0.value);
-  const tp_spot b = spot_of(p, line->x1.value, line->y1.value);
+  const tp_spot a = spot_of(p->figure, line->x0.value, line->y0.value);
+  const tp_spot b = spot_of(p->figure, line->x1.value, line->y1.value);
   const tp_spot at = tp_view_spot(&p->view, (tp_spot){(a.x + b.x) / 2, (a.y + b.y) / 2});
   const tp_spot out = tp_view_direction(&p->view, outwards(a, b));
   tp_figure_ink(p->cr, TP_INK_PURPLE);
@@ -118,7 +126,7 @@ void tp_figure_draw_wetted(const tp_panel *p) {
   const bool left = p->state->own->towards == TP_TOWARDS_LEFT;
   const tp_wetted *wetted = p->figure->problem->wetted + (left ? 0 : 1);
   const long split = wetted->from_right;
-  const double width = width_of(p, wetted);
+  const double width = tp_figure_wet_width(p->figure, wetted);
   for (long k = 0; k < wetted->faces.count; k++) draw_pressure(p, wetted->faces.items + k, width);
   for (long k = 0; k < wetted->joint.count; k++) draw_pressure(p, wetted->joint.items + k, width);
   for (long k = 0; k < wetted->ice.count; k++) draw_ice(p, wetted->ice.items + k);

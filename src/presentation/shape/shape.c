@@ -10,6 +10,8 @@
 #include "stability/earthquakes.h"
 #include "stability/solution.h"
 
+#include <arb.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,11 +28,20 @@ static void clear(tp_shape *shape) {
   memset(shape, 0, sizeof *shape);
 }
 
+double tp_shape_nearest(const fmpq_t value) {
+  arf_t own;
+  arf_init(own);
+  (void)arf_fmpz_div_fmpz(own, fmpq_numref(value), fmpq_denref(value), DBL_MANT_DIG, ARF_RND_NEAR);
+  const double near = arf_get_d(own, ARF_RND_NEAR);
+  arf_clear(own);
+  return near;
+}
+
 static double rounded(const fmpz *steps, const fmpq *step_m) {
   fmpq_t metres;
   fmpq_init(metres);
   fmpq_mul_fmpz(metres, step_m, steps);
-  const double value = fmpq_get_d(metres);
+  const double value = tp_shape_nearest(metres);
   fmpq_clear(metres);
   return value;
 }
@@ -53,7 +64,7 @@ static double of_scene(const tp_shape *shape, const tp_problem *problem, const f
   fmpq_mul_fmpz(start, problem->lattice.step_m, origin);
   fmpq_mul(metres, value, problem->scene->metres_per_unit);
   fmpq_sub(metres, metres, start);
-  const double result = fmpq_get_d(metres) / shape->unit_m;
+  const double result = tp_shape_nearest(metres) / shape->unit_m;
   fmpq_clear(metres);
   fmpq_clear(start);
   return result;
@@ -120,7 +131,9 @@ static bool add_turn(tp_chain *chain, tp_spot to, tp_spot centre) {
   const double sweep = atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
   const double radius = hypot(a.x, a.y);
   if (fabs(sweep) < 1e-6) return tp_chain_add(chain, TP_STEP_LINE, to);
-  return tp_chain_add_arc(chain, centre, radius, radius, atan2(a.y, a.x), sweep);
+  if (!tp_chain_add_arc(chain, centre, radius, radius, atan2(a.y, a.x), sweep)) return false;
+  chain->nodes[chain->count - 1].at = to; /* on the edge that goes on from there */
+  return true;
 }
 
 static bool add_tip(tp_chain *chain, const tp_shape *shape, const tp_problem *problem,

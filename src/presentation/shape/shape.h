@@ -60,6 +60,9 @@ typedef tp_status tp_shape_work(const tp_problem *problem, const tp_shape *shape
 TP_MUST_USE tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution,
                                        tp_shape_work *work, void *context, tp_message *message);
 
+/* The double nearest to a number; fmpq_get_d cuts off. */
+double tp_shape_nearest(const fmpq_t value);
+
 /* A point of the lattice, one given in metres, and one given exactly in scene lengths. */
 tp_spot tp_shape_of_point(const tp_shape *shape, const tp_lattice *lattice, long point);
 tp_spot tp_shape_of_metres(const tp_shape *shape, tp_bounded x_m, tp_bounded y_m);

@@ -75,9 +75,7 @@ void tp_turn_direction(fmpq_t cosine, fmpq_t sine, const tp_turn *of, const tp_t
   fmpq_submul(sine, turn->sine, of->cosine);
 }
 
-/* The point about which it turns stays: x' = x0 + c (x - x0) + s (y - y0). */
-static void turn_point(fmpq_t x, fmpq_t y, const void *context) {
-  const tp_turn *w = context;
+void tp_turn_point(fmpq_t x, fmpq_t y, const tp_turn *w) {
   fmpq_t dx, dy;
   fmpq_init(dx);
   fmpq_init(dy);
@@ -91,6 +89,10 @@ static void turn_point(fmpq_t x, fmpq_t y, const void *context) {
   fmpq_add(y, y, w->y);
   fmpq_clear(dx);
   fmpq_clear(dy);
+}
+
+static void turn_point(fmpq_t x, fmpq_t y, const void *context) {
+  tp_turn_point(x, y, context);
 }
 
 /* The ends by their turned coordinates: vertices of the ring that the section has. */

@@ -26,6 +26,9 @@ void tp_turn_set(tp_turn *turn, const fmpq_t u, const fmpq_t v);
 void tp_turn_by(tp_turn *turn, const fmpq_t degrees, const tp_turn *of);
 void tp_turn_direction(fmpq_t cosine, fmpq_t sine, const tp_turn *of, const tp_turn *turn);
 
+/* A point turned: x' = x0 + c (x - x0) + s (y - y0), about the one that stays. */
+void tp_turn_point(fmpq_t x, fmpq_t y, const tp_turn *turn);
+
 /* Fill a copy of the scene (scene/moved.h) with its turned points, the ends of its contact named by
  * vertices of its outline where they are kept. False when memory is exhausted. */
 TP_MUST_USE bool tp_turn_scene(tp_scene *turned, const tp_turn *turn, const tp_scene *scene,
