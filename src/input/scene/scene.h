@@ -83,6 +83,7 @@ typedef struct tp_block_description {
   tp_part *parts;
   long arc_count;
   tp_arc_description *arcs;
+  tp_quantity arc_tolerance; /* given: chords stand for them that leave them by no more */
   tp_rounded_description rounded;
   bool repair;           /* move vertices where rings meet themselves by less than a last digit */
   tp_place repair_place; /* that says so */

@@ -20,7 +20,9 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   }
   return tp_refuse(message, TP_FAULT_GEOMETRY, tp_scene_shift_place(scene),
                    "a shifted block comes to rest on its corners: 'joint' is for straight edges, "
-                   "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+                   "without 'arcs', 'rounded' corners and ellipses; 'arc_tolerance' of the block "
+                   "makes chords of "
+                   "its arcs");
 }
 
 /* It is lifted along y, shifted and set down again: nothing of its base may reach over it. */

@@ -37,6 +37,7 @@ void tp_problem_clear(tp_problem *problem) {
   free(problem->admissible[1]);
   tp_placement_clear(&problem->placement);
   tp_on_face_free(problem->on_face);
+  tp_chorded_free(problem->chorded);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -348,6 +349,10 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
   if (status == TP_OK) status = check_chosen(scene, message);
+  if (status == TP_OK) {
+    status = tp_chorded_init(&problem->chorded, scene, &solution->notes, message);
+  }
+  if (problem->chorded != NULL) problem->scene = scene = &problem->chorded->scene;
   if (status == TP_OK)
     status = tp_on_face_init(&problem->on_face, scene, &solution->notes, message);
   if (problem->on_face != NULL) problem->scene = &problem->on_face->scene;

@@ -11,6 +11,7 @@
 #include "block/elements.h"
 #include "load/wetted.h"
 #include "problem/base_joint.h"
+#include "problem/chorded.h"
 #include "problem/facet_friction.h"
 #include "problem/on_face.h"
 #include "problem/placement.h"
@@ -23,6 +24,7 @@ enum { TP_ELEMENTS_UNASKED = 10000 };
 typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
   tp_placement placement;
+  tp_chorded *chorded; /* chords stand for its arcs; else NULL */
   tp_on_face *on_face; /* NULL: no load lies beside its face */
   tp_section section;
   tp_base base;

@@ -24,7 +24,9 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   if (block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || block->rounded.count > 0) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->base.rests_place,
                      "'place: rest' turns a block about its corners: it is for straight edges, "
-                     "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+                     "without 'arcs', 'rounded' corners and ellipses; 'arc_tolerance' of the block "
+                     "makes chords of "
+                     "its arcs");
   }
   return TP_OK;
 }

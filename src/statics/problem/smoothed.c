@@ -46,7 +46,7 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
     return tp_refuse(
         message, TP_FAULT_GEOMETRY, asked_at(scene),
         "levelling a sole is for straight edges, without 'arcs' and 'rounded' corners; "
-        "give curves as chords");
+        "'arc_tolerance' of the block makes chords of its arcs");
   }
   if (scene->friction.facet_count > 0) {
     return tp_refuse(

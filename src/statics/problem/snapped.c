@@ -25,7 +25,9 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
     return tp_refuse(
         message, TP_FAULT_GEOMETRY, scene->base.within.place,
         "'contact: {within: …}' moves the corners of a block: it is for straight edges, "
-        "without 'arcs', 'rounded' corners and ellipses; give curves as chords");
+        "without 'arcs', 'rounded' corners and ellipses; 'arc_tolerance' of the block makes chords "
+        "of "
+        "its arcs");
   }
   return TP_OK;
 }

@@ -74,9 +74,10 @@ static tp_status refuse_shape(const tp_water_site *site, long digits, tp_message
   const tp_scene *scene = site->scene;
   const tp_place place = scene->loads.water.place;
   if (scene->block.form == TP_OUTLINE_ELLIPSE || scene->block.arc_count > 0) {
-    return tp_refuse(message, TP_FAULT_GEOMETRY, place,
-                     "water with a level presses on straight edges: give the arcs of this outline "
-                     "as chords, or the water as 'height'");
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, place,
+        "water with a level presses on straight edges: 'arc_tolerance' of the block makes "
+        "chords of its arcs; or give the water as 'height'");
   }
   if (digits > TP_WORLD_DIGITS && !fmpq_is_zero(scene->tilt_angle_deg.value)) {
     return tp_refuse(message, TP_FAULT_RANGE, place,
