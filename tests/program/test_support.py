@@ -228,6 +228,12 @@ class Support(unittest.TestCase):
         self.assertIn("say where this bolt goes to", self.refused(anchors(BOLT + ", force_kn: 1"), place="tilt: {angle_deg: 5}\n"))
         for words, message in ((("--least-force",), "--least-force goes with --find"),):
             self.assertIn(message, run("solve", *words, self.write(scene(anchors(BOLT + ", force_kn: 80"))))[2])
+        for passive, key, message in ((", passive: true", "force_kn", "name that key instead, or give it a 'force_kn' too"),
+                                      ("", "force_kn", "give any to begin with, 'force_kn: 1'")):
+            path = self.write(scene(anchors(BOLT + ", capacity_kn: 200" + passive)))
+            status, _, err = run("solve", "--find", f"loads.anchors.1.{key}", "--for", "governing_fos=1.05", path)
+            self.assertEqual(status, 3)
+            self.assertIn(message, err)
         path = self.write(scene(anchors(BOLT + ", force_kn: 80")))
         self.assertIn("find loads.anchors.N.force_kn", " ".join(run("solve", "--find", "friction_angle_deg", "--for", "governing_fos=2",
                                                                     "--least-force", path)[2].split()))

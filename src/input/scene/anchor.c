@@ -91,7 +91,8 @@ static tp_status check_force(const tp_anchor_description *a, tp_message *message
     return tp_refuse(message, TP_FAULT_KEY, a->place,
                      a->capacity_kn.given
                          ? "an active bolt counts with the force that it is locked off at: give "
-                           "its 'force_kn', or say 'passive: true', which counts up to the capacity"
+                           "its 'force_kn', or say 'passive: true', which counts up to the "
+                           "capacity; to have the force found give any to begin with, 'force_kn: 1'"
                          : "'force_kn' is missing here: say, for example, 'force_kn: 50'");
   }
   if (!a->force_kn.given || !a->capacity_kn.given ||

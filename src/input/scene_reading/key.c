@@ -56,6 +56,12 @@ static tp_status fail(const tp_node *at, const tp_node *other, const char *way, 
                    nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
 }
 
+/* A passive bolt counts up to its capacity, and has no force that could be another. */
+static bool is_force_of_capacity(const tp_node *at, const char *key) {
+  return strcmp(key, "force_kn") == 0 && at->kind == TP_NODE_MAPPING &&
+         tp_node_get(at, "capacity_kn") != NULL;
+}
+
 tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key, const char *file,
                       tp_message *message) {
   const tp_node *parameters = tp_node_get(root, "parameters");
@@ -69,6 +75,11 @@ tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key
     const size_t length = strcspn(key, ".");
     const bool is_last = key[length] == '\0';
     const tp_node *next = child(at, key, length);
+    if (next == NULL && is_force_of_capacity(at, key)) {
+      return tp_refuse(message, TP_FAULT_KEY, tp_node_place(at, file),
+                       "this bolt has no 'force_kn' and counts up to its 'capacity_kn': name that "
+                       "key instead, or give it a 'force_kn' too, of any size up to the capacity");
+    }
     if (next == NULL) {
       const bool parameter =
           at == root && is_last && parameters != NULL && parameters->kind == TP_NODE_MAPPING;
