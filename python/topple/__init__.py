@@ -11,8 +11,16 @@
 Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names
 of fields say. Failures raise a `ToppleError`. docs/python.md has more."""
 
-from . import records as _records, words as _words
-from ._library import ffi as _ffi, lib as _lib
+import sys as _sys
+
+try:
+    from . import records as _records, words as _words
+    from ._library import ffi as _ffi, lib as _lib
+except ImportError as _error:
+    raise ImportError(
+        f"topple is not built for this Python, {_sys.version.split()[0]}: './run --with python --setup' in Topple's folder "
+        "installs what it needs and builds it for the Python that it finds, which then has it by PYTHONPATH=build/python"
+    ) from _error
 from .accuracy import accuracy_of_scene, accuracy_sweep
 from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
 from .batch import batch, batch_text

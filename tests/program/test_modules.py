@@ -8,6 +8,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -49,6 +50,24 @@ class Missing(unittest.TestCase):
         (self.folder / "survey.csv").write_text("name,width (m),height (m),dip,friction\na,1,2,20,30\n")
         self.misses("xlsx", "solve", "--batch", "survey.xlsx")
         self.misses("xlsx", "solve", "--batch", "survey.csv", "--output", "table.xlsx")
+
+    def test_gis(self):
+        (self.folder / "section.shp").write_bytes(b"")
+        done = subprocess.run([self.folder / "topple", "solve", "section.shp", "--unit", "m"], cwd=self.folder, capture_output=True,
+                              encoding="utf-8", timeout=60)
+        self.assertIn(done.returncode, (3, 5), done.stderr)  # built without it, or its library is not there
+        self.assertIn("'./run --with gis'", done.stderr)
+
+    def test_python(self):
+        """The package as it lies in a clone, or built for another Python."""
+        package = self.folder / "python" / "topple"
+        package.mkdir(parents=True)
+        for source in (ROOT / "python" / "topple").glob("*.py"):
+            shutil.copy(source, package)
+        done = subprocess.run([sys.executable, "-c", "import topple"], cwd=self.folder, capture_output=True, encoding="utf-8",
+                              env={**os.environ, "PYTHONPATH": str(package.parent)}, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"(?m)^ImportError: .*'\./run --with python --setup' in Topple's folder.*PYTHONPATH=build/python")
 
     def test_mpi(self):
         self.misses("mpi", "study", "study.yaml", OMPI_COMM_WORLD_SIZE="2", OMPI_COMM_WORLD_RANK="0")
