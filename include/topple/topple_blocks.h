@@ -159,8 +159,8 @@ typedef struct tp_verdict_columns {
   double *fos_sliding, *fos_sliding_error; /* of shear strength */
 } tp_verdict_columns;
 
-/* The full verdict of each block by tp_solve, with its friction angle, 0 to below 90 degrees, and
- * its tilt, 0 to 90 degrees. */
+/* The verdict of each block, by doubles with bounds or else by tp_solve, with its friction angle, 0
+ * to below 90 degrees, and its tilt, 0 to 90 degrees. */
 TP_MUST_USE tp_status tp_blocks_solve(const tp_verdict_columns *columns, tp_blocks_summary *summary,
                                       const tp_outlines *outlines, tp_numbers friction_angle_deg,
                                       tp_numbers tilt_angle_deg, const tp_blocks_options *options,

@@ -20,7 +20,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { ROUNDS = 5, LEAST_BLOCKS = 1000, SOLVED_SHARE = 1000 };
+enum { ROUNDS = 5, LEAST_BLOCKS = 1000, SOLVED_SHARE = 100 };
 
 typedef struct work {
   size_t blocks, vertices;

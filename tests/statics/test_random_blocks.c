@@ -89,7 +89,7 @@ static tp_status solve_alone(tp_block_turning *own, const random_block *block,
                              tp_direction towards) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  *own = (tp_block_turning){NAN, NAN, -1};
+  *own = (tp_block_turning){.angle_deg = NAN, .error_deg = NAN, .pivot = -1};
   claim(tp_scene_new(&scene, "m", &claim_message) == TP_OK, "a scene");
   tp_status status =
       tp_scene_set_outline(scene, tp_coordinates_of(block->xy, block->count), &claim_message);
@@ -104,7 +104,9 @@ static tp_status solve_alone(tp_block_turning *own, const random_block *block,
   const tp_case *one = solution->cases;
   if (one->has_toppling_pivot) {
     const tp_pivot *pivot = one->pivots + one->toppling_pivot;
-    *own = (tp_block_turning){pivot->critical_angle_deg.value, pivot->critical_angle_deg.error, -1};
+    *own = (tp_block_turning){.angle_deg = pivot->critical_angle_deg.value,
+                              .error_deg = pivot->critical_angle_deg.error,
+                              .pivot = -1};
     for (long k = 0; k < block->whole.count; k++) {
       if (block->xy[2 * k] == pivot->x_m.value && block->xy[2 * k + 1] == pivot->y_m.value) {
         own->pivot = k;

@@ -67,6 +67,9 @@ static tp_status decide(tp_block_turning *turning, tp_scan *scan, const tp_turni
   if (!task->simple && !tp_is_simple(scan->x, scan->y, scan->count)) return TP_UNDECIDED;
   if (turns == TP_SCAN_BLOCKED) return TP_NO_ANSWER;
   turning->pivot = pivot;
+  turning->first = scan->first;
+  turning->edges = (int)chain_of(scan, left, counter_clockwise).count;
+  turning->counter_clockwise = counter_clockwise;
   const double sine = left == counter_clockwise ? sums[TP_X6] : -sums[TP_X6];
   const double cosine = counter_clockwise ? sums[TP_Y6] : -sums[TP_Y6];
   const bool certain = take_angle(turning, sine, cosine, errors[TP_X6] + errors[TP_Y6]);
@@ -76,7 +79,7 @@ static tp_status decide(tp_block_turning *turning, tp_scan *scan, const tp_turni
 tp_status tp_turning_filter(tp_block_turning *turning, tp_workspace *workspace,
                             tp_vertices vertices, const tp_turning_task *task,
                             tp_message *message) {
-  *turning = (tp_block_turning){NAN, NAN, -1};
+  *turning = (tp_block_turning){.angle_deg = NAN, .error_deg = NAN, .pivot = -1};
   if (vertices.count < 3) return TP_UNDECIDED;
   tp_scan scan;
   if (!tp_scan_read(&scan, workspace, vertices, task->kernel)) {

@@ -18,7 +18,10 @@ typedef struct tp_turning_task {
 
 typedef struct tp_block_turning {
   double angle_deg, error_deg; /* NaN without an admissible pivot */
-  long pivot;                  /* the vertex, from 0, or -1 */
+  long pivot;                  /* the vertex, from 0, or -1; where the filter tells it, too: */
+  long first;                  /* the left end of the underside, */
+  int edges;                   /* how many it has, */
+  bool counter_clockwise;      /* and whether they follow it in the outline, or precede it */
 } tp_block_turning;
 
 /* TP_OK, or TP_NO_ANSWER without an admissible pivot, where that is proven; TP_UNDECIDED where

@@ -30,7 +30,9 @@ static tp_status read_off(tp_block_turning *turning, const tp_solution *solution
   const tp_case *own = solution->cases;
   if (!own->has_toppling_pivot) return TP_NO_ANSWER;
   const tp_bounded angle = own->pivots[own->toppling_pivot].critical_angle_deg;
-  *turning = (tp_block_turning){angle.value, angle.error, vertex_at(problem, own->toppling_pivot)};
+  *turning = (tp_block_turning){.angle_deg = angle.value,
+                                .error_deg = angle.error,
+                                .pivot = vertex_at(problem, own->toppling_pivot)};
   return tp_solution_is_undecided(solution) ? TP_UNDECIDED : TP_OK;
 }
 
@@ -51,7 +53,7 @@ static tp_status solve(tp_block_turning *turning, const tp_scene *scene, tp_solu
 
 tp_status tp_turning_solve(tp_block_turning *turning, tp_vertices vertices, tp_direction towards,
                            tp_message *message) {
-  *turning = (tp_block_turning){NAN, NAN, -1};
+  *turning = (tp_block_turning){.angle_deg = NAN, .error_deg = NAN, .pivot = -1};
   tp_scene *scene = NULL;
   tp_status status = tp_block_scene_new(&scene, vertices, towards, message);
   if (status != TP_OK) return status;

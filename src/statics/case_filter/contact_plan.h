@@ -70,6 +70,9 @@ typedef struct tp_contact_plan {
   tp_cone_edge edges[2 * TP_PLAN_POINTS];
 } tp_contact_plan;
 
+/* The triples of a mode whose rays and edges are known; false where there is no room for them. */
+bool tp_plan_mode_set_triples(tp_plan_mode *mode, const tp_contact_plan *plan);
+
 /* Of a case; with friction. `*fits` is false where the plan has no room for it or a ray is none of
  * those kinds. */
 TP_MUST_USE tp_status tp_contact_plan_init(tp_contact_plan *plan, bool *fits,

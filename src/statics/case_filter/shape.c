@@ -11,7 +11,7 @@
 
 #include "case_filter/shape.h"
 
-static void set_ray(tp_near ray[3], const tp_case_shape *shape, const tp_plan_ray *own) {
+void tp_shape_ray(tp_near ray[3], const tp_case_shape *shape, const tp_plan_ray *own) {
   static const tp_near zero = {0, 0};
   const tp_shape_point *p = shape->points + own->point;
   if (own->kind == TP_RAY_SLIDES) {
@@ -39,19 +39,28 @@ static bool is_of_plan(const tp_near ray[3], const tp_case_shape *shape,
   return true;
 }
 
-bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan) {
-  for (int k = 0; k < plan->point_count; k++) {
+void tp_shape_set_rows(tp_case_shape *shape, int point_count) {
+  for (int k = 0; k < point_count; k++) {
     tp_shape_point *p = shape->points + k;
     tp_sparse_normal_row(p->normal, &p->x, &p->y, &p->tx, &p->ty);
     tp_sparse_slip_row(p->slip, &p->x, &p->y, &p->tx, &p->ty);
   }
+}
+
+/* About the centroid. */
+void tp_shape_set_inertia(tp_case_shape *shape, int k, const tp_near ray[3]) {
+  shape->inertia[k][0] = ray[0];
+  shape->inertia[k][1] = ray[1];
+  shape->inertia[k][2] = tp_near_times(ray[2], shape->gyration);
+}
+
+bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan) {
+  tp_shape_set_rows(shape, plan->point_count);
   for (int k = 0; k < plan->ray_count; k++) {
     tp_near ray[3];
-    set_ray(ray, shape, plan->rays + k);
+    tp_shape_ray(ray, shape, plan->rays + k);
     if (!is_of_plan(ray, shape, plan, plan->rays + k)) return false;
-    tp_near *inertia = shape->inertia[k]; /* about the centroid */
-    for (int e = 0; e < 3; e++) inertia[e] = ray[e];
-    inertia[2] = tp_near_times(ray[2], shape->gyration);
+    tp_shape_set_inertia(shape, k, ray);
   }
   return true;
 }

@@ -22,6 +22,15 @@ typedef struct tp_case_shape {
   tp_near inertia[TP_PLAN_RAYS][3]; /* M r = (v_x, v_y, k^2 omega) of each ray */
 } tp_case_shape;
 
+/* The rows of its points, from their x, y and t. */
+void tp_shape_set_rows(tp_case_shape *shape, int point_count);
+
+/* A ray of the plan, made anew from the rows. */
+void tp_shape_ray(tp_near ray[3], const tp_case_shape *shape, const tp_plan_ray *own);
+
+/* M r of the k-th ray. */
+void tp_shape_set_inertia(tp_case_shape *shape, int k, const tp_near ray[3]);
+
 /* From the points' x, y, t and the gyration the rest; false where the motions are not certainly
  * those of the plan. */
 bool tp_shape_complete(tp_case_shape *shape, const tp_contact_plan *plan);

@@ -180,7 +180,7 @@ static bool are_flat(const tp_contact_plan *plan, const tp_plan_mode *mode, cons
   return site || direction;
 }
 
-static bool set_triples(tp_plan_mode *mode, const tp_contact_plan *plan) {
+bool tp_plan_mode_set_triples(tp_plan_mode *mode, const tp_contact_plan *plan) {
   const int rays = mode->ray_count, count = rays + mode->edge_count;
   for (int i = 0; i < count; i++) {
     for (int j = i + 1; j < count; j++) {
@@ -212,7 +212,7 @@ static tp_motion_outcome take_mode(void *context, const tp_mode *mode) {
                         .ray_count = mode->ray_count,
                         .rays = {mode->rays[0], mode->rays[1]}};
   if (mode->ray_count == 2) own->line = n->order[n->items[mode->normal].first];
-  p->fits = take_edges(own, p, mode) && set_triples(own, plan);
+  p->fits = take_edges(own, p, mode) && tp_plan_mode_set_triples(own, plan);
   return TP_MOTION_PROVEN;
 }
 

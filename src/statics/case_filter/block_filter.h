@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The case filter of one block under its weight alone on its mated base, which ends with it, of an
+ * outline in doubles: its contact planned in doubles, too (near_plan.h). */
+
+#ifndef TP_CASE_FILTER_BLOCK_FILTER_H
+#define TP_CASE_FILTER_BLOCK_FILTER_H
+
+#include "case_filter/case_filter.h"
+
+/* What is known of a block: its underside from its left end to its right one, which runs to the
+ * right throughout and may be turned about at the end that is down-dip. */
+typedef struct tp_block_underside {
+  const double *x, *y;
+  int count; /* of vertices */
+  tp_near centroid_x, centroid_y;
+  tp_near gyration; /* square of its radius */
+} tp_block_underside;
+
+/* Fills in all that tp_case_filter_tell reads; false where doubles do not tell. */
+TP_MUST_USE bool tp_block_filter_init(tp_case_filter *filter, const tp_block_underside *underside,
+                                      tp_direction towards);
+
+#endif
