@@ -80,7 +80,7 @@ static double run_ramp(const tp_rigid_body *body, bool until_collapse) {
   const tp_run_end end = tp_rigid_contact_run(NULL, NULL, &run, &settings, &message);
   double angle = NAN;
   for (size_t k = 0; k < history.event_count; k++) {
-    if (history.events[k].kind == TP_EVENT_COLLAPSES) angle = history.events[k].angle_deg;
+    if (history.events[k].what == TP_EVENT_COLLAPSES) angle = history.events[k].angle_deg;
   }
   tp_history_clear(&history);
   if (end == TP_RUN_UNDECIDED || isnan(angle)) fail(message.text);

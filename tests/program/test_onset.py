@@ -121,6 +121,18 @@ class Known(unittest.TestCase):
         self.assertEqual(case["mechanism"], "interlocked")
         self.assertEqual(case["motions"], [])
 
+    def test_a_bond_alone_holds_all_turns_alike(self):
+        """Motions side by side, about a corner and slipping beside it, begin at one tilt, and what a bond holds is the same in
+        both: that is known by what they are made of, and no number is taken for zero at the last precision."""
+        scene = self.scene.folder.name + "/bonded.yaml"
+        with open(scene, "w") as file:
+            file.write("topple: 1\nlength_unit: m\nblock:\n  outline: [[0, 0], [1.4, 0.03], [2.6, 0], [2.6, 3], [0.2, 4.4]]\n"
+                       "  unit_weight_kn_m3: 26\nbase: {mated: true, between: [[0, 0], [2.6, 0]], beyond: {left: 1, right: 1}}\n"
+                       "loads: {bond_kpa: 20}\nfriction_angle_deg: 36\ntilt: {towards: left, angle_deg: 22}\n")
+        status, out, err = run("solve", scene)
+        self.assertEqual(status, 0, err)
+        self.assertNotIn("takes as zero", out)
+
     def test_cohesion_and_bonds(self):
         """A slab turns about its toe against all of its bond, and slides against all of its cohesion:
         its onset is its static limit. On any base it never lies above that."""

@@ -7,6 +7,7 @@
 #include "certificate/filter.h"
 #include "motion/bounds.h"
 #include "motion/strata.h"
+#include "motion/tilt_side.h"
 #include "random_numbers.h"
 #include "suite.h"
 #include "whole_vectors.h"
@@ -263,12 +264,77 @@ START_TEST(columns_above_zero_are_so_exactly) {
 }
 END_TEST
 
+/* ---- motion/tilt_side.h ---------------------------------------------------------------------- */
+
+/* From one tilt to another, or without an end. */
+static void draw_stretch(tp_tilt_span *stretch) {
+  const long from = draw_below(&state, 170) - 85, to = from + 1 + draw_below(&state, 86 - from);
+  stretch->from.endless = draw_below(&state, 4) == 0;
+  stretch->to.endless = draw_below(&state, 4) == 0;
+  stretch->from.source.a = 1;
+  stretch->to.source.a = 2;
+  arb_set_si(stretch->from.degrees, from);
+  arb_set_si(stretch->to.degrees, to);
+}
+
+/* What the inequality leaves of a span by its zeros in balls: all of it, or none, where that is
+ * said.
+ */
+START_TEST(sides_of_spans_are_those_of_balls) {
+  enum { WAVES = 4000 };
+  const tp_judge judge = {.bits = 128, .precision = 128, .settled = true};
+  long told = 0, uncut = 0;
+  state = random_numbers_from(23);
+  for (int wave = 0; wave < WAVES; wave++) {
+    tp_motion_tilts own = {0}, other = {0};
+    tp_trig f;
+    tp_tilt zero;
+    tp_answer known = TP_OPEN;
+    tp_trig_init(&f);
+    tp_tilt_init(&zero);
+    draw_fraction(f.of + TP_COS, 4, 3);
+    draw_fraction(f.of + TP_SIN, 4, 3);
+    if (draw_below(&state, 4) > 0) draw_fraction(f.of + TP_ONE, 4, 3);
+    tp_tilt_span *stretch = tp_tilts_add(&own);
+    draw_stretch(stretch);
+    const tp_answer side = tp_tilts_side(&own, &f);
+    arb_t from, to;
+    arb_init(from);
+    arb_init(to);
+    arb_set(from, stretch->from.degrees);
+    arb_set(to, stretch->to.degrees);
+    const bool from_endless = stretch->from.endless, to_endless = stretch->to.endless;
+    ck_assert(tp_tilts_of(&other, &known, &f, &zero, 0, &judge));
+    if (known == TP_YES) ck_assert(tp_tilts_intersect(&own, &known, &other, ~0U, &judge));
+    if (known == TP_YES) {
+      const bool same = own.count == 1 && own.items->from.endless == from_endless &&
+                        own.items->to.endless == to_endless &&
+                        (from_endless || arb_equal(own.items->from.degrees, from)) &&
+                        (to_endless || arb_equal(own.items->to.degrees, to));
+      ck_assert(side != TP_YES || same);
+      ck_assert(side != TP_NO || own.count == 0);
+      uncut += same || own.count == 0;
+      told += side != TP_OPEN;
+    }
+    arb_clear(from);
+    arb_clear(to);
+    tp_tilt_clear(&zero);
+    tp_trig_clear(&f);
+    tp_tilts_clear(&own);
+    tp_tilts_clear(&other);
+  }
+  printf("spans: %ld kept or lost whole, %ld told so\n", uncut, told);
+  ck_assert_int_gt(told, uncut / 2);
+}
+END_TEST
+
 SUITE(filters) {
   Suite *suite = suite_create("filters");
   TCase *cases = tcase_create("filters");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, tilts_of_modes_are_those_of_balls);
   tcase_add_test(cases, columns_above_zero_are_so_exactly);
+  tcase_add_test(cases, sides_of_spans_are_those_of_balls);
   suite_add_tcase(suite, cases);
   return suite;
 }

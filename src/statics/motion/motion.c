@@ -2,13 +2,14 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Onset of motion (docs/mechanics.md section 6a): for each mode the tilts that satisfy h . w(alpha)
- * >= 0 for all planes of its cone are intersected, with a filter in doubles first, and kept as
- * spans. */
+ * >= 0 for all planes of its cone are intersected, with filters in doubles first, of all planes and
+ * of each, and kept as spans. */
 
 #include "motion/motion.h"
 
 #include "common/grow.h"
 #include "motion/bounds.h"
+#include "motion/tilt_side.h"
 #include "number/ball.h"
 
 #include <math.h>
@@ -31,8 +32,9 @@ typedef struct collecting {
   tp_mode_filter filter;
   tp_bounds bounds;
   tp_strength strength;
-  long mode;                  /* from 1 on */
-  long number;                /* tp_strength_number */
+  long mode;   /* from 1 on */
+  long number; /* tp_strength_number */
+  bool bonds_alone;
   tp_motion_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
@@ -74,7 +76,7 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   tp_tilt_init(&zero);
   zero.source = bound->source;
   if (c->q->strong != NULL) { /* each mode holds otherwise, but for these */
-    const bool shared = c->number > 0 && bound->ray_and_edge;
+    const bool shared = c->number > 0 && (bound->ray_and_edge || c->bonds_alone);
     zero.source.mode = shared ? c->number : c->q->cones->count + c->mode;
   }
   zero.rays = bound->rays;
@@ -87,7 +89,9 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   tp_answer told = nothing == TP_OPEN ? TP_OPEN : TP_YES;
   bool done = true;
   if (planes && nothing == TP_YES) *rays &= bound->rays;
-  if (!planes && nothing == TP_NO) {
+  const tp_answer side = !planes && nothing == TP_NO ? tp_tilts_side(&c->own, &f) : TP_YES;
+  if (side == TP_NO) tp_tilts_empty(&c->own);
+  if (side == TP_OPEN) {
     done = tp_tilts_of(&c->other, &told, &f, &zero, log2_scale, judge);
     if (done && told == TP_YES) done = tp_tilts_intersect(&c->own, &told, &c->other, *rays, judge);
   }
@@ -203,6 +207,7 @@ tp_motion_outcome tp_motions_init(tp_motions *m, const tp_motion_question *q) {
     collecting c = {.m = m, .q = q};
     tp_mode_filter_init(&c.filter, q);
     tp_strength_init(&c.strength);
+    c.bonds_alone = q->strong != NULL && tp_strength_bonds_alone(q);
     done = tp_strata_visit(&m->twists, &m->normals, q->strong != NULL, collect, &c);
     tp_bounds_clear(&c.bounds);
     tp_strength_clear(&c.strength);

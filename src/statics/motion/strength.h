@@ -56,10 +56,14 @@ void tp_strength_add_pull(arb_t sum, const arb_t factor, const tp_motion_questio
 
 /* What cohesion and bonds do is the same in modes of one number, as far as planes of a ray and an
  * edge in common tell: those whose closed contacts lie on one straight line have that of the line,
- * from 1 on; any other 0. Where the line sticks in one mode and slips in another, such a plane has
- * what holds on the side of the slip. */
+ * from 1 on; any other 0. Without cohesion all that turn, or open all, have 1, and share all
+ * planes: all bonds hold them (tp_strength_bonds_alone). Where the line sticks in one mode and
+ * slips in another, such a plane has what holds on the side of the slip. */
 TP_MUST_USE tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *question,
                                                  const tp_normals *normals, const tp_twists *twists,
                                                  const tp_mode *mode);
+
+/* Is there no cohesion on any line? */
+bool tp_strength_bonds_alone(const tp_motion_question *question);
 
 #endif

@@ -6,6 +6,14 @@
 
 #include "motion/strength.h"
 
+bool tp_strength_bonds_alone(const tp_motion_question *q) {
+  const tp_cones *strong = q->strong;
+  for (long k = 0; k < strong->capacity_count; k++) {
+    if (!arb_is_zero(strong->capacities[k].shear)) return false;
+  }
+  return true;
+}
+
 /* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
 static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
   const tp_cones *strong = q->strong;
@@ -41,6 +49,10 @@ static tp_motion_outcome find_least(long *least, const tp_normals *n, long first
 tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, const tp_normals *n,
                                      const tp_twists *twists, const tp_mode *mode) {
   *number = 0;
+  if (tp_strength_bonds_alone(q)) {
+    *number = mode->ray_count == 0 || !tp_mode_slides(mode, twists) ? 1 : 0;
+    return TP_MOTION_PROVEN;
+  }
   if (is_alone(q, twists, mode)) return TP_MOTION_PROVEN;
   const long first = mode->edges[0].point;
   for (long k = 1; k < mode->edge_count; k++) {
