@@ -11,7 +11,8 @@
  * they take as long. To be read: the critical angles where the caller vouches that outlines are
  * simple against reading is what the filter costs beside memory; against the same where that is
  * checked, what the check costs. The aim of moments and of the vouched angle is twice the reading
- * of 60 vertices. `threads` is the time on the clock with two. */
+ * of 60 vertices; that of a verdict, with both limits and its factors, stands beside it. `threads`
+ * is the time on the clock with two. */
 
 #include "bench.h"
 
@@ -20,7 +21,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { ROUNDS = 5, LEAST_BLOCKS = 1000, SOLVED_SHARE = 100 };
+enum { ROUNDS = 5, LEAST_BLOCKS = 1000, SOLVED_SHARE = 100, FEW_VERTICES = 6 };
+
+/* Nanoseconds that a verdict is to take, of few vertices and of 60. */
+static const double few_goal = 1e4, many_goal = 4e4;
 
 typedef struct work {
   size_t blocks, vertices;
@@ -150,7 +154,11 @@ static tp_status measure(work *w) {
     const size_t blocks = w->blocks / parts[p].share;
     const double each = median / (double)blocks;
     if (p == 0) read = each;
-    printf("%-28s %10.1f ns, %7.1f of reading\n", parts[p].name, 1e9 * each, each / read);
+    printf("%-28s %10.1f ns, %7.1f of reading", parts[p].name, 1e9 * each, each / read);
+    if (parts[p].run == verdicts) {
+      printf(" (goal %.0f ns)", w->vertices == FEW_VERTICES ? few_goal : many_goal);
+    }
+    printf("\n");
   }
   printf("%-28s %10zu\n", "climbed, of the last", w->summary.climbed);
   w->options.threads = 2;
@@ -162,7 +170,7 @@ static tp_status measure(work *w) {
 }
 
 static tp_status measure_both(work *w) {
-  w->vertices = 6;
+  w->vertices = FEW_VERTICES;
   const tp_status status = measure(w);
   if (status != TP_OK) return status;
   w->vertices = 60;
