@@ -25,8 +25,8 @@ typedef enum tp_sample_part {
 struct tp_sample_filter {
   tp_case_filter *of;
   int *parts; /* by variable */
-  bool has_tilt;
-  tp_near friction_deg, tilt_deg; /* of the scene, where they do not vary */
+  bool has_tilt, on_slope;
+  tp_near friction_deg, tilt_deg; /* of the scene, where they do not vary; on a slope its dip */
 };
 
 /* ---- which samples -----------------------------------------------------------------------------
@@ -39,9 +39,14 @@ static bool is_key(const tp_scene_key *key, const tp_study *study, const char *t
          tp_scene_key_same(key, &other);
 }
 
+/* On a slope the dip is the tilt. */
+static const char *tilt_key_of(const tp_study *study) {
+  return study->scene->frame == TP_FRAME_SLOPE ? "slope.dip_deg" : "tilt.angle_deg";
+}
+
 static int part_of(const tp_scene_key *key, const tp_study *study) {
   if (is_key(key, study, "friction_angle_deg")) return TP_SAMPLE_FRICTION;
-  if (is_key(key, study, "tilt.angle_deg")) return TP_SAMPLE_TILT;
+  if (is_key(key, study, tilt_key_of(study))) return TP_SAMPLE_TILT;
   if (is_key(key, study, "block.thickness")) return TP_SAMPLE_THICKNESS;
   for (int k = 0; k < TP_LOAD_NUMBERS; k++) {
     if (is_key(key, study, tp_load_number_key((tp_load_number)k))) return TP_SAMPLE_LOAD + k;
@@ -89,9 +94,12 @@ static tp_status find(tp_sample_filter *own, const tp_study *study, tp_message *
     if (count == TP_AFFINE_VARIABLES) return TP_OK;
     keys[count++] = *key;
   }
-  own->has_tilt = scene->tilt_angle_deg.given;
+  own->on_slope = scene->frame == TP_FRAME_SLOPE;
+  if (own->on_slope && scene->tilt_angle_deg.given) return TP_OK; /* it is added to the dip */
+  own->has_tilt = scene->tilt_angle_deg.given || own->on_slope;
   own->friction_deg = near_of_rational(scene->friction_angle_deg.value);
-  own->tilt_deg = near_of_rational(scene->tilt_angle_deg.value);
+  own->tilt_deg =
+      near_of_rational(own->on_slope ? scene->slope.dip_deg.value : scene->tilt_angle_deg.value);
   return tp_case_filter_new(&own->of, scene, keys, count, message);
 }
 
@@ -211,7 +219,7 @@ bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilt
   const tp_sample_filter *f = study->filter;
   numbers n;
   tp_case_told told;
-  if (f == NULL || !take_values(&n, f, row, study->variable_count) ||
+  if (f == NULL || (f->on_slope && tilts > 0) || !take_values(&n, f, row, study->variable_count) ||
       !tp_case_filter_tell(&told, f->of, &n.sample) || !take_case(row, &told) ||
       !take_own(row, &told, n.tilt_deg, f->has_tilt)) {
     return false;

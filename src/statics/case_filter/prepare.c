@@ -17,12 +17,20 @@
 /* Balls of the preparation; what they tell is rounded to doubles. */
 enum { BITS = 256 };
 
+/* Which way it lets go is known: on a table by its tilt, on a slope by the dip, under an earthquake
+ * that acts down-dip alone (stability/earthquakes.c). */
+static bool goes_one_way(const tp_scene *scene) {
+  const tp_loads_description *loads = &scene->loads;
+  if (!tp_scene_lies_in_place(scene)) return scene->towards_left != scene->towards_right;
+  return scene->frame == TP_FRAME_SLOPE && !loads->vertical.given &&
+         (!loads->horizontal.given || loads->direction_given);
+}
+
 /* Under loads that turn with the tilt, with one friction angle, on the tilt as it is given. */
 static bool is_plain(const tp_scene *scene) {
   return scene->friction_angle_deg.given && scene->friction.facet_count == 0 &&
          !scene->base.all_poses && scene->partial_factors == NULL && tp_load_plan_fits(scene) &&
-         !tp_smoothed_is_asked(scene) && !tp_scene_lies_in_place(scene) &&
-         scene->towards_left != scene->towards_right;
+         !tp_smoothed_is_asked(scene) && goes_one_way(scene);
 }
 
 static tp_near near_of(const arb_t ball) {
