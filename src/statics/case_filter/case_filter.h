@@ -42,9 +42,10 @@ typedef struct tp_case_filter {
   tp_filter_facet facets[TP_PLAN_POINTS];
 } tp_case_filter;
 
-/* Of a scene that tilts one way, or lies on a slope whose dip is its tilt, in which the block varies with the numbers at so many keys, beside
- * friction, tilt and what loads depend on; `*filter` stays NULL where it is none for a filter. What
- * of the scene is no block on a base is told by a solve of it, not here. */
+/* Of a scene that tilts one way, or lies on a slope whose dip is its tilt, in which the block
+ * varies with the numbers at so many keys, beside friction, tilt and what loads depend on;
+ * `*filter` stays NULL where it is none for a filter. What of the scene is no block on a base is
+ * told by a solve of it, not here. */
 TP_MUST_USE tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
                                          const tp_scene_key *keys, size_t count,
                                          tp_message *message);
