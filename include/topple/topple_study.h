@@ -11,6 +11,8 @@
 #ifndef TOPPLE_STUDY_H
 #define TOPPLE_STUDY_H
 
+#include <stdint.h>
+
 #include "topple_governing.h"
 #include "topple_scene.h"
 
@@ -282,6 +284,24 @@ typedef struct tp_study_result {
                                 is written over them */
 } tp_study_result;
 
+/* The ranks of a program that runs a study as several processes, by MPI or otherwise: each makes
+ * the same call, of the same study and options, and what the ranks say to one another goes through
+ * these calls, in the same order on all. Their cost for each rank does not grow with the number of
+ * ranks but for what the first receives, which the columns of the result bound. False of any of
+ * them ends the study: nothing more is said. The thread that runs the study calls them. */
+typedef struct tp_study_ranks {
+  size_t rank, count; /* this one, from 0, and how many; 1: no call is made */
+  void *context;      /* of the calls below */
+  bool (*sum)(void *context, uint64_t *before, uint64_t *all, const uint64_t *own,
+              size_t count); /* of `count` whole numbers of each rank the sums modulo 2^64: over the
+                                ranks before this one, unless that is NULL, and over all */
+  bool (*send)(void *context, const void *bytes, size_t size); /* to the first rank, of which none
+                                                                  may be */
+  bool (*receive)(void *context, size_t rank, void **bytes,
+                  size_t *size); /* on the first, what `rank` sent, in the order in which it did:
+                                    allocated with malloc, NULL of none */
+} tp_study_ranks;
+
 /* How a study is run. */
 typedef struct tp_study_options {
   size_t size;          /* of this struct, as `…_default()` has it */
@@ -295,6 +315,7 @@ typedef struct tp_study_options {
   bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
   void (*progress)(void *context, size_t done, size_t of); /* called by the thread that runs it
                                                               after each chunk, or NULL */
+  const tp_study_ranks *ranks; /* that run it together, or NULL: this process alone */
 } tp_study_options;
 
 /* All of it, by as many threads as there are, without rows. `size` is that of the struct as the
@@ -306,7 +327,9 @@ static inline tp_study_options tp_study_options_default(void) {
   return options;
 }
 
-/* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
+/* Run it. `*result` is to be freed by tp_study_result_free. By ranks it is that of the first, and
+ * NULL with TP_OK on the others; where one of them fails, the first has its status and message.
+ * Rows and result are those of one process, to the byte. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
  * scene or the rows themselves have changed since, or is no file of rows, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,

@@ -33,11 +33,21 @@ typedef struct written {
   tp_text first;
 } written;
 
-static tp_status take(void *context, tp_study_row *row, bool *enough, tp_message *message) {
+static tp_status take(void *context, tp_study_row *row, tp_message *message) {
   written *w = context;
-  (void)enough;
+  tp_study_at at[3]; /* the scene's tilt, and two */
+  (void)message;
   tp_study_write_row(&w->first, w->study, row);
-  return tp_tally_add(&w->tally, row, message);
+  tp_tally_read(&w->tally, row, at);
+  return TP_OK;
+}
+
+static tp_status take_chunk(void *context, uint64_t chunk, tp_text *text, tp_message *message) {
+  const tp_rows_stretch *stretch = context;
+  (void)chunk;
+  FUZZ_EXPECT(text->length <= stretch->progress->counts.bytes);
+  FUZZ_EXPECT(message != NULL);
+  return TP_OK;
 }
 
 /* What is written of rows that were read is read as the same rows. */
@@ -67,24 +77,33 @@ static void read_again(const written *w) {
   free(at);
 }
 
+/* As a file, of which a chunk is so many lines, and as the text of a chunk. */
 static void read_rows(const tp_study *study, const uint8_t *data, size_t size) {
   char path[200];
   tp_text text = {0};
   tp_message message = {.text = ""};
   written w = {.study = study};
-  tp_sha256_state hash;
+  tp_progress progress = {.shard = 1, .shards = 1, .chunks = 1};
+  tp_row_counts seen;
   tp_study_write_header(&text, study);
+  const size_t header = text.length;
   tp_text_append(&text, (const char *)data, size);
   fuzz_study_write("rows.csv", text.data, text.length);
-  tp_progress progress = {.shard = 1, .shards = 1, .chunks = 1, .bytes = text.length};
-  tp_sha256(progress.hash, text.data, text.length);
-  FUZZ_EXPECT(tp_tally_init(&w.tally, study, &message) == TP_OK);
-  const tp_status status =
-      tp_rows_read(&hash, fuzz_study_path(path, "rows.csv"), study, &progress, take, &w, &message);
+  progress.counts.bytes = text.length;
+  const tp_rows_stretch stretch = {fuzz_study_path(path, "rows.csv"), study, &progress, 0, 1};
+  tp_row_counts_begin(&seen, study);
+  tp_status status = tp_rows_read(&seen, &stretch, take_chunk, (void *)&stretch, &message);
+  FUZZ_EXPECT(status == TP_OK || message.text[0] != '\0');
+  FUZZ_EXPECT(tp_tally_init(&w.tally, study, 0, study->samples, &message) == TP_OK);
+  tp_text rows = {0};
+  tp_text_append(&rows, text.data + header, size);
+  message.text[0] = '\0';
+  if (size > 0) status = tp_rows_parse(&stretch, 0, &rows, study->samples, take, &w, &message);
   FUZZ_EXPECT(status == TP_OK || message.text[0] != '\0');
   read_again(&w);
   tp_tally_clear(&w.tally);
   tp_text_drop(&w.first);
+  tp_text_drop(&rows);
   tp_text_drop(&text);
 }
 

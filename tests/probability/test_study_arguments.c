@@ -66,6 +66,12 @@ START_TEST(run) {
     bad.shards = shards[k][1];
     REFUSED(tp_study_run(&result, study, &bad, &message), "shard");
   }
+  const tp_study_ranks ranks[] = {{.rank = 0, .count = 0}, {.rank = 3, .count = 3}, {.count = 2}};
+  for (size_t k = 0; k < sizeof ranks / sizeof ranks[0]; k++) {
+    tp_study_options bad = options;
+    bad.ranks = ranks + k;
+    REFUSED(tp_study_run(&result, study, &bad, &message), "rank");
+  }
   for (size_t k = 0; k < 2; k++) {
     const tp_study_options sized = {.size = k == 0 ? 0 : 4096};
     REFUSED(tp_study_run(&result, study, &sized, &message), "the size");

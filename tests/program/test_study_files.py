@@ -6,7 +6,11 @@ through a link, nor over a file of another kind; and no message shows what stand
 import hashlib
 import os
 import pathlib
+import re
+import resource
 import shutil
+import signal
+import struct
 import subprocess
 
 from harness import PROGRAM, main, run
@@ -48,15 +52,38 @@ class Files(StudyCase):
         self.assertEqual(self.all_files(), before)
 
     def test_progress_tells_the_hash(self):
+        """Of the header and of each chunk of 60 rows, with its number before it, the SHA-256; as four numbers, added."""
         self.study("study.yaml", "--rows", "rows.csv")
         told = (self.folder / "rows.csv.progress").read_text()
-        self.assertIn("sha256: " + hashlib.sha256((self.folder / "rows.csv").read_bytes()).hexdigest() + "\n", told)
+        lines = (self.folder / "rows.csv").read_bytes().splitlines(keepends=True)
+        pieces = [lines[0], *(b"".join(lines[k:k + 60]) for k in range(1, 301, 60))]
+        hashes = [struct.unpack("<4Q", hashlib.sha256(struct.pack("<Q", k) + piece).digest()) for k, piece in enumerate(pieces)]
+        added = struct.pack("<4Q", *(sum(numbers) % 2**64 for numbers in zip(*hashes)))
+        self.assertIn(f"sha256: {added.hex()}\n", told)
         for wrong in ("sha256: 12\n", "sha256: " + 64 * "g" + "\n", "sha256: [1]\n"):
             at = told.index("sha256: ")
             (self.folder / "rows.csv.progress").write_text(told[:at] + wrong)
             self.refused("this is not a progress file of a study", "--rows", "rows.csv")
         (self.folder / "rows.csv.progress").write_text(told[:at])  # as before there were hashes
         self.refused("by another version of this program; restart", "--rows", "rows.csv")
+
+    def test_counts_changed(self):
+        """What is counted of the rows stands beside them, and is held to them: numbers that do not add up, or are of more or
+        fewer rows."""
+        self.study("study.yaml", "--rows", "rows.csv")
+        path = self.folder / "rows.csv.progress"
+        told = path.read_text()
+        (counts,) = re.findall(r"(?m)^counts: \[(.*)\]$", told)
+        numbers = counts.split(",")
+        for wrong in (["299", *numbers[1:]], numbers[:-1], [*numbers[:-1], "1"], ["-1", *numbers[1:]], [*numbers, "0"]):
+            path.write_text(told.replace(counts, ",".join(wrong)))
+            self.refused("this is not a progress file of a study", "--rows", "rows.csv")
+        path.write_text(told.replace("chunks: 5", "chunks: 4"))
+        self.refused("the progress beside these rows is not theirs", "--rows", "rows.csv")
+        path.write_text(told.replace("chunks: 5", "chunks: 6"))
+        self.refused("the progress beside these rows is not theirs", "--rows", "rows.csv")
+        path.write_text(told)
+        self.study("study.yaml", "--rows", "rows.csv")
 
     def test_rows_changed(self):
         """Of a whole study, of one that was ended, of a shard: told, with the file and what to do, and nothing is written; the
@@ -65,8 +92,15 @@ class Files(StudyCase):
         rows = (self.folder / "whole.csv").read_bytes()
         header_and_half = b"".join(rows.splitlines(keepends=True)[:121])
         progress = (self.folder / "whole.csv.progress").read_text()
-        half = progress.replace("chunks: 5", "chunks: 2").replace(f"bytes: {len(rows)}", f"bytes: {len(header_and_half)}")
-        half = half[:half.index("sha256")] + "sha256: " + hashlib.sha256(header_and_half).hexdigest() + "\n"
+
+        def little_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (len(header_and_half) + 100, len(header_and_half) + 100))
+
+        subprocess.run([PROGRAM, "study", "study.yaml", "--rows", "half.csv"], cwd=self.folder, capture_output=True,
+                       preexec_fn=little_room, check=False)
+        half = (self.folder / "half.csv.progress").read_text()
+        self.assertIn("chunks: 2\n", half)
         for name, own, told in (("whole.csv", rows, progress), ("half.csv", header_and_half, half)):
             path = self.folder / name
             (self.folder / (name + ".progress")).write_text(told)
@@ -121,17 +155,18 @@ class Files(StudyCase):
                                   capture_output=True, encoding="utf-8", check=False)
 
         self.study("study.yaml", "--rows", "rows.csv")
-        for k in (1, 2):  # as ranks that were ended leave them
-            self.study("study.yaml", "--rows", f"ranks.csv.part{k}", "--shard", f"{k}/2")
-        part = self.folder / "ranks.csv.part2"
-        rows = part.read_bytes()
-        part.write_bytes(next(tampered(rows)))
-        done = by_ranks("--rows", "ranks.csv")
-        self.assertEqual(done.returncode, 3)
-        self.assertIn("ranks.csv.part2: lines 1 to ", done.stderr)
-        part.write_bytes(rows)
-        self.assertEqual(by_ranks("--rows", "ranks.csv").returncode, 0)
-        self.assertEqual((self.folder / "ranks.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
+        rows = (self.folder / "rows.csv").read_bytes()
+        progress = (self.folder / "rows.csv.progress").read_bytes()
+        for wrong in tampered(rows):
+            (self.folder / "rows.csv").write_bytes(wrong)
+            done = by_ranks("--rows", "rows.csv")
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertRegex(done.stderr, "topple: rows.csv.*(lines 1 to 301 are not those|changed since)")
+            self.assertEqual((self.folder / "rows.csv").read_bytes(), wrong)
+            self.assertEqual((self.folder / "rows.csv.progress").read_bytes(), progress)
+        (self.folder / "rows.csv").write_bytes(rows)
+        self.assertEqual(by_ranks("--rows", "rows.csv").returncode, 0)
+        self.assertEqual((self.folder / "rows.csv").read_bytes(), rows)
 
     def test_links(self):
         """A link that leads nowhere makes no file; the progress, which nobody named, goes through no link, dangling or not;

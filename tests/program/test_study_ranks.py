@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""A study by the ranks of mpirun: the rows and the summary of one process, to the byte; so after a rank was killed; and one
-complaint where one of them fails. Without mpirun, no MPI is loaded."""
+"""A study by the ranks of mpirun: the rows and the summary of one process, to the byte; so after a rank was killed, by any
+number of ranks; an early end for all; and one complaint where one of them fails. Without mpirun, no MPI is loaded."""
 
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -27,6 +28,13 @@ RELIABILITY = """samples: 100
 sampling: {chunk: 10}
 vary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}
 reliability: {quantity: limit_deg}
+"""
+SENSITIVITY = """samples: 90
+sampling: {chunk: 10}
+vary:
+  friction_angle_deg: {normal: {mean: 30, deviation: 2}}
+  block.slab.height: {uniform: {low: 3, high: 12}}
+sensitivity: {samples: 1500}
 """
 
 
@@ -65,15 +73,17 @@ class Ranks(StudyCase):
         self.assertEqual(self.read("ranks.csv"), self.read("one.csv"))
         left = {path.name for path in self.folder.iterdir()}
         self.assertEqual({name for name in left if name.startswith("ranks")}, {"ranks.csv", "ranks.csv.progress"})
+        self.assertEqual(self.read("ranks.csv.progress"), self.read("one.csv.progress"))
         self.assertEqual([path for path in self.temporary.iterdir() if path.name.startswith("topple")], [])
 
     def test_the_bytes_of_one_process(self):
-        """1, 2 and 3 ranks, with rows and without; samples that are none, and reliability, which the first rank does."""
-        for study in (RELIABILITY, STUDY):
+        """1, 2, 3 and 5 ranks, with rows and without; samples that are none, and indices and reliability, of which the first
+        rank shares out the points."""
+        for study in (RELIABILITY, SENSITIVITY, STUDY):
             self.write(study)
             whole = self.study("study.yaml", "--json", "--csv", "one.csv", "--restart")
             text = self.study("study.yaml")
-            for ranks in (1, 2, 3):
+            for ranks in (1, 2, 3, 5):
                 self.check(ranks, whole)
                 self.assertEqual(self.by_ranks(ranks), whole)
                 self.check(ranks, whole)  # the rows are there
@@ -82,57 +92,122 @@ class Ranks(StudyCase):
         self.assertEqual(self.mpirun(2, "study", "study.yaml", "--threads", "2"), text)
 
     def test_more_ranks_than_chunks(self):
-        """And a study that ends where it is certain: one process stops there, ranks find where it would have."""
+        """And a study that ends where it is certain: one process stops there, and all ranks after the same chunk."""
         for more in ("sampling: {chunk: 150}\n", "until: {half_width: 0.1}\n"):
             self.write("samples: 230\nvary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n" + more)
             whole = self.study("study.yaml", "--json", "--csv", "one.csv", "--restart")
             self.assertEqual(self.by_ranks(3, "--csv", "ranks.csv", "--restart"), whole)
             self.check(3, whole)
 
-    def test_after_a_rank_was_killed(self):
-        """Rows of each part are there, then one rank dies; the same command goes on. So it does where the merging was cut
-        off, and from rows that one process began."""
-        self.write("samples: 20000\nsampling: {chunk: 50}\nvary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n")
-        with self.begin(2, "study", "study.yaml", "--threads", "1", "--csv", "ranks.csv") as process:
-            progress = self.folder / "ranks.csv.part2"
+    def test_ends_early(self):
+        """Of 10^9 samples 600 are enough: no rank goes on, which would take hours."""
+        self.write("samples: 1000000000\nuntil: {half_width: 0.04}\n"
+                   "vary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n")
+        whole = self.study("study.yaml", "--json", "--csv", "one.csv")
+        for ranks in (2, 3, 5):
+            self.check(ranks, whole)
+            (self.folder / "ranks.csv").unlink()
+            (self.folder / "ranks.csv.progress").unlink()
+        self.assertIn('"samples": 600', whole)
+
+    def kill_a_rank(self, ranks, chunks):
+        """Once the progress tells of so many chunks, the last rank dies by SIGKILL."""
+        progress = self.folder / "ranks.csv.progress"
+        with self.begin(ranks, "study", "study.yaml", "--threads", "1", "--csv", "ranks.csv") as process:
             until = time.monotonic() + 60
-            while not progress.exists() or progress.stat().st_size < 5000:
+            while not progress.exists() or int(progress.read_text().split("chunks: ")[1].split()[0]) < chunks:
                 self.assertIsNone(process.poll())
                 self.assertLess(time.monotonic(), until)
                 time.sleep(0.01)
-            (child, *_) = map(int, pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split())
-            os.kill(child, 9)
+            children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+            os.kill(int(children[-1]), signal.SIGKILL)
             process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
-        before = progress.stat().st_mtime_ns, progress.read_bytes()
+        return int(progress.read_text().split("chunks: ")[1].split()[0])
+
+    def test_after_a_rank_was_killed(self):
+        """What was complete is there; and as many ranks, more, fewer, or one process go on with it, in turn."""
+        self.write("samples: 60000\nsampling: {chunk: 50}\nvary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n")
         whole = self.study("study.yaml", "--json", "--csv", "one.csv")
-        lines = self.read("one.csv").splitlines(keepends=True)
-        self.assertIn(before[1].splitlines(keepends=True)[1], lines[10001:])
-        self.assertIn(b"".join(before[1].splitlines(keepends=True)[1:51]), self.read("one.csv"))
-        self.check(2, whole)
-        for part in (1, 2):
-            self.study("study.yaml", "--shard", f"{part}/2", "--csv", f"ranks.csv.part{part}")
-        self.check(2, whole)
+        told = 0
+        for ranks, chunks in ((2, 1), (3, 200), (2, 500)):
+            before, told = told, self.kill_a_rank(ranks, max(chunks, told + 1))
+            self.assertGreater(told, before)
+            self.assertLess(told, 1200)
+            done = b"".join(self.read("one.csv").splitlines(keepends=True)[:1 + 50 * told])
+            self.assertTrue(self.read("ranks.csv").startswith(done))
+        begun = {name: self.read(name) for name in ("ranks.csv", "ranks.csv.progress")}
+        for ranks in (1, 2, 5):
+            for name, own in begun.items():
+                (self.folder / name).write_bytes(own)
+            self.check(ranks, whole)
+        for name, own in begun.items():
+            (self.folder / name).write_bytes(own)
+        self.assertEqual(self.study("study.yaml", "--json", "--csv", "ranks.csv"), whole)
+        self.assertEqual(self.read("ranks.csv"), self.read("one.csv"))
 
     def test_one_rank_fails(self):
-        """It complains, alone; nothing is printed, and the exit status is its own. Then the study goes on."""
+        """It cannot write where it has no room, or the rows: one complaint, nothing is printed, and the exit status is its own.
+        Then the study goes on, by the other rank alone too."""
+        self.write(STUDY.replace("samples: 230", "samples: 6000"))
         whole = self.study("study.yaml", "--json", "--csv", "one.csv")
-        (self.folder / "ranks.csv.part2").write_text("of another one\n")
-        err = self.by_ranks(2, "--csv", "ranks.csv", status=3)
-        self.assertIn("ranks.csv.part2: this file is there", self.complaint(err))
-        self.assertEqual(self.read("ranks.csv.part2"), b"of another one\n")
-        (self.folder / "ranks.csv.part2").unlink()
+        limit = len(self.read("one.csv")) // 512 // 2  # of half the file, for the second rank alone
+        script = (f'trap "" XFSZ; [ "$OMPI_COMM_WORLD_RANK" = 0 ] || ulimit -f {limit}; '
+                  f'exec "{PROGRAM}" study study.yaml --threads 1 --json --csv ranks.csv')
+        err = self.mpirun(2, "-c", script, program="sh", status=5)
+        self.assertIn("ranks.csv: cannot be written: File too large", self.complaint(err))
+        self.assertEqual(self.study("study.yaml", "--json", "--csv", "ranks.csv"), whole)
         self.check(2, whole)
         (self.folder / "full.csv").symlink_to("/dev/full")
         self.assertIn("cannot be written", self.complaint(self.by_ranks(2, "--csv", "full.csv", status=5)))
 
     def test_all_fail(self):
-        """Of what each one finds, the first tells: a study that is none, a file that is no rows, parts of other ranks."""
+        """Of what each one finds, the first tells: a study that is none, a file that is no rows, rows of a shard."""
         self.assertIn("none.yaml", self.complaint(self.mpirun(3, "study", "none.yaml", status=5)))
         err = self.by_ranks(3, "--csv", "slab.yaml", status=3)
         self.assertIn("a file that the study reads", self.complaint(err))
-        self.study("study.yaml", "--shard", "1/2", "--csv", "ranks.csv.part1")
+        self.study("study.yaml", "--shard", "1/2", "--csv", "ranks.csv")
+        before = self.read("ranks.csv"), self.read("ranks.csv.progress")
         self.assertIn("shard 1 of 2; restart", self.complaint(self.by_ranks(3, "--csv", "ranks.csv", status=3)))
+        self.assertEqual((self.read("ranks.csv"), self.read("ranks.csv.progress")), before)
+
+    def test_into_a_pipe(self):
+        """Which one process alone writes, what the others send it in turn."""
+        whole = self.study("study.yaml", "--json", "--csv", "one.csv")
+        os.mkfifo(self.folder / "pipe")
+        with subprocess.Popen(["cat", "pipe"], cwd=self.folder, stdout=subprocess.PIPE) as reader:
+            self.assertEqual(self.by_ranks(3, "--csv", "pipe"), whole)
+            self.assertEqual(reader.stdout.read(), self.read("one.csv"))
+
+    def launched(self, ranks, names):
+        """Under a launcher that tells its processes of themselves by other names than Open MPI's."""
+        told = " ".join(f"{name}={value}" for name, value in names.items())
+        return self.mpirun(ranks, "-c", f'exec env -u OMPI_COMM_WORLD_SIZE -u OMPI_COMM_WORLD_RANK {told} '
+                           f'"{PROGRAM}" study study.yaml --threads 1 --json', program="sh")
+
+    def test_launchers(self):
+        """Slurm's step, PMI's names, PMIx's rank alone, of which MPI tells how many there are; a batch script of Slurm, which
+        has a number of tasks and no step, is one process."""
+        whole = self.study("study.yaml", "--json")
+        rank = "$OMPI_COMM_WORLD_RANK"
+        for names in ({"SLURM_STEP_NUM_TASKS": 2, "SLURM_PROCID": rank}, {"PMI_SIZE": 2, "PMI_RANK": rank}, {"PMIX_RANK": rank}):
+            self.assertEqual(self.launched(2, names), whole, names)
+        self.assertEqual(self.launched(1, {"PMIX_RANK": rank}), whole)
+        env = {**os.environ, "SLURM_NTASKS": "4", "SLURM_PROCID": "0", "LD_DEBUG": "files"}
+        done = subprocess.run([PROGRAM, "study", "study.yaml", "--json"], cwd=self.folder, env=env, capture_output=True,
+                              encoding="utf-8", check=True)
+        self.assertEqual(done.stdout, whole)
+        self.assertNotIn("libmpi", done.stderr)
+
+    def test_launched_without_mpi(self):
+        """srun without its MPI: two processes of which each would be alone, and run all of the study. Refused, and told once."""
+        env = {**os.environ, **ALLOWED, "SLURM_STEP_NUM_TASKS": "2", "SLURM_PROCID": "0"}
+        done = subprocess.run([PROGRAM, "study", "study.yaml", "--csv", "rows.csv"], cwd=self.folder, env=env, capture_output=True,
+                              encoding="utf-8", check=False)
+        self.assertEqual((done.returncode, done.stdout), (5, ""))
+        self.assertIn("began 2 processes, but the MPI that Topple was built with knows of 1", self.complaint(done.stderr))
+        self.assertIn("srun --mpi=pmix", done.stderr)
+        self.assertFalse((self.folder / "rows.csv").exists())
 
     def test_shards_are_left_alone(self):
         """Under mpirun a script may as well share a study out by itself."""

@@ -238,8 +238,10 @@ class Rows(StudyCase):
         rows = (self.folder / "rows.csv").read_bytes()
         header = rows[:rows.index(b"\n") + 1]
         said = (self.folder / "rows.csv.progress").read_text()
-        for key, value in (("chunks", 0), ("bytes", len(header)), ("sha256", hashlib.sha256(header).hexdigest())):
+        for key, value in (("chunks", 0), ("bytes", len(header)), ("sha256", hashlib.sha256(bytes(8) + header).hexdigest())):
             said = re.sub(rf"(?m)^{key}: .*$", f"{key}: {value}", said)
+        (counts,) = re.findall(r"(?m)^counts: \[(.*)\]$", said)
+        said = said.replace(counts, ",".join("0" for _ in counts.split(",")))
         for begun in (b"", header[:30], header):
             (self.folder / "begun.csv").write_bytes(begun)
             (self.folder / "begun.csv.progress").write_text(said)

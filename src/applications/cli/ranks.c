@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* How many ranks there are is read from the environment that mpirun gives its processes, of Open
- * MPI by its own names and of the MPICH family by those of PMI: without mpirun no MPI is loaded. */
+/* How many ranks there are is read from the environment that a launcher gives its processes: Open
+ * MPI by its own names, the MPICH family by those of PMI, srun of Slurm by those of a step (a batch
+ * script has no step, and is one process), PMIx by the rank alone. So without a launcher no MPI is
+ * loaded. */
 
 #include "cli/ranks.h"
 
@@ -12,46 +14,71 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The first of two variables that is there; 0 where there is neither, or no such number. */
-static int read_number(const char *one, const char *other) {
-  const char *text = getenv(one);
-  if (text == NULL) text = getenv(other);
-  const long number = text != NULL ? strtol(text, NULL, 10) : 0;
-  return number > 0 && number <= 1000000 ? (int)number : 0;
+/* Names of the number of ranks, and of the rank. */
+static const char *const launchers[][2] = {
+    {"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"},
+    {"PMI_SIZE", "PMI_RANK"},
+    {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"},
+    {NULL, "PMIX_RANK"},
+};
+
+/* -1 where there is no such number. */
+static long read_number(const char *name) {
+  const char *text = name != NULL ? getenv(name) : NULL;
+  char *end = NULL;
+  const long number = text != NULL ? strtol(text, &end, 10) : -1;
+  return text != NULL && end != text && number >= 0 && number <= 100000000 ? number : -1;
 }
 
-static tp_status load(tp_ranks *ranks, tp_message *message) {
+/* The first launcher that tells; `*count` 0 where it tells the rank alone, 1 where there is none.
+ */
+static void find_launcher(size_t *rank, size_t *count) {
+  *rank = 0;
+  *count = 1;
+  for (size_t k = 0; k < sizeof launchers / sizeof launchers[0]; k++) {
+    const long size = read_number(launchers[k][0]), own = read_number(launchers[k][1]);
+    if (own < 0 || (launchers[k][0] != NULL && size < 1)) continue;
+    *rank = (size_t)own;
+    *count = size > 0 ? (size_t)size : 0;
+    return;
+  }
+}
+
+static const tp_ranks_calls *load(size_t count, tp_message *message) {
   void *library = tp_cli_load_library(TP_RANKS_LIBRARY);
-  if (library != NULL) ranks->calls = dlsym(library, TP_RANKS_CALLS);
-  if (ranks->calls != NULL) return TP_OK;
+  const tp_ranks_calls *calls = library != NULL ? dlsym(library, TP_RANKS_CALLS) : NULL;
+  if (calls != NULL) return calls;
   const char *why = dlerror();
+  char processes[32] = "several";
+  if (count > 0) snprintf(processes, sizeof processes, "%zu", count);
   snprintf(message->text, sizeof message->text,
-           "this is one of %d processes of mpirun, and their ranks are known by " TP_RANKS_LIBRARY
+           "this is one of %s processes of mpirun, and their ranks are known by " TP_RANKS_LIBRARY
            ", which does not load (%s); './run --with mpi' in Topple's folder installs MPI and "
            "builds it, or share the "
            "study out by --shard",
-           ranks->count, why != NULL ? why : "no reason is given");
-  return TP_DEPENDENCY_FAILED;
+           processes, why != NULL ? why : "no reason is given");
+  return NULL;
 }
 
 tp_status tp_cli_ranks_begin(tp_ranks *ranks, tp_message *message) {
-  const int count = read_number("OMPI_COMM_WORLD_SIZE", "PMI_SIZE");
-  *ranks = (tp_ranks){.count = 1};
-  if (count < 2) return TP_OK;
-  *ranks = (tp_ranks){.rank = read_number("OMPI_COMM_WORLD_RANK", "PMI_RANK"), .count = count};
-  const tp_status status = load(ranks, message);
-  if (status != TP_OK) return status;
-  const int rank = ranks->rank;
-  if (ranks->calls->begin(ranks) && ranks->count == count) return TP_OK;
-  ranks->rank = rank;
-  ranks->calls = NULL;
+  size_t rank = 0, count = 1;
+  find_launcher(&rank, &count);
+  *ranks = (tp_ranks){.own = {.count = 1}};
+  if (count == 1) return TP_OK;
+  ranks->own.rank = rank;
+  const tp_ranks_calls *calls = load(count, message);
+  if (calls == NULL) return TP_DEPENDENCY_FAILED;
+  ranks->end = calls->end;
+  if (calls->begin(&ranks->own) && (count == 0 || ranks->own.count == count)) return TP_OK;
   snprintf(message->text, sizeof message->text,
-           "mpirun began %d processes, but the MPI that Topple was built with knows of %d; use the "
-           "mpirun of that MPI, or share the study out by --shard",
-           count, ranks->count);
+           "mpirun or srun began %zu processes, but the MPI that Topple was built with knows of "
+           "%zu; use the mpirun of that MPI ('srun --mpi=pmix'), or share the study out by --shard",
+           count, ranks->own.count);
+  ranks->own.rank = rank;
+  ranks->end = NULL;
   return TP_DEPENDENCY_FAILED;
 }
 
 void tp_cli_ranks_end(tp_ranks *ranks) {
-  if (ranks->calls != NULL) ranks->calls->end(ranks);
+  if (ranks->end != NULL) ranks->end();
 }

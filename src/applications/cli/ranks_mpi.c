@@ -1,83 +1,94 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Ranks by MPI, the library that the program loads under mpirun. To stop is told by an empty
- * message to each other rank, which looks for one between two chunks of its work. */
+/* Ranks by MPI, the library that the program loads under mpirun or srun. The sums are those of MPI,
+ * of whole numbers, so that their order does not matter. */
 
 #include "cli/ranks.h"
 
 #include <limits.h>
 #include <mpi.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
-enum { STOP = 1 };
+enum { BYTES = 1 };
 
-static bool begin(tp_ranks *ranks) {
-  int provided = 0;
+/* MPI's own waiting takes a whole processor, which another rank's threads may need: sleeps begin
+ * short, as the others are mostly soon there, and end at a millisecond. */
+static void sleep_a_while(long *nanoseconds) {
+  const struct timespec moment = {.tv_nsec = *nanoseconds};
+  nanosleep(&moment, NULL);
+  if (*nanoseconds < 1000000) *nanoseconds *= 2;
+}
+
+static bool wait_for(MPI_Request *requests, int count) {
+  long nanoseconds = 20000;
+  int done = 0;
+  bool fine = MPI_Testall(count, requests, &done, MPI_STATUSES_IGNORE) == MPI_SUCCESS;
+  while (fine && !done) {
+    sleep_a_while(&nanoseconds);
+    fine = MPI_Testall(count, requests, &done, MPI_STATUSES_IGNORE) == MPI_SUCCESS;
+  }
+  return fine;
+}
+
+/* What MPI leaves as it is on the first rank, before which there is none. */
+static bool sum(void *context, uint64_t *before, uint64_t *all, const uint64_t *own, size_t count) {
+  MPI_Request requests[2] = {MPI_REQUEST_NULL, MPI_REQUEST_NULL};
+  (void)context;
+  if (count > INT_MAX) return false;
+  if (before != NULL) memset(before, 0, count * sizeof *before);
+  const bool begun = MPI_Iallreduce(own, all, (int)count, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD,
+                                    requests) == MPI_SUCCESS &&
+                     (before == NULL || MPI_Iexscan(own, before, (int)count, MPI_UINT64_T, MPI_SUM,
+                                                    MPI_COMM_WORLD, requests + 1) == MPI_SUCCESS);
+  return begun && wait_for(requests, 2);
+}
+
+static bool send(void *context, const void *bytes, size_t size) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  (void)context;
+  return size <= INT_MAX &&
+         MPI_Isend(bytes, (int)size, MPI_BYTE, 0, BYTES, MPI_COMM_WORLD, &request) == MPI_SUCCESS &&
+         wait_for(&request, 1);
+}
+
+static bool receive(void *context, size_t rank, void **bytes, size_t *size) {
+  long nanoseconds = 20000;
+  int there = 0, length = 0;
+  MPI_Message found;
+  MPI_Status state;
+  MPI_Request request = MPI_REQUEST_NULL;
+  (void)context;
+  *bytes = NULL;
+  bool fine = MPI_Improbe((int)rank, BYTES, MPI_COMM_WORLD, &there, &found, &state) == MPI_SUCCESS;
+  while (fine && !there) {
+    sleep_a_while(&nanoseconds);
+    fine = MPI_Improbe((int)rank, BYTES, MPI_COMM_WORLD, &there, &found, &state) == MPI_SUCCESS;
+  }
+  if (!fine || MPI_Get_count(&state, MPI_BYTE, &length) != MPI_SUCCESS) return false;
+  *size = (size_t)length;
+  if (length > 0) *bytes = malloc(*size);
+  if (length > 0 && *bytes == NULL) return false;
+  return MPI_Imrecv(*bytes, length, MPI_BYTE, &found, &request) == MPI_SUCCESS &&
+         wait_for(&request, 1);
+}
+
+static bool begin(tp_study_ranks *ranks) {
+  int provided = 0, rank = 0, count = 0;
   /* threads work, but one alone calls MPI */
   if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) return false;
-  MPI_Comm_rank(MPI_COMM_WORLD, &ranks->rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks->count);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &count);
+  *ranks = (tp_study_ranks){
+      .rank = (size_t)rank, .count = (size_t)count, .sum = sum, .send = send, .receive = receive};
   return provided >= MPI_THREAD_FUNNELED;
 }
 
-/* MPI's own waiting takes a whole processor, which another rank's threads may need. */
-static void sleep_until(MPI_Request *request) {
-  const struct timespec moment = {.tv_nsec = 1000000};
-  int done = 0;
-  MPI_Test(request, &done, MPI_STATUS_IGNORE);
-  while (!done) {
-    nanosleep(&moment, NULL);
-    MPI_Test(request, &done, MPI_STATUS_IGNORE);
-  }
-}
-
-static void gather(const tp_ranks *ranks, void *all, const void *own, size_t size) {
-  MPI_Request request;
-  (void)ranks;
-  MPI_Iallgather(own, (int)size, MPI_BYTE, all, (int)size, MPI_BYTE, MPI_COMM_WORLD, &request);
-  sleep_until(&request);
-  MPI_Wait(&request, MPI_STATUS_IGNORE); /* which is over */
-}
-
-/* By messages that are kept until they are taken, so that nobody is waited for. Without memory
- * the others are not told, and end when they are done. */
-static void tell_stop(tp_ranks *ranks) {
-  if (ranks->told > 0 || ranks->count > INT_MAX / MPI_BSEND_OVERHEAD) return;
-  const int size = ranks->count * MPI_BSEND_OVERHEAD;
-  void *kept = malloc((size_t)size);
-  if (kept == NULL) return;
-  MPI_Buffer_attach(kept, size);
-  ranks->told = 1;
-  for (int k = 0; k < ranks->count; k++) {
-    if (k != ranks->rank) MPI_Bsend(NULL, 0, MPI_BYTE, k, STOP, MPI_COMM_WORLD);
-  }
-}
-
-static void hear(tp_ranks *ranks) {
-  MPI_Recv(NULL, 0, MPI_BYTE, MPI_ANY_SOURCE, STOP, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  ranks->heard++;
-}
-
-static bool hears_stop(tp_ranks *ranks) {
-  int there = 0;
-  if (ranks->heard > 0) return true;
-  MPI_Iprobe(MPI_ANY_SOURCE, STOP, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
-  if (there) hear(ranks);
-  return there != 0;
-}
-
-/* No message may be left. */
-static void end(tp_ranks *ranks) {
-  int told = 0, size = 0;
-  void *kept = NULL;
-  MPI_Allreduce(&ranks->told, &told, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
-  while (ranks->heard < told - ranks->told) hear(ranks);
-  if (ranks->told > 0) MPI_Buffer_detach((void *)&kept, &size);
-  free(kept);
+static void end(void) {
   MPI_Finalize();
 }
 
 extern const tp_ranks_calls tp_ranks_calls_of_mpi;
-const tp_ranks_calls tp_ranks_calls_of_mpi = {begin, gather, tell_stop, hears_stop, end};
+const tp_ranks_calls tp_ranks_calls_of_mpi = {begin, end};

@@ -213,12 +213,16 @@ static tp_status run(tp_study_result **result, const arguments *a, tp_message *m
 
 /* Whoever shares a study out by --shard, or merges it, does so under mpirun as well. */
 static tp_status run_by_ranks(tp_study_result **result, const arguments *a, tp_message *message) {
-  tp_ranks ranks = {.count = 1};
+  tp_ranks ranks = {.own = {.count = 1}};
   if (!a->merge && a->options.shards == 1) {
     const tp_status status = tp_cli_ranks_begin(&ranks, message);
-    if (status != TP_OK) return ranks.rank == 0 ? status : TP_OK; /* one complains */
+    if (status != TP_OK) return ranks.own.rank == 0 ? status : TP_OK; /* one complains */
   }
-  if (ranks.count == 1) return run(result, a, message);
+  if (ranks.own.count == 1) {
+    const tp_status status = run(result, a, message);
+    tp_cli_ranks_end(&ranks);
+    return status;
+  }
   const tp_status status =
       tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, &a->rows, message);
   tp_cli_ranks_end(&ranks);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Runs a study in one process and prints its progress twice a second. */
+/* Runs a study in this process, or this rank, and prints its progress twice a second. */
 
 #include "cli/study_run.h"
 
@@ -39,7 +39,8 @@ static void tell_progress(void *context, size_t done, size_t of) {
 
 tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
                            const tp_study_options *options, tp_message *message) {
-  const bool terminal = isatty(STDERR_FILENO) == 1;
+  const bool first = options->ranks == NULL || options->ranks->rank == 0;
+  const bool terminal = first && isatty(STDERR_FILENO) == 1;
   clock_line line = {.begun = false};
   tp_study_options own = *options;
   own.context = &line;
@@ -48,7 +49,7 @@ tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
   tp_cli_catch_signals();
   const tp_status status = tp_study_run(result, study, &own, message);
   if (terminal) tp_cli_clear_progress();
-  if (terminal && status == TP_OK) {
+  if (terminal && status == TP_OK && *result != NULL) {
     tp_cli_tell_cost((*result)->doubles_seconds, (*result)->ladder_seconds);
   }
   return status;

@@ -13,10 +13,9 @@
 TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
                                        const tp_study_options *options, tp_message *message);
 
-/* The same by all ranks, each a shard, which the first merges. `*result` is NULL where this rank
- * has nothing to tell, as every one but the first. Of those that fail one has the status, so that
- * it is told once. */
-TP_MUST_USE tp_status tp_cli_study_by_ranks(tp_study_result **result, tp_ranks *ranks,
+/* The same by all ranks. `*result` is NULL where this rank has nothing to tell, as every one but
+ * the first. Of those that fail one has the status, so that it is told once. */
+TP_MUST_USE tp_status tp_cli_study_by_ranks(tp_study_result **result, const tp_ranks *ranks,
                                             const char *path, const tp_study_options *options,
                                             const tp_study_file *rows, tp_message *message);
 

@@ -21,6 +21,7 @@ typedef struct writing {
   size_t count;
   uint64_t rows, done; /* done: in the file */
   size_t filled;       /* of the block */
+  tp_rows_stretch stretch;
   bool stopped;
 } writing;
 
@@ -84,12 +85,8 @@ static tp_status write_block(writing *w, tp_message *message) {
   return TP_OK;
 }
 
-static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_message *message) {
+static tp_status take_row(void *context, tp_study_row *row, tp_message *message) {
   writing *w = context;
-  if (row->sample != w->done + w->filled || row->sample >= w->rows) {
-    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){w->file.csv, 0, 0},
-                     "the rows are out of order; the file was changed since it was written");
-  }
   for (size_t k = 0; k < w->count; k++) {
     tp_hdf5_column *column = w->columns + k;
     if (!tp_hdf5_column_put(column, w->filled,
@@ -98,8 +95,15 @@ static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_mes
     }
   }
   w->filled++;
-  *enough = w->stopped = w->stop != NULL && w->stop();
   return w->filled < tp_hdf5_block_rows(w->rows) ? TP_OK : write_block(w, message);
+}
+
+/* Once it is stopped, nothing more is taken. */
+static tp_status take_chunk(void *context, uint64_t chunk, tp_text *text, tp_message *message) {
+  writing *w = context;
+  w->stopped = w->stopped || (w->stop != NULL && w->stop());
+  if (w->stopped) return TP_OK;
+  return tp_rows_parse(&w->stretch, chunk, text, w->rows, take_row, w, message);
 }
 
 static tp_status open_columns(writing *w, tp_message *message) {
@@ -127,8 +131,11 @@ static tp_status write_rows(writing *w, const tp_progress *progress, tp_message 
   tp_status status = note_all(w, message);
   if (status == TP_OK) status = open_columns(w, message);
   if (status == TP_OK) {
-    tp_sha256_state hash;
-    status = tp_rows_read(&hash, w->file.csv, w->study, progress, take_row, w, message);
+    tp_row_counts seen;
+    tp_row_counts_begin(&seen, w->study);
+    w->stretch = (tp_rows_stretch){w->file.csv, w->study, progress, 0, progress->chunks};
+    status = tp_rows_read(&seen, &w->stretch, take_chunk, w, message);
+    if (status == TP_OK) status = tp_rows_check(&seen, &w->stretch, message);
   }
   if (status == TP_OK && !w->stopped) status = write_block(w, message);
   for (size_t k = 0; k < w->count; k++) tp_hdf5_column_close(w->columns + k, w->filled);

@@ -264,7 +264,7 @@ tp_status tp_file_write_if(const char *path, const char *bytes, size_t length,
 }
 
 tp_status tp_file_open_to_add(int *descriptor, const char *path, tp_message *message) {
-  enum { HOW = O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY };
+  enum { HOW = O_WRONLY | O_CLOEXEC | O_NOCTTY };
   const output o = {.path = path, .message = message};
   int own = open(path, HOW);
   if (own < 0 && errno == ENOENT) {

@@ -32,9 +32,9 @@ TP_MUST_USE tp_status tp_file_write_if(const char *path, const char *bytes, size
  * -1. */
 int tp_file_create_beside(char **name, const char *path);
 
-/* A file to add to, from its end on, made where there is none; its descriptor. What is there is
- * left as it is, and so the caller looks at it first. Like the above it goes to where a link leads,
- * and refuses one that leads nowhere. */
+/* A file to add to, made where there is none; its descriptor, which writes from the beginning on.
+ * What is there is left as it is, and so the caller looks at it first. Like the above it goes to
+ * where a link leads, and refuses one that leads nowhere. */
 TP_MUST_USE tp_status tp_file_open_to_add(int *descriptor, const char *path, tp_message *message);
 
 #endif

@@ -83,3 +83,12 @@ size_t tp_study_chunk_size(const tp_study *study, uint64_t chunk) {
   const uint64_t left = study->samples - chunk * study->chunk;
   return left < study->chunk ? (size_t)left : study->chunk;
 }
+
+uint64_t tp_shard_chunk(const tp_study *study, size_t shard, size_t shards) {
+  return tp_study_chunks(study) * (shard - 1) / shards;
+}
+
+uint64_t tp_chunk_sample(const tp_study *study, uint64_t chunk) {
+  const uint64_t sample = chunk * study->chunk;
+  return sample < study->samples ? sample : study->samples;
+}

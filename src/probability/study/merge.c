@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The rows of all shards as those of one run: read one file after another in the order of the
- * shards, counted as a run counts them, written anew chunk by chunk. Where a study is to end once
- * its intervals are narrow, so it does here, at the chunk where one run would have ended. */
+/* The rows of all shards as those of one run: their text put one after another as it is, and hashed
+ * on the way, their chunk_counts added, and only as many rows parsed as the summary keeps. Where a
+ * study is to end once its intervals are narrow, all are parsed, as it may end within a shard: at
+ * the chunk where one run would have ended. */
 
 #include "common/host.h"
 #include "common/options.h"
@@ -25,12 +26,15 @@ typedef struct merging {
   const tp_study *study;
   tp_tally tally;
   tp_rows rows;
-  tp_text chunk;
-  bool certain;
+  tp_rows_stretch stretch; /* of the shard that is read */
+  tp_study_at *scratch;
+  uint64_t chunks;
+  tp_row_counts text; /* of what was written: its header, and the chunks */
+  bool by_rows, certain;
 } merging;
 
 static uint64_t first_chunk(const tp_study *study, size_t shard, size_t shards) {
-  return tp_study_chunks(study) * shard / shards;
+  return tp_shard_chunk(study, shard + 1, shards);
 }
 
 static tp_status check_part(const part *own, const tp_study *study, size_t count,
@@ -84,35 +88,73 @@ static tp_status sort_parts(part *parts, const tp_study *study, const char *cons
   return TP_OK;
 }
 
-/* After the last row of a chunk. */
-static tp_status end_chunk(merging *m, tp_message *message) {
-  const tp_status status = tp_rows_add(&m->rows, &m->chunk, message);
-  tp_text_drop(&m->chunk);
-  m->certain = tp_tally_is_certain(&m->tally);
+static tp_status keep_row(void *context, tp_study_row *row, tp_message *message) {
+  merging *m = context;
+  (void)message;
+  if (m->by_rows) {
+    tp_tally_read(&m->tally, row, m->scratch);
+  } else {
+    tp_tally_keep(&m->tally, row);
+  }
+  return TP_OK;
+}
+
+static tp_status take_chunk(void *context, uint64_t chunk, tp_text *text, tp_message *message) {
+  merging *m = context;
+  const uint64_t first = tp_chunk_sample(m->study, chunk), all = m->study->samples;
+  const uint64_t wanted = m->by_rows ? all : m->tally.room;
+  if (m->certain) return TP_OK;
+  if (m->rows.path != NULL) {
+    const tp_status status = tp_rows_put(&m->rows, text, m->text.bytes, message);
+    if (status != TP_OK) return status;
+    tp_row_counts_text(&m->text, chunk + 1, text->data, text->length);
+  }
+  m->chunks++;
+  const tp_status status =
+      first < wanted ? tp_rows_parse(&m->stretch, chunk, text, wanted - first, keep_row, m, message)
+                     : TP_OK;
+  m->certain = m->by_rows && tp_row_counts_is_certain(&m->tally.counts, m->study);
   return status;
 }
 
-static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_message *message) {
-  merging *m = context;
-  if (row->sample != m->tally.samples) {
-    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){0},
-                     "the rows of a shard are out of order");
+/* The counts of a shard, but for its text; its first invalid samples come after those before. */
+static void add_counts(merging *m, const tp_progress *progress) {
+  const uint64_t before = m->tally.counts.outcomes[0][TP_STUDY_INVALID];
+  for (size_t k = 0; k < TP_STUDY_BAD && progress->invalid.places[k] > 0; k++) {
+    tp_tally_note_invalid(&m->tally.invalid, before + k, progress->invalid.places[k] - 1);
   }
-  if (m->rows.path != NULL) tp_text_append(&m->chunk, row->line, strlen(row->line));
-  if (m->rows.path != NULL) tp_text_add(&m->chunk, "\n");
-  tp_status status = tp_tally_add(&m->tally, row, message);
-  const uint64_t samples = m->tally.samples;
-  const bool ends = samples % m->study->chunk == 0 || samples == m->study->samples;
-  if (status == TP_OK && ends) status = end_chunk(m, message);
-  *enough = m->certain;
-  return status;
+  tp_row_counts_add(&m->tally.counts, &progress->counts, m->study);
+}
+
+/* Told after each shard, as its counts are known then. */
+static tp_status record(merging *m, tp_message *message) {
+  tp_progress *progress = &m->rows.progress;
+  m->tally.counts.bytes = m->text.bytes;
+  memcpy(m->tally.counts.hash, m->text.hash, sizeof m->text.hash);
+  progress->chunks = m->chunks;
+  progress->counts = m->tally.counts;
+  progress->invalid = m->tally.invalid;
+  return tp_rows_record(&m->rows, message);
+}
+
+static tp_status merge_part(merging *m, const part *own, tp_message *message) {
+  const tp_progress *progress = &own->progress;
+  const uint64_t first = tp_shard_chunk(m->study, progress->shard, progress->shards);
+  tp_row_counts seen;
+  tp_row_counts_begin(&seen, m->study);
+  m->stretch = (tp_rows_stretch){own->path, m->study, progress, first, first + progress->chunks};
+  tp_status status = tp_rows_read(&seen, &m->stretch, take_chunk, m, message);
+  if (status == TP_OK) status = tp_rows_check(&seen, &m->stretch, message);
+  if (status != TP_OK) return status;
+  if (!m->by_rows) add_counts(m, progress);
+  return record(m, message);
 }
 
 static tp_status merge(merging *m, const part *parts, size_t count, tp_message *message) {
   tp_status status = TP_OK;
+  m->text = m->rows.progress.counts; /* the header, where rows are written */
   for (size_t k = 0; k < count && status == TP_OK && !m->certain; k++) {
-    tp_sha256_state hash;
-    status = tp_rows_read(&hash, parts[k].path, m->study, &parts[k].progress, take_row, m, message);
+    status = merge_part(m, parts + k, message);
   }
   return status;
 }
@@ -136,7 +178,9 @@ static tp_status check_output(const char *rows, const part *parts, size_t count,
 static tp_status start(merging *m, const part *parts, size_t count, const tp_study_options *options,
                        tp_message *message) {
   tp_status status = check_output(options->rows, parts, count, message);
-  if (status == TP_OK) status = tp_tally_init(&m->tally, m->study, message);
+  if (status == TP_OK) {
+    status = tp_tally_init(&m->tally, m->study, 0, m->study->samples, message);
+  }
   if (status == TP_OK) status = tp_rows_open(&m->rows, m->study, options, message);
   if (status != TP_OK || m->rows.progress.chunks == 0) return status;
   return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){options->rows, 0, 0},
@@ -155,14 +199,18 @@ tp_status tp_study_merge(tp_study_result **result, const tp_study *study, const 
   tp_study_options taken = tp_study_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   taken.shard = taken.shards = 1;
-  merging m = {.study = study, .rows = {.descriptor = -1}};
+  merging m = {.study = study,
+               .rows = {.descriptor = -1},
+               .scratch = calloc(study->tilt_count + 1, sizeof *m.scratch),
+               .by_rows = study->half_width > 0};
   part *parts = calloc(count + 1, sizeof *parts);
-  if (parts == NULL) return tp_fail_memory(message, "the shards");
-  tp_status status = sort_parts(parts, study, shards, count, message);
+  tp_status status =
+      parts != NULL && m.scratch != NULL ? TP_OK : tp_fail_memory(message, "the shards");
+  if (status == TP_OK) status = sort_parts(parts, study, shards, count, message);
   if (status == TP_OK) status = start(&m, parts, count, &taken, message);
   if (status == TP_OK) status = merge(&m, parts, count, message);
   if (status == TP_OK) {
-    const bool whole = m.tally.samples == study->samples;
+    const bool whole = m.tally.counts.samples == study->samples;
     status = tp_study_sum_up(result, &m.tally, whole ? TP_STUDY_COMPLETE : TP_STUDY_CERTAIN, &taken,
                              message);
   }
@@ -173,8 +221,8 @@ tp_status tp_study_merge(tp_study_result **result, const tp_study *study, const 
     *result = NULL;
   }
   tp_rows_close(&m.rows);
-  tp_text_drop(&m.chunk);
   tp_tally_clear(&m.tally);
+  free(m.scratch);
   free(parts);
   return status;
 }

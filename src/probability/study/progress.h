@@ -3,19 +3,19 @@
 
 /* How far a file of rows is: a small file beside it, replaced as a whole after each chunk, so that
  * a run killed at any moment goes on from the last chunk that it tells of. What the rows hold
- * beyond is cut off. */
+ * beyond is cut off. It has what is counted of the rows, so that they are read again to see that
+ * they are those, but not solved, nor counted. */
 
 #ifndef TP_STUDY_PROGRESS_H
 #define TP_STUDY_PROGRESS_H
 
-#include "output/sha256.h"
-#include "study/study.h"
+#include "study/tally.h"
 
 typedef struct tp_progress {
   size_t shard, shards;
-  uint64_t chunks;              /* that are whole, from the first of the shard on */
-  uint64_t bytes;               /* of the rows with them, */
-  uint8_t hash[TP_SHA256_SIZE]; /* and their SHA-256 */
+  uint64_t chunks;      /* that are whole, from the first of the shard on */
+  tp_row_counts counts; /* of the rows in them, and of the text of all, with the header */
+  tp_invalid invalid;   /* the first of them */
 } tp_progress;
 
 /* The file's name, to be freed; NULL when memory is exhausted. */

@@ -51,7 +51,7 @@ static tp_status rank_column(tp_study_rank *rank, const pairs *p, size_t count,
 /* Of all variables and measures with one quantity, whose ranks are taken once. */
 static tp_status rank_quantity(tp_study_result *result, const tp_tally *tally, size_t q,
                                const pairs *p, tp_message *message) {
-  const size_t kept = (size_t)tally->kept, inputs = tally->study->variable_count;
+  const size_t kept = tp_tally_kept(tally), inputs = tally->study->variable_count;
   const double *quantity = tally->columns[inputs + q];
   const size_t count = pick(p->values, quantity, quantity, kept);
   if (count < FEWEST || is_constant(p->values, count)) return TP_OK;
@@ -68,7 +68,7 @@ static tp_status rank_quantity(tp_study_result *result, const tp_tally *tally, s
 }
 
 tp_status tp_tally_ranks(tp_study_result *result, const tp_tally *tally, tp_message *message) {
-  const size_t kept = (size_t)tally->kept;
+  const size_t kept = tp_tally_kept(tally);
   double *all = calloc(3 * kept + 1, sizeof *all);
   if (all == NULL) return tp_fail_memory(message, "rank correlations");
   const pairs p = {all, all + kept, all + 2 * kept};

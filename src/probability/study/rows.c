@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Opens or continues the file of rows under a lock, checks by its header and its progress that it
- * is of this study, reads back what is there and appends chunk by chunk. */
+ * is of this study, and writes text at its place. */
 
 #include "study/rows.h"
 
@@ -11,6 +11,7 @@
 #include "study/sources.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,26 +30,32 @@ static tp_status fail_writing(const tp_rows *rows, tp_message *message) {
   return tp_fail_because(message, status, why);
 }
 
-static tp_status write_all(const tp_rows *rows, const char *bytes, size_t left,
-                           tp_message *message) {
+tp_status tp_rows_put(const tp_rows *rows, const tp_text *text, uint64_t at, tp_message *message) {
+  const char *bytes = text->data;
+  size_t left = text->length;
+  if (rows->path == NULL || left == 0) return TP_OK;
   while (left > 0) {
-    const ssize_t written = write(rows->descriptor, bytes, left);
+    const ssize_t written = rows->regular ? pwrite(rows->descriptor, bytes, left, (off_t)at)
+                                          : write(rows->descriptor, bytes, left);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return fail_writing(rows, message);
     bytes += written;
+    at += (uint64_t)written;
     left -= (size_t)written;
   }
   return TP_OK;
 }
 
-static tp_status append(tp_rows *rows, const tp_text *text, tp_message *message) {
-  if (text->failed) return tp_fail_memory(message, "the rows");
-  const tp_status status = write_all(rows, text->data, text->length, message);
-  if (status != TP_OK) return status;
-  tp_sha256_add(&rows->hash, text->data, text->length);
-  tp_sha256_tell(rows->progress.hash, &rows->hash);
-  rows->progress.bytes += text->length;
-  return TP_OK;
+tp_status tp_rows_record(const tp_rows *rows, tp_message *message) {
+  if (rows->path == NULL || !rows->regular) return TP_OK;
+  return tp_progress_write(&rows->progress, rows->path, rows->study, message);
+}
+
+tp_status tp_rows_cut(const tp_rows *rows, tp_message *message) {
+  if (rows->path == NULL || !rows->regular) return TP_OK;
+  return ftruncate(rows->descriptor, (off_t)rows->progress.counts.bytes) == 0
+             ? TP_OK
+             : fail_writing(rows, message);
 }
 
 /* ---- begin, or go on ---------------------------------------------------------------------------
@@ -64,13 +71,14 @@ static tp_status check_sources(const tp_rows *rows, const struct stat *own, tp_m
 static tp_status begin(tp_rows *rows, tp_message *message) {
   tp_text text = {0};
   if (rows->regular && ftruncate(rows->descriptor, 0) != 0) return fail_writing(rows, message);
-  rows->progress.bytes = 0;
-  tp_sha256_begin(&rows->hash);
+  tp_row_counts_begin(&rows->progress.counts, rows->study);
+  rows->progress.invalid = (tp_invalid){{0}};
   tp_study_write_header(&text, rows->study);
-  const tp_status status = append(rows, &text, message);
+  tp_status status = text.failed ? tp_fail_memory(message, "the rows") : TP_OK;
+  if (status == TP_OK) tp_row_counts_text(&rows->progress.counts, 0, text.data, text.length);
+  if (status == TP_OK) status = tp_rows_put(rows, &text, 0, message);
   tp_text_drop(&text);
-  if (status != TP_OK || !rows->regular) return status;
-  return tp_progress_write(&rows->progress, rows->path, rows->study, message);
+  return status == TP_OK ? tp_rows_record(rows, message) : status;
 }
 
 /* Does the file, of so many bytes, begin as this, or as some of it where it is shorter? */
@@ -119,7 +127,8 @@ static tp_status check_going_on(const tp_rows *rows, const tp_study_options *opt
                      "these are the rows of shard %zu of %zu; restart, or name another file",
                      progress->shard, progress->shards);
   }
-  if (progress->chunks > 0 && size < (off_t)progress->bytes) { /* the header alone is begun anew */
+  if (progress->chunks > 0 &&
+      size < (off_t)progress->counts.bytes) { /* the header alone is begun anew */
     return tp_refuse(message, TP_FAULT_ARGUMENT, place,
                      "rows that were written are missing; restart, or name another file");
   }
@@ -163,12 +172,16 @@ static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
   return status == TP_OK ? begin(rows, message) : status;
 }
 
-tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_options *options,
-                       tp_message *message) {
+static void prepare(tp_rows *rows, const tp_study *study, const tp_study_options *options) {
   *rows = (tp_rows){.study = study,
                     .path = options->rows,
                     .descriptor = -1,
                     .progress = {.shard = options->shard, .shards = options->shards}};
+}
+
+tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_options *options,
+                       tp_message *message) {
+  prepare(rows, study, options);
   if (rows->path == NULL) return TP_OK;
   tp_status status = check_name(rows->path, message);
   if (status == TP_OK) status = tp_progress_check(rows->path, message);
@@ -178,23 +191,20 @@ tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_opti
   return status;
 }
 
-tp_status tp_rows_add(tp_rows *rows, const tp_text *text, tp_message *message) {
-  if (rows->path == NULL) return TP_OK;
-  const tp_status status = append(rows, text, message);
-  if (status != TP_OK) return status;
-  rows->progress.chunks++;
-  return rows->regular ? tp_progress_write(&rows->progress, rows->path, rows->study, message)
-                       : TP_OK;
-}
-
-tp_status tp_rows_go_on(tp_rows *rows, tp_rows_take *take, void *context, tp_message *message) {
-  const tp_progress *progress = &rows->progress;
-  if (rows->path == NULL || progress->chunks == 0) return TP_OK;
+tp_status tp_rows_join(tp_rows *rows, const tp_study *study, const tp_study_options *options,
+                       bool regular, tp_message *message) {
+  prepare(rows, study, options);
+  rows->regular = regular;
+  if (rows->path == NULL || !regular) return TP_OK;
+  rows->descriptor = open(rows->path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (rows->descriptor >= 0) return TP_OK;
+  const int why = errno;
   const tp_status status =
-      tp_rows_read(&rows->hash, rows->path, rows->study, progress, take, context, message);
-  if (status != TP_OK) return status;
-  return ftruncate(rows->descriptor, (off_t)progress->bytes) == 0 ? TP_OK
-                                                                  : fail_writing(rows, message);
+      tp_fail(message, TP_SYSTEM_FAILED, (tp_place){rows->path, 0, 0},
+              "cannot be written by all ranks: %s; name a file on a file system that all machines "
+              "share",
+              strerror(why));
+  return tp_fail_because(message, status, why);
 }
 
 void tp_rows_close(tp_rows *rows) {

@@ -106,5 +106,9 @@ TP_MUST_USE tp_status tp_study_draw(double *values, const tp_study *study, uint6
 /* Chunks of the study, and the samples of one. */
 uint64_t tp_study_chunks(const tp_study *study);
 size_t tp_study_chunk_size(const tp_study *study, uint64_t chunk);
+/* The first chunk of a shard; that of the one beyond the last is the end of the study. */
+uint64_t tp_shard_chunk(const tp_study *study, size_t shard, size_t shards);
+/* The samples before a chunk. */
+uint64_t tp_chunk_sample(const tp_study *study, uint64_t chunk);
 
 #endif

@@ -10,6 +10,7 @@
 #include "study/law.h"
 #include "study/ranks.h"
 #include "study/roughness.h"
+#include "study/summary_samples.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +25,7 @@ static const double confidence = 0.95;
 
 static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   const tp_study *study = tally->study;
-  const tp_outcome_counts *counts = tally->tilts + k;
+  const tp_row_counts *counts = &tally->counts;
   const tp_quantity *own = &study->scene->tilt_angle_deg;
   tilt->of_scene = k == 0;
   tilt->as_it_lies = k == 0 && tp_scene_lies_in_place(study->scene);
@@ -32,10 +33,10 @@ static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   tilt->tilt_varies = k == 0 && study->tilt_varies;
   if (tilt->has_tilt) tilt->tilt_deg = k > 0 ? study->tilts[k - 1] : fmpq_get_d(own->value);
   for (int j = 0; j < TP_STUDY_OUTCOMES; j++) {
-    tilt->outcomes[j] = tp_tally_share(counts->of[j], tally->samples);
+    tilt->outcomes[j] = tp_row_counts_share(counts->outcomes[k][j], counts->samples);
   }
-  tilt->certain_to_stand = tp_tally_share(tp_tally_stands(counts), tally->samples);
-  tilt->certain_to_move = tp_tally_share(tp_tally_moves(counts), tally->samples);
+  tilt->certain_to_stand = tp_row_counts_share(tp_row_counts_stands(counts, k), counts->samples);
+  tilt->certain_to_move = tp_row_counts_share(tp_row_counts_moves(counts, k), counts->samples);
 }
 
 static bool fill_tilts(tp_study_result *result, const tp_tally *tally) {
@@ -82,9 +83,9 @@ static bool fill_factors(tp_study_result *result, const tp_tally *tally) {
   for (int k = 0; k < TP_FOS_DEFINITIONS && filled; k++) {
     tp_study_factor *own = result->governing_factors + k;
     own->definition = (tp_fos_definition)k;
-    own->governs = tp_tally_share(tally->definitions[k], tally->samples);
-    own->below_1 = tally->below[k];
-    filled = fill_spread(&own->spread, factors, (size_t)tally->kept, definitions, k);
+    own->governs = tp_row_counts_share(tally->counts.definitions[k], tally->counts.samples);
+    own->below_1 = tally->counts.below[k];
+    filled = fill_spread(&own->spread, factors, tp_tally_kept(tally), definitions, k);
   }
   return filled;
 }
@@ -99,7 +100,8 @@ static bool fill_variable(tp_study_variable *variable, const tp_tally *tally, si
   variable->kind = own->kind;
   variable->law = tp_study_law(own);
   variable->unit = tp_study_field_unit(tally->study, tp_study_field_of_variable(k));
-  for (long j = 0; j < tally->kept; j++) {
+  const size_t kept = tp_tally_kept(tally);
+  for (size_t j = 0; j < kept; j++) {
     if (j == 0 || inputs[j] < variable->least) variable->least = inputs[j];
     if (j == 0 || inputs[j] > variable->greatest) variable->greatest = inputs[j];
   }
@@ -140,7 +142,8 @@ static void count_within(tp_study_result *result, const tp_tally *tally) {
   const double *angles = tally->columns[tally->study->variable_count + TP_STUDY_MOMENTS_DEG];
   const double *peak = tally->columns[tally->column_count - 2];
   const double *valley = tally->columns[tally->column_count - 1];
-  for (long k = 0; k < tally->kept; k++) {
+  const size_t kept = tp_tally_kept(tally);
+  for (size_t k = 0; k < kept; k++) {
     if (isnan(peak[k]) || isnan(valley[k]) || isnan(angles[k])) continue;
     result->bracketed++;
     const double off = digits * fabs(angles[k]);
@@ -161,7 +164,7 @@ static bool fill_measures(tp_study_result *result, const tp_tally *tally) {
                               .unit = tp_study_measure_unit(study, k),
                               .least = NAN,
                               .greatest = NAN};
-    for (long j = 0; j < tally->kept; j++) {
+    for (size_t j = 0; j < tp_tally_kept(tally); j++) {
       if (isnan(column[j])) continue;
       own->samples++;
       own->least = fmin(own->least, column[j]);
@@ -209,33 +212,32 @@ static bool fill_columns(tp_study_result *result, tp_tally *tally) {
   return filled;
 }
 
-static bool fill(tp_study_result *result, tp_tally *tally) {
+/* ---- all of it ---------------------------------------------------------------------------------
+ */
+
+static bool fill(tp_study_result *result, const tp_tally *tally) {
   const tp_study *study = tally->study;
-  bool filled = tp_tally_end_steps(tally) && fill_tilts(result, tally);
+  const tp_row_counts *counts = &tally->counts;
+  bool filled = tp_summary_convergence(result, tally) && fill_tilts(result, tally);
   for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
     filled = fill_spread(result->quantities + q, tally->columns[study->variable_count + q],
-                         (size_t)tally->kept, NULL, 0);
+                         tp_tally_kept(tally), NULL, 0);
   }
   filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
            fill_variables(result, tally) && fill_correlations(result, study);
-  result->samples = tally->samples;
-  result->kept = (size_t)tally->kept;
-  result->open = tally->open;
-  result->by_doubles = tally->by_doubles;
-  result->doubles_seconds = tally->doubles_seconds;
-  result->ladder_seconds = tally->ladder_seconds;
-  result->convergence = tally->steps;
-  result->convergence_count = (size_t)tally->step_count;
-  result->invalid = tally->bad;
-  result->invalid_count = tally->bad_count;
-  tally->steps = NULL;
-  tally->bad = NULL;
+  result->samples = counts->samples;
+  result->kept = tp_tally_kept(tally);
+  result->open = counts->open;
+  result->by_doubles = counts->by_doubles;
+  result->doubles_seconds = 1e-9 * (double)counts->doubles_nanoseconds;
+  result->ladder_seconds = 1e-9 * (double)counts->ladder_nanoseconds;
   return filled;
 }
 
 tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally, tp_message *message) {
   if (!fill(result, tally)) return tp_fail_memory(message, "the summary of a study");
-  const tp_status status = tp_tally_ranks(result, tally, message);
+  tp_status status = tp_summary_invalid(result, tally, message);
+  if (status == TP_OK) status = tp_tally_ranks(result, tally, message);
   if (status != TP_OK) return status;
   return fill_columns(result, tally) ? TP_OK : tp_fail_memory(message, "the summary of a study");
 }

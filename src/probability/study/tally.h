@@ -1,56 +1,51 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a summary takes of the rows, one after another in their order: counts of outcomes at each
- * tilt, of all rows; the columns of the first TP_STUDY_KEPT, 8 bytes for each number. Memory does
- * not grow with the samples beyond. */
+/* What a summary takes of the rows: what is counted of all; the columns of the first TP_STUDY_KEPT,
+ * 8 bytes for each number; which samples are invalid, of the first TP_STUDY_BAD. Memory does not
+ * grow with the samples beyond. */
 
 #ifndef TP_STUDY_TALLY_H
 #define TP_STUDY_TALLY_H
 
-#include "study/row.h"
-
-/* Counts of outcomes. */
-typedef struct tp_outcome_counts {
-  size_t of[TP_STUDY_OUTCOMES];
-} tp_outcome_counts;
-
-typedef struct tp_tally {
-  const tp_study *study;
-  uint64_t samples;
-  size_t open, by_doubles;
-  double doubles_seconds, ladder_seconds; /* of those solved here */
-  tp_study_at *scratch;                   /* of a row that is told again */
-  tp_outcome_counts *tilts;               /* the scene's, and those of the study */
-  size_t definitions[TP_FOS_DEFINITIONS],
-      below[TP_FOS_DEFINITIONS]; /* factors by each, and below 1 */
-  size_t column_count;
-  long kept, room;
-  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition, the
-                       factors by moments and of sliding, what is measured */
-  long step_count, step_room;
-  tp_study_step *steps;
-  size_t bad_count;
-  tp_study_bad *bad;
-} tp_tally;
+#include "study/row_counts.h"
 
 enum { TP_STUDY_BAD = 5 };
 
-TP_MUST_USE tp_status tp_tally_init(tp_tally *tally, const tp_study *study, tp_message *message);
+/* Samples that are invalid, each its number and 1: so many of them add up like counts, with 0
+ * in the places of those that another rank knows. */
+typedef struct tp_invalid {
+  uint64_t places[TP_STUDY_BAD];
+} tp_invalid;
+
+typedef struct tp_tally {
+  const tp_study *study;
+  uint64_t first; /* the sample with which the study, or a shard of it, begins */
+  tp_row_counts counts;
+  tp_invalid invalid;
+  size_t column_count, room;
+  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition, the
+                       factors by moments and of sliding, what is measured */
+} tp_tally;
+
+/* Of the samples from `first` to before `past`. */
+TP_MUST_USE tp_status tp_tally_init(tp_tally *tally, const tp_study *study, uint64_t first,
+                                    uint64_t past, tp_message *message);
 void tp_tally_clear(tp_tally *tally);
 
-TP_MUST_USE tp_status tp_tally_add(tp_tally *tally, const tp_study_row *row, tp_message *message);
+/* How many rows the columns have, of all that are counted. */
+size_t tp_tally_kept(const tp_tally *tally);
 
-/* Wilson's interval of 95 %, and those of what becomes of samples. */
-tp_study_share tp_tally_share(size_t count, uint64_t samples);
-size_t tp_tally_stands(const tp_outcome_counts *counts);
-size_t tp_tally_moves(const tp_outcome_counts *counts);
+/* The numbers of a row into the columns, where it is one of those. */
+void tp_tally_keep(tp_tally *tally, const tp_study_row *row);
 
-/* Is every interval, of every outcome at every tilt, as narrow as the study wants it? */
-bool tp_tally_is_certain(const tp_tally *tally);
+/* The text of an invalid sample is found again by solving it: this is the sample that comes after
+ * so many invalid ones. */
+void tp_tally_note_invalid(tp_invalid *invalid, uint64_t before, uint64_t sample);
 
-/* The convergence ends with the last sample. False when memory is exhausted. */
-TP_MUST_USE bool tp_tally_end_steps(tp_tally *tally);
+/* A row that was read, which is counted, kept and noted; what told it is found again, a matter of
+ * its numbers alone. */
+void tp_tally_read(tp_tally *tally, tp_study_row *row, tp_study_at *scratch);
 
 /* Where the columns of a tally are. */
 static inline size_t tp_tally_definitions(const tp_study *study) {
@@ -64,7 +59,7 @@ static inline size_t tp_tally_measures(const tp_study *study) {
 }
 
 /* All of it as a result; what is the caller's to know (planned samples, shard, end) is left as it
- * is. The columns, steps and bad samples go over to the result. */
+ * is. The columns go over to the result. */
 TP_MUST_USE tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally,
                                       tp_message *message);
 
