@@ -10,6 +10,7 @@
 #include "topple.h"
 
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
