@@ -1,20 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Governing factor in doubles with bounds: moments about each admissible pivot (docs/mechanics.md
- * section 3), sliding and strength, the least of those that count; any undecided comparison leaves
- * the sample to the full solve. */
+/* Governing factor in doubles with bounds: moments about each admissible pivot, sliding and
+ * strength, the least of those that count; any undecided comparison leaves the sample to the full
+ * solve. */
 
 #include "case_filter/factor_filter.h"
 
+#include "case_filter/moments_filter.h"
 #include "case_filter/sliding_filter.h"
 #include "case_filter/strength_filter.h"
-
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_filter_case *of,
-                    const tp_filter_pivot *pivot) {
-  const tp_shape_point *p = of->shape->points + pivot->point;
-  tp_filter_load_arms(x, y, &of->loads->sum, p->x, p->y);
-}
 
 /* ---- what governs ------------------------------------------------------------------------------
  */
@@ -82,82 +77,6 @@ static bool take_judged(least *l, const tp_case_told *told, const tp_filter_stat
          (standing == TP_FILTER_COUNTS && take_counting(l, told, s, own));
 }
 
-/* Does a mode turn about the point: sticking there, or slipping there alone? */
-static bool turns_about(const tp_contact_plan *plan, const tp_plan_mode *mode, long point) {
-  const long site = plan->points[point].site;
-  bool alone = mode->mechanism != TP_SLIDES && mode->edge_count > 0;
-  for (int k = 0; k < mode->edge_count; k++) {
-    alone = alone && plan->points[mode->edges[k].point].site == site;
-  }
-  const tp_plan_ray *ray = plan->rays + mode->rays[0];
-  const bool sticks = mode->mechanism == TP_TOPPLES && mode->ray_count == 1 &&
-                      ray->kind == TP_RAY_TURNS && plan->points[ray->point].site == site;
-  return alone || sticks;
-}
-
-/* How it can begin to turn about the pivot, if it can: sticking there, or else slipping. */
-static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *pivot,
-                               tp_near tangent) {
-  const tp_contact_plan *plan = &told->filter->plan;
-  tp_mechanism found = TP_MECHANISM_UNDECIDED;
-  for (int k = 0; k < plan->mode_count && found != TP_TOPPLES; k++) {
-    if (turns_about(plan, plan->modes + k, pivot->point) &&
-        tp_filter_holds(&told->onset.modes[k].with_rays, tangent)) {
-      found = plan->modes[k].mechanism;
-    }
-  }
-  return found;
-}
-
-/* A moment on the side of its sign, if it is none of nothing. */
-static bool weigh(tp_near *stabilising, tp_near *overturning, tp_near holds) {
-  const int sign = tp_near_sign(holds);
-  if (sign > 0) *stabilising = tp_near_plus(*stabilising, holds);
-  if (sign < 0) *overturning = tp_near_minus(*overturning, holds);
-  return sign != 0 || tp_near_is_zero(holds);
-}
-
-/* The weight by its two components, then each load (evaluation/loaded_balance.c). */
-static bool balance(tp_fos_told *fos, const tp_filter_case *of, const tp_shape_point *p,
-                    tp_near tangent) {
-  tp_near stabilising = {0, 0}, overturning = {0, 0};
-  for (int k = 0; k < of->loads->count; k++) {
-    tp_near level, rise;
-    tp_filter_load_arms(&level, &rise, of->loads->items + k, p->x, p->y);
-    const tp_near turned = tp_near_neg(tp_near_times(rise, tangent));
-    const bool told = k == 0 ? weigh(&stabilising, &overturning, level) &&
-                                   weigh(&stabilising, &overturning, turned)
-                             : weigh(&stabilising, &overturning, tp_near_plus(level, turned));
-    if (!told) return false;
-  }
-  const bool number = !tp_near_is_zero(overturning);
-  *fos = (tp_fos_told){number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING,
-                       number ? tp_near_div(stabilising, overturning) : overturning};
-  return true;
-}
-
-/* By the weight alone: nothing overturns on level ground. */
-static tp_fos_told by_arms(tp_near x, tp_near y, tp_near tangent) {
-  if (tp_near_is_zero(tangent)) return (tp_fos_told){TP_FOS_NO_OVERTURNING, tangent};
-  return (tp_fos_told){TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent))};
-}
-
-static bool moments_about(tp_filter_way *way, const tp_case_told *told, const tp_filter_state *s,
-                          const tp_filter_pivot *pivot) {
-  tp_near x, y;
-  tp_filter_arms(&x, &y, &told->of, pivot);
-  const tp_mechanism turn = s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
-  const bool begins = turn != TP_MECHANISM_UNDECIDED;
-  *way = (tp_filter_way){.fos = by_arms(x, y, s->tangent),
-                         .has_critical = true,
-                         .critical = tp_near_div(x, y),
-                         .begins = begins,
-                         .definition = TP_FOS_BY_MOMENTS,
-                         .mechanism = begins ? turn : TP_TOPPLES};
-  return !told->of.loads->called_for ||
-         balance(&way->fos, &told->of, told->of.shape->points + pivot->point, s->tangent);
-}
-
 /* The less safe of two. */
 static tp_fos_told lesser(tp_fos_told a, tp_fos_told b) {
   if (a.state != TP_FOS_NUMBER) return b;
@@ -175,7 +94,7 @@ static bool take_moments(least *l, tp_fos_told *by_moments, const tp_case_told *
     const tp_filter_pivot *pivot = k < 0 ? told->pivot : told->filter->pivots + k;
     if (k >= 0 && (!pivot->admissible || pivot == told->pivot)) continue;
     tp_filter_way own;
-    if (!moments_about(&own, told, s, pivot)) return false;
+    if (!tp_moments_filter(&own, told, s, pivot)) return false;
     const tp_filter_standing standing = tp_standing_filter(told, s, &own);
     const bool counts = standing == TP_FILTER_COUNTS;
     if (standing == TP_FILTER_OPEN || (counts && !take_counting(l, told, s, &own))) return false;

@@ -212,13 +212,14 @@ static void find(tp_outline_mapping *m, tp_direction towards) {
 /* An outline by its vertices, or a slab, on its mated base, where and as it is given. */
 static bool is_plain(const tp_problem *problem) {
   const tp_scene *scene = problem->scene;
+  const tp_world *world = problem->placement.world; /* a slope turns nothing */
   const tp_base_description *base = &scene->base;
   const bool form =
       scene->block.form == TP_OUTLINE_SLAB || scene->block.form == TP_OUTLINE_VERTICES;
   return form && scene->source != NULL && base->mated && problem->section.ring_count == 1 &&
          problem->section.rings[0].count <= TP_MAP_VERTICES && problem->placement.jointed == NULL &&
          problem->placement.rested == NULL && problem->placement.snapped == NULL &&
-         problem->placement.world == NULL && !base->below.given && !base->left_of.given &&
+         (world == NULL || world->unturned) && !base->below.given && !base->left_of.given &&
          !base->right_of.given;
 }
 

@@ -5,6 +5,7 @@
  * with tilts, so that the order of the two is the same. */
 
 #include "case_filter/factor_filter.h"
+#include "case_filter/moments_filter.h"
 
 #include "number/near_angle.h"
 
