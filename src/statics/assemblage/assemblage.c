@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Rings of all blocks put on one lattice; areas and first moments as sums of whole numbers,
+ * weights and centroids from them with bounds. */
+
+#include "assemblage/assemblage.h"
+
+#include "common/outside.h"
+#include "number/ball.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BITS = 128 };
+
+void tp_assemblage_clear(tp_assemblage *a) {
+  for (long k = 0; k < a->count && a->blocks != NULL; k++) {
+    fmpz_clear(a->blocks[k].x);
+    fmpz_clear(a->blocks[k].y);
+  }
+  free(a->blocks);
+  free(a->contacts);
+  tp_lattice_clear(&a->lattice);
+  memset(a, 0, sizeof *a);
+}
+
+static tp_status put_on_lattice(tp_assemblage *a, const fmpq_t metres_per_unit,
+                                tp_message *message) {
+  long rings = 0;
+  for (long k = 0; k < a->count; k++) rings += a->given[k].section->ring_count;
+  const tp_polyline **chains = calloc((size_t)rings + 1, sizeof *chains);
+  if (chains == NULL) return tp_fail_memory(message, "the blocks");
+  long at = 0;
+  for (long k = 0; k < a->count; k++) {
+    const tp_section *section = a->given[k].section;
+    a->blocks[k].outline = at; /* a chain, until the lattice says at which point it begins */
+    for (long r = 0; r < section->ring_count; r++) chains[at++] = section->rings + r;
+  }
+  const tp_status status = tp_lattice_init(&a->lattice, chains, rings, metres_per_unit, message);
+  free(chains);
+  return status;
+}
+
+/* Sums over one ring: twice the area, and six times the first moments. */
+static void add_ring(fmpz sums[3], const tp_lattice *l, long first, long end, const fmpz_t weight) {
+  fmpz_t cross, part;
+  fmpz_init(cross);
+  fmpz_init(part);
+  for (long k = first; k < end; k++) {
+    const long next = k + 1 < end ? k + 1 : first;
+    fmpz_mul(cross, l->x + k, l->y + next);
+    fmpz_submul(cross, l->x + next, l->y + k);
+    fmpz_mul(cross, cross, weight);
+    fmpz_add(sums, sums, cross);
+    fmpz_add(part, l->x + k, l->x + next);
+    fmpz_addmul(sums + 1, part, cross);
+    fmpz_add(part, l->y + k, l->y + next);
+    fmpz_addmul(sums + 2, part, cross);
+  }
+  fmpz_clear(cross);
+  fmpz_clear(part);
+}
+
+/* The whole number next to sum / (3 area2), and what is left of that. */
+static void split(fmpz_t whole, arb_t rest, const fmpz_t sum, const fmpz_t area2) {
+  fmpz_t thrice, left;
+  fmpz_init(thrice);
+  fmpz_init(left);
+  fmpz_mul_ui(thrice, area2, 3);
+  fmpz_fdiv_qr(whole, left, sum, thrice);
+  arb_fmpz_div_fmpz(rest, left, thrice, BITS);
+  fmpz_clear(thrice);
+  fmpz_clear(left);
+}
+
+/* Sums of a block to its weight in kN per metre and the arms of its centroid in lattice steps. */
+typedef struct weighed {
+  arb_t weight, arm_x, arm_y;
+} weighed;
+
+static void weigh(weighed *w, tp_rigid_block *block, const tp_assemblage *a, long chain,
+                  const tp_section *section) {
+  const tp_lattice *l = &a->lattice;
+  fmpz sums[3] = {0, 0, 0};
+  fmpq_t kn;
+  fmpq_init(kn);
+  for (long r = 0; r < section->ring_count; r++) {
+    add_ring(sums, l, l->start[chain + r], l->start[chain + r + 1], section->ring_weights + r);
+  }
+  split(block->x, w->arm_x, sums + 1, sums);
+  split(block->y, w->arm_y, sums + 2, sums);
+  fmpq_mul(kn, l->step_m, l->step_m);
+  fmpq_mul(kn, kn, section->weight_unit);
+  fmpq_div_2exp(kn, kn, 1);
+  fmpq_mul_fmpz(kn, kn, sums);
+  arb_set_fmpq(w->weight, kn, BITS);
+  fmpq_clear(kn);
+  for (int k = 0; k < 3; k++) fmpz_clear(sums + k);
+}
+
+/* Powers of two near the size of a block, as a mean of logarithms, and near its weight. */
+static void choose_units(tp_assemblage *a, const weighed *w) {
+  double size = 0, weight = 0;
+  for (long k = 0; k < a->count; k++) {
+    if (a->blocks[k].number < 0) continue;
+    const long steps = a->blocks[k].end - a->blocks[k].outline;
+    double widest = 0;
+    for (long p = 1; p < steps; p++) {
+      fmpz_t d;
+      fmpz_init(d);
+      fmpz_sub(d, a->lattice.x + a->blocks[k].outline + p, a->lattice.x + a->blocks[k].outline);
+      widest = fmax(widest, (double)fmpz_bits(d));
+      fmpz_sub(d, a->lattice.y + a->blocks[k].outline + p, a->lattice.y + a->blocks[k].outline);
+      widest = fmax(widest, (double)fmpz_bits(d));
+      fmpz_clear(d);
+    }
+    size += widest / (double)a->free_count;
+    weight += tp_ball_log2_above(w[k].weight) / (double)a->free_count;
+  }
+  a->length_exponent = (long)size;
+  a->weight_exponent = (long)weight;
+}
+
+static tp_near scaled(arb_t ball, long exponent) {
+  arb_mul_2exp_si(ball, ball, -exponent);
+  return tp_ball_near(ball);
+}
+
+static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
+  weighed *w = calloc((size_t)a->count, sizeof *w);
+  if (w == NULL) return tp_fail_memory(message, "the blocks");
+  for (long k = 0; k < a->count; k++) {
+    tp_rigid_block *block = a->blocks + k;
+    const long chain = block->outline;
+    arb_init(w[k].weight);
+    arb_init(w[k].arm_x);
+    arb_init(w[k].arm_y);
+    weigh(w + k, block, a, chain, a->given[k].section);
+    block->outline = a->lattice.start[chain];
+    block->end = a->lattice.start[chain + 1];
+    block->number = a->given[k].fixed ? -1 : a->free_count++;
+  }
+  if (a->free_count > 0) choose_units(a, w);
+  for (long k = 0; k < a->count; k++) {
+    a->blocks[k].weight = scaled(w[k].weight, a->weight_exponent);
+    a->blocks[k].arm_x = scaled(w[k].arm_x, a->length_exponent);
+    a->blocks[k].arm_y = scaled(w[k].arm_y, a->length_exponent);
+    arb_clear(w[k].weight);
+    arb_clear(w[k].arm_x);
+    arb_clear(w[k].arm_y);
+  }
+  free(w);
+  return TP_OK;
+}
+
+static tp_status check_held(const tp_assemblage *a, tp_message *message) {
+  const tp_given_block *first = a->given;
+  if (a->free_count == 0 || a->free_count == a->count) {
+    return tp_refuse(message, TP_FAULT_GEOMETRY, first->place,
+                     a->free_count == 0
+                         ? "all blocks are ground; at least one must be free to move"
+                         : "no block is ground; mark what the others stand on, 'ground: true'");
+  }
+  bool *touches = calloc((size_t)a->count, sizeof *touches);
+  if (touches == NULL) return tp_fail_memory(message, "the blocks");
+  for (long k = 0; k < a->contact_count; k++) {
+    touches[a->contacts[k].block[0]] = touches[a->contacts[k].block[1]] = true;
+  }
+  long floating = -1;
+  for (long k = 0; k < a->count && floating < 0; k++) {
+    if (!touches[k] && a->blocks[k].number >= 0) floating = k;
+  }
+  free(touches);
+  if (floating < 0) return TP_OK;
+  return tp_refuse(message, TP_FAULT_GEOMETRY, a->given[floating].place,
+                   "block '%s' touches no other: coordinates that are to be the same must be given "
+                   "with the same digits",
+                   tp_quote_all(a->given[floating].name).text);
+}
+
+tp_status tp_assemblage_init(tp_assemblage *a, const tp_given_block *given, long count,
+                             const fmpq_t metres_per_unit, tp_message *message) {
+  memset(a, 0, sizeof *a);
+  a->given = given;
+  a->blocks = calloc((size_t)count + 1, sizeof *a->blocks);
+  if (a->blocks == NULL) return tp_fail_memory(message, "the blocks");
+  a->count = count;
+  for (long k = 0; k < count; k++) {
+    fmpz_init(a->blocks[k].x);
+    fmpz_init(a->blocks[k].y);
+  }
+  tp_status status = put_on_lattice(a, metres_per_unit, message);
+  if (status == TP_OK) status = set_blocks(a, message);
+  if (status == TP_OK) status = tp_block_contacts_find(a, message);
+  if (status == TP_OK) status = check_held(a, message);
+  if (status != TP_OK) tp_assemblage_clear(a);
+  return status;
+}
+
+tp_near tp_assemblage_length(const tp_assemblage *a, const fmpz_t from, const fmpz_t to) {
+  fmpz_t difference;
+  fmpz_init(difference);
+  fmpz_sub(difference, to, from);
+  const bool exact = fmpz_bits(difference) <= 53;
+  const double value = ldexp(fmpz_get_d(difference), -(int)a->length_exponent);
+  fmpz_clear(difference);
+  return (tp_near){value, exact ? 0 : fabs(value) * 2 * DBL_EPSILON};
+}

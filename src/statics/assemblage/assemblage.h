@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Many rigid blocks, some of them fixed, and where they touch.
+ *
+ * All rings lie on one lattice of whole numbers, so that whether two blocks touch, overlap or leave
+ * a gap, however small, is decided exactly. Weights and centroids are enclosed by doubles with
+ * their bounds. Lengths are in units of 2^length_exponent lattice steps, about the size of a block,
+ * and weights in units of 2^weight_exponent kN per metre of thickness, about that of one. */
+
+#ifndef TP_ASSEMBLAGE_ASSEMBLAGE_H
+#define TP_ASSEMBLAGE_ASSEMBLAGE_H
+
+#include "block/section.h"
+#include "number/near.h"
+#include "plane/lattice.h"
+
+/* Given: borrowed, and all in the same scene lengths. */
+typedef struct tp_given_block {
+  const tp_section *section;
+  TP_OUTSIDE const char *name;
+  tp_place place;
+  bool fixed; /* ground */
+} tp_given_block;
+
+typedef struct tp_rigid_block {
+  long outline, end; /* its points of the lattice: outline … end - 1 */
+  long number;       /* among the free ones; -1: it is fixed */
+  fmpz_t x, y;       /* the lattice point that its moments are about, next to its centroid */
+  tp_near weight;
+  tp_near arm_x, arm_y; /* from that point to the centroid */
+} tp_rigid_block;
+
+/* Where two blocks share a piece of an edge; or a corner of one lies within an edge of the other,
+ * then both ends are that corner. Along the direction `from` … `to`, two points of the lattice, the
+ * first block is on the left. */
+typedef struct tp_block_contact {
+  long block[2], ends[2], from, to;
+} tp_block_contact;
+
+typedef struct tp_assemblage {
+  const tp_given_block *given;
+  long count, free_count;
+  tp_rigid_block *blocks;
+  tp_lattice lattice;
+  long length_exponent, weight_exponent;
+  long contact_count, contact_room;
+  tp_block_contact *contacts;
+} tp_assemblage;
+
+/* On failure `assemblage` is cleared. Bad input: two blocks overlap, a free one touches nothing,
+ * none is free or none fixed. */
+TP_MUST_USE tp_status tp_assemblage_init(tp_assemblage *assemblage, const tp_given_block *given,
+                                         long count, const fmpq_t metres_per_unit,
+                                         tp_message *message);
+void tp_assemblage_clear(tp_assemblage *assemblage);
+
+/* A difference of two points of the lattice, or of one and a block's own, as a length. */
+tp_near tp_assemblage_length(const tp_assemblage *assemblage, const fmpz_t from, const fmpz_t to);
+
+/* Find the contacts (assemblage/block_contacts.c). */
+TP_MUST_USE tp_status tp_block_contacts_find(tp_assemblage *assemblage, tp_message *message);
+
+#endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The linear program of forces between blocks (Livesley 1978; docs/mechanics.md section 10):
+ *
+ *     maximise s subject to  A f + w0 + s w1 = 0,  f >= 0.
+ *
+ * Three rows a free block: force in x, in y and moment about its own point. Four columns a contact
+ * of edges, two a corner: at each end the two edges n + t tan(phi) and n - t tan(phi) of the
+ * friction cone, pushing the first block to its left and the second one back. All entries are
+ * enclosed. */
+
+#ifndef TP_ASSEMBLAGE_FORCE_PROGRAM_H
+#define TP_ASSEMBLAGE_FORCE_PROGRAM_H
+
+#include "assemblage/assemblage.h"
+
+/* A force of about size one. Of a fixed block the row is -1, and its entries nothing. */
+typedef struct tp_force_column {
+  long contact, row[2];
+  tp_near entry[2][3];
+} tp_force_column;
+
+typedef struct tp_force_program {
+  const tp_assemblage *assemblage;
+  long rows, count;
+  long *block;              /* by number of a free block: which it is */
+  tp_force_column *columns; /* those of one contact follow each other */
+  long *first;              /* by contact, and `count` at the end */
+  tp_near *dead, *live;     /* w0 and w1, by row */
+} tp_force_program;
+
+/* Weights act downwards (-y) and s times the weights towards -x, or towards x: by s = tan(tilt) all
+ * is tilted to that side, or s is a pseudo-static coefficient. `tangents` are tan(phi) by contact.
+ * On failure `program` is cleared. */
+TP_MUST_USE tp_status tp_force_program_tilted(tp_force_program *program,
+                                              const tp_assemblage *assemblage,
+                                              const tp_near *tangents, bool towards_left,
+                                              tp_message *message);
+void tp_force_program_clear(tp_force_program *program);
+
+#endif

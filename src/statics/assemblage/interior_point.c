@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* minimise -s:  A f + s w1 = -w0,  A^T y + z_f = 0,  w1 . y + z_s = -1,  x z = mu, with s + 1 as
+ * the last variable: what falls without the load has a limit below zero. A step solves (A D A^T +
+ * d_s w1 w1^T) dy = r,  D = diag(x / z), twice with one factorisation. */
+
+#include "assemblage/interior_point.h"
+
+#include "assemblage/normal_equations.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_STEPS = 150 };
+static const double least_load = -1; /* 45 degrees to the other side */
+
+/* Variables: forces, then s - least_load. */
+typedef struct interior {
+  const tp_force_program *p;
+  tp_normal_equations normal;
+  long n;
+  double *x, *z, *dx, *dz, *d, *centre, *rd;                                /* n + 1 */
+  double *y, *dy, *rp, *rhs, *live, *solved, *rest, *guess, *way, *product; /* rows */
+  double mu, live_live;                                                     /* w1 . M0^-1 w1 */
+} interior;
+
+static double dot(const double *a, const double *b, long count) {
+  double sum = 0;
+  for (long k = 0; k < count; k++) sum += a[k] * b[k];
+  return sum;
+}
+
+/* A^T y of one column. */
+static double power_of(const tp_force_column *c, const double *y) {
+  double sum = 0;
+  for (int k = 0; k < 2; k++) {
+    if (c->row[k] < 0) continue;
+    for (int e = 0; e < 3; e++) sum += c->entry[k][e].value * y[c->row[k] + e];
+  }
+  return sum;
+}
+
+static void add_column(double *rows, const tp_force_column *c, double force) {
+  for (int k = 0; k < 2; k++) {
+    if (c->row[k] < 0) continue;
+    for (int e = 0; e < 3; e++) rows[c->row[k] + e] += force * c->entry[k][e].value;
+  }
+}
+
+static void find_residuals(interior *s) {
+  const tp_force_program *p = s->p;
+  for (long r = 0; r < p->rows; r++)
+    s->rp[r] = -p->dead[r].value - (s->x[s->n] + least_load) * s->live[r];
+  for (long k = 0; k < s->n; k++) {
+    add_column(s->rp, p->columns + k, -s->x[k]);
+    s->rd[k] = -power_of(p->columns + k, s->y) - s->z[k];
+  }
+  s->rd[s->n] = -1 - dot(s->live, s->y, p->rows) - s->z[s->n];
+  s->mu = dot(s->x, s->z, s->n + 1) / (double)(s->n + 1);
+}
+
+/* M0^-1 of r less what s adds (Sherman and Morrison). */
+static void solve_once(interior *s, double *own) {
+  tp_normal_equations_solve(&s->normal, own);
+  const double share = s->d[s->n] * dot(s->live, own, s->p->rows) / (1 + s->d[s->n] * s->live_live);
+  for (long r = 0; r < s->p->rows; r++) own[r] -= share * s->solved[r];
+}
+
+/* The normal equations times v. */
+static void multiply(double *product, const interior *s, const double *v) {
+  const long rows = s->p->rows;
+  const double share = s->d[s->n] * dot(s->live, v, rows);
+  for (long r = 0; r < rows; r++) product[r] = share * s->live[r];
+  for (long k = 0; k < s->n; k++) {
+    add_column(product, s->p->columns + k, s->d[k] * power_of(s->p->columns + k, v));
+  }
+}
+
+/* dy of the right-hand side: by conjugate gradients, preconditioned by the factor, as near the
+ * collapse what the formula subtracts cancels. */
+static void solve(interior *s) {
+  enum { MOST_ROUNDS = 30 };
+  static const double enough = 1e-14;
+  const long rows = s->p->rows;
+  double *rest = s->rest, *guess = s->guess, *way = s->way, *product = s->product;
+  memcpy(rest, s->rhs, (size_t)rows * sizeof *rest);
+  memset(s->dy, 0, (size_t)rows * sizeof *s->dy);
+  const double size = dot(rest, rest, rows);
+  double before = 0;
+  for (int round = 0; round < MOST_ROUNDS && dot(rest, rest, rows) > enough * enough * size;
+       round++) {
+    memcpy(guess, rest, (size_t)rows * sizeof *guess);
+    solve_once(s, guess);
+    const double power = dot(rest, guess, rows), share = round > 0 ? power / before : 0;
+    for (long r = 0; r < rows; r++) way[r] = guess[r] + share * way[r];
+    multiply(product, s, way);
+    const double length = power / dot(way, product, rows);
+    if (!(power > 0 && isfinite(length))) break;
+    for (long r = 0; r < rows; r++) {
+      s->dy[r] += length * way[r];
+      rest[r] -= length * product[r];
+    }
+    before = power;
+  }
+}
+
+/* A dx = rp, A^T dy + dz = rd, z dx + x dz = centre. */
+static void find_step(interior *s) {
+  const tp_force_program *p = s->p;
+  memcpy(s->rhs, s->rp, (size_t)p->rows * sizeof *s->rhs);
+  for (long k = 0; k < s->n; k++) {
+    add_column(s->rhs, p->columns + k, s->d[k] * s->rd[k] - s->centre[k] / s->z[k]);
+  }
+  const double own = s->d[s->n] * s->rd[s->n] - s->centre[s->n] / s->z[s->n];
+  for (long r = 0; r < p->rows; r++) s->rhs[r] += own * s->live[r];
+  solve(s);
+  for (long k = 0; k <= s->n; k++) {
+    const double power = k < s->n ? power_of(p->columns + k, s->dy) : dot(s->live, s->dy, p->rows);
+    s->dz[k] = s->rd[k] - power;
+    s->dx[k] = (s->centre[k] - s->x[k] * s->dz[k]) / s->z[k];
+  }
+}
+
+/* The share of a step, at most all of it, that keeps all above zero by so much of what would not.
+ */
+static double reach(const double *at, const double *step, long count, double damping) {
+  double most = INFINITY;
+  for (long k = 0; k < count; k++) {
+    if (step[k] < 0) most = fmin(most, -at[k] / step[k]);
+  }
+  return fmin(1, damping * most);
+}
+
+static void predict_and_correct(interior *s) {
+  const long count = s->n + 1;
+  for (long k = 0; k < count; k++) s->centre[k] = -s->x[k] * s->z[k];
+  find_step(s);
+  const double of_x = reach(s->x, s->dx, count, 1), of_z = reach(s->z, s->dz, count, 1);
+  double after = 0;
+  for (long k = 0; k < count; k++) {
+    after += (s->x[k] + of_x * s->dx[k]) * (s->z[k] + of_z * s->dz[k]);
+  }
+  const double share = after / ((double)count * s->mu), target = share * share * share * s->mu;
+  for (long k = 0; k < count; k++) {
+    s->centre[k] = target - s->x[k] * s->z[k] - s->dx[k] * s->dz[k];
+  }
+  find_step(s);
+}
+
+/* What rounding left of the blocks' equilibrium, taken up by the forces in proportion to D with the
+ * load as it is: near the collapse a step's own errors are far above those of one so small. */
+static void restore(interior *s) {
+  enum { ROUNDS = 2 };
+  static const double damping = 0.5;
+  const double of_load = s->d[s->n];
+  s->d[s->n] = 0;
+  for (int round = 0; round < ROUNDS; round++) {
+    find_residuals(s);
+    memcpy(s->rhs, s->rp, (size_t)s->p->rows * sizeof *s->rhs);
+    solve(s);
+    for (long k = 0; k < s->n; k++) s->dx[k] = s->d[k] * power_of(s->p->columns + k, s->dy);
+    const double share = reach(s->x, s->dx, s->n, damping);
+    for (long k = 0; k < s->n; k++) s->x[k] += share * s->dx[k];
+  }
+  s->d[s->n] = of_load;
+}
+
+static bool advance(interior *s) {
+  static const double damping = 0.99;
+  const long count = s->n + 1;
+  for (long k = 0; k < count; k++) s->d[k] = s->x[k] / s->z[k];
+  if (!tp_normal_equations_factorise(&s->normal, s->d)) return false;
+  memcpy(s->solved, s->live, (size_t)s->p->rows * sizeof *s->solved);
+  tp_normal_equations_solve(&s->normal, s->solved);
+  s->live_live = dot(s->live, s->solved, s->p->rows);
+  predict_and_correct(s);
+  const double of_x = reach(s->x, s->dx, count, damping);
+  const double of_z = reach(s->z, s->dz, count, damping);
+  for (long k = 0; k < count; k++) {
+    s->x[k] += of_x * s->dx[k];
+    s->z[k] += of_z * s->dz[k];
+    if (!(s->x[k] > 0 && s->z[k] > 0 && isfinite(s->x[k]) && isfinite(s->z[k]))) return false;
+  }
+  for (long r = 0; r < s->p->rows; r++) s->y[r] += of_z * s->dy[r];
+  return true;
+}
+
+static void clear(interior *s) {
+  double *all[] = {s->x,  s->z,   s->dx,   s->dz,     s->d,    s->centre, s->rd,  s->y,      s->dy,
+                   s->rp, s->rhs, s->live, s->solved, s->rest, s->guess,  s->way, s->product};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) free(all[k]);
+  tp_normal_equations_clear(&s->normal);
+}
+
+static tp_status make(interior *s, const tp_force_program *p, tp_message *message) {
+  s->p = p;
+  s->n = p->count;
+  double **variables[] = {&s->x, &s->z, &s->dx, &s->dz, &s->d, &s->centre, &s->rd};
+  double **rows[] = {&s->y,      &s->dy,   &s->rp,    &s->rhs, &s->live,
+                     &s->solved, &s->rest, &s->guess, &s->way, &s->product};
+  const tp_status status = tp_normal_equations_init(&s->normal, p, message);
+  if (status != TP_OK) return status;
+  bool done = true;
+  for (size_t k = 0; k < sizeof variables / sizeof variables[0]; k++) {
+    *variables[k] = calloc((size_t)s->n + 1, sizeof(double));
+    done = done && *variables[k] != NULL;
+  }
+  for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+    *rows[k] = calloc((size_t)p->rows + 1, sizeof(double));
+    done = done && *rows[k] != NULL;
+  }
+  if (!done) return tp_fail_memory(message, "the forces between blocks");
+  for (long k = 0; k <= s->n; k++) {
+    s->x[k] = 2; /* forces of some weight of a block */
+    s->z[k] = 1;
+  }
+  for (long r = 0; r < p->rows; r++) s->live[r] = p->live[r].value;
+  return TP_OK;
+}
+
+tp_status tp_interior_point(const tp_force_program *p, tp_interior_watch *watch, void *context,
+                            tp_message *message) {
+  interior s = {.p = NULL};
+  const tp_status status = make(&s, p, message);
+  bool goes_on = status == TP_OK;
+  for (int k = 0; k < MOST_STEPS && goes_on; k++) {
+    if (k > 0) restore(&s);
+    find_residuals(&s);
+    const tp_interior_iterate iterate = {s.x, s.x[s.n] + least_load, s.y, s.mu * (double)(s.n + 1)};
+    goes_on = !watch(context, &iterate) && advance(&s);
+  }
+  clear(&s);
+  return status;
+}
+
+/* ---- towards the centre ------------------------------------------------------------------------
+ */
+
+/* minimise -sum log x:  dx = x - x^2 A^T y,  (A x^2 A^T) y = 2 A x - b = A x - rp. */
+static bool recentre(interior *s) {
+  static const double damping = 0.9;
+  const tp_force_program *p = s->p;
+  for (long k = 0; k < s->n; k++) s->d[k] = s->x[k] * s->x[k];
+  if (!tp_normal_equations_factorise(&s->normal, s->d)) return false;
+  s->d[s->n] = 0; /* the load stays */
+  for (long r = 0; r < p->rows; r++) s->rhs[r] = -s->rp[r];
+  for (long k = 0; k < s->n; k++) add_column(s->rhs, p->columns + k, s->x[k]);
+  solve(s);
+  for (long k = 0; k < s->n; k++) {
+    s->dx[k] = s->x[k] - s->d[k] * power_of(p->columns + k, s->dy);
+  }
+  const double share = reach(s->x, s->dx, s->n, damping);
+  for (long k = 0; k < s->n; k++) {
+    s->x[k] += share * s->dx[k];
+    if (!(s->x[k] > 0 && isfinite(s->x[k]))) return false;
+  }
+  return true;
+}
+
+tp_status tp_interior_centre(const tp_force_program *p, const double *forces, double load,
+                             tp_interior_watch *watch, void *context, tp_message *message) {
+  enum { MOST = 60 };
+  interior s = {.p = NULL};
+  const tp_status status = make(&s, p, message);
+  bool goes_on = status == TP_OK;
+  if (goes_on) {
+    memcpy(s.x, forces, (size_t)s.n * sizeof *s.x);
+    s.x[s.n] = load - least_load;
+  }
+  for (int k = 0; k < MOST && goes_on; k++) {
+    if (k > 0) restore(&s);
+    find_residuals(&s);
+    const tp_interior_iterate iterate = {s.x, load, s.y, 0};
+    goes_on = !watch(context, &iterate) && recentre(&s);
+  }
+  clear(&s);
+  return status;
+}

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Both proofs are tried of every iterate of the interior point method; the best of each are kept.
+ */
+
+#include "assemblage/load_bracket.h"
+
+#include "assemblage/ground_tree.h"
+#include "assemblage/interior_point.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct proving {
+  const tp_force_program *p;
+  const tp_ground_tree *tree;
+  tp_load_bracket *bracket;
+  tp_near *lacks; /* by row: what each block lacks for equilibrium, with all that hangs on it */
+  double share;
+} proving;
+
+/* ---- below -------------------------------------------------------------------------------------
+ */
+
+/* -(A f + w0 + s w1). */
+static void find_lacks(proving *s, const double *forces, double load) {
+  const tp_force_program *p = s->p;
+  const tp_near of_load = {load, 0};
+  for (long r = 0; r < p->rows; r++) {
+    s->lacks[r] = tp_near_neg(tp_near_plus(p->dead[r], tp_near_times(of_load, p->live[r])));
+  }
+  for (long k = 0; k < p->count; k++) {
+    const tp_force_column *c = p->columns + k;
+    const tp_near force = {forces[k], 0};
+    for (int side = 0; side < 2; side++) {
+      if (c->row[side] < 0) continue;
+      tp_near *own = s->lacks + c->row[side];
+      for (int e = 0; e < 3; e++) {
+        own[e] = tp_near_minus(own[e], tp_near_times(force, c->entry[side][e]));
+      }
+    }
+  }
+}
+
+/* A wrench on a block as one on its parent, about that one's own point. */
+static void hand_down(tp_near *parent, const tp_near *own, const tp_assemblage *a,
+                      const tp_rigid_block *from, const tp_rigid_block *to) {
+  const tp_near x = tp_assemblage_length(a, to->x, from->x);
+  const tp_near y = tp_assemblage_length(a, to->y, from->y);
+  const tp_near moment = tp_near_minus(tp_near_times(x, own[1]), tp_near_times(y, own[0]));
+  for (int e = 0; e < 2; e++) parent[e] = tp_near_plus(parent[e], own[e]);
+  parent[2] = tp_near_plus(parent[2], tp_near_plus(own[2], moment));
+}
+
+/* Does what the forces leave fit into the contacts of the tree? Each column is of one link. */
+static bool is_held(proving *s, const double *forces, double load) {
+  const tp_force_program *p = s->p;
+  const tp_assemblage *a = p->assemblage;
+  if (s->tree->count < p->rows / 3) return false;
+  find_lacks(s, forces, load);
+  for (long k = s->tree->count - 1; k >= 0; k--) {
+    const tp_tree_link *link = s->tree->links + k;
+    const tp_near *own = s->lacks + 3 * link->number;
+    tp_near factors[3];
+    tp_tree_link_share(factors, link, p, own);
+    for (int c = 0; c < 3; c++) {
+      const tp_near sum = tp_near_add((tp_near){forces[link->columns[c]], 0}, factors[c]);
+      if (!(sum.value >= sum.error)) return false;
+    }
+    if (link->parent < 0) continue;
+    hand_down(s->lacks + 3 * link->parent, own, a, a->blocks + p->block[link->number],
+              a->blocks + p->block[link->parent]);
+  }
+  return true;
+}
+
+/* ---- above -------------------------------------------------------------------------------------
+ */
+
+static tp_near power_of(const tp_near *wrenches, const double *twists, long rows) {
+  tp_near sum = {0, 0};
+  for (long r = 0; r < rows; r++) {
+    sum = tp_near_plus(sum, tp_near_times(wrenches[r], (tp_near){twists[r], 0}));
+  }
+  return sum;
+}
+
+/* No force does work on the twists: A^T v <= 0. */
+static bool opens_all(const tp_force_program *p, const double *twists) {
+  for (long k = 0; k < p->count; k++) {
+    const tp_force_column *c = p->columns + k;
+    tp_near sum = {0, 0};
+    for (int side = 0; side < 2; side++) {
+      if (c->row[side] >= 0) {
+        sum = tp_near_plus(sum, power_of(c->entry[side], twists + c->row[side], 3));
+      }
+    }
+    if (!(sum.value <= -sum.error)) return false;
+  }
+  return true;
+}
+
+/* Of what is held w0 . v + s w1 . v = -f . A^T v >= 0, so that s <= w0 . v / -w1 . v. */
+static bool find_bound(double *bound, const tp_force_program *p, const double *twists) {
+  const tp_near live = tp_near_neg(power_of(p->live, twists, p->rows));
+  if (tp_near_sign(live) <= 0 || !opens_all(p, twists)) return false;
+  const tp_near own = tp_near_div(power_of(p->dead, twists, p->rows), live);
+  *bound = nextafter(own.value + own.error, INFINITY);
+  return isfinite(*bound);
+}
+
+static bool try_forces(proving *s, const tp_interior_iterate *at) {
+  tp_load_bracket *b = s->bracket;
+  if ((b->is_held && at->load <= b->held) || !is_held(s, at->forces, at->load)) return false;
+  b->is_held = true;
+  b->held = at->load;
+  memcpy(b->forces, at->forces, (size_t)s->p->count * sizeof *b->forces);
+  return true;
+}
+
+static bool is_narrow(const proving *s) {
+  const tp_load_bracket *b = s->bracket;
+  return b->is_held && b->is_bounded && b->bound - b->held <= s->share * fabs(b->bound);
+}
+
+static bool watch(void *context, const tp_interior_iterate *at) {
+  proving *s = context;
+  tp_load_bracket *b = s->bracket;
+  double bound = 0;
+  const double before = b->is_bounded ? b->bound : INFINITY;
+  (void)try_forces(s, at);
+  if (find_bound(&bound, s->p, at->twists) && (!b->is_bounded || bound < b->bound)) {
+    b->is_bounded = true;
+    b->bound = bound;
+    memcpy(b->twists, at->twists, (size_t)s->p->rows * sizeof *b->twists);
+  }
+  /* what comes after that are roundings */
+  const bool stalls = isfinite(before) && before - b->bound <= s->share / 64 * fabs(b->bound);
+  return (b->is_held && (stalls || b->held > TP_MOST_LOAD)) || is_narrow(s);
+}
+
+static bool watch_centre(void *context, const tp_interior_iterate *at) {
+  return try_forces(context, at);
+}
+
+/* A share below the bound forces are found once more, from the nearest ones. */
+static tp_status hold_nearer(proving *s, tp_message *message) {
+  tp_load_bracket *b = s->bracket;
+  const double load = b->bound - s->share / 2 * fabs(b->bound);
+  return tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
+}
+
+tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, double share,
+                               tp_message *message) {
+  memset(b, 0, sizeof *b);
+  tp_ground_tree tree = {.links = NULL};
+  proving s = {.p = p, .tree = &tree, .bracket = b, .share = share};
+  b->forces = calloc((size_t)p->count + 1, sizeof *b->forces);
+  b->twists = calloc((size_t)p->rows + 1, sizeof *b->twists);
+  s.lacks = calloc((size_t)p->rows + 1, sizeof *s.lacks);
+  const bool made =
+      b->forces != NULL && b->twists != NULL && s.lacks != NULL && tp_ground_tree_init(&tree, p);
+  tp_status status = made ? tp_interior_point(p, watch, &s, message)
+                          : tp_fail_memory(message, "the forces between blocks");
+  if (status == TP_OK && b->is_held && b->is_bounded && !is_narrow(&s)) {
+    status = hold_nearer(&s, message);
+  }
+  tp_ground_tree_clear(&tree);
+  free(s.lacks);
+  if (status != TP_OK) tp_load_bracket_clear(b);
+  return status;
+}
+
+void tp_load_bracket_clear(tp_load_bracket *b) {
+  free(b->forces);
+  free(b->twists);
+  memset(b, 0, sizeof *b);
+}

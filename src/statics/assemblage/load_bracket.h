@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The greatest load that some forces hold, between two proofs (the static and the kinematic theorem
+ * of limit analysis, with contacts that dilate by their friction).
+ *
+ * Below: forces of an iterate hold each block up to a rounding. What each is off by is carried
+ * along a tree of contacts to the ground, and added to what each contact of the tree exerts; where
+ * all forces, enclosed, then stay in their cones, equilibrium at that load is proven. Above: where
+ * an iterate's twists, taken as they are, open every contact, w0 . v over -w1 . v is proven to be
+ * no less than any load that can be held. Both take a pass over the contacts, in doubles with their
+ * bounds. */
+
+#ifndef TP_ASSEMBLAGE_LOAD_BRACKET_H
+#define TP_ASSEMBLAGE_LOAD_BRACKET_H
+
+#include "assemblage/force_program.h"
+
+#define TP_MOST_LOAD 1e6
+
+typedef struct tp_load_bracket {
+  bool is_held, is_bounded; /* is there a proof below, above? */
+  double held;              /* forces hold that load, or one the other way; not looked for
+                               beyond TP_MOST_LOAD */
+  double bound; /* none hold more; below zero: none hold it without a load the other way */
+  double *forces, *twists; /* of these proofs, by column and by row */
+} tp_load_bracket;
+
+/* To `share` of itself; where that is not to be had the nearest proofs. On failure cleared. */
+TP_MUST_USE tp_status tp_load_bracket_find(tp_load_bracket *bracket,
+                                           const tp_force_program *program, double share,
+                                           tp_message *message);
+void tp_load_bracket_clear(tp_load_bracket *bracket);
+
+#endif

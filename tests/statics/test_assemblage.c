@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Many blocks: where they touch, and the greatest tilt that forces between them hold, against
+ * closed forms, published walls and slopes, and the mirror image. */
+
+#include "block_pile.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double share = 1e-6;
+
+static void assemble(block_pile *p) {
+  tp_message message = {.text = ""};
+  ck_assert_msg(pile_assemble(p, &message) == TP_OK, "%s", message.text);
+}
+
+/* Both proofs about a number that is known to so much. */
+static void expect(const block_pile *p, double tangent, bool left, double known, double within) {
+  tp_load_bracket b = pile_limit(p, tangent, left, share);
+  ck_assert_msg(b.is_held && b.is_bounded, "held %d %.9f, bounded %d %.9f", b.is_held, b.held,
+                b.is_bounded, b.bound);
+  ck_assert_msg(b.bound - b.held <= share * b.bound, "%.12f to %.12f", b.held, b.bound);
+  ck_assert_msg(b.held <= known + within && b.bound >= known - within, "%.9f to %.9f, not %.9f",
+                b.held, b.bound, known);
+  tp_load_bracket_clear(&b);
+}
+
+/* A slab on the ground: tan of the tilt is the lesser of tan(phi) and width over height. */
+START_TEST(one_block) {
+  block_pile p = {.count = 0};
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, 0, 2, 3, 1, false);
+  assemble(&p);
+  ck_assert_int_eq(p.assemblage.contact_count, 1);
+  for (int left = 0; left < 2; left++) {
+    expect(&p, 0.5, left == 1, 0.5, 0);
+    expect(&p, 0.9, left == 1, 2.0 / 3, 1e-12);
+  }
+  pile_clear(&p);
+}
+END_TEST
+
+/* Walls of Ferris and Tin-Loi (2001): courses of bricks 4 by 1.75, half bricks at the ends of each
+ * other course, the lowest among them. */
+static void add_wall(block_pile *p, int courses, int bricks) {
+  pile_add_box(p, -400, -400, 400 * (bricks + 1), 0, 100, true);
+  for (int c = 0; c < courses; c++) {
+    const bool halves = c % 2 == 0;
+    for (int k = 0; k < bricks + (halves ? 1 : 0); k++) {
+      const long from = 400L * k - (halves ? 200 : 0), to = from + 400;
+      pile_add_box(p, from < 0 ? 0 : from, 175L * c, to > 400L * bricks ? 400L * bricks : to,
+                   175L * (c + 1), 100, false);
+    }
+  }
+}
+
+START_TEST(published_walls) {
+  static const struct {
+    int courses, bricks;
+    long blocks, contacts;
+    double known;
+  } walls[] = {{6, 5, 33, 83, 0.64286}, {10, 5, 55, 141, 0.58000}};
+  for (size_t k = 0; k < sizeof walls / sizeof walls[0]; k++) {
+    block_pile p = {.count = 0};
+    add_wall(&p, walls[k].courses, walls[k].bricks);
+    assemble(&p);
+    ck_assert_int_eq(p.assemblage.free_count, walls[k].blocks);
+    ck_assert_int_eq(p.assemblage.contact_count, walls[k].contacts);
+    for (int left = 0; left < 2; left++) expect(&p, 0.65, left == 1, walls[k].known, 5e-6);
+    pile_clear(&p);
+  }
+}
+END_TEST
+
+/* The slope of Goodman and Bray (1976): sixteen columns 10 wide on steps of 1, the tenth 40 high,
+ * those beside it lower by 4 to the toe and by 6 to the back; x along the steps. */
+static void add_slope(block_pile *p) {
+  enum { COLUMNS = 16, WIDE = 10, TALLEST = 10 };
+  long ground[4 * COLUMNS + 8], at = 0;
+  ground[at++] = -WIDE;
+  ground[at++] = -2 * WIDE;
+  ground[at++] = WIDE * (COLUMNS + 1);
+  ground[at++] = -2 * WIDE;
+  ground[at++] = WIDE * (COLUMNS + 1);
+  ground[at++] = COLUMNS - 1;
+  for (long n = COLUMNS - 1; n > 0; n--) { /* from the back to the toe */
+    ground[at++] = WIDE * n;
+    ground[at++] = n;
+    ground[at++] = WIDE * n;
+    ground[at++] = n - 1;
+  }
+  ground[at++] = -WIDE;
+  ground[at++] = 0;
+  pile_add(p, ground, at / 2, 1, true);
+  for (long n = 1; n <= COLUMNS; n++) {
+    const long high = n <= TALLEST ? 4 * n : 4 * TALLEST - 6 * (n - TALLEST);
+    pile_add_box(p, WIDE * (n - 1), n - 1, WIDE * n, n - 1 + high, 1, false);
+  }
+}
+
+/* It stands at its 30 degrees with tan(phi) = 0.659599, where Goodman and Bray ask for 0.785544. */
+START_TEST(slope_of_columns) {
+  static const double needed = 0.659599, digits = 2e-6;
+  block_pile p = {.count = 0};
+  add_slope(&p);
+  assemble(&p);
+  ck_assert_int_eq(p.assemblage.contact_count, 16 + 15 + 15);
+  tp_load_bracket weak = pile_limit(&p, needed - digits, true, share);
+  tp_load_bracket strong = pile_limit(&p, needed + digits, true, share);
+  ck_assert(weak.is_bounded && strong.is_held);
+  ck_assert_msg(weak.bound < 1 / sqrt(3) && strong.held > 1 / sqrt(3), "%.9f, %.9f", weak.bound,
+                strong.held);
+  tp_load_bracket_clear(&weak);
+  tp_load_bracket_clear(&strong);
+  pile_clear(&p);
+}
+END_TEST
+
+/* Bricks of length 2, the k-th from the top past the edge of the next by 1 / k less a thousandth of
+ * that, balance; by as much more they do not, and fall without any load. */
+START_TEST(stack_of_bricks) {
+  enum { BRICKS = 6, DIVISOR = 60000000 };
+  for (int more = 0; more < 2; more++) {
+    block_pile p = {.count = 0};
+    pile_add_box(&p, -20L * DIVISOR, -DIVISOR, 0, 0, DIVISOR, true);
+    long end = 0; /* of the brick, from the lowest up */
+    for (int k = BRICKS; k > 0; k--) {
+      const long height = BRICKS - k;
+      end += DIVISOR / k / 1000 * (more == 1 ? 1001 : 999);
+      pile_add_box(&p, end - 2L * DIVISOR, height * DIVISOR, end, (height + 1) * DIVISOR, DIVISOR,
+                   false);
+    }
+    assemble(&p);
+    tp_load_bracket b = pile_limit(&p, 0.5, false, share);
+    ck_assert_msg(more == 1 ? b.is_bounded && b.bound < 0 : b.is_held && b.held > 0,
+                  "held %d %g bound %d %g", b.is_held, b.held, b.is_bounded, b.bound);
+    tp_load_bracket_clear(&b);
+    pile_clear(&p);
+  }
+}
+END_TEST
+
+/* Four hundred bricks; under ./check --long a thousand. */
+START_TEST(large_wall) {
+  const long courses = rounds(20, 32);
+  block_pile p = {.count = 0};
+  add_wall(&p, (int)courses, (int)courses);
+  assemble(&p);
+  tp_load_bracket b = pile_limit(&p, 0.65, true, 1e-6);
+  ck_assert_msg(b.is_held && b.is_bounded && b.bound - b.held <= 1e-6 * b.bound, "%.9f to %.9f",
+                b.held, b.bound);
+  tp_load_bracket_clear(&b);
+  pile_clear(&p);
+}
+END_TEST
+
+SUITE(assemblage) {
+  Suite *suite = suite_create("assemblage");
+  TCase *tests = tcase_create("limit");
+  tcase_set_timeout(tests, 600);
+  tcase_add_test(tests, one_block);
+  tcase_add_test(tests, published_walls);
+  tcase_add_test(tests, slope_of_columns);
+  tcase_add_test(tests, stack_of_bricks);
+  tcase_add_test(tests, large_wall);
+  suite_add_tcase(suite, tests);
+  return suite;
+}

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "block_pile.h"
+
+#include "suite.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static void grow(block_pile *p) {
+  if (p->count < p->room) return;
+  p->room = 2 * p->room + 16;
+  p->descriptions = realloc(p->descriptions, (size_t)p->room * sizeof *p->descriptions);
+  ck_assert_ptr_nonnull(p->descriptions);
+}
+
+void pile_add(block_pile *p, const long *corners, long count, long divisor, bool fixed) {
+  grow(p);
+  tp_block_description *own = p->descriptions + p->count++;
+  *own = (tp_block_description){.form = TP_OUTLINE_VERTICES};
+  own->repair = false;
+  own->part_count = fixed; /* kept here until pile_assemble */
+  fmpq_init(own->unit_weight_kn_m3.value);
+  fmpq_set_si(own->unit_weight_kn_m3.value, 25, 1);
+  own->unit_weight_kn_m3.given = true;
+  fmpq_t x, y;
+  fmpq_init(x);
+  fmpq_init(y);
+  for (long k = 0; k < count; k++) {
+    fmpq_set_si(x, corners[2 * k], (ulong)divisor);
+    fmpq_set_si(y, corners[2 * k + 1], (ulong)divisor);
+    ck_assert(tp_polyline_append(&own->outline, x, y, (tp_mark){1, 1}));
+  }
+  fmpq_clear(x);
+  fmpq_clear(y);
+}
+
+void pile_add_box(block_pile *p, long left, long low, long right, long high, long divisor,
+                  bool fixed) {
+  const long corners[] = {left, low, right, low, right, high, left, high};
+  pile_add(p, corners, 4, divisor, fixed);
+}
+
+tp_status pile_assemble(block_pile *p, tp_message *message) {
+  p->sections = calloc((size_t)p->count, sizeof *p->sections);
+  p->given = calloc((size_t)p->count, sizeof *p->given);
+  p->names = calloc((size_t)p->count, sizeof *p->names);
+  ck_assert(p->sections != NULL && p->given != NULL && p->names != NULL);
+  for (long k = 0; k < p->count; k++) {
+    const bool fixed = p->descriptions[k].part_count > 0;
+    p->descriptions[k].part_count = 0;
+    ck_assert_int_eq(tp_section_init(p->sections + k, p->descriptions + k, message), TP_OK);
+    snprintf(p->names[k], PILE_NAME, "%ld", k);
+    p->given[k] = (tp_given_block){.section = p->sections + k, .name = p->names[k], .fixed = fixed};
+  }
+  fmpq_t metres;
+  fmpq_init(metres);
+  fmpq_one(metres);
+  const tp_status status = tp_assemblage_init(&p->assemblage, p->given, p->count, metres, message);
+  fmpq_clear(metres);
+  return status;
+}
+
+void pile_clear(block_pile *p) {
+  tp_assemblage_clear(&p->assemblage);
+  for (long k = 0; k < p->count; k++) {
+    if (p->sections != NULL) tp_section_clear(p->sections + k);
+    tp_polyline_clear(&p->descriptions[k].outline);
+    fmpq_clear(p->descriptions[k].unit_weight_kn_m3.value);
+  }
+  free(p->descriptions);
+  free(p->sections);
+  free(p->given);
+  free(p->names);
+  *p = (block_pile){.count = 0};
+}
+
+tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_left, double share) {
+  tp_message message = {.text = ""};
+  tp_force_program program;
+  tp_load_bracket bracket;
+  tp_near *tangents = calloc((size_t)p->assemblage.contact_count + 1, sizeof *tangents);
+  ck_assert_ptr_nonnull(tangents);
+  for (long k = 0; k < p->assemblage.contact_count; k++) tangents[k] = (tp_near){tangent, 0};
+  ck_assert_int_eq(
+      tp_force_program_tilted(&program, &p->assemblage, tangents, towards_left, &message), TP_OK);
+  ck_assert_int_eq(tp_load_bracket_find(&bracket, &program, share, &message), TP_OK);
+  tp_force_program_clear(&program);
+  free(tangents);
+  return bracket;
+}
