@@ -130,12 +130,16 @@ static tp_status each_block_within(tp_assemblage *a, tp_edge_within_call *within
                                    tp_message *message) {
   boxed_block *boxes = calloc((size_t)a->count + 1, sizeof *boxes);
   long *open = calloc((size_t)a->count + 1, sizeof *open);
-  tp_status status = boxes == NULL || open == NULL ? tp_fail_memory(message, "the blocks") : TP_OK;
-  for (long k = 0; k < a->count && status == TP_OK; k++) {
+  if (boxes == NULL || open == NULL) {
+    free(boxes);
+    free(open);
+    return tp_fail_memory(message, "the blocks");
+  }
+  for (long k = 0; k < a->count; k++) {
     boxes[k].block = k;
     set_block_box(boxes + k, &a->lattice, a->blocks + k);
   }
-  if (status == TP_OK) status = sweep_blocks(a, boxes, open, within, message);
+  const tp_status status = sweep_blocks(a, boxes, open, within, message);
   free(boxes);
   free(open);
   return status;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The linear program of forces between blocks (Livesley 1978; docs/mechanics.md section 10):
+/* The linear program of forces between blocks (Livesley 1978):
  *
  *     maximise s subject to  A f + w0 + s w1 = 0,  f >= 0.
  *
