@@ -6,6 +6,7 @@
 #include "json_stage.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static void nothing(tp_json *j) {

@@ -6,6 +6,7 @@
 
 #include "built_scene.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

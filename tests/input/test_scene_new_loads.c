@@ -6,6 +6,7 @@
 
 #include "built_scene.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static tp_scene *weighed_square(void) {

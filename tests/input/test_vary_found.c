@@ -8,6 +8,7 @@
 #include "varied_scene.h"
 
 #include <pthread.h>
+#include <stdio.h>
 #include <string.h>
 
 static char *found(const tp_scene *scene, const char *key, tp_find_target target, double value) {

@@ -21,6 +21,7 @@
 #include "topple.h"
 
 #include <fenv.h>
+#include <flint/flint.h>
 #include <locale.h>
 #include <mpfr.h>
 #include <pthread.h>

@@ -5,6 +5,7 @@
 
 #include "report/row.h"
 
+#include "output/encode.h"
 #include "report/parts_json.h"
 
 void tp_json_of_case(tp_json *j, const char *key, tp_number_of_case *number, const tp_case *c) {
