@@ -9,15 +9,13 @@
 #include "format/geojson.h"
 #include "format/reference.h"
 #include "format/roles.h"
+#include "format/standing.h"
 #include "format/svg.h"
 #include "format/wkt.h"
 #include "fuzz.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-typedef tp_status (*reader)(tp_drawing *drawing, const tp_text_file *file,
-                            const tp_drawing_options *options, tp_message *message);
 
 static void expect_object(const tp_drawing_object *object) {
   const tp_polyline *line = &object->line;
@@ -50,8 +48,8 @@ static void choose(const tp_drawing *drawing, const char *word, bool chosen, lon
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static const reader readers[] = {tp_dxf_read, tp_svg_read, tp_wkt_read, tp_geojson_read,
-                                   tp_csv_drawing_read};
+  static tp_drawing_reader *const readers[] = {tp_dxf_read, tp_svg_read, tp_wkt_read,
+                                               tp_geojson_read, tp_csv_drawing_read};
   if (size == 0) return -1;
   char *text = fuzz_text(data + 1, size - 1);
   const tp_text_file file = {text, size - 1};
@@ -62,7 +60,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   tp_drawing_options_init(&options);
   fmpq_set_si(options.tolerance, 1, 8);
   const size_t format = data[0] % (sizeof readers / sizeof readers[0]);
-  const tp_status status = readers[format](&drawing, &file, &options, &message);
+  tp_status status = readers[format](&drawing, &file, &options, &message);
+  if (status == TP_OK) {
+    status = tp_standing_read(&drawing, readers[format], &file, &options, &message);
+  }
   FUZZ_EXPECT(status == TP_OK || message.text[0] != '\0');
   for (long k = 0; k < drawing.count; k++) expect_object(drawing.objects + k);
   if (status == TP_OK) {

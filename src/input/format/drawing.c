@@ -5,6 +5,8 @@
 
 #include "format/drawing.h"
 
+#include "format/rise.h"
+
 #include "common/budget.h"
 #include "common/grow.h"
 
@@ -38,6 +40,7 @@ static void clear_object(tp_drawing_object *object) {
   fmpq_clear(object->uncertainty);
   fmpq_clear(object->deviation);
   tp_polyline_clear(&object->line);
+  tp_rise_free(object->rise);
   free(object->layer);
   free(object->name);
 }

@@ -37,6 +37,7 @@ typedef struct tp_drawing_object {
   fmpq_t uncertainty, deviation; /* lengths; 0: exact */
   const char *problem;           /* why it can be no outline, a static text; NULL: it can */
   double most_points;            /* that curves may make of it */
+  struct tp_rise *rise; /* of points with a z (format/standing.h); NULL: none had one; owned */
 } tp_drawing_object;
 
 typedef struct tp_drawing {
@@ -48,6 +49,7 @@ typedef struct tp_drawing {
   tp_drawing_object *objects;
   long hidden;    /* objects of the file that are not shown, and were left out */
   tp_notes notes; /* on what was read */
+  const struct tp_standing *standing; /* the vertical plane that it is read in; NULL: x and y */
   double points_made, points_allowed; /* by curves and inserted blocks (format/drawing_work.h) */
 } tp_drawing;
 

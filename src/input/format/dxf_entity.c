@@ -6,6 +6,7 @@
 
 #include "format/affine.h"
 #include "format/dxf_reader.h"
+#include "format/standing.h"
 
 enum { X = 10, Y = 20, Z = 30, END = 1, RADIUS = 40, BULGE = 42, FLAGS = 70 };
 
@@ -30,10 +31,12 @@ static bool add_point(tp_dxf_reader *r, tp_drawing_object *object, const tp_dxf_
   bool done = tp_dxf_real(r, x, entity, X + offset, 0) &&
               tp_dxf_real(r, y, entity, Y + offset, 0) && tp_dxf_real(r, z, entity, Z + offset, 0);
   if (done) {
-    if (r->has_height && !fmpq_equal(z, r->height)) object->problem = leaves_plane;
+    const bool flat = r->drawing->standing == NULL;
+    if (flat && r->has_height && !fmpq_equal(z, r->height)) object->problem = leaves_plane;
     fmpq_set(r->height, z);
     r->has_height = true;
-    done = tp_drawing_add_point(object, x, y, mark_of(first != NULL ? first : entity->groups)) ||
+    done = tp_drawing_add_in_space(r->drawing, object, x, y, z,
+                                   mark_of(first != NULL ? first : entity->groups)) ||
            tp_dxf_fail_memory(r);
   }
   fmpq_clear(x);

@@ -113,12 +113,14 @@ static bool add_position(reader *r, size_t at) {
   }
   tp_drawing_object *object = r->drawing->objects + r->drawing->count - 1;
   if (r->numbers < NUMBERS) fmpq_zero(r->position + 2);
-  if (!fmpq_equal(r->position + 2, r->height)) {
+  if (r->drawing->standing == NULL && !fmpq_equal(r->position + 2, r->height)) {
     object->problem = "has a z that changes along it; a section is drawn in x and y, so give it "
                       "these two alone";
   }
   r->numbers = 0;
-  return tp_drawing_add_point(object, r->position, r->position + 1, mark) || fail_memory(r);
+  return tp_drawing_add_in_space(r->drawing, object, r->position, r->position + 1, r->position + 2,
+                                 mark) ||
+         fail_memory(r);
 }
 
 /* The end of a position, of a ring, or of a polygon. */

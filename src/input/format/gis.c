@@ -93,7 +93,8 @@ static const char *problem_of(const tp_gis_part *part) {
            "CONVERT_TO_LINEAR";
   }
   return part->z_changes ? "has a z that changes along it; a section is drawn in x and y, so give "
-                           "it these two alone"
+                           "it these two alone; one that stands in a vertical plane is read from "
+                           "GeoJSON, WKT or DXF: ogr2ogr -f GeoJSON makes that of it"
                          : NULL;
 }
 

@@ -10,6 +10,7 @@
 #include "format/dxf.h"
 #include "format/geojson.h"
 #include "format/gis.h"
+#include "format/standing.h"
 #include "format/svg.h"
 #include "format/wkt.h"
 
@@ -17,13 +18,10 @@
 #include <string.h>
 #include <strings.h>
 
-typedef tp_status (*reader)(tp_drawing *drawing, const tp_text_file *file,
-                            const tp_drawing_options *options, tp_message *message);
-
 static const struct {
   const char *ending;
-  reader read;     /* of its text; NULL: by GDAL */
-  bool is_drawing; /* whoever names it */
+  tp_drawing_reader *read; /* of its text; NULL: by GDAL */
+  bool is_drawing;         /* whoever names it */
 } formats[] = {{".dxf", tp_dxf_read, true},
                {".svg", tp_svg_read, true},
                {".wkt", tp_wkt_read, true},
@@ -64,6 +62,8 @@ tp_status tp_drawing_read(tp_drawing *drawing, const tp_drawing_options *options
   if (status != TP_OK) return status;
   drawing->points_allowed = tp_drawing_points_allowed(file.length);
   status = formats[format].read(drawing, &file, options, message);
+  if (status == TP_OK)
+    status = tp_standing_read(drawing, formats[format].read, &file, options, message);
   free(file.text);
   return status;
 }

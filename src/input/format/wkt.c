@@ -105,11 +105,12 @@ static tp_status take_position(reader *r, tp_drawing_object *object, bool first,
   const bool high = count == NUMBERS || (count == 3 && has_height);
   if (!high) fmpq_zero(r->numbers + 2);
   if (first) fmpq_set(r->height, r->numbers + 2);
-  if (!fmpq_equal(r->height, r->numbers + 2)) {
+  if (r->drawing->standing == NULL && !fmpq_equal(r->height, r->numbers + 2)) {
     object->problem = "has a z that changes along it; a section is drawn in x and y, so give it "
                       "these two alone";
   }
-  return tp_drawing_add_point(object, r->numbers, r->numbers + 1, mark)
+  return tp_drawing_add_in_space(r->drawing, object, r->numbers, r->numbers + 1, r->numbers + 2,
+                                 mark)
              ? TP_OK
              : tp_fail_memory(r->message, "a drawing");
 }
