@@ -58,6 +58,22 @@ typedef struct tp_limit {
   bool base_beyond_toe;       /* of the base that this is the limit for: it extends past the toe */
 } tp_limit;
 
+/* Forces on the block over its weight, along x and y of the scene, and their moment about the
+ * centroid of the weight over the weight, counter-clockwise positive. */
+typedef struct tp_wrench_share {
+  tp_bounded share_x, share_y; /* along x and y */
+  tp_bounded moment_m;         /* about the centroid, in metres */
+} tp_wrench_share;
+
+/* All that acts on the block at the limit: with the reactions it cancels. */
+typedef struct tp_limit_balance {
+  bool known;               /* there is a limit at an angle: */
+  tp_wrench_share applied;  /* if known: the weight and all loads at that tilt */
+  tp_wrench_share strength; /* if known: cohesion and bonds that are used up, beside the reactions
+                             */
+  tp_wrench_share sum;      /* if known: of these and of the reactions: 0 within its bound */
+} tp_limit_balance;
+
 #ifdef __cplusplus
 }
 #endif

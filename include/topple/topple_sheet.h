@@ -7,6 +7,7 @@
 #ifndef TOPPLE_SHEET_H
 #define TOPPLE_SHEET_H
 
+#include "topple_load_cases.h"
 #include "topple_solve.h"
 #include "topple_study.h"
 #include "topple_tilt_test.h"
@@ -21,13 +22,16 @@ typedef struct tp_sheet_options {
   const char *date; /* when it was made, as it is to be printed; NULL: it has none */
   int times;        /* not 0: how long each effect took, which no two runs have alike */
   int lines;        /* of each file that the scene was read from, at most; 0: none */
-  /* Of the sheet of a solution, each instead of what the scene says under `report`; NULL: what
-   * that says. The call takes copies. */
+  /* Each instead of what the scene says under `report`; NULL: what that says. The call takes
+   * copies. Language and decimal sign are of the sheet of a solution. */
   const char *language; /* en, es or de */
   const char *decimal;  /* point or comma, before decimals */
   const char *company, *project, *job, *author, *checker, *issued; /* of the letterhead; an empty
                                                                       text: none */
   const char *logo; /* path of a PNG, JPEG or SVG file, which a PDF cannot have */
+  /* Of the sheet of a solution: the load cases of its scene, of which it is that of the first;
+   * NULL: none. The first page has a row for each. */
+  const tp_load_cases *load_cases;
 } tp_sheet_options;
 
 /* The defaults: no date, times, 400 lines of each file. `size` is that of the struct as the caller

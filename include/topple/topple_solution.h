@@ -173,6 +173,14 @@ typedef struct tp_case {
       water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
   tp_bounded water_overtops_deg; /* if water_overtops: its face, whose pressure is computed as if
                                     the face continued upwards */
+  bool may_steepen;          /* it lies at its place, stands there, and as it steepens a motion can
+                                begin (topple_onset.h): */
+  tp_bounded steepen_by_deg; /* if may_steepen: after so much, */
+  tp_bounded steepen_to_deg; /* if may_steepen: at that dip, or tilt */
+  tp_limit_balance balance;  /* of `limit` */
+  bool has_tilt_of_factor;   /* one of the factors is by the tilt (TP_FOS_BY_TILT): */
+  tp_bounded tilt_of_factor_deg; /* if has_tilt_of_factor: of that tilt, at which motions begin, or
+                                    end */
 } tp_case;
 
 /* Bolts of one entry of the scene's anchors, or a pressure of a support, as the scene
@@ -313,6 +321,8 @@ typedef struct tp_solution {
   size_t support_count;                      /* bolts and pressures of a support, */
   tp_support *supports;                      /* in the order of the scene */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
+  unsigned combination; /* if partial_factors != NULL: of favourable and unfavourable actions, the
+                           one that governs, as the library counts them */
 } tp_solution;
 
 /* Case `k`, from 0, of a solution: where it lies also if the library, newer than the program, has

@@ -181,13 +181,14 @@ class StudyResultMethods(Record):
         return written(lib.tp_report_study_json, struct_of(self))
 
     def write_report(self, path: File, study: File,
-                     date: str | None = None, times: bool = True, lines: int = 400) -> None:
+                     date: str | None = None, times: bool = True, lines: int = 400,
+                     letterhead: dict[str, str] | None = None) -> None:
         """Write a calculation sheet into a file: .html, .md or .pdf (Solution.write_report). `study`
         is the file that was run, of which it names all that it rests on."""
         receives = ffi.new("tp_study **")
         checked(lib.tp_study_read, receives, c_path(study))
         own = ffi.gc(receives[0], lib.tp_study_free)
-        options, _held = sheet_options(date, times, lines)
+        options, _held = sheet_options(date, times, lines, letterhead)
         checked(drawing().lib.tp_report_sheet_study, c_path(path), own, struct_of(self), options)
 
 
@@ -217,10 +218,11 @@ class TiltTestMethods:
         checked(lib.tp_report_tilt_file, c_path(path), struct_of(self), moving)
 
     def write_report(self, path: File, scene: Scene, date: str | None = None,
-                     times: bool = True, lines: int = 400) -> None:
+                     times: bool = True, lines: int = 400,
+                     letterhead: dict[str, str] | None = None) -> None:
         """Write a calculation sheet of the test of that scene into a file: .html, .md or .pdf
         (Solution.write_report)."""
-        options, _held = sheet_options(date, times, lines)
+        options, _held = sheet_options(date, times, lines, letterhead)
         scene._use(drawing().lib.tp_report_sheet_tilt, c_path(path), scene._c, struct_of(self),
                    options)
 

@@ -12,6 +12,7 @@ from ._library import ffi, lib
 from .errors import DependencyFailed, failure
 from .given import c_path, c_text
 from .options import options_of
+from .record import struct_of
 
 
 def written(call: Any, *arguments: Any) -> str:
@@ -54,12 +55,14 @@ LETTERHEAD = ("language", "decimal", "company", "project", "job", "author", "che
 
 
 def sheet_options(date: str | None, times: bool, lines: int,
-                  letterhead: dict[str, str] | None = None) -> Any:
+                  letterhead: dict[str, str] | None = None, load_cases: Any = None) -> Any:
     """What a calculation sheet states besides results; the second holds what the first points to."""
     texts: dict[str, str | None] = {"date": date}
     for key, text in (letterhead or {}).items():
         if key != "date" and key not in LETTERHEAD:
             raise TypeError(f"a letterhead has no '{key}': it has date, {', '.join(LETTERHEAD)}")
         texts["issued" if key == "date" else key] = text
-    held = {key: c_path(text) if key == "logo" else c_text(text) for key, text in texts.items() if text is not None}
+    held: dict[str, Any] = {key: c_path(text) if key == "logo" else c_text(text) for key, text in texts.items() if text is not None}
+    if load_cases is not None:
+        held["load_cases"] = struct_of(load_cases)
     return options_of("sheet", times=int(times), lines=lines, **held), held

@@ -14,7 +14,7 @@ from .word import number_of
 from .words import Design, Direction, Mechanism, PivotsListed
 
 if TYPE_CHECKING:
-    from .records import Case, Pivot, Solution
+    from .records import Case, LoadCases, Pivot, Solution
     from .scene import Scene
 
 
@@ -122,15 +122,18 @@ class SolutionMethods:
                    of=self.__dict__["_version"])
 
     def write_report(self: Any, path: File, date: str | None = None, times: bool = True,
-                     lines: int = 400, letterhead: dict[str, str] | None = None) -> None:
+                     lines: int = 400, letterhead: dict[str, str] | None = None,
+                     load_cases: LoadCases | None = None) -> None:
         """Write a calculation sheet to check and sign into a file: .html, .md or .pdf. `date` is
         printed as it is; `times` adds the time of each effect, which differs between runs;
         `lines` of each file that the scene was read from are shown. It has the account of moments
         by elements where `solve(elements=True)` drew it up. `letterhead` has keys of the scene's
-        `report`, each instead of what that says: {"language": "es", "company": "…"}."""
+        `report`, each instead of what that says: {"language": "es", "company": "…"}. `load_cases`
+        are those of the scene (`Scene.solve_load_cases`), of which this is the one that governs:
+        the first page has a row for each."""
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]
-        options, _held = sheet_options(date, times, lines, letterhead)
+        options, _held = sheet_options(date, times, lines, letterhead, load_cases)
         scene._use(drawing().lib.tp_report_sheet, c_path(path), scene._c, solution, options,
                    of=self.__dict__["_version"])
 

@@ -93,6 +93,27 @@ class Cases(GoverningCase):
         self.close(own["dry"]["fos"], min(sums(w, wet=False)[0] for w in (1.35, 0.9)))
         self.close(own["shaken"]["fos"], min(sums(w, shaken=0.18, wet=False)[0] for w in (1.35, 0.9)))
 
+    def test_published_example(self):
+        """Example 9.2 of Bond and Harris, Decoding Eurocode 7, section 9.8.2, as printed there per m² of the rock's surface: in the
+        accidental situation u = 46.2 kPa, σ'_n = 48 kPa, τ = 23.5 kPa and a resistance of 24.4 kPa, and by the factors of material
+        before it 22.9 kPa. The sums of H, β, γ, c and φ are made again here."""
+        _, out, _ = run("solve", "--json", ROOT / "examples" / "slope" / "eurocode_slope.yaml")
+        own = {case["name"].split(",")[0]: case for case in json.loads(out)["load_cases"]}
+        cosine, sine, area = 4 / math.sqrt(17), 1 / math.sqrt(17), 10e3 * math.sqrt(17)
+        for name, height, factor, printed in (("accidental", 5, 1, 24.4), ("DA1-2", 4, 1.25, 22.9)):
+            told = own[name]["cases"][0]["sliding"]
+            pore = 9.81 * height * cosine**2
+            normal = 20 * 5 * cosine**2 - pore
+            resistance = (2 + normal * math.tan(math.radians(25))) / factor
+            self.assertAlmostEqual(told["normal_n"]["value"] / area, normal, 9)
+            self.assertAlmostEqual(told["driving_n"]["value"] / area, 100 * sine * cosine, 9)
+            self.close(own[name]["fos"], resistance / (100 * sine * cosine))
+            self.assertEqual(round(told["driving_n"]["value"] / area, 1), 23.5)
+            self.assertEqual(round(own[name]["fos"]["value"] * told["driving_n"]["value"] / area, 1), printed)
+            if name == "accidental":
+                self.assertEqual((round(pore, 1), round(normal, 1)), (46.2, 48.0))
+        self.assertEqual([case["meets_required"] for case in own.values()], ["not met", "met"])
+
     def test_tangent_exactly(self):
         """The slab alone slides at atan(tan φ / 1.25), by the formula and by contact forces."""
         text = slab(None, more="partial_factors: {friction: 1.25}\n").replace(f"loads: {{cohesion_kpa: {C}}}\n", "")

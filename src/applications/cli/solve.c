@@ -210,14 +210,16 @@ static tp_status print_and_draw(const tp_solve_words *a, const tp_cli_solved *so
   return own.status;
 }
 
-static tp_status write_report(const tp_solve_words *a, const tp_scene *scene,
-                              const tp_solution *solution, tp_message *message) {
+static tp_status write_report(const tp_solve_words *a, const tp_cli_solved *own,
+                              tp_message *message) {
   tp_sheet_options options;
   tp_cli_date date;
   const tp_status status = tp_cli_sheet_options(&options, &date, message);
   options.language = a->language;
-  return status == TP_OK ? tp_cli_write_sheet(a->report, scene, solution, &options, message)
-                         : status;
+  options.load_cases = own->cases;
+  return status == TP_OK
+             ? tp_cli_write_sheet(a->report, own->scene, own->solution, &options, message)
+             : status;
 }
 
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
@@ -229,7 +231,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
                                  : print_solution(&own, a, ended, message);
   }
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
-    status = write_report(a, own.scene, own.solution, message);
+    status = write_report(a, &own, message);
   }
   if (status == TP_OK && *ended == 0 && a->profile != NULL) {
     status = tp_scene_write_profile(a->profile, own.scene, message);

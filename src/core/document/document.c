@@ -7,6 +7,7 @@
 #include "document/document.h"
 
 #include "output/encode.h"
+#include "output/translate.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -93,6 +94,23 @@ void tp_document_take(tp_document *d, tp_passage_kind kind, int level, tp_text *
   own->text = taken(d, text);
 }
 
+/* In the language of the document. */
+static void tell(tp_text *own, tp_document *d, const char *english) {
+  tp_text plain = {0};
+  tp_encode_plain(&plain, english);
+  if (plain.data != NULL) tp_translate(own, d->language, d->comma, plain.data);
+  own->failed = own->failed || plain.failed;
+  tp_text_drop(&plain);
+}
+
+void tp_document_tell(tp_document *d, tp_passage_kind kind, int level, tp_text *english) {
+  tp_text own = {0};
+  if (english->data != NULL) tell(&own, d, english->data);
+  own.failed = own.failed || english->failed;
+  tp_text_drop(english);
+  tp_document_take(d, kind, level, &own);
+}
+
 void tp_document_add(tp_document *d, tp_passage_kind kind, const char *format, ...) {
   tp_text text = {0};
   va_list arguments;
@@ -158,6 +176,12 @@ void tp_document_outside_cell(tp_document *d, const char *outside) {
   tp_text text = {0};
   tp_encode_plain(&text, outside);
   take_cell(d, &text);
+}
+
+void tp_document_told_cell(tp_document *d, const char *english) {
+  tp_text own = {0};
+  tell(&own, d, english);
+  take_cell(d, &own);
 }
 
 void tp_document_word(tp_document *d, const char *english) {

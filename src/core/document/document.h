@@ -109,6 +109,11 @@ void tp_document_table(tp_document *document, tp_table_kind kind, size_t columns
 void tp_document_cell(tp_document *document, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void tp_document_outside_cell(tp_document *document, const char *outside);
+/* An English text that was composed elsewhere, of words of our own and maybe from outside: in the
+ * language of the document as far as its phrases go (output/translate.h). */
+void tp_document_told_cell(tp_document *document, const char *english);
+/* The same as a passage, from a text that is taken over. */
+void tp_document_tell(tp_document *document, tp_passage_kind kind, int level, tp_text *english);
 /* A phrase without arguments. */
 void tp_document_word(tp_document *document, const char *english);
 /* A text of our own, which is taken over. */

@@ -102,10 +102,10 @@ static void draw_swatch(cairo_t *cr, const entry *e, double x, double y) {
 }
 
 /* Where an entry ends on its line; before it a new one where it does not fit. */
-static double draw_entry(double *y, cairo_t *cr, const entry *e, double at, double x,
-                         double width) {
+static double draw_entry(double *y, cairo_t *cr, const tp_figure *figure, const entry *e, double at,
+                         double x, double width) {
   char text[TP_LINE_SIZE];
-  snprintf(text, sizeof text, "%s", e->text);
+  snprintf(text, sizeof text, "%s", tp_figure_word(figure, e->text));
   tp_figure_font(cr, TP_BODY_SIZE, false);
   tp_figure_shorten(cr, text, width - SWATCH_WIDTH);
   const double needed = SWATCH_WIDTH + tp_figure_text_width(cr, text);
@@ -168,7 +168,7 @@ static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
   *y += PITCH;
   double at = x + scale_bar(cr, figure, scale, x, *y) + 14;
   for (size_t k = 0; k < sizeof entries / sizeof entries[0]; k++) {
-    if (entries[k].shown) at = draw_entry(y, cr, entries + k, at, x, width);
+    if (entries[k].shown) at = draw_entry(y, cr, figure, entries + k, at, x, width);
   }
   *y += 2;
   if (names->unused.length == 0) return;

@@ -38,12 +38,13 @@ void tp_figure_lies_heading(tp_text *t, const tp_figure *figure, const tp_state 
 }
 
 /* An arrow out of the panel, and beside it what lies there: "left, 135° SE". */
-static void draw_side(cairo_t *cr, const tp_frame_result *f, bool left, double x, double y) {
+static void draw_side(cairo_t *cr, const tp_figure *figure, bool left, double x, double y) {
+  const tp_frame_result *f = &figure->solution->frame;
   enum { LENGTH = 12, GAP = 4 };
   char azimuth[TP_NUMBER_SIZE + 8], text[TP_NUMBER_SIZE + 24];
   const bool known = tp_text_azimuth(azimuth, f, left);
-  snprintf(text, sizeof text, "%s%s%s", left ? "left" : "right", known ? ", " : "",
-           known ? azimuth : "");
+  snprintf(text, sizeof text, "%s%s%s", tp_figure_word(figure, left ? "left" : "right"),
+           known ? ", " : "", known ? azimuth : "");
   const double middle = y - 0.36 * TP_BODY_SIZE, to = left ? x : x - LENGTH;
   tp_figure_font(cr, TP_BODY_SIZE, false);
   tp_figure_arrow(cr, (tp_spot){left ? to + LENGTH : to, middle},
@@ -54,8 +55,8 @@ static void draw_side(cairo_t *cr, const tp_frame_result *f, bool left, double x
 double tp_figure_sides(cairo_t *cr, const tp_figure *figure, double x, double y, double width) {
   y += TP_LINE_HEIGHT * TP_BODY_SIZE;
   tp_figure_ink(cr, TP_INK_BLACK);
-  draw_side(cr, &figure->solution->frame, true, x, y);
-  draw_side(cr, &figure->solution->frame, false, x + width, y);
+  draw_side(cr, figure, true, x, y);
+  draw_side(cr, figure, false, x + width, y);
   return y + 2;
 }
 

@@ -105,10 +105,14 @@ static double add_cautions(cairo_t *cr, const tp_figure *figure, double x, doubl
   size_t count = 0;
   for (size_t k = 0; k < notes->count; k++) count += notes->items[k].kind == TP_CAUTION;
   if (count == 0) return y;
-  char line[64];
-  snprintf(line, sizeof line, "%zu caution%s: see the report.", count, count == 1 ? "" : "s");
+  tp_text line = {0};
+  tp_text_add(&line, "%zu caution%s: see the report.", count, count == 1 ? "" : "s");
+  tp_figure_tell(figure, &line);
   tp_figure_ink(cr, TP_INK_BLACK);
-  return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, true, line);
+  const double end =
+      tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, true, line.failed ? "" : line.data);
+  tp_text_drop(&line);
+  return end;
 }
 
 bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {

@@ -14,6 +14,7 @@
 
 typedef struct work {
   const char *path;
+  const tp_scene *scene;
   const tp_solution *solution;
   const tp_sheet_options *options;
   tp_file_sources sources;
@@ -26,8 +27,12 @@ static bool draw_figure(cairo_t *cr, const void *context) {
   return tp_figure_page(&height, cr, context);
 }
 
-static tp_status write_sheet(const tp_figure *figure, void *context, tp_message *message) {
+static tp_status write_sheet(const tp_figure *english, void *context, tp_message *message) {
   work *own = context;
+  tp_figure told = *english;
+  const tp_figure *figure = &told;
+  told.language = own->head.language;
+  told.comma = own->head.comma;
   const bool paper = tp_sheet_kind_of(own->path) == TP_SHEET_PDF;
   tp_vector_picture drawing = {draw_figure, figure, tp_figure_width(figure), 0};
   tp_picture picture = {0};
@@ -43,7 +48,7 @@ static tp_status write_sheet(const tp_figure *figure, void *context, tp_message 
   }
   if (status == TP_OK) {
     tp_document document = {0};
-    tp_sheet_build(&document, own->solution, &files, own->options, &own->head, picture);
+    tp_sheet_build(&document, own->scene, own->solution, &files, own->options, &own->head, picture);
     status = tp_sheet_write(own->path, &document, &drawing, own->sources, message);
     tp_document_clear(&document);
   }
@@ -65,6 +70,7 @@ tp_status tp_report_sheet(const char *path, const tp_scene *scene, const tp_solu
   if (status == TP_OK) status = tp_sheet_sources(&sources, scene, message);
   if (status != TP_OK) return status;
   work own = {.path = path,
+              .scene = scene,
               .solution = solution,
               .options = &taken,
               .sources = sources,

@@ -8,7 +8,9 @@
 #include "common/options.h"
 #include "figure/sheet_file.h"
 #include "figure/tilt_frames.h"
+#include "scene/scene.h"
 #include "study/sources.h"
+#include "study/study.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +32,12 @@ static tp_status study_sources(tp_file_sources *sources, const tp_study *study,
   for (size_t k = 0; k < count; k++) paths[k] = tp_study_source(study, k);
   *sources = (tp_file_sources){count, paths};
   return TP_OK;
+}
+
+static tp_status make_head(tp_sheet_head *head, const tp_letterhead *letterhead,
+                           const tp_sheet_options *options, const char *path, tp_message *message) {
+  const bool paper = tp_sheet_kind_of(path) == TP_SHEET_PDF;
+  return tp_sheet_head_make(head, letterhead, options, paper, message);
 }
 
 static tp_status study_charts(tp_sheet_picture charts[CHARTS], const char *path,
@@ -65,18 +73,23 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
   const tp_vector_picture none = {0};
   tp_file_sources sources = {0};
   tp_sheet_files files = {0};
+  tp_sheet_head head = {0};
+  const tp_letterhead *letterhead = study->scene != NULL ? &study->scene->letterhead : NULL;
   tp_status status = tp_sheet_check(path, message);
+  if (status == TP_OK) status = make_head(&head, letterhead, options, path, message);
   if (status == TP_OK) status = study_sources(&sources, study, message);
   if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
+  files.logo = letterhead != NULL ? letterhead->logo : NULL;
   if (status == TP_OK) status = study_charts(charts, path, result, message);
   if (status == TP_OK) {
     tp_document document = {0};
-    tp_sheet_build_study(&document, result, &files, options, charts, CHARTS);
+    tp_sheet_build_study(&document, result, &files, options, &head, charts, CHARTS);
     status = tp_sheet_write(path, &document, &none, sources, message);
     tp_document_clear(&document);
   } else {
     free_charts(charts);
   }
+  tp_logo_clear(&head.logo);
   tp_sheet_files_clear(&files);
   free((void *)sources.paths);
   return status;
@@ -116,9 +129,12 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
   tp_file_sources sources = {0};
   tp_sheet_files files = {0};
   tp_picture frames = {0};
+  tp_sheet_head head = {0};
   tp_status status = tp_sheet_check(path, message);
+  if (status == TP_OK) status = make_head(&head, &scene->letterhead, options, path, message);
   if (status == TP_OK) status = tp_sheet_sources(&sources, scene, message);
   if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
+  files.logo = scene->letterhead.logo;
   if (status == TP_OK) status = tilt_charts(charts, path, test, message);
   if (status == TP_OK && tp_sheet_kind_of(path) != TP_SHEET_PDF) {
     if (tp_report_tilt_frames(&frames.svg, test) == TP_OK) {
@@ -129,12 +145,13 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
   }
   if (status == TP_OK) {
     tp_document document = {0};
-    tp_sheet_build_tilt(&document, test, &files, options, frames, charts, CHARTS);
+    tp_sheet_build_tilt(&document, test, &files, options, &head, frames, charts, CHARTS);
     status = tp_sheet_write(path, &document, &drawing, sources, message);
     tp_document_clear(&document);
   } else {
     free_charts(charts);
   }
+  tp_logo_clear(&head.logo);
   tp_sheet_files_clear(&files);
   free((void *)sources.paths);
   return status;

@@ -5,8 +5,22 @@
 
 #include "figure/figure.h"
 
+#include "output/translate.h"
+
 #include <stdio.h>
 #include <string.h>
+
+void tp_figure_tell(const tp_figure *figure, tp_text *text) {
+  if ((figure->language == NULL && !figure->comma) || text->data == NULL) return;
+  tp_text own = {.failed = text->failed};
+  tp_translate(&own, figure->language, figure->comma, text->data);
+  tp_text_drop(text);
+  *text = own;
+}
+
+const char *tp_figure_word(const tp_figure *figure, const char *english) {
+  return tp_say(figure->language, english);
+}
 
 void tp_figure_font(cairo_t *cr, double size, bool bold) {
   cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,

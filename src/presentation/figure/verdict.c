@@ -212,6 +212,7 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
     tp_text_add(&t, ", φ = %s°%s", tp_page_degrees(n, figure->solution->friction_angle_deg),
                 figure->solution->friction_facet_count > 0 ? " but on some facets" : "");
   }
+  tp_figure_tell(figure, &t);
   const bool done = !t.failed;
   if (done) {
     tp_figure_ink(cr, TP_INK_BLACK);
@@ -249,9 +250,11 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   }
   add_reactions(&more, figure, state);
   add_loads(&more, figure);
+  if (!verdict.failed) verdict.data[begin] = (char)toupper((unsigned char)verdict.data[begin]);
+  tp_figure_tell(figure, &verdict);
+  tp_figure_tell(figure, &more);
   const bool done = !verdict.failed && !more.failed;
   if (done) {
-    verdict.data[begin] = (char)toupper((unsigned char)verdict.data[begin]);
     tp_figure_ink(cr, TP_INK_BLACK);
     *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, true, verdict.data);
     if (more.data != NULL) {

@@ -2,13 +2,14 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* From the windows in which motions can begin (docs/mechanics.md section 6a): the one that holds
- * the block's own tilt, or else the first above it, which bounds what it may steepen by. */
+ * the block's own tilt, or what it may steepen by until the first above it. */
 
 #include "report/as_it_lies.h"
 
 #include "report/first.h"
 #include "report/onset.h"
 #include "report/words.h"
+#include "stability/steepening.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,17 +39,16 @@ bool tp_text_azimuth(char out[TP_NUMBER_SIZE + 8], const tp_frame_result *f, boo
 
 /* Where the block's own tilt lies among the windows. */
 typedef struct place {
-  const tp_window *inside, *above, *below; /* nearest to it; NULL: there is none */
+  const tp_window *inside, *below; /* nearest to it; NULL: there is none */
 } place;
 
 static place find_place(const tp_solution *s, const tp_onset *o) {
   const double tilt = s->tilt_angle_deg.value;
-  place found = {NULL, NULL, NULL};
+  place found = {NULL, NULL};
   for (size_t k = 0; k < o->window_count; k++) {
     const tp_window *w = o->windows + k;
-    if (!w->from_below && w->from_deg.value > tilt) {
-      if (found.above == NULL) found.above = w;
-    } else if (!w->to_above && w->to_deg.value < tilt) {
+    if (!w->from_below && w->from_deg.value > tilt) break;
+    if (!w->to_above && w->to_deg.value < tilt) {
       found.below = w;
     } else {
       found.inside = w;
@@ -92,24 +92,24 @@ static void add_what_begins(tp_page *p, const tp_case *c, tp_bounded at, tp_mech
 }
 
 /* By how much it may steepen. */
-static void add_margin(tp_page *p, const tp_case *c, const tp_window *above) {
+static void add_margin(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
   const bool level = s->frame.level;
   char n[2][TP_NUMBER_SIZE];
-  if (above == NULL) {
+  if (!c->may_steepen) {
     tp_text_add(&p->text, level
                               ? "  However it is turned up-dip, up to 90°, no motion can begin.\n"
                               : "  However the slope steepens, up to 90°, no motion can begin.\n");
     return;
   }
-  tp_text_fixed(n[0], tp_text_less(above->from_deg, s->tilt_angle_deg), 3);
-  tp_text_fixed(n[1], above->from_deg, 3);
+  tp_text_fixed(n[0], c->steepen_by_deg, 3);
+  tp_text_fixed(n[1], c->steepen_to_deg, 3);
   if (level) {
     tp_text_add(&p->text, "  It may turn up-dip by %s°: ", n[0]);
   } else {
     tp_text_add(&p->text, "  It may steepen by %s°, to a dip of %s°: ", n[0], n[1]);
   }
-  add_what_begins(p, c, above->from_deg, above->begins);
+  add_what_begins(p, c, c->steepen_to_deg, tp_steepening_window(s, c)->begins);
 }
 
 /* "can begin to slide, or to topple"; where none is known what is by limit analysis. */
@@ -153,9 +153,8 @@ static void add_below(tp_page *p, const tp_window *below) {
 
 void tp_page_add_as_it_lies(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
-  place found = find_place(s, &c->onset);
+  const place found = find_place(s, &c->onset);
   const bool stands = c->mechanism == TP_STANDS || c->mechanism == TP_INTERLOCKED;
-  if (stands && found.inside != NULL && !found.inside->from_below) found.above = found.inside;
   char where[TP_NUMBER_SIZE + 24] = "as it lies", n[TP_NUMBER_SIZE];
   if (!s->frame.level) {
     snprintf(where, sizeof where, "as it lies, at %s°", tp_page_degrees(n, s->tilt_angle_deg));
@@ -185,7 +184,7 @@ void tp_page_add_as_it_lies(tp_page *p, const tp_case *c) {
     break;
   }
   if (stands) {
-    add_margin(p, c, found.above);
+    add_margin(p, c);
     add_below(p, found.below);
   } else {
     add_flatter(p, found.inside);

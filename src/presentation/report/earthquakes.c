@@ -35,7 +35,7 @@ void tp_page_add_earthquakes(tp_page *p) {
     tp_text_earthquake(&p->text, s, own);
     tp_text_add(&p->text, ": %s", tp_mechanism_name(own->mechanism));
     add_factor(&p->text, own->fos);
-    tp_text_add(&p->text, "\n");
+    tp_text_add(&p->text, k + 1 < s->earthquake_count ? ";\n" : ".\n");
   }
   if (s->earthquake_count > 0) {
     tp_text_add(&p->text, "         The first of them governs, and what follows is of it.\n");

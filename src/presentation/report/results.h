@@ -70,6 +70,11 @@ bool tp_pivot_has_fos(const tp_pivot *pivot, tp_fos fos);
 /* Where no limit is reached as the table is tilted back: why. NULL where one is. */
 const char *tp_text_holds_from_is(tp_limit_kind kind);
 
+/* Why there is no margin, and why the block may not steepen by a certain angle; NULL where there is
+ * one, and of a block that does not lie at its place. */
+const char *tp_text_margin_is(const tp_solution *solution, const tp_case *own);
+const char *tp_text_steepen_is(const tp_solution *solution, const tp_case *own);
+
 /* By which formula the angle of sliding is found. */
 const char *tp_text_sliding_method(const tp_solution *solution);
 

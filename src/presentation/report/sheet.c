@@ -14,7 +14,7 @@
 
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_sheet_options, logo);
+TP_OPTIONS_END(tp_sheet_options, load_cases);
 
 void tp_sheet_options_init(tp_sheet_options *options, size_t size) {
   const tp_sheet_options defaults = {.size = sizeof defaults, .times = 1, .lines = 400};
@@ -33,10 +33,12 @@ static void add_input(tp_sheet *s) {
   tp_sheet_facts(d, &page.text);
   if (own->has_friction) {
     tp_document_cell(d, "Friction");
-    tp_document_cell(d, "φ = %s°%s", tp_page_degrees(n, own->friction_angle_deg),
-                     own->friction_is_residual ? ", residual; more at low stress (Barton's law)"
-                     : own->friction_is_patton ? " with the roughness i (Patton's law)"
-                                               : "");
+    tp_document_cell(d,
+                     own->friction_is_residual
+                         ? "φ = %s°, residual; more at low stress (Barton's law)"
+                     : own->friction_is_patton ? "φ = %s° with the roughness i (Patton's law)"
+                                               : "φ = %s°",
+                     tp_page_degrees(n, own->friction_angle_deg));
   } else {
     tp_document_cell(d, "Friction");
     tp_document_cell(d, "not given: sliding is not judged");
@@ -95,9 +97,9 @@ static void add_effects(tp_sheet *s) {
   if (times) tp_document_cell(d, "Time (ms)");
   for (size_t k = 0; k < own->effect_count; k++) {
     const tp_effect *effect = own->effects + k;
-    tp_document_cell(d, "%s", effect->name);
-    tp_document_outside_cell(d, effect->called_for_by);
-    tp_document_cell(d, "%s", tp_level_name(effect->level));
+    tp_document_word(d, effect->name);
+    tp_document_told_cell(d, effect->called_for_by);
+    tp_document_word(d, tp_level_name(effect->level));
     if (times) tp_document_cell(d, "%.3f", 1e3 * effect->seconds);
   }
 }
@@ -111,7 +113,7 @@ void tp_sheet_add_proof(tp_sheet *s) {
       "Every digit printed is certain: each number has a proven bound, requested to "
       "%d digits. The cheapest arithmetic that certified all of them was %s, at %ld bits. "
       "Effects that the scene does not require were not computed.",
-      own->digits, tp_level_name(own->level), own->bits);
+      own->digits, tp_document_say(d, tp_level_name(own->level)), own->bits);
   if (own->open_number) {
     tp_document_add(d, TP_PASSAGE_CAUTION,
                     "Caution: a number is not certain to the digits requested; only its certain "
@@ -125,10 +127,15 @@ void tp_sheet_add_proof(tp_sheet *s) {
   add_effects(s);
 }
 
+void tp_sheet_set_letterhead(tp_document *d, tp_sheet_head *head) {
+  tp_document_set_letterhead(d, head->texts[TP_LETTERHEAD_COMPANY], head->logo);
+  head->logo = (tp_logo){0};
+}
+
 /* As high as one page of A4, with whatever room there is for the sketch. */
 static void add_front(tp_sheet *s, tp_picture picture) {
   tp_document *d = &s->document;
-  tp_sheet_add_persons(s);
+  tp_sheet_add_persons(d, s->head);
   tp_document_sketch(
       d, picture, "The block on its base, with pivots, forces and their labels.",
       "Drawing of the block on its base. Its verdict, pivots and forces are given in "
@@ -163,6 +170,7 @@ static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
     tp_sheet_add_verdict(s, own->cases + k);
   }
   tp_sheet_add_notes(d, &own->notes);
+  tp_sheet_add_load_case_details(s);
   add_input(s);
   for (size_t k = 0; k < own->case_count; k++) add_case(s, own->cases + k);
   tp_sheet_add_proof(s);
@@ -170,14 +178,14 @@ static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
   tp_sheet_add_files(d, files, s->options);
 }
 
-void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
-                    const tp_sheet_options *options, tp_sheet_head *head, tp_picture picture) {
-  tp_sheet s = {.solution = solution, .options = options, .head = head};
+void tp_sheet_build(tp_document *document, const tp_scene *scene, const tp_solution *solution,
+                    const tp_sheet_files *files, const tp_sheet_options *options,
+                    tp_sheet_head *head, tp_picture picture) {
+  tp_sheet s = {.scene = scene, .solution = solution, .options = options, .head = head};
   tp_document *d = &s.document;
   d->language = head->language;
   d->comma = head->comma;
-  tp_document_set_letterhead(d, head->texts[TP_LETTERHEAD_COMPANY], head->logo);
-  head->logo = (tp_logo){0};
+  tp_sheet_set_letterhead(d, head);
   tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
   tp_sheet_add_foot(d, files, options);
   add_front(&s, picture);

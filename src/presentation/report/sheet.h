@@ -12,10 +12,12 @@
 #include "report/page.h"
 #include "report/settings.h"
 #include "report/sheet_head.h"
+#include "scene/scene.h"
 #include "topple_sheet.h"
 
 typedef struct tp_sheet {
   tp_document document;
+  const tp_scene *scene;
   const tp_solution *solution;
   const tp_sheet_options *options;
   const tp_sheet_head *head;
@@ -40,8 +42,9 @@ TP_MUST_USE tp_status tp_sheet_files_read(tp_sheet_files *files, const char *con
 void tp_sheet_files_clear(tp_sheet_files *files);
 
 /* The whole document of a solution. `picture` and the logo of `head` are taken over. */
-void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
-                    const tp_sheet_options *options, tp_sheet_head *head, tp_picture picture);
+void tp_sheet_build(tp_document *document, const tp_scene *scene, const tp_solution *solution,
+                    const tp_sheet_files *files, const tp_sheet_options *options,
+                    tp_sheet_head *head, tp_picture picture);
 
 /* A picture with its words, taken over; one that is none is no figure. */
 typedef struct tp_sheet_picture {
@@ -49,19 +52,23 @@ typedef struct tp_sheet_picture {
   const char *caption, *alternative;
 } tp_sheet_picture;
 
-/* Those of a study and of a tilt test, with `count` charts. */
+/* Those of a study and of a tilt test, with `count` charts. They are in English. */
 void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
                           const tp_sheet_files *files, const tp_sheet_options *options,
-                          const tp_sheet_picture *charts, size_t count);
+                          tp_sheet_head *head, const tp_sheet_picture *charts, size_t count);
 void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
                          const tp_sheet_files *files, const tp_sheet_options *options,
-                         tp_picture frames, const tp_sheet_picture *charts, size_t count);
+                         tp_sheet_head *head, tp_picture frames, const tp_sheet_picture *charts,
+                         size_t count);
 
 /* A heading, and the figures below it; nothing where there are none. */
 void tp_sheet_add_charts(tp_document *document, const tp_sheet_picture *charts, size_t count);
 
 /* ---- its sections ------------------------------------------------------------------------------
  */
+
+/* Company and logo, which is taken over. */
+void tp_sheet_set_letterhead(tp_document *document, tp_sheet_head *head);
 
 /* The title, or words that stand for it where there is none to be seen. */
 void tp_sheet_add_title(tp_document *document, const char *title, const char *otherwise);
@@ -74,7 +81,6 @@ void tp_sheet_add_origin(tp_document *document, const tp_sheet_files *files,
 /* The files themselves, and who has checked what. */
 void tp_sheet_add_files(tp_document *document, const tp_sheet_files *files,
                         const tp_sheet_options *options);
-/* `head` NULL: no names are known. */
 void tp_sheet_add_signatures(tp_document *document, const tp_sheet_head *head);
 /* Below each page on paper. */
 void tp_sheet_add_foot(tp_document *document, const tp_sheet_files *files,
@@ -83,14 +89,22 @@ void tp_sheet_add_foot(tp_document *document, const tp_sheet_files *files,
 void tp_sheet_add_notes(tp_document *document, const tp_notes *notes);
 
 /* The first page: project and persons, what was given, each case's factor, what follows. */
-void tp_sheet_add_persons(tp_sheet *sheet);
+void tp_sheet_add_persons(tp_document *document, const tp_sheet_head *head);
 void tp_sheet_add_inputs(tp_sheet *sheet);
+void tp_sheet_add_given_loads(tp_sheet *sheet);
 void tp_sheet_add_governing(tp_sheet *sheet);
+void tp_sheet_add_load_cases(tp_sheet *sheet);
+/* In the appendix; nothing where there is nothing to add. */
+void tp_sheet_add_load_case_details(tp_sheet *sheet);
 void tp_sheet_add_conclusion(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_count_cautions(tp_sheet *sheet);
 
 /* What was set in the scene beside its files: a fact each. */
 void tp_sheet_add_settings(tp_document *document, const tp_settings *settings);
+/* Cells: a factor of safety or what stands for it, of one that is an upper bound "at most 1.2"; and
+ * whether it is as required. */
+void tp_sheet_add_fos(tp_sheet *sheet, tp_fos fos, bool at_most);
+const char *tp_sheet_met_words(tp_design design);
 /* A cell: "toppling about pivot 1". */
 void tp_sheet_add_against(tp_sheet *sheet, const tp_factor *factor);
 
@@ -100,6 +114,11 @@ void tp_sheet_add_window(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_pivots(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_formulas(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_sliding_formulas(tp_sheet *sheet, const tp_case *own);
+
+/* The factors by strength reduction and by the tilt. */
+void tp_sheet_add_strength_formulas(tp_sheet *sheet, const tp_case *own);
+/* All forces at the limit, with their sums. */
+void tp_sheet_add_balance(tp_sheet *sheet, const tp_case *own);
 
 /* Where a formula gives the onset, that with its numbers; else why there is none. */
 void tp_sheet_add_onset_formula(tp_sheet *sheet, const tp_case *c);

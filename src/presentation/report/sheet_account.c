@@ -59,7 +59,7 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
     add_arm(s, l);
     tp_document_cell(d, "%s", tp_text_significant(n, tp_sheet_turning(s, l->moment_nm), 6));
     tp_document_word(d, tp_load_side_name(l->side));
-    tp_document_outside_cell(d, l->called_for_by);
+    tp_document_told_cell(d, l->called_for_by);
   }
 }
 
@@ -86,7 +86,7 @@ static void add_element(tp_sheet *s, const tp_element *e, size_t k, const tp_acc
   const tp_page page = {.solution = s->solution};
   char n[TP_NUMBER_SIZE];
   tp_document_cell(d, "%zu", k + 1);
-  tp_document_cell(d, "%s", tp_element_kind_name(e->kind));
+  tp_document_word(d, tp_element_kind_name(e->kind));
   tp_document_cell(d, "%s", area_of(s, n, e->area_m2));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_y_m));
@@ -143,7 +143,7 @@ void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
                   "below 0 it is the other way round. All: sums of areas, weights and moments, and "
                   "the centroid of the weight.",
                   c->toppling_pivot + 1, tp_page_degrees(n, a->angle_deg),
-                  a->at_critical_angle ? ", the critical angle" : "");
+                  a->at_critical_angle ? tp_document_say(d, ", the critical angle") : "");
   tp_document_add(d, TP_PASSAGE_EQUATION,
                   "M_{1k} = W_k (%s) \\cos α \\\\ M_{2k} = W_k (y_k − y_P) \\sin α \\\\"
                   "x_G = \\frac{\\sum W_k x_k}{\\sum W_k} \\\\"

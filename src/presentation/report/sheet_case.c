@@ -19,7 +19,7 @@ void tp_sheet_add_verdict(tp_sheet *s, const tp_case *c) {
   tp_text_governing(&headline, c, " ");
   if (headline.length > 0) {
     tp_text_add(&headline, ".");
-    tp_document_take(&s->document, TP_PASSAGE_ANSWER, 0, &headline);
+    tp_document_tell(&s->document, TP_PASSAGE_ANSWER, 0, &headline);
   } else {
     tp_text_drop(&headline);
     tp_document_add(&s->document, TP_PASSAGE_ANSWER,
@@ -79,15 +79,15 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
     tp_text against = {0};
     if (g->has_factor && k == g->factor) tp_document_mark_row(d);
     tp_text_against(&against, factor);
-    tp_document_outside_cell(d, against.failed ? "" : against.data);
+    tp_document_told_cell(d, against.failed ? "" : against.data);
     d->failed = d->failed || against.failed;
     tp_text_drop(&against);
-    tp_document_cell(d, "%s", tp_page_fos(n, factor->fos));
-    tp_document_cell(d, "%s", definition_words(factor, s->solution->loaded));
+    tp_document_told_cell(d, tp_page_fos(n, factor->fos));
+    tp_document_word(d, definition_words(factor, s->solution->loaded));
     if (factor->counts) {
-      tp_document_cell(d, "%s", g->has_factor && k == g->factor ? "governs" : "yes");
+      tp_document_word(d, g->has_factor && k == g->factor ? "governs" : "yes");
     } else {
-      tp_document_cell(d, "no: %s", tp_text_standing(factor->standing));
+      tp_document_cell(d, "no: %s", tp_document_say(d, tp_text_standing(factor->standing)));
     }
   }
 }
@@ -102,7 +102,7 @@ static void add_onset(tp_document *d, const tp_onset *o) {
   case TP_ONSET_AT_ANGLE:
     tp_document_cell(d, "α_s = %s°", tp_text_fixed(n, o->critical_angle_deg, 3));
     tp_document_cell(d, "Can begin there");
-    tp_document_cell(d, "to %s", tp_text_to_move(o->mechanism));
+    tp_document_cell(d, "to %s", tp_document_say(d, tp_text_to_move(o->mechanism)));
     return;
   case TP_ONSET_NEVER:
     tp_document_cell(d, "every tilt up to 90°: no motion can begin");
@@ -130,7 +130,7 @@ static void add_limit(tp_sheet *s, const tp_case *c) {
     tp_document_cell(d, "α_w = %s°", tp_text_fixed(n, l->critical_angle_deg, 3));
     tp_page_add_limit_motion(&page, c, l);
     tp_document_cell(d, "By limit analysis it");
-    tp_document_outside_cell(d, page.text.data != NULL ? page.text.data : "");
+    tp_document_told_cell(d, page.text.data != NULL ? page.text.data : "");
     d->failed = d->failed || page.text.failed;
     tp_text_drop(&page.text);
     return;
@@ -168,7 +168,7 @@ void tp_sheet_add_window(tp_sheet *s, const tp_case *c) {
   add_limit(s, c);
   if (c->has_margin) {
     if (s->solution->frame.world) {
-      tp_document_cell(d, "It may %s by", tp_text_steepen(s->solution));
+      tp_document_cell(d, "It may %s by", tp_document_say(d, tp_text_steepen(s->solution)));
     } else {
       tp_document_cell(d, "Margin to the lower of them");
     }
@@ -186,19 +186,19 @@ static void add_pivot(tp_sheet *s, const tp_case *c, size_t k) {
   char n[TP_NUMBER_SIZE];
   if (c->has_toppling_pivot && k == c->toppling_pivot) tp_document_mark_row(d);
   tp_document_cell(d, "%zu", k + 1);
-  tp_document_cell(d, "%s", tp_pivot_kind_name(pivot->kind));
+  tp_document_word(d, tp_pivot_kind_name(pivot->kind));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->y_m));
   if (pivot->never || pivot->always) {
-    tp_document_cell(d, "%s", pivot->never ? "never" : "always");
+    tp_document_word(d, pivot->never ? "never" : "always");
   } else {
     tp_document_cell(d, "%s°", tp_text_fixed(n, pivot->critical_angle_deg, 3));
   }
   if (s->solution->has_tilt_angle) {
-    tp_document_cell(d, "%s", tp_page_fos(n, pivot->fos));
-    tp_document_cell(d, "%s", tp_page_fos(n, pivot->fos_elements));
+    tp_document_told_cell(d, tp_page_fos(n, pivot->fos));
+    tp_document_told_cell(d, tp_page_fos(n, pivot->fos_elements));
   }
-  tp_document_cell(d, "%s", tp_text_turning(c, k));
+  tp_document_told_cell(d, tp_text_turning(c, k));
 }
 
 void tp_sheet_add_pivots(tp_sheet *s, const tp_case *c) {

@@ -135,6 +135,8 @@ void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
   if (s->solution->loaded && c->has_toppling_pivot) add_loaded(s, c);
   if (c->has_toppling_pivot) add_elements(s, c);
   tp_sheet_add_sliding_formulas(s, c);
+  tp_sheet_add_strength_formulas(s, c);
   tp_sheet_add_onset_formula(s, c);
   add_least(s, &c->governing_fos);
+  tp_sheet_add_balance(s, c);
 }

@@ -1,152 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The first page of a sheet: whose it is, the sketch, what was given, and what came out. */
+/* The first page of a sheet: whose it is, the factor of each direction, and what follows. */
 
 #include "report/sheet.h"
 
-#include "output/encode.h"
 #include "report/governing.h"
-#include "report/settings.h"
 #include "report/words.h"
 #include "terms/names.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static bool is_given(const char *text) {
   return text != NULL && text[strspn(text, " ")] != '\0';
 }
 
-void tp_sheet_add_persons(tp_sheet *s) {
+void tp_sheet_add_persons(tp_document *d, const tp_sheet_head *head) {
   static const char *const words[TP_LETTERHEAD_TEXTS] = {NULL,          "Project",    "Job",
                                                          "Prepared by", "Checked by", "Date"};
-  tp_document *d = &s->document;
   size_t count = 0;
   for (int k = TP_LETTERHEAD_PROJECT; k < TP_LETTERHEAD_TEXTS; k++) {
-    count += is_given(s->head->texts[k]);
+    count += is_given(head->texts[k]);
   }
   if (count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, count, 0, "Project");
   for (int k = TP_LETTERHEAD_PROJECT; k < TP_LETTERHEAD_TEXTS; k++) {
-    if (is_given(s->head->texts[k])) tp_document_word(d, words[k]);
+    if (is_given(head->texts[k])) tp_document_word(d, words[k]);
   }
   for (int k = TP_LETTERHEAD_PROJECT; k < TP_LETTERHEAD_TEXTS; k++) {
-    if (is_given(s->head->texts[k])) tp_document_outside_cell(d, s->head->texts[k]);
+    if (is_given(head->texts[k])) tp_document_outside_cell(d, head->texts[k]);
   }
-}
-
-/* ---- what was given ----------------------------------------------------------------------------
- */
-
-static void add_section(tp_sheet *s) {
-  const tp_solution *own = s->solution;
-  const tp_block_result *b = &own->block;
-  const tp_page page = {.solution = own};
-  const char *unit = own->length_unit;
-  char n[3][TP_NUMBER_SIZE];
-  tp_document *d = &s->document;
-  const double metres = own->metres_per_unit;
-  tp_text_significant(n[0], tp_text_over(tp_text_over(b->area_m2, metres), metres), 6);
-  tp_document_word(d, "Section");
-  tp_document_cell(d, "A = %s %s²; centroid of the weight G (%s, %s) %s", n[0], unit,
-                   tp_page_coordinate(&page, n[1], b->centroid_x_m),
-                   tp_page_coordinate(&page, n[2], b->centroid_y_m), unit);
-  tp_document_word(d, "Weight");
-  if (!b->has_weight) {
-    tp_document_cell(d, "not given: forces are stated as multiples of the weight W, or not at all");
-    return;
-  }
-  tp_document_cell(d, "W = %s %s over a thickness of %s %s",
-                   tp_text_significant(n[0], tp_sheet_force(s, b->weight_n), 6),
-                   tp_sheet_force_unit(s), tp_page_length(&page, n[1], b->thickness_m, 6), unit);
-}
-
-static void add_contact(tp_sheet *s) {
-  const tp_contact_result *c = &s->solution->contact;
-  const tp_page page = {.solution = s->solution};
-  char n[TP_NUMBER_SIZE];
-  tp_document *d = &s->document;
-  tp_document_word(d, "Contact");
-  tp_document_cell(d, "facets: %zu, single points: %zu; length along the facets %s %s", c->facets,
-                   c->points, tp_page_length(&page, n, c->length_m, 6), s->solution->length_unit);
-}
-
-static void add_friction(tp_sheet *s) {
-  const tp_solution *own = s->solution;
-  char n[TP_NUMBER_SIZE];
-  tp_document *d = &s->document;
-  tp_document_word(d, "Friction");
-  if (!own->has_friction) {
-    tp_document_word(d, "not given: sliding is not judged");
-    return;
-  }
-  tp_page_degrees(n, own->friction_angle_deg);
-  if (own->friction_is_residual) {
-    tp_document_cell(d, "φ = %s°, residual; more at low stress (Barton's law)", n);
-  } else if (own->friction_is_patton) {
-    tp_document_cell(d, "φ = %s° with the roughness i (Patton's law)", n);
-  } else if (own->friction_facet_count > 0) {
-    tp_document_cell(d, "φ = %s°; some facets have a friction of their own", n);
-  } else {
-    tp_document_cell(d, "φ = %s°", n);
-  }
-}
-
-static void add_tilt(tp_sheet *s) {
-  const tp_solution *own = s->solution;
-  char n[TP_NUMBER_SIZE];
-  tp_document *d = &s->document;
-  if (own->frame.world && own->frame.dips) {
-    tp_document_word(d, "As it lies");
-    tp_document_cell(d,
-                     own->frame.dips_towards == TP_TOWARDS_LEFT
-                         ? "the plane dips by %s° towards the left"
-                         : "the plane dips by %s° towards the right",
-                     tp_page_degrees(n, own->frame.dip_deg));
-    return;
-  }
-  tp_document_word(d, "Tilt");
-  if (own->has_tilt_angle) {
-    tp_document_cell(d, "α = %s°", tp_page_degrees(n, own->tilt_angle_deg));
-  } else {
-    tp_document_word(d, "not given: no factors of safety");
-  }
-}
-
-/* Each kind of load once, by its name. */
-static void add_loads(tp_sheet *s) {
-  tp_document *d = &s->document;
-  tp_text names = {0};
-  if (!s->solution->loaded) return;
-  for (size_t k = 0; k < s->solution->case_count && names.length == 0; k++) {
-    const tp_case *c = s->solution->cases + k;
-    for (size_t l = 0; l < c->load_count; l++) {
-      bool seen = strncmp(c->loads[l].name, "weight", 6) == 0;
-      for (size_t m = 0; m < l && !seen; m++) seen = c->loads[m].name == c->loads[l].name;
-      if (seen) continue;
-      tp_text_add(&names, "%s%s", names.length > 0 ? ", " : "",
-                  tp_document_say(d, c->loads[l].name));
-    }
-  }
-  tp_document_word(d, "Loads");
-  if (names.length > 0) {
-    tp_document_take_cell(d, &names);
-  } else {
-    tp_text_drop(&names);
-    tp_document_word(d, "given: see the account");
-  }
-}
-
-void tp_sheet_add_inputs(tp_sheet *s) {
-  tp_document *d = &s->document;
-  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Inputs");
-  add_section(s);
-  add_contact(s);
-  add_friction(s);
-  add_tilt(s);
-  add_loads(s);
-  tp_sheet_add_settings(d, &s->solution->settings);
 }
 
 /* ---- what came out -----------------------------------------------------------------------------
@@ -178,7 +61,7 @@ static const char *state_words(tp_fos fos) {
   return "–";
 }
 
-static void add_fos(tp_sheet *s, tp_fos fos, bool at_most) {
+void tp_sheet_add_fos(tp_sheet *s, tp_fos fos, bool at_most) {
   char n[TP_NUMBER_SIZE];
   if (state_words(fos) != NULL) {
     tp_document_word(&s->document, state_words(fos));
@@ -187,7 +70,7 @@ static void add_fos(tp_sheet *s, tp_fos fos, bool at_most) {
   }
 }
 
-static const char *met_words(tp_design design) {
+const char *tp_sheet_met_words(tp_design design) {
   return design == TP_DESIGN_MET ? "met" : design == TP_DESIGN_NOT_MET ? "not met" : "undecided";
 }
 
@@ -197,14 +80,14 @@ static void add_required(tp_sheet *s, tp_design design) {
   char n[TP_NUMBER_SIZE];
   if (!g->has_required_fos) return;
   tp_document_cell(d, "%s", tp_text_significant(n, g->required_fos, 6));
-  tp_document_word(d, met_words(design));
+  tp_document_word(d, tp_sheet_met_words(design));
 }
 
 static void add_case_row(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const tp_governing_fos *g = &c->governing_fos;
   tp_document_word(d, case_words(s->solution, c));
-  add_fos(s, g->fos, g->sliding_judged && !g->complete);
+  tp_sheet_add_fos(s, g->fos, g->sliding_judged && !g->complete);
   if (g->has_factor) {
     tp_sheet_add_against(s, g->factors + g->factor);
   } else {
@@ -235,7 +118,8 @@ static void add_earthquake_row(tp_sheet *s, const tp_earthquake *own, bool verti
       d, "earthquake to the %s, %s%s", tp_document_say(d, tp_direction_name(own->towards)),
       tp_document_say(d, own->up_dip ? "up-dip" : "down-dip"),
       !vertical ? "" : tp_document_say(d, own->vertical ? ", with k_v" : ", without k_v"));
-  add_fos(s, own->fos, first && c->governing_fos.sliding_judged && !c->governing_fos.complete);
+  tp_sheet_add_fos(s, own->fos,
+                   first && c->governing_fos.sliding_judged && !c->governing_fos.complete);
   if (first && c->governing_fos.has_factor) {
     tp_sheet_add_against(s, c->governing_fos.factors + c->governing_fos.factor);
   } else {
@@ -247,6 +131,10 @@ static void add_earthquake_row(tp_sheet *s, const tp_earthquake *own, bool verti
 }
 
 void tp_sheet_add_governing(tp_sheet *s) {
+  if (s->options->load_cases != NULL) {
+    tp_sheet_add_load_cases(s);
+    return;
+  }
   const tp_solution *own = s->solution;
   tp_document *d = &s->document;
   const bool required = own->cases[0].governing_fos.has_required_fos;
@@ -337,7 +225,7 @@ void tp_sheet_add_conclusion(tp_sheet *s, const tp_case *c) {
     tp_text_add(&t, " ");
     tp_text_add(&t, tp_document_say(d, "Required factor of safety %s: %s."),
                 tp_text_significant(n, g->required_fos, 6),
-                tp_document_say(d, met_words(g->meets_required)));
+                tp_document_say(d, tp_sheet_met_words(g->meets_required)));
   }
   if (!s->solution->has_friction) {
     add_sentence(&t, tp_document_say(d, "Sliding is not judged: no friction angle is given."));

@@ -24,7 +24,8 @@ static void add_reactions(tp_sheet *s, const tp_limit *l) {
   for (size_t k = 0; k < l->reaction_count; k++) {
     const tp_reaction *r = l->reactions + k;
     if (r->of_facet) {
-      tp_document_cell(d, "facet %zu, %s end", r->facet + 1, r->at_right_end ? "right" : "left");
+      tp_document_cell(d, r->at_right_end ? "facet %zu, right end" : "facet %zu, left end",
+                       r->facet + 1);
     } else {
       tp_document_cell(d, "base past the toe");
     }
@@ -75,17 +76,14 @@ static void add_motion(tp_sheet *s, const tp_motion *m) {
   tp_document *d = &s->document;
   const tp_page page = {.solution = s->solution};
   char n[2][TP_NUMBER_SIZE];
-  tp_document_cell(d, "%s", tp_mechanism_name(m->mechanism));
+  tp_document_word(d, tp_mechanism_name(m->mechanism));
   if (m->has_centre) {
     tp_document_cell(d, "(%s, %s)", tp_page_coordinate(&page, n[0], m->centre_x_m),
                      tp_page_coordinate(&page, n[1], m->centre_y_m));
   } else {
     tp_document_cell(d, "–");
   }
-  tp_document_cell(d, "%s",
-                   m->accelerations_fixed ? "these"
-                   : m->greatest          ? "at most"
-                                          : "at least");
+  tp_document_word(d, m->accelerations_fixed ? "these" : m->greatest ? "at most" : "at least");
   tp_document_cell(d, "%s", tp_text_significant(n[0], m->acceleration_x_g, 4));
   tp_document_cell(d, "%s", tp_text_significant(n[0], m->acceleration_y_g, 4));
   tp_document_cell(d, "%s", tp_text_significant(n[0], m->angular_g_per_m, 4));
@@ -95,7 +93,8 @@ void tp_sheet_add_motions(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const tp_onset *o = &c->onset;
   if (!o->has_motions || o->motion_count == 0) return;
-  tp_document_heading(d, 3, "Motions that can begin %s", tp_text_present(s->solution));
+  tp_document_heading(d, 3, "Motions that can begin %s",
+                      tp_document_say(d, tp_text_present(s->solution)));
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x38, "Accelerations of the centroid, g gravity");
   tp_document_cell(d, "Motion");
   tp_document_cell(d, "About (%s)", s->solution->length_unit);

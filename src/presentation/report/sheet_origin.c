@@ -178,8 +178,8 @@ void tp_sheet_add_files(tp_document *d, const tp_sheet_files *files,
 
 void tp_sheet_add_signatures(tp_document *d, const tp_sheet_head *head) {
   static const char *const who[] = {"Prepared by", "Checked by", "Approved by"};
-  const char *names[] = {head != NULL ? head->texts[TP_LETTERHEAD_AUTHOR] : NULL,
-                         head != NULL ? head->texts[TP_LETTERHEAD_CHECKER] : NULL, NULL};
+  const char *names[] = {head->texts[TP_LETTERHEAD_AUTHOR], head->texts[TP_LETTERHEAD_CHECKER],
+                         NULL};
   tp_document_heading(d, 2, "Signatures");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 0, "Who has prepared, checked and approved it");
   tp_document_word(d, "Role");
@@ -224,7 +224,7 @@ static void add_notes(tp_document *d, const tp_notes *notes, tp_note_kind kind) 
       tp_encode_plain(&text, note->place);
       tp_text_add(&text, ")");
     }
-    tp_document_take(d, kind == TP_CAUTION ? TP_PASSAGE_CAUTION : TP_PASSAGE_PARAGRAPH, 0, &text);
+    tp_document_tell(d, kind == TP_CAUTION ? TP_PASSAGE_CAUTION : TP_PASSAGE_PARAGRAPH, 0, &text);
   }
 }
 

@@ -215,10 +215,12 @@ static void add_price(tp_document *d, const tp_study_result *r) {
 
 void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
                           const tp_sheet_files *files, const tp_sheet_options *options,
-                          const tp_sheet_picture *charts, size_t count) {
+                          tp_sheet_head *head, const tp_sheet_picture *charts, size_t count) {
   tp_document own = {0}, *d = &own;
+  tp_sheet_set_letterhead(d, head);
   tp_sheet_add_title(d, result->title, "Probability that a rock block moves");
   tp_sheet_add_foot(d, files, options);
+  tp_sheet_add_persons(d, head);
   tp_document_heading(d, 2, "Answer");
   add_answer(d, result);
   tp_sheet_add_charts(d, charts, count);
@@ -232,6 +234,6 @@ void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
   }
   tp_sheet_add_origin(d, files, options);
   tp_sheet_add_files(d, files, options);
-  tp_sheet_add_signatures(d, NULL);
+  tp_sheet_add_signatures(d, head);
   *document = own;
 }

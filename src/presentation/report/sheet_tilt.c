@@ -57,11 +57,14 @@ static void add_case(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *
 
 void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
                          const tp_sheet_files *files, const tp_sheet_options *options,
-                         tp_picture frames, const tp_sheet_picture *charts, size_t count) {
+                         tp_sheet_head *head, tp_picture frames, const tp_sheet_picture *charts,
+                         size_t count) {
   tp_document own = {0}, *d = &own;
   tp_text settings = {0};
+  tp_sheet_set_letterhead(d, head);
   tp_sheet_add_title(d, test->title, "Simulated tilt test of a rock block");
   tp_sheet_add_foot(d, files, options);
+  tp_sheet_add_persons(d, head);
   tp_document_add(d, TP_PASSAGE_CAUTION,
                   "A simulation: its numbers have no proven bound. The static tilts α_s and α_w "
                   "given beside them do; topple solve --report documents these.");
@@ -78,6 +81,6 @@ void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
   tp_sheet_add_charts(d, charts, count);
   tp_sheet_add_origin(d, files, options);
   tp_sheet_add_files(d, files, options);
-  tp_sheet_add_signatures(d, NULL);
+  tp_sheet_add_signatures(d, head);
   *document = own;
 }

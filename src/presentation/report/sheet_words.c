@@ -28,7 +28,7 @@ static void add_words(tp_text *t, const char *line, size_t length) {
 }
 
 static void end_paragraph(tp_document *d, tp_passage_kind kind, tp_text *paragraph) {
-  if (paragraph->length > 0) tp_document_take(d, kind, 0, paragraph);
+  if (paragraph->length > 0) tp_document_tell(d, kind, 0, paragraph);
   tp_text_drop(paragraph);
   *paragraph = (tp_text){0};
 }
@@ -56,8 +56,8 @@ void tp_sheet_facts(tp_document *d, tp_text *text) {
     const size_t length = strcspn(at, "\n");
     const bool begins = length > 0 && *at != ' ';
     if (begins && value.length > 0) {
-      tp_document_cell(d, "%s", label);
-      tp_document_outside_cell(d, value.data);
+      tp_document_word(d, label);
+      tp_document_told_cell(d, value.data);
       tp_text_drop(&value);
       value = (tp_text){0};
     }
@@ -67,8 +67,8 @@ void tp_sheet_facts(tp_document *d, tp_text *text) {
     at += length + (at[length] == '\n');
   }
   if (value.length > 0) {
-    tp_document_cell(d, "%s", label);
-    tp_document_outside_cell(d, value.data);
+    tp_document_word(d, label);
+    tp_document_told_cell(d, value.data);
   }
   tp_text_drop(&value);
   tp_text_drop(text);

@@ -54,6 +54,36 @@ const char *tp_text_holds_from_is(tp_limit_kind kind) {
   return NULL;
 }
 
+const char *tp_text_margin_is(const tp_solution *s, const tp_case *c) {
+  if (c->has_margin) return NULL;
+  if (!s->has_tilt_angle) return "no tilt given";
+  switch (c->onset.kind) {
+  case TP_ONSET_NOWHERE:
+    return "certain to stand at no tilt";
+  case TP_ONSET_NEVER:
+    return "certain to stand at every tilt";
+  case TP_ONSET_NOT_ASKED:
+    return c->first == TP_INTERLOCKED           ? "certain to stand at every tilt"
+           : c->first == TP_MECHANISM_UNDECIDED ? "undecided"
+                                                : "certain to stand at no tilt";
+  case TP_ONSET_UNDECIDED:
+  case TP_ONSET_AT_ANGLE:
+    break;
+  }
+  return "undecided";
+}
+
+const char *tp_text_steepen_is(const tp_solution *s, const tp_case *c) {
+  if (!s->frame.world || s->frame.level || c->may_steepen) return NULL;
+  if (!s->has_tilt_angle) return "no tilt given";
+  if (c->mechanism == TP_MECHANISM_UNDECIDED || c->onset.kind == TP_ONSET_UNDECIDED ||
+      c->onset.kind == TP_ONSET_NOT_ASKED) {
+    return "undecided";
+  }
+  const bool stands = c->mechanism == TP_STANDS || c->mechanism == TP_INTERLOCKED;
+  return stands ? "certain to stand at every dip" : "does not stand as it lies";
+}
+
 const char *tp_text_sliding_method(const tp_solution *s) {
   return s->loaded               ? "forces along and across the facet"
          : s->friction_is_patton ? "Patton, phi_b + i"

@@ -7,6 +7,7 @@
 #include "shape/shape.h"
 
 #include "common/message.h"
+#include "scene/partial_factors.h"
 #include "stability/earthquakes.h"
 #include "stability/solution.h"
 
@@ -274,8 +275,9 @@ static tp_status init(tp_shape *shape, const tp_problem *problem, bool elements,
   return tp_fail_memory(message, "the figure");
 }
 
-tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, tp_shape_work *work,
-                           void *context, tp_message *message) {
+/* The scene that the solution is of: with partial factors those of the combination that governs. */
+static tp_status work_on(const tp_scene *scene, const tp_solution *solution, tp_shape_work *work,
+                         void *context, tp_message *message) {
   tp_solution *notes = tp_solution_new(); /* of the preparation, not wanted */
   if (notes == NULL) return tp_fail_memory(message, "the figure");
   tp_problem problem;
@@ -294,5 +296,18 @@ tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, t
     tp_problem_clear(&problem);
   }
   tp_solution_free(notes);
+  return status;
+}
+
+tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, tp_shape_work *work,
+                           void *context, tp_message *message) {
+  if (scene->partial_factors == NULL || solution->partial_factors == NULL) {
+    return work_on(scene, solution, work, context, message);
+  }
+  tp_scene factored;
+  tp_status status = tp_factored_init(&factored, scene, solution->combination, message);
+  if (status != TP_OK) return status;
+  status = work_on(&factored, solution, work, context, message);
+  tp_factored_clear(&factored);
   return status;
 }

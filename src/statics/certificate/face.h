@@ -64,6 +64,10 @@ void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judg
 void tp_face_settle_capacities(tp_face *face, const tp_cones *cones, const bool *at_most,
                                const tp_judge *judge);
 
+/* Add the capacities that are at their bounds to a wrench. */
+void tp_face_add_capacities(tp_vector *wrench, const tp_face *face, const tp_cones *cones,
+                            const tp_judge *judge);
+
 /* Of a face that is spanned: the factors on both columns with which they balance the wrench
  * together with the capacities at their bounds. The wrench lies in the face. */
 void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,

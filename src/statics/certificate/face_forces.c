@@ -54,9 +54,8 @@ void tp_face_settle_capacities(tp_face *face, const tp_cones *cones, const bool 
   arb_clear(power);
 }
 
-/* wrench + sum of the full capacities */
-static void add_full(tp_vector *wrench, const tp_face *face, const tp_cones *cones,
-                     const tp_judge *judge) {
+void tp_face_add_capacities(tp_vector *wrench, const tp_face *face, const tp_cones *cones,
+                            const tp_judge *judge) {
   const long first = 2 * cones->count, count = tp_cones_column_count(cones);
   tp_vector column;
   arb_t most;
@@ -84,7 +83,7 @@ void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
   tp_vector_init(&cross);
   arb_init(size);
   for (int row = 0; row < 3; row++) arb_set(rest.of + row, wrench->of + row);
-  if (cones->capacity_count > 0) add_full(&rest, face, cones, judge);
+  if (cones->capacity_count > 0) tp_face_add_capacities(&rest, face, cones, judge);
   tp_vector_neg(&rest);
   tp_vector_dot(size, &face->normal, &face->normal, judge->precision);
   for (int k = 0; k < 2; k++) {

@@ -39,6 +39,7 @@ static tp_status tell(tp_solution *solution, const tp_scene *scene, unsigned com
   const bool told = factors != NULL && text != NULL;
   free(factors);
   solution->partial_factors = text;
+  solution->combination = combination;
   if (!told) return tp_fail_memory(message, "the partial factors");
   return tp_notes_add(&solution->notes, message, TP_NOTE, scene->partial_factors->place,
                       "with partial factors %s; numbers are of the factored scene", text);

@@ -142,6 +142,7 @@ static void govern(tp_case *c, const tp_solution *solution) {
   *g = (tp_governing_fos){.fos = {.state = TP_FOS_NO_TILT},
                           .sliding_judged = solution->has_friction,
                           .complete = solution->has_friction};
+  c->has_tilt_of_factor = false;
   if (!solution->has_tilt_angle) return;
   g->fos.state = TP_FOS_NOT_ASKED;
   const tp_at_scene at = tp_at_scene_of(c, solution);
@@ -151,7 +152,7 @@ static void govern(tp_case *c, const tp_solution *solution) {
     tp_governing_add_formulas(g, &at);
   }
   const bool asked = c->onset.kind != TP_ONSET_NOT_ASKED;
-  if (asked) tp_governing_add_onset(g, &at);
+  c->has_tilt_of_factor = asked && tp_governing_add_onset(g, &at, &c->tilt_of_factor_deg);
   if (!asked || c->onset.fos.state == TP_FOS_NOT_ASKED) g->complete = false;
   if (c->falls_backwards && !asked) {
     g->up_dip = true;

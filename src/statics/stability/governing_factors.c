@@ -223,7 +223,8 @@ static tp_bounded tangents(tp_bounded one, tp_bounded other) {
 /* What is known of a factor by the tilt. */
 typedef struct by_tilt {
   const tp_at_scene *at;
-  bool has; /* of several ends that whose ratio is nearest to 1 counts */
+  bool has;           /* of several ends that whose ratio is nearest to 1 counts, */
+  tp_bounded end_deg; /* this one */
   tp_factor factor;
 } by_tilt;
 
@@ -238,6 +239,7 @@ static void add_end(by_tilt *own, const tp_window *w, tp_bounded end) {
   if (!isfinite(ratio.error)) return;
   if (own->has && fabs(log(ratio.value)) >= fabs(log(held))) return;
   own->has = true;
+  own->end_deg = end;
   own->factor.fos = (tp_fos){TP_FOS_NUMBER, ratio};
   own->factor.mechanism = own->at->moves ? mover(own->at->c) : w->begins;
 }
@@ -275,13 +277,13 @@ static bool formulas_tell(const tp_governing_fos *g, const tp_at_scene *at, tp_b
 
 /* Where no change of strength matters, the tilt tells, and of an end of a window at which no other
  * factor is 1; and where motions end as it rises, how far it lies above that. */
-static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
+static bool add_tilt(tp_governing_fos *g, const tp_at_scene *at, tp_bounded *end_deg) {
   const tp_onset *onset = &at->c->onset;
   const tp_bounded tilt = at->solution->tilt_angle_deg;
   const double upright = 90;
   by_tilt own = {.at = at, .factor = {.definition = TP_FOS_BY_TILT, .counts = true}};
   const bool sits = tilt.value > 0 && tilt.value < upright && (at->moves || at->stands);
-  if (!sits || at->solution->friction_is_residual) return;
+  if (!sits || at->solution->friction_is_residual) return false;
   const bool strength = onset->fos.state == TP_FOS_NUMBER;
   const bool told = strength || (at->moves && has_way(g));
   for (size_t k = 0; k < onset->window_count; k++) {
@@ -295,6 +297,8 @@ static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
     if (!w->to_above && (at->moves ? to : !rises)) add_end(&own, w, w->to_deg);
   }
   if (own.has) add(g, own.factor);
+  if (own.has) *end_deg = own.end_deg;
+  return own.has;
 }
 
 void tp_governing_add_formulas(tp_governing_fos *g, const tp_at_scene *at) {
@@ -302,7 +306,7 @@ void tp_governing_add_formulas(tp_governing_fos *g, const tp_at_scene *at) {
   add_sliding(g, at);
 }
 
-void tp_governing_add_onset(tp_governing_fos *g, const tp_at_scene *at) {
+bool tp_governing_add_onset(tp_governing_fos *g, const tp_at_scene *at, tp_bounded *end_deg) {
   add_reduction(g, at);
-  add_tilt(g, at);
+  return add_tilt(g, at, end_deg);
 }

@@ -34,8 +34,10 @@ typedef struct tp_at_scene {
 tp_at_scene tp_at_scene_of(const tp_case *own, const tp_solution *solution);
 
 /* Fills in the factors that are known: by moments and by shear strength; and, where the onset was
- * asked for, by strength and by the tilt. */
+ * asked for, by strength and by the tilt: then true, with the tilt at which motions begin, or end.
+ */
 void tp_governing_add_formulas(tp_governing_fos *governing, const tp_at_scene *at);
-void tp_governing_add_onset(tp_governing_fos *governing, const tp_at_scene *at);
+bool tp_governing_add_onset(tp_governing_fos *governing, const tp_at_scene *at,
+                            tp_bounded *end_deg);
 
 #endif

@@ -9,6 +9,7 @@
 #include "evaluation/stages.h"
 #include "limit/program.h"
 #include "static_limit/limit_asked.h"
+#include "static_limit/limit_balance.h"
 #include "static_limit/limit_cones.h"
 #include "static_limit/limit_friction.h"
 #include "static_limit/limit_result.h"
@@ -101,7 +102,7 @@ static void reduce_at_tilts(const tp_further_tilts *tilts, tp_limit_asking *a) {
 }
 
 static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_asking *a,
-                     tp_direction towards) {
+                     tp_direction towards, tp_limit_balance *balance) {
   const tp_evaluation *e = a->e;
   if (holds_at_single_tilts(a)) { /* a search may come upon one of them, or not */
     result->kind = TP_LIMIT_NOWHERE;
@@ -115,6 +116,9 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_
     return;
   }
   tp_limit_describe(result, e, a->question, a->answer, towards, a->certainty);
+  if (balance != NULL && result->kind == TP_LIMIT_AT_ANGLE) {
+    tp_limit_balance_find(balance, e, a->question, a->answer, towards);
+  }
   arb_set(angle->sine, a->answer->sine);
   arb_set(angle->cosine, a->answer->cosine);
   arb_set(angle->degrees, a->answer->degrees);
@@ -135,12 +139,14 @@ typedef struct contact_forces {
   bool has_scaled; /* not with friction that depends on the load: it changes with every question */
 } contact_forces;
 
-/* Tilted on or back; with the factor of safety, there and at further tilts; and whether the limit
- * serves for the base as it is otherwise is told there, or not asked. */
+/* Tilted on or back; with the factor of safety, there and at further tilts; whether the limit
+ * serves for the base as it is otherwise is told there, or not asked; and likewise all forces at
+ * it. */
 typedef struct variant {
   bool back, with_factor;
   const tp_further_tilts *tilts;
   bool *serves;
+  tp_limit_balance *balance;
 } variant;
 
 /* False when memory is exhausted. */
@@ -179,7 +185,7 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation 
   if (share_scaled(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
     tp_limit_meet_friction(result, &a);
-    describe(result, angle, &a, towards);
+    describe(result, angle, &a, towards, v.balance);
     if (v.serves != NULL && a.outcome == TP_LIMIT_PROVEN && !asked.took_zero &&
         !tp_limit_serves(v.serves, e, towards, question, &answer)) {
       a.outcome = TP_LIMIT_OUT_OF_MEMORY;
@@ -209,7 +215,9 @@ static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_bal
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
   result->limit_holds_from = result->limit;
-  const variant forward = {.with_factor = true, .tilts = tilts, .serves = serves};
+  result->balance = (tp_limit_balance){.known = false};
+  const variant forward = {
+      .with_factor = true, .tilts = tilts, .serves = serves, .balance = &result->balance};
   const bool done =
       ask(&result->limit, limit, e, &c, towards, forward, certainty) &&
       ask(&result->limit_holds_from, back, e, &c, towards, (variant){.back = true}, certainty);
@@ -261,6 +269,7 @@ static void share_limits(const tp_further_tilts *tilts, const tp_case *result, b
     at->limit = result->limit;
     at->limit.fos = told.fos;
     at->limit.fos_mechanism = told.fos_mechanism;
+    at->balance = result->balance;
     at->limit_holds_from = result->limit_holds_from;
     take_otherwise(at);
     if (otherwise) at->limit_otherwise = result->limit_otherwise;
