@@ -20,9 +20,10 @@
 
 tp_status last_status;
 
-/* A calculation sheet, with a file that it is of. */
-static void write_sheet(const tp_solution *solution, const char *path) {
-  const tp_sheet_options options = tp_sheet_options_default();
+/* A calculation sheet, with a file that it is of, translated. */
+static void write_sheet(const tp_scene *scene, const tp_solution *solution, const char *path) {
+  tp_sheet_options options = tp_sheet_options_default();
+  options.language = "es";
   tp_sheet_files files = {0};
   tp_message message = {.text = ""};
   if (tp_sheet_files_read(&files, &path, 1, &message) != TP_OK) return;
@@ -30,7 +31,7 @@ static void write_sheet(const tp_solution *solution, const char *path) {
   char *html = NULL, *markdown = NULL;
   tp_sheet_head head = {0};
   if (tp_sheet_head_make(&head, NULL, &options, false, &message) != TP_OK) return;
-  tp_sheet_build(&document, solution, &files, &options, &head, (tp_picture){0});
+  tp_sheet_build(&document, scene, solution, &files, &options, &head, (tp_picture){0});
   tp_status status = tp_document_html(&html, &document);
   expect_report(status, html);
   status = tp_document_markdown(&markdown, &document);
@@ -58,7 +59,7 @@ static void solve_scene(const char *path, bool elements) {
     expect_report(status, account);
     status = tp_report_table(&table, (const tp_solution *const *)&solution, 1);
     expect_report(status, table);
-    write_sheet(solution, path);
+    write_sheet(scene, solution, path);
   }
   tp_solution_free(solution);
   tp_scene_free(scene);

@@ -18,7 +18,6 @@ typedef struct span {
 
 typedef struct work {
   const tp_language *language;
-  bool comma;
   long steps;
 } work;
 
@@ -44,17 +43,34 @@ static size_t conversion(const char *at, int *argument, bool *whole) {
   return length + 1;
 }
 
+/* Does the text have the separator here, with something on both sides? */
+static size_t separator_at(span text, size_t at, const char *separator) {
+  const size_t length = strlen(separator);
+  if (at == 0 || at + length >= text.length) return 0;
+  if (memcmp(text.at + at, separator, length) != 0) return 0;
+  if (*separator != '.') return length;
+  const char next = text.at[at + length]; /* a sentence begins */
+  return (next >= 'A' && next <= 'Z') || next == '(' ? length : 0;
+}
+
+/* No argument goes on behind the end of a sentence, or of a part of it. */
+static bool ends_at(span text, size_t at) {
+  return separator_at(text, at, ". ") > 0 || separator_at(text, at, "; ") > 0;
+}
+
 /* ---- matching ----------------------------------------------------------------------------------
  */
 
 static bool match(work *w, const char *pattern, span text, span found[ARGUMENTS], int count);
 
-/* An argument takes some bytes from the beginning, and the rest of the pattern what follows. */
+/* An argument takes some bytes from the beginning, of one sentence, and the rest of the pattern
+ * what follows. */
 static bool match_argument(work *w, const char *rest, span text, span found[ARGUMENTS], int count,
                            bool whole) {
   if (count == ARGUMENTS) return false;
   for (size_t length = 1; length <= text.length; length++) {
     if (whole && !is_digit(text.at[length - 1])) return false;
+    if (ends_at(text, length - 1)) return false;
     found[count] = (span){text.at, length};
     if (match(w, rest, (span){text.at + length, text.length - length}, found, count + 1)) {
       return true;
@@ -94,25 +110,25 @@ static size_t literal_of(const char *pattern) {
   return any ? literal : 0;
 }
 
-/* The phrase that fits with most of the text in it; NULL: none. */
-static const tp_phrase *find(work *w, span text, span found[ARGUMENTS]) {
+/* The phrase that fits with most of the text in it, and with more than `most`; NULL: none. */
+static const tp_phrase *find(work *w, span text, span found[ARGUMENTS], size_t *most) {
   const tp_phrase *best = NULL;
-  size_t most = LEAST_LITERAL - 1;
   for (size_t k = 0; k < w->language->count && w->steps > 0; k++) {
     const tp_phrase *own = w->language->phrases + k;
     const bool plain = strchr(own->english, '%') == NULL;
     span own_found[ARGUMENTS];
     if (plain) {
       const size_t length = strlen(own->english);
-      if (length == text.length && memcmp(own->english, text.at, length) == 0) return own;
-      continue;
+      if (length != text.length || memcmp(own->english, text.at, length) != 0) continue;
+      *most = length;
+      return own;
     }
     if (*own->english != '%' && *own->english != *text.at) continue;
     const size_t literal = literal_of(own->english);
-    if (literal <= most || literal > text.length) continue;
+    if (literal <= *most || literal > text.length) continue;
     if (!match(w, own->english, text, own_found, 0)) continue;
     best = own;
-    most = literal;
+    *most = literal;
     memcpy(found, own_found, sizeof own_found);
   }
   return best;
@@ -140,16 +156,6 @@ static void fill(tp_text *t, work *w, const char *own, const span found[ARGUMENT
   }
 }
 
-/* Does the text have the separator here, with something on both sides? */
-static size_t separator_at(span text, size_t at, const char *separator) {
-  const size_t length = strlen(separator);
-  if (at == 0 || at + length >= text.length) return 0;
-  if (memcmp(text.at + at, separator, length) != 0) return 0;
-  if (*separator != '.') return length;
-  const char next = text.at[at + length]; /* a sentence begins */
-  return (next >= 'A' && next <= 'Z') || next == '(' ? length : 0;
-}
-
 /* The first place of a separator that stands in no brackets and quotes; 0: none. */
 static size_t split(span text, const char *separator, size_t *length) {
   int brackets = 0;
@@ -162,12 +168,6 @@ static size_t split(span text, const char *separator, size_t *length) {
     if (*length > 0) return at;
   }
   return 0;
-}
-
-static void append_plain(tp_text *t, const work *w, span text) {
-  const size_t before = t->length;
-  tp_text_append(t, text.at, text.length);
-  if (w->comma && !t->failed) tp_language_set_commas(t->data + before);
 }
 
 /* In brackets as a whole: what they hold. */
@@ -188,21 +188,35 @@ static void translate_parts(tp_text *t, work *w, span text, int depth) {
     translate(t, w, (span){text.at + at + length, text.length - at - length}, depth);
     return;
   }
-  append_plain(t, w, text);
+  tp_text_append(t, text.at, text.length);
+}
+
+/* Is it one sentence with its full stop? */
+static bool ends_sentence(span text) {
+  size_t length = 0;
+  return text.length > 1 && text.at[text.length - 1] == '.' && split(text, ". ", &length) == 0;
 }
 
 static void translate(tp_text *t, work *w, span text, int depth) {
+  while (text.length > 0 && *text.at == ' ') {
+    tp_text_append(t, " ", 1);
+    text = (span){text.at + 1, text.length - 1};
+  }
   span found[ARGUMENTS];
   if (depth > DEEPEST || w->steps < 0) {
-    append_plain(t, w, text);
+    tp_text_append(t, text.at, text.length);
     return;
   }
-  const tp_phrase *own = find(w, text, found);
+  size_t most = LEAST_LITERAL - 1;
+  const tp_phrase *own = find(w, text, found, &most);
+  const bool stops = ends_sentence(text);
+  const tp_phrase *shorter = stops ? find(w, (span){text.at, text.length - 1}, found, &most) : NULL;
+  if (shorter != NULL) own = shorter;
   if (own != NULL) {
     fill(t, w, own->own, found, depth);
-  } else if (text.length > 1 && text.at[text.length - 1] == '.' &&
-             split(text, ". ", &(size_t){0}) == 0) {
-    translate(t, w, (span){text.at, text.length - 1}, depth);
+    if (shorter != NULL) tp_text_append(t, ".", 1);
+  } else if (stops) {
+    translate_parts(t, w, (span){text.at, text.length - 1}, depth);
     tp_text_append(t, ".", 1);
   } else if (is_bracketed(text)) {
     tp_text_append(t, "(", 1);
@@ -213,13 +227,29 @@ static void translate(tp_text *t, work *w, span text, int depth) {
   }
 }
 
+/* Words with one blank between them. */
+static void add_words(tp_text *t, const char *text) {
+  for (; *text != '\0'; text++) {
+    if (*text != ' ' || text[1] != ' ') tp_text_append(t, text, 1);
+  }
+}
+
 void tp_translate(tp_text *t, const tp_language *language, bool comma, const char *english) {
-  const span all = {english, strlen(english)};
-  work w = {.language = language, .comma = comma, .steps = MOST_STEPS};
-  if (all.length == 0) return;
+  tp_text words = {0};
+  add_words(&words, english);
+  const span all = {words.data, words.length};
+  work w = {.language = language, .steps = MOST_STEPS};
+  const size_t before = t->length;
+  t->failed = t->failed || words.failed;
+  if (all.length == 0 || t->failed) {
+    tp_text_drop(&words);
+    return;
+  }
   if (language == NULL || language->count == 0) {
-    append_plain(t, &w, all);
+    tp_text_append(t, all.at, all.length);
   } else {
     translate(t, &w, all, 0);
   }
+  if (comma && !t->failed) tp_language_set_commas(t->data + before);
+  tp_text_drop(&words);
 }

@@ -167,7 +167,7 @@ void tp_sheet_add_window(tp_sheet *s, const tp_case *c) {
   add_onset(d, &c->onset);
   add_limit(s, c);
   if (c->has_margin) {
-    if (s->solution->frame.world) {
+    if (c->may_steepen) {
       tp_document_cell(d, "It may %s by", tp_document_say(d, tp_text_steepen(s->solution)));
     } else {
       tp_document_cell(d, "Margin to the lower of them");

@@ -8,6 +8,7 @@
 #include "common/message.h"
 #include "output/encode.h"
 #include "output/sha256.h"
+#include "output/translate.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -216,15 +217,22 @@ static void add_notes(tp_document *d, const tp_notes *notes, tp_note_kind kind) 
   for (size_t k = 0; k < notes->count; k++) {
     const tp_note *note = notes->items + k;
     if (note->kind != kind) continue;
-    tp_text text = {0};
-    tp_text_add(&text, kind == TP_CAUTION ? "Caution: " : "Note: ");
-    tp_encode_plain(&text, note->text);
+    tp_text text = {0}, told = {0}, plain = {0};
+    tp_encode_plain(&plain, note->text);
+    if (plain.data != NULL) tp_translate(&told, d->language, d->comma, plain.data);
+    tp_text_add(&text,
+                kind == TP_CAUTION ? tp_document_say(d, "Caution: %s")
+                                   : tp_document_say(d, "Note: %s"),
+                told.data != NULL ? told.data : "");
+    text.failed = text.failed || told.failed || plain.failed;
+    tp_text_drop(&told);
+    tp_text_drop(&plain);
     if (note->place[0] != '\0') {
       tp_text_add(&text, " (");
       tp_encode_plain(&text, note->place);
       tp_text_add(&text, ")");
     }
-    tp_document_tell(d, kind == TP_CAUTION ? TP_PASSAGE_CAUTION : TP_PASSAGE_PARAGRAPH, 0, &text);
+    tp_document_take(d, kind == TP_CAUTION ? TP_PASSAGE_CAUTION : TP_PASSAGE_PARAGRAPH, 0, &text);
   }
 }
 

@@ -47,6 +47,15 @@ void tp_sheet_prose(tp_document *d, tp_passage_kind kind, tp_text *text) {
   tp_text_drop(text);
 }
 
+/* A caution is a sentence of its own. */
+static void end_before_caution(tp_text *value, const char *line) {
+  static const char caution[] = "Caution:";
+  const bool open = value->length > 0 && value->data[value->length - 1] != '.';
+  if (open && strncmp(line + strspn(line, " "), caution, strlen(caution)) == 0) {
+    tp_text_add(value, ".");
+  }
+}
+
 void tp_sheet_facts(tp_document *d, tp_text *text) {
   tp_text value = {0};
   char label[LABEL + 1] = "";
@@ -62,6 +71,7 @@ void tp_sheet_facts(tp_document *d, tp_text *text) {
       value = (tp_text){0};
     }
     const size_t named = begins ? strcspn(at, " ") : 0;
+    if (!begins) end_before_caution(&value, at);
     if (begins) snprintf(label, sizeof label, "%.*s", (int)named, at);
     add_words(&value, at + named, length - named);
     at += length + (at[length] == '\n');
