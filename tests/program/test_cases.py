@@ -19,6 +19,7 @@ import math
 
 from governing_case import GoverningCase
 from harness import ROOT, main, run
+from report_case import Page
 
 L, T, ALPHA, PHI, C, GAMMA, H = 6, 3, 30, 38, 20, 26, 1.5
 EXAMPLE = ROOT / "examples" / "slope" / "design_cases.yaml"
@@ -98,7 +99,7 @@ class Cases(GoverningCase):
         accidental situation u = 46.2 kPa, σ'_n = 48 kPa, τ = 23.5 kPa and a resistance of 24.4 kPa, and by the factors of material
         before it 22.9 kPa. The sums of H, β, γ, c and φ are made again here."""
         _, out, _ = run("solve", "--json", ROOT / "examples" / "slope" / "eurocode_slope.yaml")
-        own = {case["name"].split(",")[0]: case for case in json.loads(out)["load_cases"]}
+        own = {case["name"]: case for case in json.loads(out)["load_cases"]}
         cosine, sine, area = 4 / math.sqrt(17), 1 / math.sqrt(17), 10e3 * math.sqrt(17)
         for name, height, factor, printed in (("accidental", 5, 1, 24.4), ("DA1-2", 4, 1.25, 22.9)):
             told = own[name]["cases"][0]["sliding"]
@@ -113,6 +114,36 @@ class Cases(GoverningCase):
             if name == "accidental":
                 self.assertEqual((round(pore, 1), round(normal, 1)), (46.2, 48.0))
         self.assertEqual([case["meets_required"] for case in own.values()], ["not met", "met"])
+
+    def test_sheet(self):
+        """The first page has a row a case, the one that governs first, with the numbers of JSON; of many cases the first twelve, and
+        all in the appendix. A sheet of a case with partial factors is drawn of the factored scene."""
+        path = self.folder / "r.html"
+        many = [case(f"case {k}", f"required_fos: {1 + k / 100}") for k in range(15)]
+        for text in (EXAMPLE.read_text(encoding="utf-8"), slab("".join(many))):
+            scene = self.scene(text)
+            status, out, err = run("solve", "--json", "--report", path, scene)
+            self.assertEqual((status, err), (0, ""))
+            told = json.loads(out)["load_cases"]
+            page = Page(path.read_text(encoding="utf-8"))
+            rows = page.tables("Load cases, the one that governs first")[0]
+            self.assertEqual(rows[0], ["Case", "FoS", "Against", "Required", "Utilisation", "Requirement", "Block"])
+            self.assertEqual(len(rows) - 1, min(12, len(told)))
+            for own, row in zip(told, rows[1:]):
+                self.assertEqual(row[0], own["name"])
+                self.assertAlmostEqual(float(row[1]), own["fos"]["value"], delta=5.1e-4)
+                self.assertAlmostEqual(float(row[3]), own["required_fos"]["value"], delta=5.1e-5)
+                self.assertAlmostEqual(float(row[4]), own["design_utilisation"]["value"], delta=5.1e-4)
+                self.assertEqual((row[5], row[6]), (own["meets_required"], own["mechanism"]))
+            appendix = page.tables("All load cases")
+            self.assertEqual([len(table) - 1 for table in appendix], [15] if len(told) == 15 else [])
+        for name in ("DA1-2", "EQU"):
+            status, _, err = run("solve", "--case", name, "--report", path, EXAMPLE)
+            self.assertEqual((status, err), (0, ""))
+            facts = Page(path.read_text(encoding="utf-8")).facts("Inputs")
+            self.assertEqual(facts["Load case"], name)
+            self.assertIn("tan φ / 1.25", facts["Partial factors"])
+            self.assertEqual(facts["Loads"], "water 1.5 m high behind the block, triangular uplift; cohesion 20 kPa")
 
     def test_tangent_exactly(self):
         """The slab alone slides at atan(tan φ / 1.25), by the formula and by contact forces."""

@@ -7,6 +7,8 @@ number is the one of the English sheet, and a language is a column of a table in
 
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,6 +19,12 @@ from report_case import Page, words
 sys.path.insert(0, str(ROOT / "src" / "core" / "terms"))
 import make_phrases
 
+#: Words that neither Spanish nor German has.
+ENGLISH = re.compile(r"\b(?:the|of|and|is|with|which|from|that|this|its|it|for|by|are|where|below|above|not|up|than|any|or|each|does|dips|"
+                     r"slides|topples|stands|governs|towards|weight|facet|never|always|blocked|length|area|given|left|right|end|friction|"
+                     r"water|load|loads|bolts|force|against|sliding|toppling)\b", re.IGNORECASE)
+#: Keys and commands in quotes and brackets, files with their places, options.
+QUOTED = re.compile(r"'[^']*'|\S*\.(?:yaml|csv|svg|wkt|geojson|dxf|md)\S*|--\S+|topple \w+|[a-z]+_[a-z_]+")
 EXAMPLES = ("block_e_valley", "block_seismic", "block_under_water", "block_bonded", "block_a_worn", "boulder", "slab", "vault",
             "partial_contact", "block_with_hole", "slope/anchored_block", "block_a_peak", "resting_poses")
 #: Symbols, units and names that no language changes.
@@ -83,6 +91,40 @@ class Languages(unittest.TestCase):
                             self.assertNotEqual(one, other)
                             compared += 1
         self.assertGreater(compared, 500)
+
+    def test_no_english_is_left(self):
+        """Of all examples the whole sheet but what is from outside: files, titles, names of cases, keys in quotes. A sentence of which
+        the table has no phrase has English words in it, which no other language has, and is found by them."""
+        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), *(ROOT / f"examples/{name}.yaml" for name in EXAMPLES)]):
+            outside = set(re.findall(r"(?m)^(?:title|  - name): (.*)$", scene.read_text(encoding="utf-8")))
+            for code in ("es", "de"):
+                page = self.sheet(scene, "--language", code)
+                texts = {words(own) for own in page.all("p", "h2", "h3", "caption", "figcaption", "th", "td")}
+                left = {text for text in texts if ENGLISH.search(QUOTED.sub("", text)) and not any(name in text for name in outside)}
+                self.assertEqual(left, set(), f"{scene.name} {code}")
+
+    @unittest.skipIf(shutil.which("pdftotext") is None, "there is no pdftotext: install Debian's package poppler-utils")
+    def test_figure(self):
+        """Heading, verdict, table and legend of the figure, as the PDF has them on its first page."""
+        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), ROOT / "examples/block_e_valley.yaml", ROOT / "examples/boulder.yaml"]):
+            outside = re.findall(r"(?m)^(?:title|  - name): (.*)$", scene.read_text(encoding="utf-8"))
+            for code in ("es", "de"):
+                status, _, err = run("solve", "--report", self.path / "f.pdf", "--language", code, scene)
+                self.assertIn(status, (0, 1), err)
+                text = subprocess.run(["pdftotext", "-l", "1", self.path / "f.pdf", "-"], capture_output=True, check=True, encoding="utf-8").stdout
+                text = re.sub(r"\s+", " ", text)
+                for name in sorted(outside, key=len, reverse=True):
+                    text = text.replace(name, "")
+                self.assertIsNone(ENGLISH.search(QUOTED.sub("", text)), f"{scene.name} {code}: {text}")
+
+    def test_unknown_stays(self):
+        """What no phrase has is told as it is: names with words of the table in them, and numbers with a comma."""
+        scene = self.path / "scene.yaml"
+        scene.write_text((ROOT / "examples/slope/design_cases.yaml").read_text(encoding="utf-8").replace("- name: static", "- name: the left end"),
+                         encoding="utf-8")
+        page = self.sheet(scene, "--language", "de")
+        rows = page.tables("Lastfälle, der maßgebende zuerst")[0]
+        self.assertEqual(rows[1][:2], ["the left end", "1,866"])
 
     def test_decimals(self):
         """A comma in Spanish and German, in equations too, unless the scene wants a point, and the other way round."""

@@ -68,6 +68,25 @@ class Letterhead(unittest.TestCase):
         self.assertTrue(self.sheet(report, "pdf").startswith(b"%PDF-"))
         self.assertEqual(Page(self.sheet("report: {job: 7}\n").decode()).tables("Project")[0], [["Job"], ["7"]])
 
+    def test_of_a_study_and_a_tilt_test(self):
+        """Their sheets have it too, of the scene that they are of, and names beside the signatures."""
+        (self.path / "logo.png").write_bytes(png(7, 3))
+        scene = self.scene("report: {company: Example Geotechnics, job: 7, author: A. Author, logo: logo.png}\n")
+        scene.write_text(scene.read_text(encoding="utf-8").replace("angle_deg: 10", "towards: left, angle_deg: 10")
+                         + "tilt_test: {engine: path}\n", encoding="utf-8")
+        study = self.path / "study.yaml"
+        study.write_text("topple_study: 1\nscene: scene.yaml\nsamples: 64\nvary: {friction_angle_deg: {normal: {mean: 40, deviation: 2}}}\n", encoding="utf-8")
+        for command in (("study", study), ("tilt", scene)):
+            for kind in ("html", "md", "pdf"):
+                status, _, err = run(command[0], "--report", self.path / f"r.{kind}", command[1])
+                self.assertEqual(status, 0, err)
+            page = Page((self.path / "r.html").read_text(encoding="utf-8"))
+            self.assertEqual(words(page.all("header")[0]), "Example Geotechnics")
+            self.assertTrue(page.all("header")[0].find("img").get("src").startswith("data:image/png;base64,"))
+            self.assertEqual(page.tables("Project")[0], [["Job", "Prepared by"], ["7", "A. Author"]])
+            self.assertEqual(page.tables("Who has prepared")[0][1][1], "A. Author")
+            self.assertEqual([words(h) for h in page.all("h3") if words(h).endswith("logo.png")], [])  # no text of a picture
+
     def test_logos(self):
         """A picture of each kind stands within the page, byte for byte; a PDF has PNG and JPEG, and says so of SVG."""
         for name, data, kind in (("a.png", png(7, 3), "png"), ("b.jpg", JPEG, "jpeg"), ("c.svg", SVG, "svg+xml")):

@@ -83,6 +83,34 @@ class Slope(unittest.TestCase):
                     self.assertEqual(slope.get(name), table.get(name), (block, name))
                 self.assertEqual((slope["frame"]["is"], slope["frame"]["dip_deg"]["value"]), ("slope", 11.5))
 
+    def test_may_steepen(self):
+        """A flat slab slides where the slope is as steep as φ, a column topples where its diagonal is upright: by how much either may
+        steepen, and to which dip, as the report says it. Where there is no such number a word says why."""
+        for block, dip, end in (("slab: {width: 4, height: 1}", 11.5, 38), ("slab: {width: 1, height: 4}", 10, math.degrees(math.atan(1 / 4)))):
+            scene = f"block: {{{block}}}\nslope: {{dip_deg: {dip}, towards: left}}\n"
+            first = self.found(scene)["first"]
+            self.assertAlmostEqual(first["steepen_to_deg"]["value"], end, 11)
+            self.assertAlmostEqual(first["steepen_by_deg"]["value"], end - dip, 11)
+            self.assertNotIn("steepen_is", first)
+            _, out, _ = run("solve", self.write(scene))
+            self.assertIn(f"It may steepen by {end - dip:.3f}°, to a dip of {end:.3f}°", out)
+        slide = self.found("block: {slab: {width: 4, height: 1}}\nslope: {dip_deg: 40, towards: left}\n")["first"]
+        self.assertEqual((slide["steepen_by_deg"], slide["steepen_to_deg"], slide["steepen_is"]), (None, None, "does not stand as it lies"))
+        teeth = "block: {teeth: {count: 2, width: 10, height: 10, depth: 30, left_end: valley}}\n"
+        locked = self.found(teeth + "slope: {dip_deg: 10, towards: left}\n")
+        self.assertEqual((locked["mechanism"], locked["first"]["steepen_is"]), ("interlocked", "certain to stand at every dip"))
+        self.assertEqual((locked["first"]["margin_deg"], locked["first"]["margin_is"]), (None, "certain to stand at every tilt"))
+
+    def test_why_there_is_no_margin(self):
+        """Without friction a slab stands at no tilt, and its margin says so; on a table nothing is said of a slope."""
+        for text, why in (("friction_angle_deg: 0\ntilt: {towards: left, angle_deg: 5}\n", "certain to stand at no tilt"),
+                          ("friction_angle_deg: 30\n", "no tilt given")):
+            path = self.folder / "scene.yaml"
+            path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 4, height: 1}}\n" + text)
+            first = solve(path)["cases"][0]["first"]
+            self.assertEqual((first["margin_deg"], first["margin_is"]), (None, why))
+            self.assertNotIn("steepen_by_deg", first)
+
     def test_as_drawn_where_it_lies(self):
         """Loads at points of the section, water, and an earthquake both ways: the same as in the frame of the world. The dip there
         is atan(7/24), here it is that in doubles: apart by less than 1e-14 of a degree."""

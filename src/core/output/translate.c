@@ -55,7 +55,8 @@ static size_t separator_at(span text, size_t at, const char *separator) {
 
 /* No argument goes on behind the end of a sentence, or of a part of it. */
 static bool ends_at(span text, size_t at) {
-  return separator_at(text, at, ". ") > 0 || separator_at(text, at, "; ") > 0;
+  return separator_at(text, at, ". ") > 0 || separator_at(text, at, ".) ") > 0 ||
+         separator_at(text, at, "; ") > 0;
 }
 
 /* ---- matching ----------------------------------------------------------------------------------
@@ -156,15 +157,17 @@ static void fill(tp_text *t, work *w, const char *own, const span found[ARGUMENT
   }
 }
 
-/* The first place of a separator that stands in no brackets and quotes; 0: none. */
+/* The first place of a separator that stands in no brackets and quotes, but where it closes them;
+ * 0: none. */
 static size_t split(span text, const char *separator, size_t *length) {
+  const int inside = separator[1] == ')' ? 1 : 0;
   int brackets = 0;
   bool quoted = false;
   for (size_t at = 0; at < text.length; at++) {
     const char c = text.at[at];
     if (c == '\'' && (quoted || at == 0 || text.at[at - 1] == ' ')) quoted = !quoted;
     brackets += !quoted && c == '(' ? 1 : !quoted && c == ')' ? -1 : 0;
-    *length = quoted || brackets > 0 ? 0 : separator_at(text, at, separator);
+    *length = quoted || brackets != inside ? 0 : separator_at(text, at, separator);
     if (*length > 0) return at;
   }
   return 0;
@@ -177,14 +180,14 @@ static bool is_bracketed(span text) {
 }
 
 static void translate_parts(tp_text *t, work *w, span text, int depth) {
-  static const char *const separators[] = {". ", "; ", ": ", ", "};
+  static const char *const separators[] = {". ", ".) ", "; ", ": ", ", "};
   for (size_t k = 0; k < sizeof separators / sizeof separators[0]; k++) {
     size_t length = 0;
     const size_t at = split(text, separators[k], &length);
     if (at == 0) continue;
-    const bool sentence = k == 0; /* its full stop is its own */
-    translate(t, w, (span){text.at, at + (sentence ? 1 : 0)}, depth + 1);
-    tp_text_append(t, text.at + at + (sentence ? 1 : 0), length - (sentence ? 1 : 0));
+    const size_t own = *separators[k] == '.' ? length - 1 : 0; /* a sentence with its full stop */
+    translate(t, w, (span){text.at, at + own}, depth + 1);
+    tp_text_append(t, text.at + at + own, length - own);
     translate(t, w, (span){text.at + at + length, text.length - at - length}, depth);
     return;
   }
@@ -194,7 +197,8 @@ static void translate_parts(tp_text *t, work *w, span text, int depth) {
 /* Is it one sentence with its full stop? */
 static bool ends_sentence(span text) {
   size_t length = 0;
-  return text.length > 1 && text.at[text.length - 1] == '.' && split(text, ". ", &length) == 0;
+  return text.length > 1 && text.at[text.length - 1] == '.' && split(text, ". ", &length) == 0 &&
+         split(text, ".) ", &length) == 0;
 }
 
 static void translate(tp_text *t, work *w, span text, int depth) {

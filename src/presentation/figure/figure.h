@@ -88,11 +88,13 @@ typedef struct tp_figure {
   tp_state states[2];
   const tp_language *language; /* of its text, and the sign before decimals; NULL: English */
   bool comma;
+  bool sketch; /* on a sheet, whose text has title, verdict and pivots already: without these */
 } tp_figure;
 
 /* A text of the figure, which is English: in its language as far as that has phrases. A word. */
 void tp_figure_tell(const tp_figure *figure, tp_text *text);
-const char *tp_figure_word(const tp_figure *figure, const char *english);
+const char *tp_figure_word(const tp_figure *figure, const char *english)
+    __attribute__((format_arg(2)));
 
 /* What acts on a block as it lies: the resultant of weight and loads at its tilt, and on its line
  * the reaction of the base, where that stands. False when memory is exhausted. */

@@ -105,14 +105,10 @@ static double add_cautions(cairo_t *cr, const tp_figure *figure, double x, doubl
   size_t count = 0;
   for (size_t k = 0; k < notes->count; k++) count += notes->items[k].kind == TP_CAUTION;
   if (count == 0) return y;
-  tp_text line = {0};
-  tp_text_add(&line, "%zu caution%s: see the report.", count, count == 1 ? "" : "s");
-  tp_figure_tell(figure, &line);
+  char line[64];
+  snprintf(line, sizeof line, "%zu caution%s: see the report.", count, count == 1 ? "" : "s");
   tp_figure_ink(cr, TP_INK_BLACK);
-  const double end =
-      tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, true, line.failed ? "" : line.data);
-  tp_text_drop(&line);
-  return end;
+  return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, true, line);
 }
 
 bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
@@ -120,7 +116,7 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   const double all = tp_figure_width(figure) - 2 * left;
   double y = left, below[2] = {0, 0}, top = 0, tall = 0;
   tp_box extents[2];
-  if (figure->solution->title != NULL) {
+  if (figure->solution->title != NULL && !figure->sketch) {
     tp_text title = {0};
     tp_text_add(&title, "%s", ""); /* a text, also of an empty title */
     tp_encode_plain(&title, figure->solution->title);
@@ -148,18 +144,18 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
     const tp_box area = {x, top, x + width, top + tall};
     below[k] = area.y1 + 4;
     if (!draw_panel(cr, figure, k, extents + k, scale, area) ||
-        !tp_figure_verdict(below + k, cr, figure, state, x, width)) {
+        !(figure->sketch || tp_figure_verdict(below + k, cr, figure, state, x, width))) {
       return false;
     }
   }
   y = fmax(below[0], below[1]) + 5; /* so that the tables stand side by side */
-  for (size_t k = 0; k < figure->panel_count; k++) {
+  for (size_t k = 0; k < figure->panel_count && !figure->sketch; k++) {
     const double x = left + (double)k * (width + GAP);
     below[k] = tp_figure_table(cr, figure, figure->states + k, x, y, width);
   }
   y = fmax(below[0], below[1]) + 4;
   if (!tp_figure_legend(&y, cr, figure, scale, left, all)) return false;
-  y = add_cautions(cr, figure, left, y, all);
+  if (!figure->sketch) y = add_cautions(cr, figure, left, y, all);
   *height = y + left;
   return true;
 }

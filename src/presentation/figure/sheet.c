@@ -33,6 +33,7 @@ static tp_status write_sheet(const tp_figure *english, void *context, tp_message
   const tp_figure *figure = &told;
   told.language = own->head.language;
   told.comma = own->head.comma;
+  told.sketch = true;
   const bool paper = tp_sheet_kind_of(own->path) == TP_SHEET_PDF;
   tp_vector_picture drawing = {draw_figure, figure, tp_figure_width(figure), 0};
   tp_picture picture = {0};

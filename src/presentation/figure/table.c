@@ -54,19 +54,6 @@ static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size
   snprintf(cells[TURNING], CELL_SIZE, "%s", tp_text_turning(own, k));
 }
 
-/* All cells in the language of the figure. */
-static void tell(table *t, const tp_figure *figure) {
-  for (size_t r = 0; r < t->rows; r++) {
-    for (int c = 0; c < COLUMNS; c++) {
-      tp_text text = {0};
-      tp_text_add(&text, "%s", t->cells[r][c]);
-      tp_figure_tell(figure, &text);
-      if (!text.failed && text.data != NULL) snprintf(t->cells[r][c], CELL_SIZE, "%s", text.data);
-      tp_text_drop(&text);
-    }
-  }
-}
-
 /* Columns as wide as their widest cell in bold, what is left between them; smaller letters where
  * nothing is left. */
 static void lay_out(table *t, cairo_t *cr, double width) {
@@ -120,7 +107,6 @@ double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *sta
   table t = {0};
   fill_head(&t, figure);
   for (size_t k = 0; k < count; k++) fill_row(&t, figure, own, listed[k]);
-  tell(&t, figure);
   lay_out(&t, cr, width);
   rule(cr, x, y, width, 0.8);
   y += pitch - 1;
@@ -137,11 +123,8 @@ double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *sta
   y += 4;
   rule(cr, x, y, width, 0.8);
   if (count == own->pivot_count) return y;
-  tp_text more = {0};
-  tp_text_add(&more, "and %zu more (--json --pivots=all lists all)", own->pivot_count - count);
-  tp_figure_tell(figure, &more);
-  const double end =
-      tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, false, more.failed ? "" : more.data);
-  tp_text_drop(&more);
-  return end;
+  char more[96];
+  snprintf(more, sizeof more, "and %zu more (--json --pivots=all lists all)",
+           own->pivot_count - count);
+  return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, false, more);
 }

@@ -241,32 +241,25 @@ static void add_at_limit(tp_text *verdict, tp_text *more, const tp_figure *figur
 
 bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
                        double x, double width) {
-  tp_text headline = {0}, verdict = {0}, more = {0};
-  tp_text_governing(&headline, state->own, " ");
-  if (headline.length > 0) tp_text_add(&headline, ".");
+  tp_text verdict = {0}, more = {0};
+  tp_text_governing(&verdict, state->own, " ");
+  if (verdict.length > 0) tp_text_add(&verdict, ". ");
+  const size_t begin = verdict.length;
   if (!tp_figure_lies_verdict(&verdict, &more, figure, state)) {
     add_at_limit(&verdict, &more, figure, state);
   }
   add_reactions(&more, figure, state);
   add_loads(&more, figure);
-  tp_figure_tell(figure, &headline);
-  tp_figure_tell(figure, &verdict);
-  tp_figure_tell(figure, &more);
-  const bool done = !headline.failed && !verdict.failed && !more.failed;
+  const bool done = !verdict.failed && !more.failed;
   if (done) {
-    *verdict.data = (char)toupper((unsigned char)*verdict.data);
-    if (headline.length > 0) tp_text_add(&headline, " ");
-    tp_text_add(&headline, "%s", verdict.data);
+    verdict.data[begin] = (char)toupper((unsigned char)verdict.data[begin]);
     tp_figure_ink(cr, TP_INK_BLACK);
-    *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, true,
-                             headline.failed ? "" : headline.data);
+    *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, true, verdict.data);
     if (more.data != NULL) {
       *y = tp_figure_paragraph(cr, x, *y + 1, width, TP_BODY_SIZE, false, more.data);
     }
   }
-  const bool all = done && !headline.failed;
-  free(headline.data);
   free(verdict.data);
   free(more.data);
-  return all;
+  return done;
 }

@@ -141,7 +141,11 @@ static void add_front(tp_sheet *s, tp_picture picture) {
       "Drawing of the block on its base. Its verdict, pivots and forces are given in "
       "the text and the tables of this page.");
   tp_sheet_add_inputs(s);
-  tp_sheet_add_governing(s);
+  if (s->options->load_cases != NULL) {
+    tp_sheet_add_load_cases(s);
+  } else {
+    tp_sheet_add_governing(s);
+  }
   for (size_t k = 0; k < s->solution->case_count; k++) {
     tp_sheet_add_conclusion(s, s->solution->cases + k);
   }
@@ -178,6 +182,19 @@ static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
   tp_sheet_add_files(d, files, s->options);
 }
 
+/* With the load case that it is of. */
+static void add_title(tp_document *d, const tp_scene *scene, const tp_solution *solution) {
+  tp_text title = {0};
+  if (solution->load_case != NULL && scene->title != NULL) {
+    tp_text_add(&title, tp_document_say(d, "%s, case %s"), scene->title, solution->load_case);
+  } else if (solution->title != NULL) {
+    tp_text_add(&title, "%s", solution->title);
+  }
+  tp_sheet_add_title(d, title.data, "Stability of a rock block on its base");
+  d->failed = d->failed || title.failed;
+  tp_text_drop(&title);
+}
+
 void tp_sheet_build(tp_document *document, const tp_scene *scene, const tp_solution *solution,
                     const tp_sheet_files *files, const tp_sheet_options *options,
                     tp_sheet_head *head, tp_picture picture) {
@@ -186,7 +203,7 @@ void tp_sheet_build(tp_document *document, const tp_scene *scene, const tp_solut
   d->language = head->language;
   d->comma = head->comma;
   tp_sheet_set_letterhead(d, head);
-  tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
+  add_title(d, scene, solution);
   tp_sheet_add_foot(d, files, options);
   add_front(&s, picture);
   add_hand_check(&s);

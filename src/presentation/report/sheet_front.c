@@ -131,10 +131,6 @@ static void add_earthquake_row(tp_sheet *s, const tp_earthquake *own, bool verti
 }
 
 void tp_sheet_add_governing(tp_sheet *s) {
-  if (s->options->load_cases != NULL) {
-    tp_sheet_add_load_cases(s);
-    return;
-  }
   const tp_solution *own = s->solution;
   tp_document *d = &s->document;
   const bool required = own->cases[0].governing_fos.has_required_fos;
