@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Documents from within: hashes and base 64 by published examples, equations sign by sign. */
+/* Documents from within: hashes and base 64 by published examples, equations sign by sign,
+ * sentences by phrases. */
 
 #include "document/html_math.h"
 #include "output/encode.h"
 #include "output/sha256.h"
+#include "output/translate.h"
 #include "suite.h"
 
 #include <stdio.h>
@@ -83,6 +85,58 @@ START_TEST(equations_sign_by_sign) {
 }
 END_TEST
 
+/* Phrases in the order of their bytes, as make_phrases.py puts them. */
+static const tp_phrase phrases[] = {{"%s, or to %s", "%s, o a %s"},
+                                    {"FoS %s", "FS %s"},
+                                    {"FoS %s against %s", "contra %2$s FS %1$s"},
+                                    {"It can begin to %s.", "Puede empezar a %s."},
+                                    {"area %s", "área %s"},
+                                    {"slide", "deslizar"},
+                                    {"topple", "volcar"}};
+static const tp_language spanish = {"es", true, sizeof phrases / sizeof phrases[0], phrases};
+
+static void becomes(const char *english, const char *own) {
+  tp_text t = {0};
+  tp_translate(&t, &spanish, true, english);
+  says(&t, own);
+}
+
+/* The phrase with most of the text in it counts; sentences and clauses apart, arguments turned
+ * round and translated likewise; what no phrase has stays; a comma before decimals, but none in a
+ * name. */
+START_TEST(sentences_by_phrases) {
+  becomes("It can begin to slide, or to topple.", "Puede empezar a deslizar, o a volcar.");
+  becomes("FoS 1.5 against slide", "contra deslizar FS 1,5");
+  becomes("FoS 1.5 against slide. It can begin to topple.",
+          "contra deslizar FS 1,5. Puede empezar a volcar.");
+  becomes("area 18.5 m², slide; topple", "área 18,5 m², deslizar; volcar");
+  becomes("(slide)", "(deslizar)");
+  becomes("a slide 'topple, slide' at (1.5, 2)", "a slide 'topple, slide' at (1,5; 2)");
+  becomes("  FoS  2 ", " FS 2 ");
+  becomes("", "");
+}
+END_TEST
+
+/* Of any text the work is bounded, and what is not translated is told. */
+START_TEST(no_text_takes_long) {
+  static const size_t lengths[] = {4000, 40000};
+  static const tp_phrase many[] = {{"%s a%s a%s a%s a%s a%s b", "%s%s%s%s%s%s"}};
+  const tp_language hard = {"es", true, 1, many};
+  for (size_t n = 0; n < sizeof lengths / sizeof lengths[0]; n++) {
+    char *text = malloc(lengths[n] + 1);
+    ck_assert_ptr_nonnull(text);
+    for (size_t k = 0; k < lengths[n]; k++) text[k] = "a, "[k % 3];
+    text[lengths[n]] = '\0';
+    tp_text t = {0};
+    tp_translate(&t, &hard, true, text);
+    ck_assert(!t.failed);
+    ck_assert_str_eq(t.data, text);
+    tp_text_drop(&t);
+    free(text);
+  }
+}
+END_TEST
+
 SUITE(document) {
   Suite *suite = suite_create("document");
   TCase *tests = tcase_create("document");
@@ -90,6 +144,8 @@ SUITE(document) {
   tcase_add_test(tests, base_64_of_the_standard);
   tcase_add_test(tests, text_is_no_markup);
   tcase_add_test(tests, equations_sign_by_sign);
+  tcase_add_test(tests, sentences_by_phrases);
+  tcase_add_test(tests, no_text_takes_long);
   suite_add_tcase(suite, tests);
   return suite;
 }

@@ -63,5 +63,5 @@ const char tp_html_style[] =
     "thead{display:table-header-group}tr,figure,.short,.answer,.caution,.equation{break-inside:"
     "avoid}"
     "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:140mm}"
-    ".sketch img{max-height:72mm}.page{break-after:page;visibility:hidden;margin:0;height:0}"
+    ".sketch img{max-height:52mm}.page{break-after:page;visibility:hidden;margin:0;height:0}"
     "header{margin:0}header img{max-height:16mm}}\n";

@@ -3,13 +3,13 @@
 
 /* Phrases as patterns, matched from left to right: an argument takes as little as lets the rest
  * match. The steps of all matches of a text are counted, so that no text from outside makes it
- * long: beyond them the text stays English. */
+ * long: beyond them, and of more than LONGEST bytes, the text stays English. */
 
 #include "output/translate.h"
 
 #include <string.h>
 
-enum { ARGUMENTS = 8, DEEPEST = 6, MOST_STEPS = 2000000, LEAST_LITERAL = 2 };
+enum { ARGUMENTS = 8, DEEPEST = 8, LONGEST = 4096, MOST_STEPS = 2000000, LEAST_LITERAL = 2 };
 
 typedef struct span {
   const char *at;
@@ -249,7 +249,7 @@ void tp_translate(tp_text *t, const tp_language *language, bool comma, const cha
     tp_text_drop(&words);
     return;
   }
-  if (language == NULL || language->count == 0) {
+  if (language == NULL || language->count == 0 || all.length > LONGEST) {
     tp_text_append(t, all.at, all.length);
   } else {
     translate(t, &w, all, 0);

@@ -118,11 +118,11 @@ static void add_stress(tp_sheet *s, const tp_factor *f, const char *symbol,
   tp_text_significant(n[1], bounded_of(reduced(f, own)), 6);
   if (f->raised) {
     tp_document_add(&s->document, TP_PASSAGE_EQUATION,
-                    "%s_F = \\text{FoS} · %s%s = %s · %s = %s \\text{ kPa}", symbol, symbol, index,
+                    "%s_F = \\text{FoS} · %s%s = %s · %s = %s \\text{ kPa}", symbol, symbol, index,
                     fos.text, n[0], n[1]);
   } else {
     tp_document_add(&s->document, TP_PASSAGE_EQUATION,
-                    "%s_F = \\frac{%s%s}{\\text{FoS}} = \\frac{%s}{%s} = %s \\text{ kPa}", symbol,
+                    "%s_F = \\frac{%s%s}{\\text{FoS}} = \\frac{%s}{%s} = %s \\text{ kPa}", symbol,
                     symbol, index, n[0], fos.text, n[1]);
   }
 }
