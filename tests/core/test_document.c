@@ -86,7 +86,8 @@ START_TEST(equations_sign_by_sign) {
 END_TEST
 
 /* Phrases in the order of their bytes, as make_phrases.py puts them. */
-static const tp_phrase phrases[] = {{"%s, or to %s", "%s, o a %s"},
+static const tp_phrase phrases[] = {{"%s%s to it", "%s%s"},
+                                    {"%s, or to %s", "%s, o a %s"},
                                     {"FoS %s", "FS %s"},
                                     {"FoS %s against %s", "contra %2$s FS %1$s"},
                                     {"It can begin to %s.", "Puede empezar a %s."},
@@ -113,6 +114,7 @@ START_TEST(sentences_by_phrases) {
   becomes("(slide)", "(deslizar)");
   becomes("a slide 'topple, slide' at (1.5, 2)", "a slide 'topple, slide' at (1,5; 2)");
   becomes("  FoS  2 ", " FS 2 ");
+  becomes("slide to it", "slide to it"); /* where one argument ends nothing says */
   becomes("", "");
 }
 END_TEST

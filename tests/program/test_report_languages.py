@@ -105,8 +105,11 @@ class Languages(unittest.TestCase):
 
     @unittest.skipIf(shutil.which("pdftotext") is None, "there is no pdftotext: install Debian's package poppler-utils")
     def test_figure(self):
-        """Heading, verdict, table and legend of the figure, as the PDF has them on its first page."""
-        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), ROOT / "examples/block_e_valley.yaml", ROOT / "examples/boulder.yaml"]):
+        """Heading, sides and legend of the sketch, as the PDF has them on its first page."""
+        shaken = self.path / "shaken.yaml"
+        shaken.write_text((ROOT / "examples/slope/anchored_block.yaml").read_text(encoding="utf-8")
+                          + "  seismic: {horizontal: 0.05, vertical: 0.02}\n", encoding="utf-8")
+        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), shaken, ROOT / "examples/block_e_valley.yaml", ROOT / "examples/boulder.yaml"]):
             outside = re.findall(r"(?m)^(?:title|  - name): (.*)$", scene.read_text(encoding="utf-8"))
             for code in ("es", "de"):
                 status, _, err = run("solve", "--report", self.path / "f.pdf", "--language", code, scene)
