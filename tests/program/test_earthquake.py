@@ -138,7 +138,7 @@ class Earthquake(unittest.TestCase):
         """Report, figure, sheet, --fail-below, sweep and study are of the one that governs; what is not looked at is told."""
         status, out, _ = run("solve", self.write("horizontal: 0.2"))
         self.assertEqual(status, 0)
-        self.assertIn("to the right, up-dip: topples, FoS 0.751\n", out)
+        self.assertIn("to the right, up-dip: topples, FoS 0.751;\n", out)
         self.assertIn("The first of them governs", out)
         self.assertIn("to the left, down-dip: stands, FoS 4.152", out)
         self.assertEqual(run("solve", "--fail-below", "1.1", self.path)[0], 1)

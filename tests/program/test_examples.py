@@ -63,6 +63,8 @@ class Examples(unittest.TestCase):
                         ("centroid_x_m", "centroid_y_m"), math.sqrt(node["area_m2"]["value"]))
                 if "motions" in node:  # places: to that of the block's size
                     sizes = dict.fromkeys(("centre_x_m", "centre_y_m", "x_m", "y_m"), math.sqrt(node["block"]["area_m2"]["value"]))
+                if "applied" in node:  # forces that cancel
+                    sizes = dict.fromkeys(("share_x", "share_y", "moment_m"), 1)
                 if "acceleration_x_g" in node:
                     sizes = dict.fromkeys(("acceleration_x_g", "acceleration_y_g", "angular_g_per_m", "centre_x_m",
                                            "centre_y_m", "share_x", "share_y"), 1)

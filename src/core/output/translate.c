@@ -215,13 +215,14 @@ static void translate(tp_text *t, work *w, span text, int depth) {
     return;
   }
   size_t most = LEAST_LITERAL - 1;
-  const tp_phrase *own = find(w, text, found, &most);
-  const bool stops = ends_sentence(text);
-  const tp_phrase *shorter = stops ? find(w, (span){text.at, text.length - 1}, found, &most) : NULL;
-  if (shorter != NULL) own = shorter;
+  const bool stops = ends_sentence(text); /* a phrase without the full stop first */
+  const tp_phrase *own = stops ? find(w, (span){text.at, text.length - 1}, found, &most) : NULL;
+  const tp_phrase *whole = find(w, text, found, &most);
+  const bool dot = own != NULL && whole == NULL;
+  if (whole != NULL) own = whole;
   if (own != NULL) {
     fill(t, w, own->own, found, depth);
-    if (shorter != NULL) tp_text_append(t, ".", 1);
+    if (dot) tp_text_append(t, ".", 1);
   } else if (stops) {
     translate_parts(t, w, (span){text.at, text.length - 1}, depth);
     tp_text_append(t, ".", 1);

@@ -184,14 +184,19 @@ static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
 
 /* With the load case that it is of. */
 static void add_title(tp_document *d, const tp_scene *scene, const tp_solution *solution) {
-  tp_text title = {0};
+  tp_text own = {0}, load_case = {0}, title = {0};
   if (solution->load_case != NULL && scene->title != NULL) {
-    tp_text_add(&title, tp_document_say(d, "%s, case %s"), scene->title, solution->load_case);
+    tp_encode_plain(&own, scene->title);
+    tp_encode_plain(&load_case, solution->load_case);
+    tp_text_add(&title, tp_document_say(d, "%s, case %s"), own.data != NULL ? own.data : "",
+                load_case.data != NULL ? load_case.data : "");
   } else if (solution->title != NULL) {
-    tp_text_add(&title, "%s", solution->title);
+    tp_encode_plain(&title, solution->title);
   }
   tp_sheet_add_title(d, title.data, "Stability of a rock block on its base");
-  d->failed = d->failed || title.failed;
+  d->failed = d->failed || own.failed || load_case.failed || title.failed;
+  tp_text_drop(&own);
+  tp_text_drop(&load_case);
   tp_text_drop(&title);
 }
 
