@@ -309,7 +309,8 @@ typedef struct tp_study_options {
   size_t shard, shards; /* the part of the study, from 1, and of how many; 1 of 1 */
   const char *rows;     /* a CSV file for a row of each sample, or NULL. Beside it a file of that
                            name and .progress says how far it is: a study that was interrupted goes
-                           on from there */
+                           on from there. Of a name that ends in .h5 or .hdf5 the CSV has that name
+                           and .csv, and HDF5 is made of it once the study is whole */
   bool restart;         /* do not go on, begin anew, over rows of any study */
   void *context;        /* of the calls below */
   bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
@@ -330,8 +331,9 @@ static inline tp_study_options tp_study_options_default(void) {
 /* Run it. `*result` is to be freed by tp_study_result_free. By ranks it is that of the first, and
  * NULL with TP_OK on the others; where one of them fails, the first has its status and message.
  * Rows and result are those of one process, to the byte. TP_SYSTEM_FAILED where rows cannot be
- * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene or the rows themselves have changed since, or is no file of rows, or ends in .h5. */
+ * written; TP_DEPENDENCY_FAILED where HDF5 is asked for and not built. Bad input where the file of
+ * rows belongs to another study, or its scene or the rows themselves have changed since, or is no
+ * file of rows. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 

@@ -19,8 +19,9 @@ def study(path: File, *, rows: File | None = None, restart: bool = False,
           merge: Sequence[File] = (), stop: Stop = None,
           progress: Progress = None) -> StudyResult:
     """Run the study in a file (docs/study.md). `rows` is a CSV file for a row of each sample, by
-    which an interrupted study goes on, unless `restart`; `shard` a part, as in (2, 5); `merge` the
-    files of all shards, which are put together instead. `columns` of the result are NumPy arrays.
+    which an interrupted study goes on, unless `restart`; or HDF5, where it ends in .h5, made of the
+    CSV beside it. `shard` is a part, as in (2, 5); `merge` the files of all shards, which are put
+    together instead. `columns` of the result are NumPy arrays.
 
     `stop` is asked now and then, and true ends the study with the samples so far (`end` is
     StudyEnd.INTERRUPTED); `progress` is given the samples done and planned, True shows them. Ctrl-C

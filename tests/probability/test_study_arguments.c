@@ -82,7 +82,8 @@ START_TEST(run) {
   there.restart = true;
   REFUSED(tp_study_run(&result, study, &there, &message), "reads");
   there.rows = "rows.h5";
-  REFUSED(tp_study_run(&result, study, &there, &message), "the rows are CSV");
+  there.shards = 2;
+  REFUSED(tp_study_run(&result, study, &there, &message), "a shard writes CSV");
   ck_assert_ptr_eq(result, UNTOUCHED(tp_study_result));
   tp_study_result_free(NULL);
   tp_study_free(study);

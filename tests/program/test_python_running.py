@@ -6,14 +6,18 @@ to other processes; their words have an order, so that tables of pandas sort and
 import copy
 import multiprocessing
 import os
+import pathlib
 import pickle
+import shutil
 import signal
+import subprocess
+import tempfile
 import threading
 import time
 import unittest
 import warnings
 
-from harness import ROOT, main
+from harness import PROGRAM, ROOT, main
 from python_case import SQUARE, numpy, said, topple
 
 STUDY = """
@@ -24,6 +28,7 @@ sampling: {method: monte_carlo, seed: 1, chunk: 50}
 vary:
   friction_angle_deg: {uniform: {low: 25, high: 45}}
 """
+BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", pathlib.Path(PROGRAM).parent))
 NAME = str(ROOT / "examples" / "study")
 SHAKEN = ROOT / "examples" / "shaken_boulder.yaml"
 
@@ -69,6 +74,37 @@ class Stopped(unittest.TestCase):
         self.assertGreaterEqual(result.samples, counts[-1][0])
         with self.assertRaisesRegex(ZeroDivisionError, "by zero"):
             topple.study_text(STUDY, NAME, progress=lambda done, of: 1 / 0)
+
+    def test_rows_as_hdf5(self):
+        """By the name of the rows: what h5py reads of them are the columns of the result, and the program makes the same file.
+        Stopped, there is none, but the CSV of which the same call makes it."""
+        try:
+            import h5py
+        except ImportError:
+            self.skipTest("python3-h5py is not installed")
+        if not (BUILD / "libtopple-hdf5.so").exists():
+            self.skipTest("Topple was built without HDF5")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            shutil.copy(ROOT / "examples" / "block_e_valley.yaml", folder)
+            study = folder / "study.yaml"
+            study.write_text(STUDY.replace("3000000", "400"))
+            part = topple.study(study, rows=folder / "rows.h5", stop=lambda: True)
+            self.assertIs(part.end, topple.StudyEnd.INTERRUPTED)
+            self.assertFalse((folder / "rows.h5").exists())
+            self.assertTrue((folder / "rows.h5.csv").exists())
+            result = topple.study(study, rows=folder / "rows.h5")
+            with h5py.File(folder / "rows.h5") as file:
+                self.assertEqual(file.attrs["samples"], 400)
+                for column in ("friction_angle_deg", "limit_deg", "fos"):
+                    numpy.testing.assert_array_equal(file[column][:], result.columns[column])
+            subprocess.run([PROGRAM, "study", study.name, "--rows", "other.h5"], cwd=folder, check=True, capture_output=True)
+            with h5py.File(folder / "rows.h5") as one, h5py.File(folder / "other.h5") as other:
+                for column in one:
+                    if column != "files":
+                        numpy.testing.assert_array_equal(one[column][:], other[column][:], column)
+            with self.assertRaises(topple.BadInput):
+                topple.study(study, rows=folder / "part.h5", shard=(1, 2))
 
     def test_the_same_samples(self):
         """What was interrupted has the first samples of the whole."""

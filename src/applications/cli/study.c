@@ -7,7 +7,6 @@
 #include "cli/cli.h"
 #include "cli/sheet.h"
 #include "cli/signals.h"
-#include "cli/study_rows.h"
 #include "cli/study_run.h"
 
 #include <argp.h>
@@ -24,7 +23,6 @@ typedef struct arguments {
   const char *report;           /* file for a calculation sheet; NULL: none */
   const char *figure, *scatter; /* files to draw into; NULL: none */
   tp_chart_format figure_format, scatter_format;
-  tp_study_file rows; /* where it is HDF5, options.rows is the CSV of it */
   tp_study_options options;
 } arguments;
 
@@ -127,11 +125,11 @@ static void check(const arguments *a, struct argp_state *state) {
   if (a->options.shards > 1 && a->options.rows == NULL) {
     tp_cli_refuse(state, "a shard needs a file for its rows; say --rows FILE");
   }
-  if (a->options.shards > 1 && a->rows.hdf5 != NULL) {
+  if (a->options.shards > 1 && tp_cli_is_hdf5(a->options.rows)) {
     tp_cli_refuse(state, "a shard writes CSV, as '%s.csv'; --merge makes HDF5 of all",
-                  a->rows.hdf5);
+                  a->options.rows);
   }
-  const tp_cli_written files[] = {{"--rows", a->rows.hdf5 != NULL ? a->rows.hdf5 : a->options.rows},
+  const tp_cli_written files[] = {{"--rows", a->options.rows},
                                   {"--figure", a->figure},
                                   {"--scatter", a->scatter},
                                   {"--report", a->report}};
@@ -148,9 +146,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->json = true;
     return 0;
   case KEY_ROWS:
-    free(a->rows.csv);
-    if (!tp_cli_study_file_name(&a->rows, argument)) return ENOMEM;
-    a->options.rows = a->rows.hdf5 != NULL ? a->rows.csv : argument;
+    a->options.rows = argument;
     return 0;
   case KEY_RESTART:
     a->options.restart = true;
@@ -199,14 +195,10 @@ static tp_status run(tp_study_result **result, const arguments *a, tp_message *m
   tp_study *study = NULL;
   tp_status status = tp_study_read(&study, a->study, message);
   if (status == TP_OK) {
-    status = tp_cli_study_file_check(&a->rows, study, a->options.restart, message);
-  }
-  if (status == TP_OK) {
     status = a->merge
                  ? tp_study_merge(result, study, a->shards, a->shard_count, &a->options, message)
                  : tp_cli_study_run(result, study, &a->options, message);
   }
-  if (status == TP_OK) status = tp_cli_study_file_write(&a->rows, study, *result, message);
   tp_study_free(study);
   return status;
 }
@@ -223,8 +215,7 @@ static tp_status run_by_ranks(tp_study_result **result, const arguments *a, tp_m
     tp_cli_ranks_end(&ranks);
     return status;
   }
-  const tp_status status =
-      tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, &a->rows, message);
+  const tp_status status = tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, message);
   tp_cli_ranks_end(&ranks);
   return status;
 }
@@ -280,7 +271,6 @@ static tp_status study_and_tell(const void *words, int *ended, tp_message *messa
   if (status == TP_OK && result != NULL) status = tell(result, a, ended, message);
   tp_study_result_free(result);
   free(a->shards);
-  free(a->rows.csv);
   return status;
 }
 

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A study by the ranks of mpirun: what the library runs by ranks, between reading the study and
- * writing HDF5 of its rows, after each of which all know whether one of them failed. The first
- * complains. */
+/* A study by the ranks of mpirun: read by all, of which the first that cannot complains, and run
+ * together by the library. */
 
 #include "cli/study_run.h"
 
@@ -20,31 +19,15 @@ static tp_status agree(const tp_study_ranks *ranks, tp_status status, bool *fail
   return TP_OK;
 }
 
-static tp_status read_study(tp_study **study, const tp_study_ranks *ranks, const char *path,
-                            const tp_study_options *options, const tp_study_file *rows,
-                            tp_message *message) {
-  const tp_status status = tp_study_read(study, path, message);
-  if (status != TP_OK || ranks->rank > 0) return status;
-  return tp_cli_study_file_check(rows, *study, options->restart, message);
-}
-
 tp_status tp_cli_study_by_ranks(tp_study_result **result, const tp_ranks *ranks, const char *path,
-                                const tp_study_options *options, const tp_study_file *rows,
-                                tp_message *message) {
+                                const tp_study_options *options, tp_message *message) {
   tp_study *study = NULL;
   tp_study_options own = *options;
   bool failed = false;
   own.ranks = &ranks->own;
-  tp_status status = read_study(&study, own.ranks, path, options, rows, message);
+  tp_status status = tp_study_read(&study, path, message);
   status = agree(own.ranks, status, &failed, message);
   if (!failed) status = tp_cli_study_run(result, study, &own, message);
-  if (status == TP_OK && *result != NULL) {
-    status = tp_cli_study_file_write(rows, study, *result, message);
-  }
-  if (status != TP_OK) {
-    tp_study_result_free(*result);
-    *result = NULL;
-  }
   tp_study_free(study);
   return status;
 }

@@ -8,6 +8,8 @@
 #include "cli/signals.h"
 #include "cli/words.h"
 
+#include <string.h>
+#include <strings.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -37,6 +39,19 @@ static void tell_progress(void *context, size_t done, size_t of) {
   tp_cli_tell_progress(done, of, (double)(done - line->first) / (now - line->began));
 }
 
+bool tp_cli_is_hdf5(const char *rows) {
+  const char *ending = rows != NULL ? strrchr(rows, '.') : NULL;
+  return ending != NULL && (strcasecmp(ending, ".h5") == 0 || strcasecmp(ending, ".hdf5") == 0);
+}
+
+/* HDF5 is made of whole studies alone. */
+static void tell_where_rows_are(const tp_study_options *options, const tp_study_result *result) {
+  if (result->end != TP_STUDY_INTERRUPTED || !tp_cli_is_hdf5(options->rows)) return;
+  tp_cli_complain("interrupted: the rows so far are in '%s.csv', and '%s' is made from them once "
+                  "the same command has been run to the end",
+                  options->rows, options->rows);
+}
+
 tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
                            const tp_study_options *options, tp_message *message) {
   const bool first = options->ranks == NULL || options->ranks->rank == 0;
@@ -52,5 +67,6 @@ tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
   if (terminal && status == TP_OK && *result != NULL) {
     tp_cli_tell_cost((*result)->doubles_seconds, (*result)->ladder_seconds);
   }
+  if (status == TP_OK && *result != NULL) tell_where_rows_are(options, *result);
   return status;
 }

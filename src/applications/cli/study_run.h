@@ -7,7 +7,9 @@
 #define TP_CLI_STUDY_RUN_H
 
 #include "cli/ranks.h"
-#include "cli/study_rows.h"
+
+/* Is a file of rows HDF5, by the ending of its name? NULL is none. */
+bool tp_cli_is_hdf5(const char *rows);
 
 /* Samples, by one process: interrupted by a signal, with its progress on a terminal. */
 TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
@@ -17,6 +19,6 @@ TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study 
  * the first. Of those that fail one has the status, so that it is told once. */
 TP_MUST_USE tp_status tp_cli_study_by_ranks(tp_study_result **result, const tp_ranks *ranks,
                                             const char *path, const tp_study_options *options,
-                                            const tp_study_file *rows, tp_message *message);
+                                            tp_message *message);
 
 #endif

@@ -17,6 +17,7 @@ typedef struct writing {
   const tp_study *study;
   tp_hdf5_file file;
   tp_hdf5_stop *stop;
+  void *context; /* of that */
   tp_hdf5_column *columns;
   size_t count;
   uint64_t rows, done; /* done: in the file */
@@ -101,7 +102,7 @@ static tp_status take_row(void *context, tp_study_row *row, tp_message *message)
 /* Once it is stopped, nothing more is taken. */
 static tp_status take_chunk(void *context, uint64_t chunk, tp_text *text, tp_message *message) {
   writing *w = context;
-  w->stopped = w->stopped || (w->stop != NULL && w->stop());
+  w->stopped = w->stopped || (w->stop != NULL && w->stop(w->context));
   if (w->stopped) return TP_OK;
   return tp_rows_parse(&w->stretch, chunk, text, w->rows, take_row, w, message);
 }
@@ -144,7 +145,7 @@ static tp_status write_rows(writing *w, const tp_progress *progress, tp_message 
 }
 
 tp_status tp_hdf5_write(const char *path, const tp_study *study, const char *csv,
-                        tp_hdf5_stop *stop, tp_message *message) {
+                        tp_hdf5_stop *stop, void *context, tp_message *message) {
   TP_GUARD_HOST;
   tp_progress progress = {0};
   bool there = false;
@@ -155,7 +156,10 @@ tp_status tp_hdf5_write(const char *path, const tp_study *study, const char *csv
                      "these are not rows of a whole study");
   }
   const uint64_t most = progress.chunks * study->chunk;
-  writing w = {.study = study, .stop = stop, .rows = most < study->samples ? most : study->samples};
+  writing w = {.study = study,
+               .stop = stop,
+               .context = context,
+               .rows = most < study->samples ? most : study->samples};
   status = tp_hdf5_file_begin(&w.file, path, csv, message);
   if (status == TP_OK) status = write_rows(&w, &progress, message);
   return tp_hdf5_file_end(&w.file, status, !w.stopped, message);

@@ -12,9 +12,7 @@
 typedef tp_gis_outcome tp_gis_read_function(const char *path, tp_gis_take *take, void *context,
                                             char why[TP_GIS_WHY_SIZE]);
 
-/* tp_gis_read of libtopple-gis: beside what this code lies in, the library or the program; where
- * it lies seen from there, as both are installed; else where it was meant to be installed. It stays
- * loaded. NULL: dlerror tells. */
+/* tp_gis_read of libtopple-gis (common/library_beside.h); NULL: dlerror tells. */
 tp_gis_read_function *tp_gis_library(void);
 
 #endif

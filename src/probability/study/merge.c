@@ -8,6 +8,7 @@
 
 #include "common/host.h"
 #include "common/options.h"
+#include "study/hdf5_rows.h"
 #include "study/result.h"
 #include "study/rows.h"
 
@@ -203,25 +204,34 @@ tp_status tp_study_merge(tp_study_result **result, const tp_study *study, const 
                .rows = {.descriptor = -1},
                .scratch = calloc(study->tilt_count + 1, sizeof *m.scratch),
                .by_rows = study->half_width > 0};
+  tp_study_result *own = NULL;
   part *parts = calloc(count + 1, sizeof *parts);
   tp_status status =
       parts != NULL && m.scratch != NULL ? TP_OK : tp_fail_memory(message, "the shards");
+  tp_hdf5_rows hdf5;
+  const tp_status begun =
+      tp_hdf5_rows_begin(&hdf5, &taken, study, status == TP_OK ? message : NULL);
+  if (status == TP_OK) status = begun;
   if (status == TP_OK) status = sort_parts(parts, study, shards, count, message);
   if (status == TP_OK) status = start(&m, parts, count, &taken, message);
   if (status == TP_OK) status = merge(&m, parts, count, message);
   if (status == TP_OK) {
     const bool whole = m.tally.counts.samples == study->samples;
-    status = tp_study_sum_up(result, &m.tally, whole ? TP_STUDY_COMPLETE : TP_STUDY_CERTAIN, &taken,
+    status = tp_study_sum_up(&own, &m.tally, whole ? TP_STUDY_COMPLETE : TP_STUDY_CERTAIN, &taken,
                              message);
   }
   for (size_t k = 0; k < count && status == TP_OK; k++) {
-    status = tp_study_add_source(*result, shards[k], message);
-    if (status == TP_OK) continue;
-    tp_study_result_free(*result);
-    *result = NULL;
+    status = tp_study_add_source(own, shards[k], message);
+  }
+  if (status == TP_OK) status = tp_hdf5_rows_make(&hdf5, own, study, &taken, message);
+  if (status == TP_OK) {
+    *result = own;
+  } else {
+    tp_study_result_free(own);
   }
   tp_rows_close(&m.rows);
   tp_tally_clear(&m.tally);
+  tp_hdf5_rows_end(&hdf5);
   free(m.scratch);
   free(parts);
   return status;

@@ -15,7 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -142,18 +141,6 @@ static tp_status lock(const tp_rows *rows, tp_message *message) {
                    "another run is writing these rows; wait for it, or name another file");
 }
 
-/* What HDF5 is made of is CSV: a name that promises otherwise is a mistake. */
-static tp_status check_name(const char *path, tp_message *message) {
-  const char *ending = strrchr(path, '.');
-  if (ending == NULL || (strcasecmp(ending, ".h5") != 0 && strcasecmp(ending, ".hdf5") != 0)) {
-    return TP_OK;
-  }
-  return tp_refuse(
-      message, TP_FAULT_ARGUMENT, (tp_place){path, 0, 0},
-      "the rows are CSV; name a file that ends in .csv, or let 'topple study --rows' make "
-      "HDF5");
-}
-
 static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
                                 tp_message *message) {
   struct stat state;
@@ -183,8 +170,7 @@ tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_opti
                        tp_message *message) {
   prepare(rows, study, options);
   if (rows->path == NULL) return TP_OK;
-  tp_status status = check_name(rows->path, message);
-  if (status == TP_OK) status = tp_progress_check(rows->path, message);
+  tp_status status = tp_progress_check(rows->path, message);
   if (status == TP_OK) status = tp_file_open_to_add(&rows->descriptor, rows->path, message);
   if (status == TP_OK) status = begin_or_go_on(rows, options, message);
   if (status != TP_OK) tp_rows_close(rows);

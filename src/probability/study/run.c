@@ -8,6 +8,7 @@
 
 #include "common/host.h"
 #include "common/options.h"
+#include "study/hdf5_rows.h"
 #include "study/points.h"
 #include "study/result.h"
 #include "study/rounds.h"
@@ -75,13 +76,14 @@ static tp_status make_rounds(tp_rounds *r, tp_study_end *ended, tp_message *mess
 
 /* The first rank sums up, and where it has points to solve for that the others help it. */
 static tp_status sum_up(tp_study_result **result, tp_rounds *r, tp_study_end ended,
-                        tp_message *message) {
+                        const tp_hdf5_rows *hdf5, tp_message *message) {
   tp_status status = tp_rounds_gather(r, message);
   if (status != TP_OK || r->over) return status;
   if (!tp_rank_is_first(r->options->ranks)) {
     return tp_study_help_with_points(r->study, r->options, message);
   }
   status = tp_study_sum_up(result, &r->tally, ended, r->options, message);
+  if (status == TP_OK) status = tp_hdf5_rows_make(hdf5, *result, r->study, r->options, message);
   return tp_study_end_points(r->options, status, message);
 }
 
@@ -114,15 +116,23 @@ tp_status tp_study_run(tp_study_result **result, const tp_study *study,
   tp_status status = check(options, message);
   if (status != TP_OK) return status;
   tp_rounds r;
+  tp_hdf5_rows hdf5;
   tp_study_end ended = TP_STUDY_COMPLETE;
   bool failed = false;
-  status = start(&r, study, options, message);
+  status = tp_hdf5_rows_begin(&hdf5, &taken, study, message);
+  const tp_status started = start(&r, study, options, status == TP_OK ? message : NULL);
+  if (status == TP_OK) status = started;
   status = tp_together_agree(options->ranks, status, &failed, message);
   r.over = failed;
   if (status == TP_OK && !r.over) status = make_rounds(&r, &ended, message);
   tp_study_result *own = NULL;
-  if (status == TP_OK && !r.over) status = sum_up(&own, &r, ended, message);
-  if (status == TP_OK) *result = own; /* none on a rank that is not the first */
+  if (status == TP_OK && !r.over) status = sum_up(&own, &r, ended, &hdf5, message);
+  if (status == TP_OK) {
+    *result = own; /* none on a rank that is not the first */
+  } else {
+    tp_study_result_free(own);
+  }
   end(&r);
+  tp_hdf5_rows_end(&hdf5);
   return status;
 }

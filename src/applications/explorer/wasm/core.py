@@ -28,8 +28,8 @@ DEFINED = [
     '-DTP_RANKS_LIBRARY="libtopple-ranks.so"',
     '-DTP_TRACE_LIBRARY="libtopple-trace.so"',
 ]
-# Instead of what needs GDAL, whose library the native program loads.
-ABSENT = [TOP / "src" / "input" / "format" / "gis_absent.c"]
+# Instead of what needs GDAL, whose library the native program loads; and what loads others, of which there is none.
+ABSENT = [TOP / "src" / "input" / "format" / "gis_absent.c", TOP / "src" / "core" / "common" / "library_beside.c"]
 # It draws in another process, by a library that it loads; c_library/draw.c stands in its place.
 REPLACED = [TOP / "src" / "applications" / "cli" / "draw.c"]
 # CGAL's filters need directed rounding, which WebAssembly has not: they then widen each result by one double to either

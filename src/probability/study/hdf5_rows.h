@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Rows as HDF5: a run writes and goes on from CSV beside the file, and once the study is whole, the
+ * file is made of that by libtopple-hdf5 (applications/hdf5), which alone needs HDF5 and is loaded
+ * where such a file is asked for. */
+
+#ifndef TP_STUDY_HDF5_ROWS_H
+#define TP_STUDY_HDF5_ROWS_H
+
+#include "study/study.h"
+
+typedef bool tp_hdf5_stop(void *context);
+typedef tp_status tp_hdf5_check_function(const char *path, const tp_study *study, const char *csv,
+                                         bool restart, tp_message *message);
+typedef tp_status tp_hdf5_write_function(const char *path, const tp_study *study, const char *csv,
+                                         tp_hdf5_stop *stop, void *context, tp_message *message);
+
+typedef struct tp_hdf5_rows {
+  const char *path; /* NULL: none are asked for */
+  char *csv;        /* beside it; owned */
+  tp_hdf5_check_function *check;
+  tp_hdf5_write_function *write;
+} tp_hdf5_rows;
+
+/* By the ending of options.rows, which is the CSV from then on. Before the study is run: can the
+ * file be made? By ranks the first one asks. To be ended on failure, too. */
+TP_MUST_USE tp_status tp_hdf5_rows_begin(tp_hdf5_rows *own, tp_study_options *options,
+                                         const tp_study *study, tp_message *message);
+/* Made, of a study that is whole; where options.stop ends that, the result is interrupted. */
+TP_MUST_USE tp_status tp_hdf5_rows_make(const tp_hdf5_rows *own, tp_study_result *result,
+                                        const tp_study *study, const tp_study_options *options,
+                                        tp_message *message);
+void tp_hdf5_rows_end(tp_hdf5_rows *own);
+
+#endif
