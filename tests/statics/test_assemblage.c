@@ -5,10 +5,11 @@
  * closed forms, published walls and slopes, and the mirror image. */
 
 #include "block_pile.h"
+#include "random_numbers.h"
 #include "suite.h"
 
 #include <math.h>
-#include <stdio.h>
+#include <string.h>
 
 static const double share = 1e-6;
 
@@ -157,6 +158,104 @@ START_TEST(large_wall) {
 }
 END_TEST
 
+static void expect_refused(block_pile *p, const char *what) {
+  tp_message message = {.text = ""};
+  ck_assert_int_eq(pile_assemble(p, &message), TP_BAD_INPUT);
+  ck_assert_msg(strstr(message.text, what) != NULL, "%s", message.text);
+  pile_clear(p);
+}
+
+/* Whole numbers tell an overlap and a gap of 1e-9 from blocks that touch; each is said by name. */
+START_TEST(what_is_no_assemblage) {
+  enum { DIVISOR = 1000000000 };
+  block_pile p = {.count = 0};
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, -1, 2L * DIVISOR, 2L * DIVISOR, DIVISOR, false);
+  expect_refused(&p, "blocks '0' and '1' overlap");
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, 1, 2L * DIVISOR, 2L * DIVISOR, DIVISOR, false);
+  expect_refused(&p, "block '1' touches no other");
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, 0, 2, 2, 1, false);
+  pile_add_box(&p, 1, 1, 2, 2, 2, false); /* all within the one before */
+  expect_refused(&p, "blocks '1' and '2' overlap");
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, 0, 4, 2, 1, false);
+  const long hexagon[] = {1, 0, 3, 0, 4, 1, 3, 2, 1, 2, 0, 1}; /* its corners lie on the border */
+  pile_add(&p, hexagon, 6, 1, false);
+  expect_refused(&p, "blocks '1' and '2' overlap");
+  pile_add_box(&p, 0, 0, 2, 2, 1, false);
+  expect_refused(&p, "no block is ground");
+  pile_add_box(&p, 0, 0, 2, 2, 1, true);
+  expect_refused(&p, "all blocks are ground");
+}
+END_TEST
+
+/* A corner within an edge is a contact in a point: a square on its corner upon the ground beside
+ * one that it leans on bears nothing more than a point can. */
+START_TEST(corners_on_faces) {
+  block_pile p = {.count = 0};
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  const long diamond[] = {0, 0, 2, 2, 0, 4, -2, 2};
+  pile_add(&p, diamond, 4, 1, false);
+  assemble(&p);
+  ck_assert_int_eq(p.assemblage.contact_count, 1);
+  ck_assert_int_eq(p.assemblage.contacts[0].ends[0], p.assemblage.contacts[0].ends[1]);
+  pile_clear(&p);
+  pile_add_box(&p, -10, -1, 10, 0, 1, true);
+  pile_add_box(&p, 0, 0, 2, 2, 1, false);
+  pile_add_box(&p, 2, 2, 4, 4, 1, false); /* corner to corner, no contact */
+  expect_refused(&p, "block '2' touches no other");
+}
+END_TEST
+
+/* A random pile of boxes in courses, joined in other places each time; `split` cuts the ground into
+ * two blocks in the middle, `mirrored` turns it over, `times` makes all larger. */
+static void add_random(block_pile *p, uint64_t seed, bool mirrored, bool split, long times) {
+  enum { COURSES = 5, WIDTH = 24 };
+  const long sign = mirrored ? -1 : 1;
+  random_numbers state = random_numbers_from(seed);
+  if (split) {
+    pile_add_box(p, -100 * times, -times, 11 * times * sign, 0, 1, true);
+    pile_add_box(p, 11 * times * sign, -times, 200 * times, 0, 1, true);
+  } else {
+    pile_add_box(p, -100 * times, -times, 200 * times, 0, 1, true);
+  }
+  for (long c = 0; c < COURSES; c++) {
+    for (long from = 0; from < WIDTH;) {
+      long to = from + 2 + draw_below(&state, 5);
+      if (to > WIDTH - 2) to = WIDTH;
+      const long a = times * (mirrored ? -to : from), b = times * (mirrored ? -from : to);
+      pile_add_box(p, a, 3 * c * times, b, 3 * (c + 1) * times, 1, false);
+      from = to;
+    }
+  }
+}
+
+/* Neither the mirror image, nor another unit, nor ground in two pieces, nor the side of tilt of a
+ * mirror changes the limit: all brackets overlap. */
+START_TEST(images_of_random_piles) {
+  for (uint64_t seed = 1; seed <= (uint64_t)rounds(20, 400); seed++) {
+    tp_load_bracket all[4];
+    for (int k = 0; k < 4; k++) {
+      block_pile p = {.count = 0};
+      add_random(&p, seed, k == 1, k == 2, k == 3 ? 7919 : 1);
+      assemble(&p);
+      all[k] = pile_limit(&p, 0.6, k != 1, share);
+      ck_assert_msg(all[k].is_held && all[k].is_bounded,
+                    "seed %d image %d: held %d %g, bounded %d %g", (int)seed, k, all[k].is_held,
+                    all[k].held, all[k].is_bounded, all[k].bound);
+      ck_assert_msg(all[k].bound - all[k].held <= share * all[k].bound,
+                    "seed %d image %d: %.12f to %.12f", (int)seed, k, all[k].held, all[k].bound);
+      ck_assert_msg(all[k].held <= all[0].bound && all[k].bound >= all[0].held, "seed %d image %d",
+                    (int)seed, k);
+      pile_clear(&p);
+    }
+    for (int k = 0; k < 4; k++) tp_load_bracket_clear(all + k);
+  }
+}
+END_TEST
+
 SUITE(assemblage) {
   Suite *suite = suite_create("assemblage");
   TCase *tests = tcase_create("limit");
@@ -166,6 +265,9 @@ SUITE(assemblage) {
   tcase_add_test(tests, slope_of_columns);
   tcase_add_test(tests, stack_of_bricks);
   tcase_add_test(tests, large_wall);
+  tcase_add_test(tests, images_of_random_piles);
+  tcase_add_test(tests, what_is_no_assemblage);
+  tcase_add_test(tests, corners_on_faces);
   suite_add_tcase(suite, tests);
   return suite;
 }

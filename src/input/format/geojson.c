@@ -8,6 +8,7 @@
 
 #include "format/geojson.h"
 
+#include "format/standing.h"
 #include "geom/json_events.h"
 #include "number/ratio.h"
 

@@ -9,6 +9,7 @@
 #include "format/wkt.h"
 
 #include "common/outside.h"
+#include "format/standing.h"
 #include "number/ratio.h"
 
 #include <ctype.h>

@@ -129,16 +129,15 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   proving *s = context;
   tp_load_bracket *b = s->bracket;
   double bound = 0;
-  const double before = b->is_bounded ? b->bound : INFINITY;
   (void)try_forces(s, at);
   if (find_bound(&bound, s->p, at->twists) && (!b->is_bounded || bound < b->bound)) {
     b->is_bounded = true;
     b->bound = bound;
     memcpy(b->twists, at->twists, (size_t)s->p->rows * sizeof *b->twists);
   }
-  /* what comes after that are roundings */
-  const bool stalls = isfinite(before) && before - b->bound <= s->share / 64 * fabs(b->bound);
-  return (b->is_held && (stalls || b->held > TP_MOST_LOAD)) || is_narrow(s);
+  /* nearer than that roundings follow, and forces are found by the other way */
+  const bool is_near = b->is_bounded && at->gap <= s->share / 8 * fabs(b->bound);
+  return (b->is_held && (is_near || b->held > TP_MOST_LOAD)) || is_narrow(s);
 }
 
 static bool watch_centre(void *context, const tp_interior_iterate *at) {
