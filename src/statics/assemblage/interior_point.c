@@ -149,8 +149,10 @@ static void predict_and_correct(interior *s) {
   find_step(s);
 }
 
-/* What rounding left of the blocks' equilibrium, taken up by the forces in proportion to D with the
- * load as it is: near the collapse a step's own errors are far above those of one so small. */
+/* What is left of the blocks' equilibrium, taken up by the forces in proportion to D with the load
+ * as it is: near the collapse a step's own errors are far above those of one so small. And what is
+ * left of the twists' conditions, moved from contacts that bear much, where the least would refute
+ * a proof, to those that open far. */
 static void restore(interior *s) {
   enum { ROUNDS = 2 };
   static const double damping = 0.5;
@@ -164,6 +166,11 @@ static void restore(interior *s) {
     const double share = reach(s->x, s->dx, s->n, damping);
     for (long k = 0; k < s->n; k++) s->x[k] += share * s->dx[k];
   }
+  find_residuals(s);
+  memset(s->rhs, 0, (size_t)s->p->rows * sizeof *s->rhs);
+  for (long k = 0; k < s->n; k++) add_column(s->rhs, s->p->columns + k, s->d[k] * s->rd[k]);
+  solve(s);
+  for (long r = 0; r < s->p->rows; r++) s->y[r] += s->dy[r];
   s->d[s->n] = of_load;
 }
 
