@@ -122,6 +122,25 @@ class Earthquake(unittest.TestCase):
         own = self.found("horizontal: 2.5, direction: up_dip", ring, ring[:2])["cases"][0]
         self.assertAlmostEqual(own["sliding"]["fos"]["value"], (c + 2.5 * s) * tan / (2.5 * c - s), delta=1e-6)
 
+    def test_teeth_beyond_the_block(self):
+        """Teeth go on along the slope past the block: up-dip they hold as the same base by its points does."""
+        head = "topple: 1\nlength_unit: mm\nfriction_angle_deg: 30\nloads: {seismic: {horizontal: 1/10}}\n" \
+               "slope: {dip_deg: 10, towards: left}\n"
+        teeth = "block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}, thickness: 20, " \
+                "unit_weight_kn_m3: 25.8}\nbase: {mated: true, beyond: {left: 20, right: 20}}\n"
+        ring = text([(0, 0), (30, 5), (60, 0), (90, 5), (90, 125), (0, 125)])
+        points = f"block: {{outline: {ring}, thickness: 20, unit_weight_kn_m3: 25.8}}\n" \
+                 f"base: {{profile: {text([(-20, '10/3'), (0, 0), (30, 5), (60, 0), (90, 5), (110, '5/3')])}}}\n"
+        found = []
+        for scene in (teeth, points):
+            path = self.path.with_name("teeth.yaml")
+            path.write_text(head + scene)
+            found.append([(own["direction"], own["mechanism"], own["fos"]["value"]) for own in solve(path)["earthquakes"]])
+        self.assertEqual([own[:2] for own in found[0]], [own[:2] for own in found[1]])
+        self.assertEqual({own[0] for own in found[0]}, {"up_dip", "down_dip"})
+        for one, other in zip(*found):
+            self.assertAlmostEqual(one[2], other[2], delta=1e-12 * one[2])
+
     def test_tilted_further(self):
         """A tilt is added to the dip, and the earthquake up-dip is of the block as it lies then: on a level joint turned to
         10° by coordinates, or by a tilt of 4° on 6°."""

@@ -6,6 +6,7 @@
 
 #include "problem/world.h"
 
+#include "base/profile.h"
 #include "base/underside.h"
 #include "problem/as_given.h"
 
@@ -49,17 +50,44 @@ static bool goes_on(const tp_base_description *base) {
   return !fmpq_is_zero(base->beyond_left.value) || !fmpq_is_zero(base->beyond_right.value);
 }
 
+static bool toothed_on(const tp_scene *scene) {
+  return scene->block.form == TP_OUTLINE_TEETH && scene->base.mated && goes_on(&scene->base);
+}
+
+static bool has_facet_friction(const tp_scene *scene) {
+  return scene->friction.facet_count > 0;
+}
+
+/* Teeth go on along x past the block: the base that they make, as a profile that can be turned. */
+static tp_status set_profile(tp_scene *own, const tp_scene *scene, const tp_section *section,
+                             tp_message *message) {
+  tp_base base;
+  const tp_status status = tp_base_init(&base, scene, section, message);
+  if (status != TP_OK) return status;
+  own->base.mated = false;
+  own->base.profile = (tp_polyline){.file = base.ring.file, .mark = base.ring.mark};
+  bool done = true;
+  for (long k = 0; k <= base.edge_count && done; k++) {
+    done = tp_polyline_append(&own->base.profile, base.ring.x + k, base.ring.y + k,
+                              base.ring.marks[k]);
+  }
+  tp_base_clear(&base);
+  if (done) return TP_OK;
+  tp_polyline_clear(&own->base.profile);
+  return tp_fail_memory(message, "the base");
+}
+
 /* Of a block on a slope, checked as given: the ends of its contact, or on a profile its underside.
  */
 static tp_status find_on_slope(tp_world *w, const tp_scene *scene, long ends[2],
                                const tp_section *section, tp_message *message) {
   tp_underside u;
   tp_lattice lattice;
-  if (scene->block.form == TP_OUTLINE_ELLIPSE ||
-      (scene->block.form == TP_OUTLINE_TEETH && goes_on(&scene->base))) {
+  if (scene->block.form == TP_OUTLINE_ELLIPSE || (toothed_on(scene) && has_facet_friction(scene))) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->block.place,
-                     "an ellipse, and teeth whose base extends past them, are described along x; "
-                     "give the block as an 'outline', and the base as its 'profile'");
+                     "an ellipse, and teeth whose base extends past them where facets have their "
+                     "own friction, are described along x; give the block as an 'outline', and the "
+                     "base as its 'profile'");
   }
   if (!scene->base.mated) return tp_sole_find(&w->sole, scene, section, message);
   tp_status status = tp_as_given_check(&lattice, scene, section, NULL, message);
@@ -73,19 +101,29 @@ static tp_status find_on_slope(tp_world *w, const tp_scene *scene, long ends[2],
 }
 
 /* The same turned until the horizontal is level, as a ring of vertices. */
+static tp_status turn_ring(tp_world *w, tp_scene *ring, const tp_section *section,
+                           tp_message *message) {
+  long ends[2] = {0, 0};
+  const tp_status status = find_on_slope(w, ring, ends, section, message);
+  if (status != TP_OK) return status;
+  if (ring->block.form != TP_OUTLINE_VERTICES) ring->block.outline = section->rings[0];
+  w->levelled.block.form = ring->block.form = TP_OUTLINE_VERTICES;
+  w->levelled.base.mated = ring->base.mated;
+  return tp_turn_scene(&w->levelled, &w->lay, ring, ring->base.mated, ends[0], ends[1])
+             ? TP_OK
+             : tp_fail_memory(message, "the turned scene");
+}
+
 static tp_status turn_on_slope(tp_world *w, const tp_scene *scene, tp_message *message) {
   tp_section section;
-  long ends[2] = {0, 0};
   tp_status status = tp_section_init(&section, &scene->block, message);
   if (status != TP_OK) return status;
-  status = find_on_slope(w, scene, ends, &section, message);
+  tp_scene ring = *scene; /* shares all with it */
+  const bool made = toothed_on(scene) && !has_facet_friction(scene);
+  if (made) status = set_profile(&ring, scene, &section, message);
   if (status == TP_OK) {
-    tp_scene ring = *scene; /* shares all with it */
-    if (ring.block.form != TP_OUTLINE_VERTICES) ring.block.outline = section.rings[0];
-    w->levelled.block.form = ring.block.form = TP_OUTLINE_VERTICES;
-    if (!tp_turn_scene(&w->levelled, &w->lay, &ring, scene->base.mated, ends[0], ends[1])) {
-      status = tp_fail_memory(message, "the turned scene");
-    }
+    status = turn_ring(w, &ring, &section, message);
+    if (made) tp_polyline_clear(&ring.base.profile);
   }
   tp_section_clear(&section);
   return status;
