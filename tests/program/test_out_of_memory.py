@@ -109,7 +109,7 @@ class OutOfMemory(unittest.TestCase):
         self.every(60, "solve", "--figure", "out.svg", EXAMPLES / "slab.yaml", complete=b"</svg>")
 
     def test_figure_in_pdf(self):
-        self.every(15, "solve", "--figure", "out.pdf", EXAMPLES / "slab.yaml", complete=b"%%EOF")
+        self.every(40, "solve", "--figure", "out.pdf", EXAMPLES / "slab.yaml", complete=b"%%EOF")
 
     def test_derive(self):
         self.every(40, "derive", "--elements", "--rounded", EXAMPLES / "block_e_valley.yaml")

@@ -48,6 +48,12 @@ static void build_arcs(tp_scene *scene, const double *n) {
   DO(tp_scene_add_arc_bulge(scene, E(0), E(6), E(n[4]), &message));
 }
 
+static void build_chords(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_add_arc_bulge(scene, E(0), E(6), E(0.25), &message));
+  DO(tp_scene_set_number(scene, "block.arc_tolerance", E(n[0]), &message));
+}
+
 static void build_corners(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_add_rounded_end(scene, TP_UNDERSIDE_LEFT_END, E(n[0]), &message));
@@ -162,6 +168,7 @@ enum {
   TEETH_OVER,
   ELLIPSE,
   ARCS,
+  CHORDS,
   CORNERS,
   LOADS,
   LEVEL,
@@ -202,6 +209,11 @@ static const keyed_scene kinds[] = {
               HEAD "block:\n  outline: [[0, 0], [4, 0], [4, 6], [0, 6]]\n  unit_weight_kn_m3: 25\n"
                    "  arcs: [{from: [@a, @b], through: [@c, @d]}, {from: [0, 6], bulge: @e}]\n",
               {4, 6, 2, 7, -0.25}},
+    [CHORDS] = {build_chords,
+                HEAD "block:\n  outline: [[0, 0], [4, 0], [4, 6], [0, 6]]\n"
+                     "  unit_weight_kn_m3: 25\n  arcs: [{from: [0, 6], bulge: 0.25}]\n"
+                     "  arc_tolerance: @a\n",
+                {0.125}},
     [CORNERS] = {build_corners,
                  HEAD "block:\n  outline: [[0, 0], [4, 0], [4, 6], [0, 6]]\n"
                       "  unit_weight_kn_m3: 25\n  rounded: {corners: [{at: left_end, radius: @a}, "
@@ -304,6 +316,7 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + ARCS, "block.arcs.1.through.1", 'c', 1.5},
     {kinds + ARCS, "block.arcs.1.through.2", 'd', 7.5},
     {kinds + ARCS, "block.arcs.2.bulge", 'e', -0.125},
+    {kinds + CHORDS, "block.arc_tolerance", 'a', 0.0625},
     {kinds + CORNERS, "block.rounded.corners.1.radius", 'a', 0.75},
     {kinds + CORNERS, "block.rounded.corners.2.radius", 'd', 0.5},
     {kinds + CORNERS, "block.rounded.corners.2.at.1", 'b', 0},
