@@ -179,7 +179,7 @@ NAMED = {"tp_load_result": "LoadResult", "tp_claim_result": "ClaimResult", "tp_s
 #: What goes in, and messages, lists, charts and columns, which Python has in ways of its own.
 GIVEN = {"tp_message", "tp_notes", "tp_settings", "tp_sweep_point", "tp_sweep_sink", "tp_sweep_summary", "tp_text_sink",
          "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis", "tp_derived_checks", "tp_numbers",
-         "tp_outlines", "tp_study_column", "tp_figure_consent", "topple_run"}
+         "tp_outlines", "tp_study_column", "tp_study_ranks", "tp_figure_consent", "topple_run"}
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; that own memory; or that
 #: another field says in words (the standing of a surveyed block).
 FLAGS = {"known", "limits", "decimals", "size", "case_size", "status"}
