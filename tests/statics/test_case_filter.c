@@ -206,7 +206,7 @@ static void set_block(stage *s, random_numbers *state, bool varies, bool loaded)
   const double middle = drawn(state, 0, 0.3), height = drawn(state, 2, 1.5);
   const double means[VARIABLES] = {middle, height, drawn(state, -0.1, 0.3), drawn(state, 1.1, 0.3)};
   const bool ends = draw_once_in(state, 2);
-  char text[TEXT], loads[TEXT] = "";
+  char text[TEXT], loads[TEXT / 2] = "";
   if (loaded) draw_loads(loads, sizeof loads, state, !varies, height);
   snprintf(
       text, sizeof text,
