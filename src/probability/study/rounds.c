@@ -44,8 +44,8 @@ tp_status tp_rounds_note_span(tp_rounds *r, uint64_t chunk, tp_message *message)
   const uint64_t first = tp_chunk_sample(r->study, chunk);
   const size_t count = tp_study_chunk_size(r->study, chunk);
   if (tp_rank_is_first(r->options->ranks) || first - r->tally.first >= r->tally.room) return TP_OK;
-  tp_rows_span *last = r->spans + r->span_count - 1;
-  if (r->span_count > 0 && last->first + last->count == first) {
+  tp_rows_span *last = r->span_count > 0 ? r->spans + r->span_count - 1 : NULL;
+  if (last != NULL && last->first + last->count == first) {
     last->count += count;
     return TP_OK;
   }
