@@ -98,6 +98,7 @@ static void read_rows(const tp_study *study, const uint8_t *data, size_t size) {
   tp_text rows = {0};
   tp_text_append(&rows, text.data + header, size);
   message.text[0] = '\0';
+  status = TP_OK;
   if (size > 0) status = tp_rows_parse(&stretch, 0, &rows, study->samples, take, &w, &message);
   FUZZ_EXPECT(status == TP_OK || message.text[0] != '\0');
   read_again(&w);
