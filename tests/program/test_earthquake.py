@@ -141,6 +141,21 @@ class Earthquake(unittest.TestCase):
         for one, other in zip(*found):
             self.assertAlmostEqual(one[2], other[2], delta=1e-12 * one[2])
 
+    def test_a_block_that_fails_down_dip_anyway(self):
+        """Shaken up-dip it topples down-dip still, and has no factor there; the shaking that drives it governs: moments about
+        the toe of a slab w by h on 30°, w cos β against h sin β + k (w sin β + h cos β)."""
+        path = self.path.with_name("anyway.yaml")
+        path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\n"
+                        "base: {mated: true}\nfriction_angle_deg: 45\nslope: {dip_deg: 30, towards: right}\n"
+                        "loads: {seismic: {horizontal: 0.02}}\n")
+        own = solve(path)
+        self.assertEqual([(e["direction"], e["mechanism"]) for e in own["earthquakes"]],
+                         [("down_dip", "topples"), ("up_dip", "topples")])
+        c, s, k = math.cos(math.radians(30)), math.sin(math.radians(30)), 0.02
+        self.assertAlmostEqual(own["cases"][0]["governing_fos"]["fos"]["value"], 2 * c / (4 * s + k * (2 * s + 4 * c)),
+                               delta=1e-9)
+        self.assertEqual(own["cases"][0]["towards"], "right")
+
     def test_tilted_further(self):
         """A tilt is added to the dip, and the earthquake up-dip is of the block as it lies then: on a level joint turned to
         10° by coordinates, or by a tilt of 4° on 6°."""

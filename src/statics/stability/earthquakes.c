@@ -86,8 +86,10 @@ static int rank_of(tp_mechanism mechanism) {
 }
 
 /* As a number: one that is not defined, since the block begins to move in any case, is the least.
- */
-static double factor_of(tp_fos fos) {
+ * Of a block that fails against the shaking, as it does under that in the other direction, which
+ * drives it, it is no measure. */
+static double factor_of(tp_fos fos, bool fails_against) {
+  if (fails_against) return INFINITY;
   switch (fos.state) {
   case TP_FOS_NUMBER:
     return fos.value.value;
@@ -98,24 +100,30 @@ static double factor_of(tp_fos fos) {
   }
 }
 
-static bool is_worse(tp_mechanism mechanism, tp_fos fos, tp_mechanism than, tp_fos other) {
-  const int rank = rank_of(mechanism), other_rank = rank_of(than);
-  return rank != other_rank ? rank < other_rank : factor_of(fos) < factor_of(other);
+typedef struct shaken_case {
+  tp_earthquake result;
+  bool fails_against; /* the block moves the other way than it is shaken */
+} shaken_case;
+
+static bool is_worse(const shaken_case *own, const shaken_case *than) {
+  const int rank = rank_of(own->result.mechanism), other = rank_of(than->result.mechanism);
+  if (rank != other) return rank < other;
+  return factor_of(own->result.fos, own->fails_against) <
+         factor_of(than->result.fos, than->fails_against);
 }
 
-/* The worse of its cases. */
-static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool vertical) {
-  const tp_case *worst = solution->cases;
-  for (size_t k = 1; k < solution->case_count; k++) {
-    const tp_case *own = solution->cases + k;
-    if (is_worse(own->mechanism, own->governing_fos.fos, worst->mechanism,
-                 worst->governing_fos.fos)) {
-      worst = own;
-    }
+/* The worst of its cases. */
+static shaken_case result_of(const tp_solution *solution, bool up_dip, bool vertical) {
+  shaken_case worst = {.fails_against = false};
+  for (size_t k = 0; k < solution->case_count; k++) {
+    const tp_case *c = solution->cases + k;
+    tp_fos fos = c->governing_fos.fos;
+    fos.value.digits = NULL; /* of the solution, which may go before the others */
+    const shaken_case own = {{c->towards, up_dip, vertical, c->mechanism, fos},
+                             c->governing_fos.up_dip};
+    if (k == 0 || is_worse(&own, &worst)) worst = own;
   }
-  tp_fos fos = worst->governing_fos.fos;
-  fos.value.digits = NULL; /* of the solution, which may go before the others */
-  return (tp_earthquake){worst->towards, up_dip, vertical, worst->mechanism, fos};
+  return worst;
 }
 
 /* ---- all of them -------------------------------------------------------------------------------
@@ -124,14 +132,13 @@ static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool ve
 typedef struct looking {
   tp_solution *governs; /* NULL: none yet */
   size_t count;
-  tp_earthquake all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
+  shaken_case all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
 } looking;
 
 /* Take a solution over, or give it back. */
 static void take(looking *l, tp_solution *solution, bool up_dip, bool vertical) {
-  const tp_earthquake own = result_of(solution, up_dip, vertical);
-  const tp_earthquake *first = l->all;
-  if (l->count == 0 || is_worse(own.mechanism, own.fos, first->mechanism, first->fos)) {
+  const shaken_case own = result_of(solution, up_dip, vertical);
+  if (l->count == 0 || is_worse(&own, l->all)) {
     memmove(l->all + 1, l->all, l->count * sizeof own);
     l->all[0] = own;
     tp_solution_free(l->governs);
@@ -175,7 +182,7 @@ static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
   const bool sited = tp_water_is_sited(water) && water->faces != TP_WATER_IN_FRONT;
   const bool wets = sited || (water->given && !fmpq_is_zero(water->height.value));
-  if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
+  if (status == TP_OK && wets && !l->all->result.up_dip) { /* else the solution has it */
     return tp_earthquake_note_water(&l->governs->notes, water, message);
   }
   if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) {
@@ -193,7 +200,7 @@ tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
   const tp_loads_description *loads = &scene->loads;
   const bool both = !loads->direction_given || loads->direction == TP_SEISMIC_BOTH;
   const bool up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP;
-  looking l = {NULL, 0, {{0}}};
+  looking l = {.governs = NULL};
   tp_status status = solve_way(&l, scene, up_dip, options, solve, message);
   /* on level ground both directions of tilt are solved, each shaken towards its side */
   if (status == TP_OK && both && l.governs->frame.dips) {
@@ -204,7 +211,7 @@ tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
     return status;
   }
   l.governs->earthquake_count = l.count > 1 ? l.count : 0;
-  memcpy(l.governs->earthquakes, l.all, sizeof l.all);
+  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k].result;
   *solution = l.governs;
   return TP_OK;
 }
