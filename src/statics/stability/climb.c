@@ -51,8 +51,8 @@ static bool evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction
   tp_evaluate_pivots(e, own, c->settled[own->towards].pivots, toppling, certainty);
   if (c->problem->corners.count > 0) tp_evaluate_rolling(e, own, toppling, certainty);
   const tp_place place = tp_scene_lies_in_place(scene) ? scene->frame_place : scene->tilt_place;
-  const bool done = tp_effects_note(c->solution, "toppling", place,
-                                    "both directions, as none is given", began);
+  const bool done =
+      tp_effects_note(c->solution, "toppling", place, "both directions, as none is given", began);
   if (!scene->friction_angle_deg.given || !done) return done;
   began = tp_effects_begin(c->solution);
   tp_evaluate_sliding(e, own, sliding, certainty);
