@@ -207,3 +207,9 @@ tp_near tp_assemblage_length(const tp_assemblage *a, const fmpz_t from, const fm
   fmpz_clear(difference);
   return (tp_near){value, exact ? 0 : fabs(value) * 2 * DBL_EPSILON};
 }
+
+long tp_assemblage_edges(const tp_assemblage *a) {
+  long count = 0;
+  for (long k = 0; k < a->count; k++) count += a->blocks[k].end - a->blocks[k].outline;
+  return count;
+}

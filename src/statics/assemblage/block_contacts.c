@@ -199,15 +199,12 @@ static tp_status try_pair(void *context, const tp_edge_of_block *e, const tp_edg
 }
 
 /* A block all within another crosses no edge of it. */
-static tp_status try_within(void *context, const tp_edge_of_block *e, long other,
-                            tp_message *message) {
-  tp_assemblage *a = context;
-  return fail_overlap(a, e->block, other, message);
+static tp_status try_within(void *context, long block, long other, tp_message *message) {
+  return fail_overlap(context, block, other, message);
 }
 
 tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
-  long count = 0;
-  for (long k = 0; k < a->count; k++) count += a->blocks[k].end - a->blocks[k].outline;
+  const long count = tp_assemblage_edges(a);
   line_edge *edges = calloc((size_t)count + 1, sizeof *edges);
   if (edges == NULL) return tp_fail_memory(message, "the contacts");
   long at = 0;

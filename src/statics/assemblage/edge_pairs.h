@@ -21,9 +21,8 @@ typedef struct tp_edge_of_block {
 
 typedef tp_status tp_edge_pair_call(void *context, const tp_edge_of_block *edge,
                                     const tp_edge_of_block *other, tp_message *message);
-/* The edge's first corner lies strictly within the other block. */
-typedef tp_status tp_edge_within_call(void *context, const tp_edge_of_block *edge, long other,
-                                      tp_message *message);
+/* The first corner of a block lies strictly within the other one. */
+typedef tp_status tp_edge_within_call(void *context, long block, long other, tp_message *message);
 
 /* Until a call fails; `context` is the assemblage. */
 TP_MUST_USE tp_status tp_edge_pairs_each(tp_assemblage *assemblage, tp_edge_pair_call *pair,

@@ -7,6 +7,8 @@
 
 #include "assemblage/force_program.h"
 
+#include "plane/contact_rows.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,10 +19,6 @@ void tp_force_program_clear(tp_force_program *p) {
   free(p->dead);
   free(p->live);
   memset(p, 0, sizeof *p);
-}
-
-static tp_near turned(tp_near a, bool back) {
-  return back ? tp_near_neg(a) : a;
 }
 
 /* The contact's direction over a power of two, so that its size is about one; its ends. */
@@ -44,24 +42,19 @@ static frame frame_of(const tp_assemblage *a, const tp_block_contact *c, tp_near
   return f;
 }
 
-/* n + t tan(phi) or n - t tan(phi) at an end, n = (-dy, dx). */
+/* An edge of the cone at an end, on the block to the left; on the other one turned round. */
 static void set_column(tp_force_column *column, const tp_assemblage *a, long contact,
                        const frame *f, int end, bool against) {
-  const tp_block_contact *c = a->contacts + contact;
-  const tp_near slip_x = turned(tp_near_times(f->tangent, f->dx), against);
-  const tp_near slip_y = turned(tp_near_times(f->tangent, f->dy), against);
-  const tp_near x = tp_near_plus(tp_near_neg(f->dy), slip_x), y = tp_near_plus(f->dx, slip_y);
   *column = (tp_force_column){.contact = contact, .row = {-1, -1}};
   for (int k = 0; k < 2; k++) {
-    const tp_rigid_block *block = a->blocks + c->block[k];
+    const tp_rigid_block *block = a->blocks + a->contacts[contact].block[k];
     if (block->number < 0) continue;
     const tp_near arm_x = tp_assemblage_length(a, block->x, a->lattice.x + f->ends[end]);
     const tp_near arm_y = tp_assemblage_length(a, block->y, a->lattice.y + f->ends[end]);
     column->row[k] = 3 * block->number;
-    column->entry[k][0] = turned(x, k == 1);
-    column->entry[k][1] = turned(y, k == 1);
-    column->entry[k][2] =
-        turned(tp_near_minus(tp_near_times(arm_x, y), tp_near_times(arm_y, x)), k == 1);
+    tp_sparse_cone_edge(column->entry[k], &f->dx, &f->dy, &f->tangent, against);
+    tp_sparse_moment(column->entry[k], &arm_x, &arm_y);
+    if (k == 1) tp_sparse_reverse(column->entry[k]);
   }
 }
 
@@ -72,9 +65,9 @@ static void set_loads(tp_force_program *p, const tp_assemblage *a, bool towards_
     p->block[b->number] = k;
     tp_near *dead = p->dead + 3 * b->number, *live = p->live + 3 * b->number;
     dead[1] = tp_near_neg(b->weight);
-    dead[2] = tp_near_neg(tp_near_times(b->weight, b->arm_x));
-    live[0] = turned(b->weight, towards_left);
-    live[2] = turned(tp_near_times(b->weight, b->arm_y), !towards_left);
+    live[0] = towards_left ? tp_near_neg(b->weight) : b->weight;
+    tp_sparse_moment(dead, &b->arm_x, &b->arm_y);
+    tp_sparse_moment(live, &b->arm_x, &b->arm_y);
   }
 }
 

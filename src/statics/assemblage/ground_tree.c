@@ -6,18 +6,16 @@
 
 #include "assemblage/ground_tree.h"
 
+#include "plane/contact_rows.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static tp_near determinant(const tp_near a[3], const tp_near b[3], const tp_near c[3]) {
-  tp_near sum = {0, 0};
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    const tp_near minor = tp_near_sub(tp_near_mul(b[next], c[last]), tp_near_mul(b[last], c[next]));
-    sum = tp_near_add(sum, tp_near_mul(a[k], minor));
-  }
-  return sum;
+static tp_near determinant(const tp_near *a, const tp_near *b, const tp_near *c) {
+  tp_near cross[3];
+  tp_near_cross(cross, b, c);
+  return tp_near_dot(a, cross);
 }
 
 /* Three of the contact's columns; false where they span less than all. */

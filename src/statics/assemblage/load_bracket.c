@@ -8,6 +8,7 @@
 
 #include "assemblage/ground_tree.h"
 #include "assemblage/interior_point.h"
+#include "plane/contact_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,9 +50,10 @@ static void hand_down(tp_near *parent, const tp_near *own, const tp_assemblage *
                       const tp_rigid_block *from, const tp_rigid_block *to) {
   const tp_near x = tp_assemblage_length(a, to->x, from->x);
   const tp_near y = tp_assemblage_length(a, to->y, from->y);
-  const tp_near moment = tp_near_minus(tp_near_times(x, own[1]), tp_near_times(y, own[0]));
-  for (int e = 0; e < 2; e++) parent[e] = tp_near_plus(parent[e], own[e]);
-  parent[2] = tp_near_plus(parent[2], tp_near_plus(own[2], moment));
+  tp_near moved[3] = {own[0], own[1]};
+  tp_sparse_moment(moved, &x, &y);
+  moved[2] = tp_near_plus(moved[2], own[2]);
+  for (int e = 0; e < 3; e++) parent[e] = tp_near_plus(parent[e], moved[e]);
 }
 
 /* Does what the forces leave fit into the contacts of the tree? Each column is of one link. */
