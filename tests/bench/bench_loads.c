@@ -6,13 +6,11 @@
  * with a bond. To be read: the ratio to the weight alone beside its goal, at most twice for loads,
  * three times for a bond. */
 
-#include "bench.h"
-
-#include "topple.h"
+#include "bench_solve.h"
 
 #include <string.h>
 
-enum { ROUNDS = 9, SOLVES = 100, TEXT = 1000 };
+enum { ROUNDS = 9, TEXT = 1000 };
 
 typedef struct variant {
   const char *name, *loads;
@@ -28,21 +26,9 @@ static const variant variants[] = {
     {"a bond", "loads: {bond_kpa: 20}\n", 3},
 };
 
-static tp_message message;
-
-static void expect(tp_status status) {
-  if (status == TP_OK) return;
-  fprintf(stderr, "%s\n", message.text);
-  exit(BENCH_FAILED);
-}
-
 static double measure(const char *loads) {
   tp_scene *scene = NULL;
   char text[TEXT];
-  double times[ROUNDS];
-  tp_solve_options options = tp_solve_options_default();
-  options.pivots = TP_PIVOTS_GOVERNING;
-  options.threads = 1;
   snprintf(text, sizeof text,
            "topple: 1\nlength_unit: m\nblock:\n"
            "  outline: [[0, 0], [1.42, -0.03], [2.6, 0], [2.6, 3.1], [1.2, 5], [-0.1, 2.4]]\n"
@@ -51,17 +37,7 @@ static double measure(const char *loads) {
            "%sfriction_angle_deg: 36\ntilt: {towards: left, angle_deg: 18}\n",
            loads);
   expect(tp_scene_read_text(&scene, text, "scene.yaml", &message));
-  for (int k = 0; k < ROUNDS; k++) {
-    const double began = bench_computed();
-    for (int i = 0; i < SOLVES; i++) {
-      tp_solution *solution = NULL;
-      expect(tp_solve(&solution, scene, &options, &message));
-      tp_solution_free(solution);
-    }
-    times[k] = 1e6 * (bench_computed() - began) / SOLVES;
-  }
-  tp_scene_free(scene);
-  return gsl_stats_median(times, 1, ROUNDS);
+  return bench_solve(scene, ROUNDS);
 }
 
 int main(void) {

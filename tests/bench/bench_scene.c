@@ -5,9 +5,7 @@
  * reading the same scene from text instead, in microseconds of computing time, the median of many
  * runs. All of it is to the verdict of one direction of tilt. */
 
-#include "bench.h"
-
-#include "topple.h"
+#include "bench_solve.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -18,14 +16,6 @@ static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
 static const char text[] = "topple: 1\nlength_unit: mm\nblock:\n  outline: [[0, 0], [30, 5], "
                            "[60, 0], [90, 5], [90, 125], [0, 120]]\nfriction_angle_deg: 30\n"
                            "tilt: {towards: left, angle_deg: 20}\n";
-
-static tp_message message;
-
-static void expect(tp_status status) {
-  if (status == TP_OK) return;
-  fprintf(stderr, "%s\n", message.text);
-  exit(BENCH_FAILED);
-}
 
 static tp_scene *build(void) {
   tp_scene *scene = NULL;

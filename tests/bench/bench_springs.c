@@ -117,7 +117,7 @@ static double ramp(const tp_rigid_body *body, double *seconds) {
   *seconds = bench_computed() - began;
   double angle = NAN;
   for (size_t k = 0; k < history.event_count; k++) {
-    if (history.events[k].kind == TP_EVENT_COLLAPSES) angle = history.events[k].angle_deg;
+    if (history.events[k].what == TP_EVENT_COLLAPSES) angle = history.events[k].angle_deg;
   }
   tp_history_clear(&history);
   return angle;

@@ -9,40 +9,16 @@
  * vertices with both limits, drawing and summing up included); further tilts share what does not
  * depend on the tilt. */
 
-#include "bench.h"
-
-#include "topple.h"
+#include "bench_solve.h"
 
 #include <string.h>
 
-enum { ROUNDS = 5, SOLVES = 100 };
-
-static tp_message message;
-
-static void expect(tp_status status) {
-  if (status == TP_OK) return;
-  fprintf(stderr, "%s\n", message.text);
-  exit(BENCH_FAILED);
-}
+enum { ROUNDS = 5 };
 
 static double alone(const char *path) {
   tp_scene *scene = NULL;
-  double times[ROUNDS];
-  tp_solve_options options = tp_solve_options_default();
-  options.pivots = TP_PIVOTS_GOVERNING;
-  options.threads = 1;
   expect(tp_scene_read(&scene, path, &message));
-  for (int k = 0; k < ROUNDS; k++) {
-    const double began = bench_computed();
-    for (int i = 0; i < SOLVES; i++) {
-      tp_solution *solution = NULL;
-      expect(tp_solve(&solution, scene, &options, &message));
-      tp_solution_free(solution);
-    }
-    times[k] = 1e6 * (bench_computed() - began) / SOLVES;
-  }
-  tp_scene_free(scene);
-  return gsl_stats_median(times, 1, ROUNDS);
+  return bench_solve(scene, ROUNDS);
 }
 
 static void measure(const char *path) {

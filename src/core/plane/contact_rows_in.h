@@ -56,6 +56,12 @@ static inline NUMBER NAME(dot)(const NUMBER *a, const NUMBER *b) {
   NAME(set_dot)(&product, a, b);
   return product;
 }
+
+static inline NUMBER NAME(determinant)(const NUMBER *a, const NUMBER *b, const NUMBER *c) {
+  NUMBER product[3];
+  NAME(cross)(product, b, c);
+  return NAME(dot)(a, product);
+}
 #endif
 
 static inline void NAME(reverse)(NUMBER *triple PARAMETER) {

@@ -8,7 +8,7 @@
 #include "block/arc_chords.h"
 
 #include "block/arc_begins.h"
-#include "block/circle.h"
+#include "block/arcs.h"
 #include "format/curve.h"
 #include "number/ratio.h"
 
@@ -19,29 +19,12 @@ enum { MOST_CHORDS = 500000 };
 
 /* The angle of an arc through a point, below 0 inwards; 0: it is straight. */
 static double angle_through(const tp_polyline *ring, long edge, const tp_arc_description *d) {
-  const long next = edge + 1 == ring->count ? 0 : edge + 1;
   tp_circle_arc a;
-  tp_point m;
+  bool inwards = false;
   tp_circle_arc_init(&a);
-  tp_point_init(&m);
-  fmpq_set(a.p.x, ring->x + edge);
-  fmpq_set(a.p.y, ring->y + edge);
-  fmpq_set(a.q.x, ring->x + next);
-  fmpq_set(a.q.y, ring->y + next);
-  fmpq_set(m.x, d->through_x.value);
-  fmpq_set(m.y, d->through_y.value);
-  double angle = 0;
-  if (tp_circle_arc_set_centre(&a, &m)) {
-    angle = tp_circle_arc_angle(&a);
-  } else { /* then it runs counter-clockwise about its centre the other way */
-    const tp_point end = a.p;
-    a.p = a.q;
-    a.q = end;
-    if (tp_circle_arc_set_centre(&a, &m)) angle = -tp_circle_arc_angle(&a);
-  }
+  const double angle = tp_arc_over_edge(&a, &inwards, ring, edge, d) ? tp_circle_arc_angle(&a) : 0;
   tp_circle_arc_clear(&a);
-  tp_point_clear(&m);
-  return angle;
+  return inwards ? -angle : angle;
 }
 
 /* False: the arc is straight. */

@@ -132,11 +132,32 @@ static void set_through(tp_point *m, const tp_circle_arc *a, const tp_arc_descri
   fmpq_clear(half);
 }
 
+bool tp_arc_over_edge(tp_circle_arc *a, bool *inwards, const tp_polyline *outline, long edge,
+                      const tp_arc_description *d) {
+  const long next = edge + 1 == outline->count ? 0 : edge + 1;
+  tp_point m;
+  tp_point_init(&m);
+  fmpq_set(a->p.x, outline->x + edge);
+  fmpq_set(a->p.y, outline->y + edge);
+  fmpq_set(a->q.x, outline->x + next);
+  fmpq_set(a->q.y, outline->y + next);
+  set_through(&m, a, d);
+  bool arc = tp_circle_arc_set_centre(a, &m);
+  *inwards = !arc;
+  if (!arc) {
+    const tp_point end = a->p;
+    a->p = a->q;
+    a->q = end;
+    arc = tp_circle_arc_set_centre(a, &m);
+  }
+  tp_point_clear(&m);
+  return arc;
+}
+
 /* One edge of the outline into the rings. */
 static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
                           long edge, const tp_arc_description *d, int fineness,
                           tp_message *message) {
-  const long next = edge + 1 == outline->count ? 0 : edge + 1;
   const tp_mark mark = outline->marks[edge];
   bool done = tp_polyline_append(ring, outline->x + edge, outline->y + edge, mark);
   if (d == NULL) {
@@ -144,30 +165,16 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
     return done ? TP_OK : tp_fail_memory(message, "the arcs");
   }
   tp_circle_arc a;
-  tp_point m;
   tp_circle_arc_init(&a);
-  tp_point_init(&m);
-  fmpq_set(a.p.x, outline->x + edge);
-  fmpq_set(a.p.y, outline->y + edge);
-  fmpq_set(a.q.x, outline->x + next);
-  fmpq_set(a.q.y, outline->y + next);
-  set_through(&m, &a, d);
+  bool inwards = false;
+  const bool arc = tp_arc_over_edge(&a, &inwards, outline, edge, d);
   tp_status status = TP_OK;
-  bool arc = tp_circle_arc_set_centre(&a, &m);
-  const bool inwards = !arc;
-  if (inwards) { /* then it runs counter-clockwise about its centre the other way */
-    const tp_point end = a.p;
-    a.p = a.q;
-    a.q = end;
-    arc = tp_circle_arc_set_centre(&a, &m);
-  }
   if (!arc) {
     status = tp_refuse(message, TP_FAULT_GEOMETRY, d->place, "this arc is straight; leave it out");
   } else if (!done || !add_arc(tips, ring, &a, inwards, fineness, mark)) {
     status = tp_fail_memory(message, "the arcs");
   }
   tp_circle_arc_clear(&a);
-  tp_point_clear(&m);
   return status;
 }
 

@@ -12,6 +12,7 @@
 #ifndef TP_BLOCK_ARCS_H
 #define TP_BLOCK_ARCS_H
 
+#include "block/circle.h"
 #include "common/message.h"
 #include "plane/polyline.h"
 #include "scene/scene.h"
@@ -34,5 +35,10 @@ typedef struct tp_arc_tips {
 TP_MUST_USE tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline,
                                     const tp_block_description *block, tp_message *message);
 void tp_arc_tips_clear(tp_arc_tips *tips);
+
+/* The arc that stands for an edge, counter-clockwise about its centre, from the edge's end to its
+ * beginning where it bends inwards; false: it is straight. */
+bool tp_arc_over_edge(tp_circle_arc *arc, bool *inwards, const tp_polyline *outline, long edge,
+                      const tp_arc_description *description);
 
 #endif

@@ -10,9 +10,16 @@
 
 #include "study/study.h"
 
+/* Asked now and then: true ends the work, and no file is made. */
 typedef bool tp_hdf5_stop(void *context);
+
+/* Before a study is run, so that hours are not in vain: may the file `path` be made, or replaced?
+ * Bad input where it is one that the study reads, no regular file, or one of somebody else: there,
+ * with no progress beside `csv`, and not to be begun anew. */
 typedef tp_status tp_hdf5_check_function(const char *path, const tp_study *study, const char *csv,
                                          bool restart, tp_message *message);
+
+/* Make the file of all rows in `csv`, whole or not at all. The same rows give the same bytes. */
 typedef tp_status tp_hdf5_write_function(const char *path, const tp_study *study, const char *csv,
                                          tp_hdf5_stop *stop, void *context, tp_message *message);
 

@@ -139,6 +139,7 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
     weigh(w + k, block, a, chain, a->given[k].section);
     block->outline = a->lattice.start[chain];
     block->end = a->lattice.start[chain + 1];
+    a->edge_count += block->end - block->outline;
     block->number = a->given[k].fixed ? -1 : a->free_count++;
   }
   if (a->free_count > 0) choose_units(a, w);
@@ -206,10 +207,4 @@ tp_near tp_assemblage_length(const tp_assemblage *a, const fmpz_t from, const fm
   const double value = ldexp(fmpz_get_d(difference), -(int)a->length_exponent);
   fmpz_clear(difference);
   return (tp_near){value, exact ? 0 : fabs(value) * 2 * DBL_EPSILON};
-}
-
-long tp_assemblage_edges(const tp_assemblage *a) {
-  long count = 0;
-  for (long k = 0; k < a->count; k++) count += a->blocks[k].end - a->blocks[k].outline;
-  return count;
 }

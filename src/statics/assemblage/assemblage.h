@@ -40,7 +40,7 @@ typedef struct tp_block_contact {
 
 typedef struct tp_assemblage {
   const tp_given_block *given;
-  long count, free_count;
+  long count, free_count, edge_count; /* edges: of all outlines */
   tp_rigid_block *blocks;
   tp_lattice lattice;
   long length_exponent, weight_exponent;
@@ -57,9 +57,6 @@ void tp_assemblage_clear(tp_assemblage *assemblage);
 
 /* A difference of two points of the lattice, or of one and a block's own, as a length. */
 tp_near tp_assemblage_length(const tp_assemblage *assemblage, const fmpz_t from, const fmpz_t to);
-
-/* Of all outlines. */
-long tp_assemblage_edges(const tp_assemblage *assemblage);
 
 /* Find the contacts (assemblage/block_contacts.c). */
 TP_MUST_USE tp_status tp_block_contacts_find(tp_assemblage *assemblage, tp_message *message);

@@ -204,7 +204,7 @@ static tp_status try_within(void *context, long block, long other, tp_message *m
 }
 
 tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
-  const long count = tp_assemblage_edges(a);
+  const long count = a->edge_count;
   line_edge *edges = calloc((size_t)count + 1, sizeof *edges);
   if (edges == NULL) return tp_fail_memory(message, "the contacts");
   long at = 0;

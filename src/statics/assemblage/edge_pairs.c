@@ -122,7 +122,7 @@ static void set_boxes(const pairing *p, box *of_edges, box *of_blocks) {
 
 tp_status tp_edge_pairs_each(tp_assemblage *a, tp_edge_pair_call *pair, tp_edge_within_call *within,
                              tp_message *message) {
-  const long count = tp_assemblage_edges(a);
+  const long count = a->edge_count;
   box *of_edges = calloc((size_t)count + 1, sizeof *of_edges);
   box *of_blocks = calloc((size_t)a->count + 1, sizeof *of_blocks);
   const pairing p = {a, calloc((size_t)count + 1, sizeof *p.edges), pair, within};

@@ -12,12 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static tp_near determinant(const tp_near *a, const tp_near *b, const tp_near *c) {
-  tp_near cross[3];
-  tp_near_cross(cross, b, c);
-  return tp_near_dot(a, cross);
-}
-
 /* Three of the contact's columns; false where they span less than all. */
 static bool choose_columns(tp_tree_link *link, const tp_force_program *p, long contact) {
   const long first = p->first[contact], count = p->first[contact + 1] - first;
@@ -27,9 +21,9 @@ static bool choose_columns(tp_tree_link *link, const tp_force_program *p, long c
     for (int k = 0, at = 0; k < 4; k++) {
       if (k != without) own[at++] = first + k;
     }
-    const tp_near volume =
-        determinant(p->columns[own[0]].entry[link->side], p->columns[own[1]].entry[link->side],
-                    p->columns[own[2]].entry[link->side]);
+    const tp_near volume = tp_near_determinant(p->columns[own[0]].entry[link->side],
+                                               p->columns[own[1]].entry[link->side],
+                                               p->columns[own[2]].entry[link->side]);
     if (tp_near_sign(volume) == 0 || fabs(volume.value) <= most) continue;
     most = fabs(volume.value);
     memcpy(link->columns, own, sizeof own);
@@ -107,9 +101,9 @@ void tp_tree_link_share(tp_near factors[3], const tp_tree_link *link, const tp_f
                         const tp_near wrench[3]) {
   const tp_near *own[3];
   for (int k = 0; k < 3; k++) own[k] = p->columns[link->columns[k]].entry[link->side];
-  const tp_near volume = determinant(own[0], own[1], own[2]);
+  const tp_near volume = tp_near_determinant(own[0], own[1], own[2]);
   for (int k = 0; k < 3; k++) {
-    const tp_near part = determinant(wrench, own[(k + 1) % 3], own[(k + 2) % 3]);
+    const tp_near part = tp_near_determinant(wrench, own[(k + 1) % 3], own[(k + 2) % 3]);
     factors[k] = tp_near_div(part, volume);
   }
 }

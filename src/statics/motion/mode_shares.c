@@ -10,12 +10,6 @@
 
 #include <math.h>
 
-static tp_near determinant(const tp_near a[3], const tp_near b[3], const tp_near c[3]) {
-  tp_near cross[3];
-  tp_near_cross(cross, b, c);
-  return tp_near_dot(a, cross);
-}
-
 static bool rises(const tp_share_line *line) {
   return line->rise[0].value != 0 || line->rise[1].value != 0 || line->rise[2].value != 0;
 }
@@ -72,7 +66,7 @@ static tp_share_polynomial determinant_of(const tp_share_line *a, const tp_share
       power += up;
     }
     if (vanishes) continue;
-    sums[power] = tp_near_add(sums[power], determinant(vectors[0], vectors[1], vectors[2]));
+    sums[power] = tp_near_add(sums[power], tp_near_determinant(vectors[0], vectors[1], vectors[2]));
   }
   for (int power = 0; a->balls != NULL && power <= TP_SHARE_DEGREE; power++) {
     const bool open = tp_near_sign(sums[power]) == 0 && sums[power].error > 0;
@@ -234,12 +228,12 @@ static int side_of_choice(const tp_share_mode *m, const choice *c, tp_near share
   tp_near w[3], g[3][3];
   evaluate_line(w, &loads, share);
   for (int k = 0; k < 3; k++) evaluate_line(g[k], m->of + c->of[k], share);
-  const tp_near whole = determinant(g[0], g[1], g[2]);
+  const tp_near whole = tp_near_determinant(g[0], g[1], g[2]);
   const int turn = tp_near_sign(whole);
   if (turn == 0) return 0;
   int all = 1;
   for (int k = 0; k < 3; k++) {
-    const tp_near part = determinant(w, g[(k + 1) % 3], g[(k + 2) % 3]);
+    const tp_near part = tp_near_determinant(w, g[(k + 1) % 3], g[(k + 2) % 3]);
     int side = turn * tp_near_sign(part);
     if (is_free(m, c->of[k])) {
       const int below = turn * tp_near_sign(tp_near_sub(whole, part));
@@ -258,7 +252,7 @@ static int side_of_flat(const tp_share_mode *m, tp_near share) {
   evaluate_line(w, &m->loads, share);
   for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of + k, share);
   if (m->free_count > 0 || m->count == 0) return 0;
-  if (m->count == 2) return tp_near_sign(determinant(w, g[0], g[1])) != 0 ? -1 : 0;
+  if (m->count == 2) return tp_near_sign(tp_near_determinant(w, g[0], g[1])) != 0 ? -1 : 0;
   tp_near_cross(cross, w, g[0]);
   for (int e = 0; e < 3; e++) {
     if (tp_near_sign(cross[e]) != 0) return -1;
