@@ -127,6 +127,28 @@ START_TEST(quotients_stay_within_their_bounds) {
 }
 END_TEST
 
+/* Of the square of a number. */
+START_TEST(roots_stay_within_their_bounds) {
+  random_numbers numbers = random_numbers_from(17);
+  both root, square;
+  long told = 0;
+  fmpq_init(root.exact);
+  fmpq_init(square.exact);
+  for (int run = 0; run < RUNS; run++) {
+    draw_both(&root, &numbers);
+    square.near = tp_near_mul(root.near, root.near);
+    fmpq_abs(root.exact, root.exact);
+    root.near = tp_near_sqrt(square.near);
+    told += isfinite(root.near.error);
+    check_within(&root);
+    ck_assert(!isfinite(tp_near_sqrt(tp_near_neg(square.near)).error));
+  }
+  ck_assert_int_gt(told, RUNS / 2);
+  fmpq_clear(root.exact);
+  fmpq_clear(square.exact);
+}
+END_TEST
+
 START_TEST(balls_and_whole_numbers_lie_within) {
   both own;
   fmpq_init(own.exact);
@@ -173,6 +195,7 @@ SUITE(near) {
   TCase *nears = tcase_create("near");
   tcase_add_test(nears, products_of_triples_stay_within_their_bounds);
   tcase_add_test(nears, quotients_stay_within_their_bounds);
+  tcase_add_test(nears, roots_stay_within_their_bounds);
   tcase_add_test(nears, balls_and_whole_numbers_lie_within);
   tcase_add_test(nears, what_is_no_number_tells_nothing);
   suite_add_tcase(suite, nears);

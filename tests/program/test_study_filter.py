@@ -35,6 +35,25 @@ friction_angle_deg: 34
 tilt: {towards: TOWARDS, angle_deg: 12}
 """
 
+# loads that stay with the block as it is tilted: bolts, a pressure, a lining, beside an earthquake that turns
+ANCHORED = """topple: 1
+length_unit: m
+block:
+  outline: [[0, 0], [0.5, -0.05], [1.2, 0], [1.2, 2.4], [0, 2.4]]
+  thickness: 2
+  unit_weight_kn_m3: 26
+base: {mated: true, between: [[0, 0], [1.2, 0]], beyond: {left: 0.5, right: 0.5}}
+loads:
+  seismic: {horizontal: 0.05, direction: down_dip}
+  pressures: [{from: [1.2, 0], to: [1.2, 2.4], kpa: [3, 0]}]
+  support_pressures: [{from: [0, 2.4], to: [0, 0], kpa: 1.5}]
+  anchors:
+  - {at: [0, 1.6], DIRECTION, force_kn: 8, passive: true}
+  - {at: [0.2, 2.4], direction_deg: -45, force_kn: 6, spacing: 1.5}
+friction_angle_deg: 36
+tilt: {towards: left, angle_deg: 12}
+"""
+
 # valley, peak and the flank between them, three times over: facets in parallel
 TEETH = """topple: 1
 length_unit: mm
@@ -114,6 +133,31 @@ class Filter(StudyCase):
                        "  loads.water.unit_weight_kn_m3: {uniform: {low: 9.8, high: 10.5}}\n"
                        "  loads.seismic.horizontal: {normal: {mean: 0.05, deviation: 0.05}}\n"
                        "  loads.seismic.vertical: {uniform: {low: -0.05, high: 0.05}}\n", [0, 6, 12, 18, 24])
+
+    def test_loads_that_stay_with_the_block(self):
+        self.check(ANCHORED.replace("DIRECTION", "dip_deg: 15"),
+                   "  friction_angle_deg: {normal: {mean: 36, deviation: 3}}\n"
+                   "  block.unit_weight_kn_m3: {uniform: {low: 25, high: 27}}\n"
+                   "  loads.anchors.1.force_kn: {uniform: {low: 2, high: 14}}\n"
+                   "  loads.seismic.horizontal: {normal: {mean: 0.05, deviation: 0.05}}\n", [0, 6, 18, 30], samples=400, step=40)
+
+    def test_loads_that_stay_on_a_slope(self):
+        """Not those that another dip or thickness changes: a bolt that dips, one without a spacing, water of a level."""
+        on_slope = ANCHORED.replace("tilt: {towards: left, angle_deg: 12}\n", "slope: {dip_deg: 15, towards: left}\n")
+        pull, bolt = "direction_deg: 5", "dip_deg: 15"
+        wet = (LOADED.replace("tilt: {towards: TOWARDS, angle_deg: 12}", "slope: {dip_deg: 12, towards: left}")
+               .replace("vertical: 0.02", "direction: down_dip")
+               .replace("{height: 0.6, uplift: true, unit_weight_kn_m3: 9.81}", "{level: 0.6, faces: behind, uplift: full}"))
+        friction, dip, thickness = {"friction_angle_deg": (30, 42)}, {"slope.dip_deg": (8, 30)}, {"block.thickness": (1, 3)}
+        for text, vary, told in ((on_slope.replace("DIRECTION", pull), friction | dip, True),
+                                 (on_slope.replace("DIRECTION", bolt), friction, True),
+                                 (on_slope.replace("DIRECTION", bolt), friction | dip, False),
+                                 (on_slope.replace("DIRECTION", pull), friction | thickness, False),
+                                 (on_slope.replace("DIRECTION", f"{pull}, spacing: 2"), friction | thickness, True),
+                                 (wet, friction, True), (wet, dip, False)):
+            (self.folder / "scene.yaml").write_text(text)
+            share = self.check_slope(vary, samples=200, step=20)
+            self.assertTrue(share >= 0.95 if told else share == 0, (text, vary, share))
 
     def check_slope(self, vary, samples=400, step=40):
         """Rows of a scene on a slope, each of so many the same as one solve."""

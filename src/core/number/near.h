@@ -50,6 +50,13 @@ static inline tp_near tp_near_div(tp_near a, tp_near b) {
                                   fabs(quotient) * DBL_EPSILON);
 }
 
+/* Of what is certainly above zero: |sqrt(x) - sqrt(v)| = |x - v| / (sqrt(x) + sqrt(v)). */
+static inline tp_near tp_near_sqrt(tp_near a) {
+  if (!(a.value > a.error)) return (tp_near){0, INFINITY};
+  const double root = sqrt(a.value);
+  return tp_near_of(root, a.error / root + root * DBL_EPSILON);
+}
+
 /* 1 or -1; 0 where it is not told. */
 static inline int tp_near_sign(tp_near a) {
   return a.value > a.error ? 1 : -a.value > a.error ? -1 : 0;

@@ -17,7 +17,7 @@
 typedef enum tp_sample_part {
   TP_SAMPLE_FRICTION,
   TP_SAMPLE_TILT,
-  TP_SAMPLE_THICKNESS, /* on which nothing in a row depends */
+  TP_SAMPLE_THICKNESS, /* on which nothing in a row depends, but for bolts */
   TP_SAMPLE_BLOCK,
   TP_SAMPLE_LOAD /* and on, by tp_load_number */
 } tp_sample_part;
@@ -81,6 +81,17 @@ static tp_sample_filter *allocate(size_t variables) {
   return NULL;
 }
 
+/* Do the loads that stay with the block stay the same, too? */
+static bool keeps_loads(const tp_sample_filter *own, const tp_study *study) {
+  const tp_staying_plan *staying = &own->of->loads.staying;
+  bool keeps = !(staying->knows_tilt && study->tilt_count > 0);
+  for (size_t k = 0; k < study->variable_count; k++) {
+    keeps = keeps && !(staying->knows_tilt && own->parts[k] == TP_SAMPLE_TILT) &&
+            !(staying->knows_thickness && own->parts[k] == TP_SAMPLE_THICKNESS);
+  }
+  return keeps;
+}
+
 static tp_status find(tp_sample_filter *own, const tp_study *study, tp_message *message) {
   const tp_scene *scene = study->scene;
   tp_scene_key keys[TP_AFFINE_VARIABLES];
@@ -100,7 +111,11 @@ static tp_status find(tp_sample_filter *own, const tp_study *study, tp_message *
   own->friction_deg = near_of_rational(scene->friction_angle_deg.value);
   own->tilt_deg =
       near_of_rational(own->on_slope ? scene->slope.dip_deg.value : scene->tilt_angle_deg.value);
-  return tp_case_filter_new(&own->of, scene, keys, count, message);
+  const tp_status status = tp_case_filter_new(&own->of, scene, keys, count, message);
+  if (own->of == NULL || keeps_loads(own, study)) return status;
+  free(own->of);
+  own->of = NULL;
+  return status;
 }
 
 tp_status tp_sample_filter_new(tp_sample_filter **filter, const tp_study *study,
@@ -177,10 +192,10 @@ static bool take_number(double *number, tp_near told) {
 static bool take_case(tp_study_row *row, const tp_case_told *told) {
   double *q = row->quantities;
   row->first = row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(told->limit));
-  q[TP_STUDY_ONSET_DEG] = INFINITY;
+  q[TP_STUDY_ONSET_DEG] = q[TP_STUDY_MOMENTS_DEG] = INFINITY;
   return take_number(&row->pivot_x_m, told->pivot_x_m) &&
          take_number(&row->pivot_y_m, told->pivot_y_m) &&
-         take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg) &&
+         (told->never_topples || take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg)) &&
          take_number(q + TP_STUDY_LIMIT_DEG, told->limit_deg) &&
          (told->never || take_number(q + TP_STUDY_ONSET_DEG, told->onset_deg));
 }

@@ -52,7 +52,7 @@ static bool is_certain_factor(tp_fos_told fos) {
 
 static bool are_certain(const tp_block_told *told) {
   const tp_case_told *of = &told->of;
-  if (!is_certain(of->moments_deg) || !is_certain(of->limit_deg)) return false;
+  if (of->never_topples || !is_certain(of->moments_deg) || !is_certain(of->limit_deg)) return false;
   if (!of->never && !is_certain(of->onset_deg)) return false;
   return !told->has_tilt ||
          (is_certain_factor(told->at.fos) && is_certain_factor(told->at.by_moments) &&

@@ -4,9 +4,9 @@
 /* What a row of a study tells of a case, in doubles with proven bounds (number/near.h), where these
  * decide all of it: the governing pivot and its critical angle by moments, both limits, the
  * mechanism and the governing factor of safety at any tilts. For a block on a contact with one
- * friction angle, under its weight and loads that turn with the tilt as that does
- * (filter_loads.h), that stands on level ground; for others, and where a double is too short, it
- * tells nothing, and the ladder does.
+ * friction angle, under its weight and loads that turn with the tilt as that does or stay with the
+ * block (filter_loads.h), that stands on level ground; for others, and where a double is too short,
+ * it tells nothing, and the ladder does.
  *
  * What scenes share is prepared once (contact_plan.h), by any number of threads read at once. */
 
@@ -65,7 +65,8 @@ typedef struct tp_case_told {
   tp_filter_loads loads;
   tp_near pivot_x_m, pivot_y_m;
   tp_near moments_deg, limit_deg, limit_tangent, onset_deg;
-  const tp_filter_pivot *pivot; /* that governs */
+  const tp_filter_pivot *pivot; /* that governs, */
+  bool never_topples;           /* about which it does not: moments_deg is none */
   tp_mechanism limit;
   bool never; /* no motion can begin at any tilt */
   tp_onset_filter onset;

@@ -25,10 +25,14 @@ typedef struct tp_limit_filter {
   tp_mechanism mechanism;
 } tp_limit_filter;
 
-/* The tangent of the limit, of a block that has one. False where doubles do not tell. */
+/* The tangent of the limit, of a block that holds up to there and has one. False where doubles do
+ * not tell. */
 bool tp_limit_filter_find(tp_limit_filter *found, const tp_edge_set *set);
 
 /* Do some forces hold it at the tilt? True where that is proven. */
 bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent);
+
+/* Likewise on level ground and at all tilts from there up to one at which some do. */
+bool tp_limit_filter_holds_to(const tp_edge_set *set, tp_near tangent);
 
 #endif

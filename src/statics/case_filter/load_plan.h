@@ -7,18 +7,8 @@
 #ifndef TP_CASE_FILTER_LOAD_PLAN_H
 #define TP_CASE_FILTER_LOAD_PLAN_H
 
-#include "case_filter/filter_loads.h"
+#include "case_filter/staying_plan.h"
 #include "onset/onset_question.h"
-
-/* Numbers of a scene that loads depend on. */
-typedef enum tp_load_number {
-  TP_NUMBER_HORIZONTAL, /* shares of the weight */
-  TP_NUMBER_VERTICAL,
-  TP_NUMBER_WATER_HEIGHT, /* scene lengths */
-  TP_NUMBER_WATER_WEIGHT, /* kN/m3 */
-  TP_NUMBER_UNIT_WEIGHT,  /* of the block */
-  TP_LOAD_NUMBERS
-} tp_load_number;
 
 /* The key of a scene that it stands at. */
 const char *tp_load_number_key(tp_load_number number);
@@ -37,9 +27,10 @@ typedef struct tp_load_plan {
   tp_near heel_x, heel_y, joint, top;         /* the heel from the centroid, the length of the joint
                                                  down-dip of it, how high the block stands over it; m */
   tp_planned_surcharge surcharges[TP_FILTER_LOADS];
+  tp_staying_plan staying;
 } tp_load_plan;
 
-/* Do all loads of a scene on a table turn with the tilt as the weight does? */
+/* Do all loads of a scene turn with the tilt as the weight does, or stay with the block? */
 bool tp_load_plan_fits(const tp_scene *scene);
 
 /* Of a case of such a scene; false where there is no room for all of them. */

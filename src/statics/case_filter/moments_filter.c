@@ -3,14 +3,30 @@
 
 /* Moments about a pivot, over the weight and cos(tilt): of the weight alone by its arms, x / y over
  * tan(tilt) (docs/mechanics.md section 3); of loads what stabilises over what overturns, each with
- * the sign of its moment (section 5). Which motion turns about the pivot is told by the modes. */
+ * the sign of its moment, but what an active one holds back is taken from what overturns (section
+ * 5). Which motion turns about the pivot is told by the modes. */
 
 #include "case_filter/moments_filter.h"
 
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_filter_case *of,
-                    const tp_filter_pivot *pivot) {
+static void moment_of_all(tp_tilt_form *moment, const tp_filter_case *of,
+                          const tp_filter_pivot *pivot) {
   const tp_shape_point *p = of->shape->points + pivot->point;
-  tp_filter_load_arms(x, y, &of->loads->sum, p->x, p->y);
+  tp_filter_load_moment(moment, &of->loads->sum, p->x, p->y);
+}
+
+bool tp_filter_turns(tp_filter_turning *turning, const tp_filter_case *of,
+                     const tp_filter_pivot *pivot) {
+  tp_tilt_form moment;
+  moment_of_all(&moment, of, pivot);
+  if (of->loads->stays) {
+    tp_tilt_change change;
+    const bool told = tp_tilt_form_change(&change, &moment);
+    *turning = (tp_filter_turning){change.upright > 0, change.tangent};
+    return told && change.level > 0;
+  }
+  if (tp_near_sign(moment.level) <= 0 || tp_near_sign(moment.rise) >= 0) return false;
+  *turning = (tp_filter_turning){false, tp_near_div(moment.level, tp_near_neg(moment.rise))};
+  return true;
 }
 
 /* Does a mode turn about the point: sticking there, or slipping there alone? */
@@ -40,51 +56,69 @@ static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *
   return found;
 }
 
+/* What holds and what drives, by sums of moments. */
+typedef struct balance {
+  tp_near stabilising, overturning;
+} balance;
+
 /* A moment on the side of its sign, if it is none of nothing. */
-static bool weigh(tp_near *stabilising, tp_near *overturning, tp_near holds) {
+static bool weigh(balance *b, tp_near holds, bool active) {
   const int sign = tp_near_sign(holds);
-  if (sign > 0) *stabilising = tp_near_plus(*stabilising, holds);
-  if (sign < 0) *overturning = tp_near_minus(*overturning, holds);
+  if (sign > 0 && !active) {
+    b->stabilising = tp_near_plus(b->stabilising, holds);
+  } else if (sign != 0) {
+    b->overturning = tp_near_minus(b->overturning, holds);
+  }
   return sign != 0 || tp_near_is_zero(holds);
 }
 
-/* The weight by its two components, then each load (evaluation/loaded_balance.c). */
-static bool balance(tp_fos_told *fos, const tp_filter_case *of, const tp_shape_point *p,
-                    tp_near tangent) {
-  tp_near stabilising = {0, 0}, overturning = {0, 0};
+static bool weigh_all(balance *b, const tp_filter_case *of, const tp_shape_point *p,
+                      tp_near tangent) {
+  const tp_near secant = tp_tilt_secant(tangent);
   for (int k = 0; k < of->loads->count; k++) {
-    tp_near level, rise;
-    tp_filter_load_arms(&level, &rise, of->loads->items + k, p->x, p->y);
-    const tp_near turned = tp_near_neg(tp_near_times(rise, tangent));
-    const bool told = k == 0 ? weigh(&stabilising, &overturning, level) &&
-                                   weigh(&stabilising, &overturning, turned)
-                             : weigh(&stabilising, &overturning, tp_near_plus(level, turned));
+    const tp_filter_load *own = of->loads->items + k;
+    tp_tilt_form m;
+    tp_filter_load_moment(&m, own, p->x, p->y);
+    const bool told =
+        k == 0 ? weigh(b, m.level, false) && weigh(b, tp_near_times(m.rise, tangent), false)
+               : weigh(b, tp_tilt_form_at(&m, tangent, secant), own->active);
     if (!told) return false;
   }
-  const bool number = !tp_near_is_zero(overturning);
-  *fos = (tp_fos_told){number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING,
-                       number ? tp_near_div(stabilising, overturning) : overturning};
   return true;
 }
 
+/* The weight by its two components, then each load (evaluation/loaded_balance.c). */
+static bool balance_of(tp_fos_told *fos, const tp_filter_case *of, const tp_shape_point *p,
+                       tp_near tangent) {
+  balance b = {{0, 0}, {0, 0}};
+  if (!weigh_all(&b, of, p, tangent)) return false;
+  const int sign = tp_near_sign(b.overturning);
+  *fos = (tp_fos_told){.state = sign > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING};
+  if (sign > 0) fos->value = tp_near_div(b.stabilising, b.overturning);
+  return sign != 0 || tp_near_is_zero(b.overturning);
+}
+
 /* By the weight alone: nothing overturns on level ground. */
-static tp_fos_told by_arms(tp_near x, tp_near y, tp_near tangent) {
+static tp_fos_told by_arms(const tp_tilt_form *moment, tp_near tangent) {
   if (tp_near_is_zero(tangent)) return (tp_fos_told){TP_FOS_NO_OVERTURNING, tangent};
-  return (tp_fos_told){TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent))};
+  const tp_near turned = tp_near_mul(tp_near_neg(moment->rise), tangent);
+  return (tp_fos_told){TP_FOS_NUMBER, tp_near_div(moment->level, turned)};
 }
 
 bool tp_moments_filter(tp_filter_way *way, const tp_case_told *told, const tp_filter_state *s,
                        const tp_filter_pivot *pivot) {
-  tp_near x, y;
-  tp_filter_arms(&x, &y, &told->of, pivot);
+  tp_filter_turning turning;
+  tp_tilt_form moment;
+  if (!tp_filter_turns(&turning, &told->of, pivot)) return false;
+  moment_of_all(&moment, &told->of, pivot);
   const tp_mechanism turn = s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
   const bool begins = turn != TP_MECHANISM_UNDECIDED;
-  *way = (tp_filter_way){.fos = by_arms(x, y, s->tangent),
-                         .has_critical = true,
-                         .critical = tp_near_div(x, y),
+  *way = (tp_filter_way){.fos = by_arms(&moment, s->tangent),
+                         .has_critical = !turning.never,
+                         .critical = turning.tangent,
                          .begins = begins,
                          .definition = TP_FOS_BY_MOMENTS,
                          .mechanism = begins ? turn : TP_TOPPLES};
   return !told->of.loads->called_for ||
-         balance(&way->fos, &told->of, told->of.shape->points + pivot->point, s->tangent);
+         balance_of(&way->fos, &told->of, told->of.shape->points + pivot->point, s->tangent);
 }

@@ -8,12 +8,18 @@
 
 #include "case_filter/standing_filter.h"
 
-/* The moment of all loads about a pivot that holds the block back is x - t y, of the weight alone
- * by its arms: x / y is the tangent of its critical angle. */
-void tp_filter_arms(tp_near *x, tp_near *y, const tp_filter_case *of, const tp_filter_pivot *pivot);
+/* The tilt at which it topples about a pivot on which it stands level. */
+typedef struct tp_filter_turning {
+  bool never;      /* up to 90 degrees it does not */
+  tp_near tangent; /* else of the critical angle */
+} tp_filter_turning;
 
-/* The factor of turning about an admissible pivot, as tp_case_filter_tell takes them: they stand
- * level, and topple below 90 degrees. False where doubles do not tell. */
+/* False where doubles do not tell, or where it does not stand level. */
+TP_MUST_USE bool tp_filter_turns(tp_filter_turning *turning, const tp_filter_case *of,
+                                 const tp_filter_pivot *pivot);
+
+/* The factor of turning about an admissible pivot, as tp_case_filter_tell takes them: it stands
+ * level on each. False where doubles do not tell. */
 TP_MUST_USE bool tp_moments_filter(tp_filter_way *way, const tp_case_told *told,
                                    const tp_filter_state *state, const tp_filter_pivot *pivot);
 

@@ -2,15 +2,27 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A mode can begin where its cone of loads holds those of the block (motion/bounds.h), over the
- * weight and cos(tilt) w = -(b_0 + t b_1) with t = tan(tilt) (filter_loads.h). The cone is the
- * union of the simple ones of three of its generators each, so that its tilts, an interval, reach
- * from the least lower to the largest upper end of theirs. With h across g_1 and g_2 the factor of
- * g_0 in w is (h . w) / (h . g_0), a linear function of t. Every sign is that of a double beyond
- * its bound. */
+ * weight and cos(tilt) w = -(b_0 + t b_1 + s b_2) with t = tan(tilt), s = 1 / cos(tilt)
+ * (filter_loads.h). The cone is the union of the simple ones of three of its generators each, so
+ * that its tilts, an interval, reach from the least lower to the largest upper end of theirs. With
+ * h across g_1 and g_2 the factor of g_0 in w is (h . w) / (h . g_0), where no load stays with the
+ * block a linear function of t. Where some do, no tilts but from level to upright are looked at,
+ * and each such plane has to be passed once there at most: the faces of the cone are among them, so
+ * that its tilts are an interval, too. Every sign is that of a double beyond its bound. */
 
 #include "case_filter/onset_filter.h"
 
 enum { GENERATORS = 2 + TP_PLAN_EDGES };
+
+static void keep_up_to(tp_near_interval *own, tp_near end) {
+  own->high = own->has_high ? tp_near_lesser(own->high, end) : end;
+  own->has_high = true;
+}
+
+static void keep_from(tp_near_interval *own, tp_near end) {
+  own->low = own->has_low ? tp_near_larger(own->low, end) : end;
+  own->has_low = true;
+}
 
 /* Keep where rise t <= level, both times `sign`. False where open. */
 static bool keep(tp_near_interval *own, tp_near rise, tp_near level, int sign) {
@@ -23,11 +35,24 @@ static bool keep(tp_near_interval *own, tp_near rise, tp_near level, int sign) {
   if (side == 0) return false;
   const tp_near end = tp_near_div(level, rise);
   if (side > 0) {
-    own->high = own->has_high ? tp_near_lesser(own->high, end) : end;
-    own->has_high = true;
+    keep_up_to(own, end);
   } else {
-    own->low = own->has_low ? tp_near_larger(own->low, end) : end;
-    own->has_low = true;
+    keep_from(own, end);
+  }
+  return true;
+}
+
+/* Likewise where the power of loads of which some stay with the block is below zero, times `sign`.
+ */
+static bool keep_below(tp_near_interval *own, const tp_tilt_form *power, int sign) {
+  tp_tilt_change change;
+  if (!tp_tilt_form_change(&change, power)) return false;
+  if (change.level == change.upright) {
+    own->empty = own->empty || sign * change.level > 0;
+  } else if (sign * change.level < 0) {
+    keep_up_to(own, change.tangent);
+  } else {
+    keep_from(own, change.tangent);
   }
   return true;
 }
@@ -80,15 +105,16 @@ static void set_plane(tp_near plane[3], const cone *c, int i, int j) {
 /* Where the loads have h . w >= 0, times `sign`. False where open. */
 static bool keep_loads(tp_near_interval *own, const tp_near h[3], const tp_filter_loads *loads,
                        int sign) {
-  tp_near level, rise;
-  tp_filter_loads_power(&level, &rise, loads, h);
-  return keep(own, rise, tp_near_neg(level), sign);
+  tp_tilt_form power;
+  tp_filter_loads_power(&power, loads, h);
+  return loads->stays ? keep_below(own, &power, sign)
+                      : keep(own, power.rise, tp_near_neg(power.level), sign);
 }
 
 /* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two. */
 static bool span_triple(tp_near_interval *own, const cone *c, const signed char of[3]) {
   *own = (tp_near_interval){.empty = false};
-  for (int k = 0; k < 3 && !own->empty; k++) {
+  for (int k = 0; k < 3 && (!own->empty || c->loads->stays); k++) {
     tp_near h[3];
     set_plane(h, c, of[(k + 1) % 3], of[(k + 2) % 3]);
     const int sign = tp_near_sign(tp_sparse_dot(h, c->of[of[k]]));

@@ -110,24 +110,55 @@ static tp_near excess(const tp_case_told *told, const tp_near borne[3], const tp
 }
 
 /* It begins to slide where the excess rises through zero above level ground. */
-static bool by_forces(tp_sliding_told *s, const tp_case_told *told, int facet, tp_near tangent) {
+static bool find_start(tp_sliding_told *s, const tp_case_told *told, const tp_shape_point *p) {
   const tp_filter_load *sum = &told->of.loads->sum;
-  const tp_shape_point *p = told->of.shape->points + told->filter->facets[facet].point;
-  const tp_near level = excess(told, sum->at, p), rise = excess(told, sum->rise, p);
-  tp_near borne[3], along, against;
-  tp_filter_loads_at(borne, told->of.loads, tangent);
-  resolve(&along, &against, borne, p);
-  const int drives = tp_near_sign(along), rises = tp_near_sign(rise);
-  if (tp_near_sign(level) >= 0 || rises == 0 || tp_near_sign(against) <= 0 ||
-      (drives == 0 && !tp_near_is_zero(along))) {
+  const tp_tilt_form over = {excess(told, sum->at, p), excess(told, sum->rise, p),
+                             excess(told, sum->fixed, p)};
+  tp_tilt_change change = {.level = tp_near_sign(over.level), .upright = tp_near_sign(over.rise)};
+  if (told->of.loads->stays ? !tp_tilt_form_change(&change, &over) : change.upright == 0) {
     return false;
   }
-  s->has_critical = rises > 0;
-  if (s->has_critical) s->critical = tp_near_neg(tp_near_div(level, rise));
+  s->has_critical = change.upright > 0;
+  if (s->has_critical) {
+    s->critical =
+        told->of.loads->stays ? change.tangent : tp_near_neg(tp_near_div(over.level, over.rise));
+  }
+  return change.level < 0;
+}
+
+/* What drives along the facet, and what passive loads hold there: resistance. */
+static bool find_drive(tp_near *drives, tp_near *held, const tp_case_told *told,
+                       const tp_shape_point *p, tp_near tangent) {
+  const tp_filter_loads *loads = told->of.loads;
+  const tp_near secant = tp_tilt_secant(tangent);
+  *held = (tp_near){0, 0};
+  for (int k = 0; k < loads->count; k++) {
+    const tp_near *own = loads->items[k].fixed;
+    if (!loads->items[k].passive) continue;
+    const tp_near along = tp_near_times(
+        secant, tp_near_plus(tp_near_times(own[0], p->tx), tp_near_times(own[1], p->ty)));
+    const int sign = tp_near_sign(along);
+    if (sign == 0 && !tp_near_is_zero(along)) return false;
+    if (sign < 0) *held = tp_near_minus(*held, along);
+  }
+  *drives = tp_near_plus(*drives, *held);
+  return true;
+}
+
+static bool by_forces(tp_sliding_told *s, const tp_case_told *told, int facet, tp_near tangent) {
+  const tp_shape_point *p = told->of.shape->points + told->filter->facets[facet].point;
+  tp_near borne[3], along, against, held;
+  tp_filter_loads_at(borne, told->of.loads, tangent);
+  resolve(&along, &against, borne, p);
+  if (!find_start(s, told, p) || !find_drive(&along, &held, told, p, tangent)) return false;
+  const int drives = tp_near_sign(along);
+  if (tp_near_sign(against) <= 0 || (drives == 0 && !tp_near_is_zero(along))) return false;
   s->is_level = true; /* the factor is one, whatever the facet's angle */
   s->rough = TP_FOS_NO_OVERTURNING;
   s->shear = drives > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
-  if (drives > 0) s->by_shear = tp_near_div(tp_near_times(told->of.friction, against), along);
+  if (drives <= 0) return true;
+  const tp_near resists = tp_near_plus(tp_near_times(told->of.friction, against), held);
+  s->by_shear = tp_near_div(resists, along);
   return true;
 }
 

@@ -20,25 +20,25 @@ static tp_near tangent_of(tp_near degrees) {
 /* ---- by moments --------------------------------------------------------------------------------
  */
 
-/* The admissible pivot with the least critical angle. Each must stand level, and topple below 90
- * degrees. */
+/* The admissible pivot with the least critical angle, or the only one where it has none. On each it
+ * must stand level. */
 static bool find_pivot(tp_case_told *told) {
   const tp_case_filter *f = told->filter;
-  tp_near least = {0, 0};
+  tp_filter_turning least = {.never = true};
   told->pivot = NULL;
   for (int k = 0; k < f->pivot_count; k++) {
-    tp_near x, y;
+    tp_filter_turning own;
     if (!f->pivots[k].admissible) continue;
-    tp_filter_arms(&x, &y, &told->of, f->pivots + k);
-    if (tp_near_sign(x) <= 0 || tp_near_sign(y) <= 0) return false;
-    const tp_near tangent = tp_near_div(x, y);
-    const int order = told->pivot == NULL ? -1 : tp_near_sign(tp_near_sub(tangent, least));
+    if (!tp_filter_turns(&own, &told->of, f->pivots + k)) return false;
+    int order = told->pivot == NULL ? -1 : (int)own.never - (int)least.never;
+    if (order == 0 && !own.never) order = tp_near_sign(tp_near_sub(own.tangent, least.tangent));
     if (order == 0) return false;
     if (order > 0) continue;
-    least = tangent;
+    least = own;
     told->pivot = f->pivots + k;
   }
-  told->moments_deg = tp_near_arctangent(least);
+  told->never_topples = least.never;
+  if (!least.never) told->moments_deg = tp_near_arctangent(least.tangent);
   return told->pivot != NULL;
 }
 
@@ -84,7 +84,7 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   tp_edge_set edges;
   tp_limit_filter limit;
   tp_edge_set_init(&edges, &told->of);
-  if (!tp_limit_filter_find(&limit, &edges) || !tp_limit_filter_holds(&edges, level) ||
+  if (!tp_limit_filter_find(&limit, &edges) || !tp_limit_filter_holds_to(&edges, limit.value) ||
       !tp_onset_filter_find(&told->onset, &told->of)) {
     return false;
   }
@@ -99,7 +99,7 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
 /* ---- at one ------------------------------------------------------------------------------------
  */
 
-/* Forces hold it on level ground and at the limit, and so between; beyond it some motion begins. */
+/* Forces hold it from level ground up to the limit; beyond it some motion begins. */
 static bool tell_mechanism(tp_case_told_at *at, tp_filter_state *state, const tp_case_told *told,
                            tp_near tangent) {
   const int side = tp_near_sign(tp_near_sub(told->limit_tangent, tangent));
