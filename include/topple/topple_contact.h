@@ -21,23 +21,25 @@ typedef enum tp_contact_end {
   TP_END_PROFILE   /* a separate profile: where the block touches it first, or last */
 } tp_contact_end;
 
-/* What the coordinates of the scene lie along. In the world's frame all results are along the mean
- * plane and normal to it: turned about one point, whose coordinates do not change; of an earthquake
- * up-dip they are along the horizontal and the vertical, as the block lies. */
+/* What the coordinates of the scene lie along. Points of all results have the coordinates that the
+ * scene is given in. Components of forces and motions, arms and second moments are along the mean
+ * plane and normal to it, or, of an earthquake up-dip, along the horizontal and the vertical as the
+ * block lies: in the world's frame along axes that are turned from those of the coordinates. */
 typedef struct tp_frame_result {
   bool stated;                  /* the scene says what they lie along */
   bool world;                   /* y runs up: the block lies as it lies */
   bool slope;                   /* if world: of a given dip, with x along it, as given */
-  bool level;                   /* results are along the horizontal: an earthquake up-dip */
+  bool level;                   /* components are along the horizontal: an earthquake up-dip */
   bool fitted;                  /* the mean plane, to the contact; else given */
   bool dips;                    /* the mean plane is not level */
   tp_direction dips_towards;    /* if dips: its lower side */
   tp_bounded dip_deg;           /* if dips: its angle, 0 to 90: part of the tilt angle */
   bool has_dip_direction;       /* the scene gives it, or the strike */
   tp_bounded dip_direction_deg; /* if has_dip_direction: its azimuth, from north, 0 to 360 */
-  tp_bounded turned_about_x_m, turned_about_y_m; /* if world: the point that stays */
+  tp_bounded turned_about_x_m, turned_about_y_m; /* if world: the point that stays as it turns */
   bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
   tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
+  tp_bounded turned_deg;      /* if world: from x counter-clockwise to what components are along */
 } tp_frame_result;
 
 /* The contact as a whole. */

@@ -79,8 +79,9 @@ class Outlines(unittest.TestCase):
                 length = math.fsum(math.dist(a, b) for piece in pieces for a, b in zip(piece, piece[1:]))
                 size = max(map(abs, lies["box_m"]))
                 self.assertAlmostEqual(length, contact["length_m"]["value"], delta=size * PRINTED * (2 + 2 * contact["facets"]))
-                ends = [(contact[end]["x_m"]["value"] - lies["origin_x_m"], contact[end]["y_m"]["value"] - lies["origin_y_m"])
-                        for end in ("left_end", "right_end")]
+                to = lies["placed"]["results"]
+                told = [(contact[end]["x_m"]["value"], contact[end]["y_m"]["value"]) for end in ("left_end", "right_end")]
+                ends = [(to["cosine"] * x - to["sine"] * y + to["x_m"], to["sine"] * x + to["cosine"] * y + to["y_m"]) for x, y in told]
                 for end in ends if contact["points"] == 0 and pieces else []:
                     self.assertLess(min(math.dist(end, at) for piece in pieces for at in piece), 1e-8 * size)
 

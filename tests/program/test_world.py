@@ -8,6 +8,7 @@ import decimal
 import math
 import pathlib
 import random
+import re
 import tempfile
 import unittest
 from fractions import Fraction
@@ -122,24 +123,77 @@ class World(unittest.TestCase):
                     self.assertEqual(case["frame"]["dips_towards"], towards)
                 told.append(case)
             with self.subTest(seed=SEED, scene=number, kind=kind):
+                self.turn_places(told[0], lambda x, y: (x0 + c * (x - x0) - s * (y - y0), y0 + s * (x - x0) + c * (y - y0)))
                 for case in told[1:]:
-                    for tree in (*told[:1], case):  # places differ: the point that stays
-                        for key in ("block", "pivots", "limit", "sliding", "loads"):
-                            self.drop_places(tree.get(key))
-                        for key in ("left_end", "right_end"):
-                            tree["contact"].pop(key, None)
                     self.same(told[0], case)
 
-    def drop_places(self, tree):
-        if isinstance(tree, list):
-            for entry in tree:
-                self.drop_places(entry)
-        elif isinstance(tree, dict):
-            for key in [k for k in tree if k.startswith(("centroid_", "centre_", "x_m", "y_m", "facet", "reactions",
-                                                         "called_for_by", "second_moment", "point"))]:
-                del tree[key]
-            for value in tree.values():
-                self.drop_places(value)
+    def turn_places(self, tree, turn):
+        """Every point of the results: they have the coordinates of their scene."""
+        for value in tree.values() if isinstance(tree, dict) else tree if isinstance(tree, list) else ():
+            self.turn_places(value, turn)
+        for x_key in [key for key in tree if key in ("x_m", "centroid_x_m", "centre_x_m")] if isinstance(tree, dict) else ():
+            y_key = x_key.replace("x_m", "y_m")
+            if tree[x_key] is not None:
+                x, y = turn(*(Fraction(tree[key]["value"]) for key in (x_key, y_key)))
+                tree[x_key]["value"], tree[y_key]["value"] = float(x), float(y)
+
+    #: A joint that dips, and the block on it, in the coordinates of a mine.
+    JOINT = ["512345.2 6789012.7", "512346.1 6789012.9", "512347.3 6789013.9", "512348.4 6789014.1"]
+    MINE = [*JOINT, "512347.0 6789018.35", "512344.1 6789016.6"]
+
+    def in_mine(self, sign=1, east=0, north=0, along=None, **more):
+        put = lambda p: (sign * (decimal.Decimal(p.split()[0]) + east), decimal.Decimal(p.split()[1]) + north)
+        outline, joint = [put(p) for p in self.MINE][::sign], [put(p) for p in self.JOINT][::sign]
+        self.write(f"outline: {text(outline)}, unit_weight_kn_m3: 26", f"between: {text((joint[0], joint[-1]))}",
+                   "world", more=along or "loads: {seismic: {horizontal: 0.1, direction: %s}}" % more["direction"])
+        return outline, joint, solve(self.path)["cases"][0]
+
+    def points_of(self, case):
+        """All points that a case tells of, but those that a mirror may exchange: ends of facets that it slides on which bear a reaction, and
+        the end of the contact that it is turned about."""
+        found = []
+        case["limit"]["reactions"], case["frame"]["turned_about"] = [], None
+        self.turn_places(case, lambda x, y: found.append((float(x), float(y))) or (x, y))
+        return found
+
+    def test_coordinates_of_a_mine(self):
+        """The points told are those of the drawing, to their last digit: the ends of the contact and all pivots are vertices of the
+        joint, as doubles of the decimals given, of a block that is shaken either way, which is solved along its plane or level; the
+        page and the sheet print them as they were given. A mirror and a shift of the scene mirror and shift every point."""
+        for direction in ("down_dip", "up_dip"):
+            outline, joint, case = self.in_mine(direction=direction)
+            ends = [(case["contact"][end]["x_m"]["value"], case["contact"][end]["y_m"]["value"]) for end in ("left_end", "right_end")]
+            self.assertEqual(ends, [(float(x), float(y)) for x, y in (joint[0], joint[-1])])
+            self.assertEqual([(p["x_m"]["value"], p["y_m"]["value"]) for p in case["pivots"]], [(float(x), float(y)) for x, y in joint])
+            gx, gy = self.polygon_centroid([(Fraction(x), Fraction(y)) for x, y in outline])
+            for told, true in ((case["block"]["centroid_x_m"], gx), (case["block"]["centroid_y_m"], gy)):
+                self.assertLessEqual(abs(Fraction(told["value"]) - true), Fraction(told["error"]))
+            self.assertEqual((case["frame"]["turned_deg"]["value"] == 0), direction == "up_dip")
+            _, page, _ = run("solve", "--report", self.path.with_suffix(".md"), self.path)
+            sheet = self.path.with_suffix(".md").read_text(encoding="utf-8")
+            for told in (page, re.sub(r"\\", "", sheet)):
+                self.assertIn("from (512345.2, 6789012.7)", told)
+                self.assertIn("to (512348.4, 6789014.1)", told)
+            self.assertRegex(page, r"\n.  2 \w+ +512346.1  6789012.9 ")
+            points = self.points_of(case)
+            self.assertGreater(len(points), 8)
+            for sign, east, north in ((-1, 0, 0), (1, -512340, decimal.Decimal("-6789010.5"))):
+                _, _, other = self.in_mine(sign, east, north, direction=direction)
+                back = [(sign * x - float(east), y - float(north)) for x, y in self.points_of(other)]
+                self.assertEqual(*(sorted((round(x, 6), round(y, 6)) for x, y in told) for told in (points, back)))
+
+    def test_shifted_in_a_mine(self):
+        """A block that has moved along its joint touches it at points of the joint as it was drawn."""
+        for shaken in ("", "\nloads: {seismic: {horizontal: 0.3, direction: up_dip}}"):
+            _, joint, case = self.in_mine(along="joint: {shift: 0.2}" + shaken)
+            for pivot in case["pivots"]:
+                x, y = (Fraction(pivot[key]["value"]) for key in ("x_m", "y_m"))
+                gaps = []
+                for (x0, y0), (x1, y1) in zip(joint, joint[1:]):
+                    u, v = Fraction(x1 - x0), Fraction(y1 - y0)
+                    share = min(1, max(0, ((x - Fraction(x0)) * u + (y - Fraction(y0)) * v) / (u * u + v * v)))
+                    gaps.append(math.hypot(x - Fraction(x0) - share * u, y - Fraction(y0) - share * v))
+                self.assertLess(min(gaps), 1e-8)
 
     def polygon_centroid(self, points):
         pairs = list(zip(points, points[1:] + points[:1]))

@@ -97,15 +97,16 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
 
 static void add_frame(tp_page *p) {
   const tp_frame_result *f = &p->solution->frame;
-  char n[3][TP_NUMBER_SIZE];
+  char n[2][TP_NUMBER_SIZE];
   if (f->slope) {
     tp_text_add(&p->text, "Slope    dips by %s°", tp_text_fixed(n[0], f->dip_deg, 3));
     if (f->dips) tp_text_add(&p->text, " towards the %s", tp_direction_name(f->dips_towards));
     if (f->has_dip_direction) {
       tp_text_add(&p->text, ", azimuth %s°", tp_text_fixed(n[1], f->dip_direction_deg, 1));
     }
-    tp_text_add(&p->text, f->level ? ";\n         x is horizontal and y vertical\n"
-                                   : ";\n         x runs along it and y normal to it\n");
+    tp_text_add(&p->text, ";\n         x runs along it and y normal to it%s\n",
+                f->level ? ", forces are told\n         along the horizontal and the vertical"
+                         : "");
   } else if (f->world) {
     tp_text_add(&p->text, "Frame    world: the block as it lies. The mean plane, %s,\n         ",
                 f->fitted ? "fitted to the contact" : "as given in the scene");
@@ -119,15 +120,10 @@ static void add_frame(tp_page *p) {
       tp_text_add(&p->text, ",\n         azimuth %s°",
                   tp_text_fixed(n[1], f->dip_direction_deg, 1));
     }
-    if (f->level) {
-      tp_text_add(&p->text, "; x is horizontal and y vertical\n");
-    } else {
-      tp_text_add(&p->text,
-                  "; x runs along it and y normal to it\n         from here on, turned about "
-                  "(%s, %s), which stays fixed\n",
-                  tp_page_coordinate(p, n[1], f->turned_about_x_m),
-                  tp_page_coordinate(p, n[2], f->turned_about_y_m));
-    }
+    tp_text_add(&p->text,
+                ";\n         x is horizontal and y vertical, as in the scene, forces are told\n"
+                "         along the %s\n",
+                f->level ? "horizontal and the vertical" : "plane and normal to it");
   } else if (f->inclined) {
     tp_text_add(&p->text,
                 "Frame    Caution: the mean line of the contact is inclined to x by %s°, and the\n"

@@ -212,6 +212,17 @@ static void add_placed(tp_json *j, const char *key, const laid *l, long count,
   tp_json_close(j);
 }
 
+/* The same of points of the results. */
+static void add_results(tp_json *j, const tp_shape *s) {
+  const tp_spot *o = &s->drawn_origin_m, *axis = &s->axis;
+  tp_json_object(j, "results", TP_JSON_LINE);
+  tp_json_double(j, "cosine", axis->x);
+  tp_json_double(j, "sine", -axis->y);
+  tp_json_double(j, "x_m", -(axis->x * o->x + axis->y * o->y));
+  tp_json_double(j, "y_m", axis->y * o->x - axis->x * o->y);
+  tp_json_close(j);
+}
+
 static tp_status add_frames(tp_json *j, const tp_shape *shape, const tp_problem *problem,
                             const tp_scene *scene, tp_message *message) {
   const tp_lattice *l = &problem->lattice;
@@ -222,6 +233,7 @@ static tp_status add_frames(tp_json *j, const tp_shape *shape, const tp_problem 
   tp_json_object(j, "placed", TP_JSON_BLOCK);
   tp_json_double(j, "metres_per_unit", metres_per_unit);
   add_placed(j, "block", &(laid){section.rings, shape, l, 0}, l->start[1], metres_per_unit);
+  add_results(j, shape);
   const laid base = {&scene->base.profile, shape, l, l->start[problem->section.ring_count]};
   add_placed(j, "base", &base, problem->base.edge_count + 1, metres_per_unit);
   tp_json_close(j);

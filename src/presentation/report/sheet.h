@@ -159,4 +159,15 @@ tp_sheet_number tp_sheet_angle(tp_bounded degrees);
 tp_sheet_number tp_sheet_factor(tp_bounded factor);
 tp_sheet_number tp_sheet_share(tp_bounded share);
 
+/* Coordinates are those of the drawing. An angle in them and δ make one of those that tilts are
+ * compared with: towards the case's side, from the axes of components; 0 where they are the same.
+ * Before the angle in a formula: "δ + " and "32.276 + ", or nothing. */
+typedef struct tp_sheet_turn {
+  tp_bounded degrees;
+  const char *letter;
+  char number[TP_NUMBER_SIZE + 8];
+} tp_sheet_turn;
+
+tp_sheet_turn tp_sheet_turn_of(const tp_sheet *sheet, const tp_case *own);
+
 #endif

@@ -8,7 +8,8 @@
  *
  *     H = X cos a - Y sin a,   V = X sin a + Y cos a,
  *
- * with -a for a towards the right. Without a unit weight forces are shares of the weight W. */
+ * with -a for a towards the right. Without a unit weight forces are shares of the weight W. Points
+ * have the coordinates of the drawing: arms are turned to the axes of the forces. */
 
 #include "report/sheet.h"
 
@@ -53,8 +54,12 @@ static force weight_of(const frame *f) {
 static force reaction_of(const tp_sheet *s, const tp_reaction *r) {
   const tp_block_result *b = &s->solution->block;
   const tp_near x = near_of(r->share_x), y = near_of(r->share_y);
-  const tp_near along = tp_near_sub(near_of(r->x_m), near_of(b->centroid_x_m));
-  const tp_near up = tp_near_sub(near_of(r->y_m), near_of(b->centroid_y_m));
+  const tp_near dx = tp_near_sub(near_of(r->x_m), near_of(b->centroid_x_m));
+  const tp_near dy = tp_near_sub(near_of(r->y_m), near_of(b->centroid_y_m));
+  tp_near sine, cosine;
+  tp_near_sin_cos(&sine, &cosine, near_of(s->solution->frame.turned_deg));
+  const tp_near along = tp_near_add(tp_near_mul(cosine, dx), tp_near_mul(sine, dy));
+  const tp_near up = tp_near_sub(tp_near_mul(cosine, dy), tp_near_mul(sine, dx));
   return (force){x, y, tp_near_sub(tp_near_mul(along, y), tp_near_mul(up, x))};
 }
 

@@ -10,20 +10,25 @@
 
 #include "report/words.h"
 
+#include <math.h>
 #include <stdio.h>
 
 /* The lever arms of the weight about the governing pivot; false where loads act, or the weight
- * lies not above it. */
+ * lies not above it, in the drawing or along the plane. */
 static bool has_arms(const tp_sheet *s, const tp_case *c) {
   if (s->solution->loaded || !c->has_toppling_pivot) return false;
-  const tp_bounded y_m = s->solution->block.centroid_y_m, own = c->pivots[c->toppling_pivot].y_m;
-  return y_m.value - y_m.error > own.value + own.error;
+  const tp_pivot *p = c->pivots + c->toppling_pivot;
+  const tp_bounded y_m = s->solution->block.centroid_y_m, angle = p->critical_angle_deg;
+  const double upright = 90;
+  return y_m.value - y_m.error > p->y_m.value + p->y_m.error &&
+         fabs(angle.value) + angle.error < upright;
 }
 
 static void add_critical_angle(tp_sheet *s, const tp_case *c) {
   const tp_block_result *b = &s->solution->block;
   const tp_pivot *p = c->pivots + c->toppling_pivot;
   const bool left = c->towards == TP_TOWARDS_LEFT;
+  const tp_sheet_turn turn = tp_sheet_turn_of(s, c);
   const tp_sheet_number gx = tp_sheet_coordinate(s, b->centroid_x_m),
                         gy = tp_sheet_coordinate(s, b->centroid_y_m),
                         px = tp_sheet_coordinate(s, p->x_m), py = tp_sheet_coordinate(s, p->y_m);
@@ -32,10 +37,10 @@ static void add_critical_angle(tp_sheet *s, const tp_case *c) {
                   "weight passes through the pivot. G is the centroid of the weight, P the pivot.",
                   c->toppling_pivot + 1);
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
-                  "α_c = \\arctan \\frac{%s}{y_G − y_P} \\\\"
-                  "α_c = \\arctan \\frac{%s − %s}{%s − %s} = %s",
-                  left ? "x_G − x_P" : "x_P − x_G", left ? gx.text : px.text,
-                  left ? px.text : gx.text, gy.text, py.text,
+                  "α_c = %s\\arctan \\frac{%s}{y_G − y_P} \\\\"
+                  "α_c = %s\\arctan \\frac{%s − %s}{%s − %s} = %s",
+                  turn.letter, left ? "x_G − x_P" : "x_P − x_G", turn.number,
+                  left ? gx.text : px.text, left ? px.text : gx.text, gy.text, py.text,
                   tp_sheet_angle(p->critical_angle_deg).text);
 }
 
@@ -122,12 +127,23 @@ static void add_least(tp_sheet *s, const tp_governing_fos *g) {
   }
 }
 
+/* What δ is, where formulas have it. */
+static void add_turn(tp_sheet *s, const tp_case *c) {
+  const tp_sheet_turn turn = tp_sheet_turn_of(s, c);
+  if (*turn.letter == '\0') return;
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "Coordinates are those of the drawing, which is turned by δ = %s where the tilt "
+                  "is 0.",
+                  tp_sheet_angle(turn.degrees).text);
+}
+
 void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
   tp_document_heading(&s->document, 3, "Formulas with their numbers");
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "All printed digits are certain; a recalculation from them agrees except "
                   "possibly in the last digit. Lengths are in %s, angles in degrees.",
                   s->solution->length_unit);
+  add_turn(s, c);
   if (has_arms(s, c)) {
     add_critical_angle(s, c);
     if (s->solution->has_tilt_angle) add_resultant(s, c);

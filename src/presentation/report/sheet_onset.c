@@ -19,7 +19,8 @@ static bool is_onset(const tp_onset *o, double angle_deg, double error_deg) {
          error_deg + o->critical_angle_deg.error + rounding;
 }
 
-/* Arms of the weight about the centre of rotation, the horizontal one towards the lowered side. */
+/* Arms of the weight about the centre of rotation as it is drawn, the horizontal one towards the
+ * lowered side. */
 typedef struct arms {
   double along, up, error;
 } arms;
@@ -39,14 +40,16 @@ static bool passes_centre(const tp_sheet *s, const tp_case *c) {
   if (o->mechanism != TP_TOPPLES || !o->has_centre) return false;
   const arms a = arms_of(s, c);
   const double degree = 180 / acos(-1);
-  return a.up > a.error &&
-         is_onset(o, atan2(a.along, a.up) * degree, a.error / hypot(a.along, a.up) * degree);
+  const tp_bounded turn = tp_sheet_turn_of(s, c).degrees;
+  return a.up > a.error && is_onset(o, turn.value + atan2(a.along, a.up) * degree,
+                                    turn.error + a.error / hypot(a.along, a.up) * degree);
 }
 
 static void add_toppling(tp_sheet *s, const tp_case *c) {
   const tp_block_result *b = &s->solution->block;
   const tp_onset *o = &c->onset;
   const bool left = c->towards == TP_TOWARDS_LEFT;
+  const tp_sheet_turn turn = tp_sheet_turn_of(s, c);
   const tp_sheet_number gx = tp_sheet_coordinate(s, b->centroid_x_m),
                         gy = tp_sheet_coordinate(s, b->centroid_y_m),
                         cx = tp_sheet_coordinate(s, o->centre_x_m),
@@ -55,10 +58,10 @@ static void add_toppling(tp_sheet *s, const tp_case *c) {
                   "Onset: toppling about C is possible from the tilt at which the line of the "
                   "weight passes C.");
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
-                  "α_s = \\arctan \\frac{%s}{y_G − y_C} \\\\"
-                  "α_s = \\arctan \\frac{%s − %s}{%s − %s} = %s",
-                  left ? "x_G − x_C" : "x_C − x_G", left ? gx.text : cx.text,
-                  left ? cx.text : gx.text, gy.text, cy.text,
+                  "α_s = %s\\arctan \\frac{%s}{y_G − y_C} \\\\"
+                  "α_s = %s\\arctan \\frac{%s − %s}{%s − %s} = %s",
+                  turn.letter, left ? "x_G − x_C" : "x_C − x_G", turn.number,
+                  left ? gx.text : cx.text, left ? cx.text : gx.text, gy.text, cy.text,
                   tp_sheet_angle(o->critical_angle_deg).text);
 }
 

@@ -7,20 +7,23 @@
 
 #include "report/words.h"
 
-/* i = arctan(rise / run), of a facet that runs from left to right and is no single point. */
+/* i = arctan(rise / run), of a facet that runs from left to right and is no single point; as it is
+ * drawn, beside the angle of the plane. */
 static void add_inclination(tp_sheet *s, const tp_case *c) {
   const tp_sliding *own = &c->sliding;
   const bool left = c->towards == TP_TOWARDS_LEFT;
   const tp_bounded run = tp_text_less(own->facet_x1_m, own->facet_x0_m);
   if (!(run.value > run.error)) return;
+  const tp_sheet_turn turn = tp_sheet_turn_of(s, c);
   const tp_sheet_number y0 = tp_sheet_coordinate(s, own->facet_y0_m),
                         y1 = tp_sheet_coordinate(s, own->facet_y1_m);
-  tp_document_add(&s->document, TP_PASSAGE_EQUATION,
-                  "i = \\arctan \\frac{%s}{x_1 − x_0} = \\arctan \\frac{%s − %s}{%s − %s} = %s",
-                  left ? "y_0 − y_1" : "y_1 − y_0", left ? y0.text : y1.text,
-                  left ? y1.text : y0.text, tp_sheet_coordinate(s, own->facet_x1_m).text,
-                  tp_sheet_coordinate(s, own->facet_x0_m).text,
-                  tp_sheet_angle(own->facet_angle_deg).text);
+  tp_document_add(
+      &s->document, TP_PASSAGE_EQUATION,
+      "i = %s\\arctan \\frac{%s}{x_1 − x_0} = "
+      "%s\\arctan \\frac{%s − %s}{%s − %s} = %s",
+      turn.letter, left ? "y_0 − y_1" : "y_1 − y_0", turn.number, left ? y0.text : y1.text,
+      left ? y1.text : y0.text, tp_sheet_coordinate(s, own->facet_x1_m).text,
+      tp_sheet_coordinate(s, own->facet_x0_m).text, tp_sheet_angle(own->facet_angle_deg).text);
 }
 
 static void add_factors(tp_sheet *s, const tp_sliding *own) {

@@ -171,3 +171,12 @@ void tp_sheet_add_against(tp_sheet *s, const tp_factor *factor) {
   add_way(&t, s, factor);
   tp_document_take_cell(&s->document, &t);
 }
+
+tp_sheet_turn tp_sheet_turn_of(const tp_sheet *s, const tp_case *c) {
+  tp_sheet_turn turn = {.degrees = s->solution->frame.turned_deg, .letter = ""};
+  if (turn.degrees.value == 0) return turn;
+  if (c->towards == TP_TOWARDS_RIGHT) turn.degrees.value = -turn.degrees.value;
+  turn.letter = "δ + ";
+  snprintf(turn.number, sizeof turn.number, "%s + ", tp_sheet_angle(turn.degrees).text);
+  return turn;
+}

@@ -7,6 +7,7 @@
 #include "shape/shape.h"
 
 #include "common/message.h"
+#include "problem/drawn.h"
 #include "scene/partial_factors.h"
 #include "stability/earthquakes.h"
 #include "stability/solution.h"
@@ -53,8 +54,9 @@ tp_spot tp_shape_of_point(const tp_shape *shape, const tp_lattice *l, long point
 }
 
 tp_spot tp_shape_of_metres(const tp_shape *shape, tp_bounded x_m, tp_bounded y_m) {
-  return (tp_spot){(x_m.value - shape->origin_x_m) / shape->unit_m,
-                   (y_m.value - shape->origin_y_m) / shape->unit_m};
+  const double x = (x_m.value - shape->drawn_origin_m.x) / shape->unit_m;
+  const double y = (y_m.value - shape->drawn_origin_m.y) / shape->unit_m;
+  return (tp_spot){shape->axis.x * x + shape->axis.y * y, shape->axis.x * y - shape->axis.y * x};
 }
 
 static double of_scene(const tp_shape *shape, const tp_problem *problem, const fmpq *value,
@@ -95,6 +97,28 @@ static void measure(tp_shape *shape, const tp_lattice *l) {
   shape->box =
       (tp_box){tp_shape_of_point(shape, l, low_x).x, tp_shape_of_point(shape, l, low_y).y,
                tp_shape_of_point(shape, l, high_x).x, tp_shape_of_point(shape, l, high_y).y};
+}
+
+/* Where the origin and the direction of x are among the results, which have the coordinates of the
+ * drawing. */
+static void place(tp_shape *shape, const tp_problem *problem) {
+  const tp_lattice *l = &problem->lattice;
+  const fmpq *metres = problem->scene->metres_per_unit;
+  fmpq_t x, y;
+  fmpq_init(x);
+  fmpq_init(y);
+  fmpq_mul_fmpz(x, l->step_m, l->origin_x);
+  fmpq_mul_fmpz(y, l->step_m, l->origin_y);
+  fmpq_div(x, x, metres);
+  fmpq_div(y, y, metres);
+  tp_drawn_point(x, y, problem);
+  fmpq_mul(x, x, metres);
+  fmpq_mul(y, y, metres);
+  shape->drawn_origin_m = (tp_spot){tp_shape_nearest(x), tp_shape_nearest(y)};
+  tp_drawn_axis(x, y, problem);
+  shape->axis = (tp_spot){tp_shape_nearest(x), tp_shape_nearest(y)};
+  fmpq_clear(x);
+  fmpq_clear(y);
 }
 
 /* A rounded corner: tangent points r / tan(theta / 2) from the vertex, towards both neighbours. */
@@ -267,6 +291,7 @@ static tp_status init(tp_shape *shape, const tp_problem *problem, bool elements,
   memset(shape, 0, sizeof *shape);
   shape->outline.closed = shape->elements.closed = true;
   measure(shape, &problem->lattice);
+  place(shape, problem);
   shape->part_count = (size_t)problem->section.part_count;
   shape->parts = calloc(shape->part_count + 1, sizeof *shape->parts);
   if (shape->parts != NULL && fill(shape, problem, elements)) return TP_OK;

@@ -45,7 +45,8 @@ void tp_chain_clear(tp_chain *chain);
 
 typedef struct tp_shape {
   double unit_m, origin_x_m, origin_y_m;
-  tp_chain outline; /* the block with its holes */
+  tp_spot drawn_origin_m, axis; /* among the results: the origin, and the direction of x */
+  tp_chain outline;             /* the block with its holes */
   size_t part_count;
   tp_chain *parts;
   tp_chain base;     /* the profile from left to right */
@@ -63,7 +64,7 @@ TP_MUST_USE tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution 
 /* The double nearest to a number; fmpq_get_d cuts off. */
 double tp_shape_nearest(const fmpq_t value);
 
-/* A point of the lattice, one given in metres, and one given exactly in scene lengths. */
+/* A point of the lattice, one of the results in metres, and one given exactly in scene lengths. */
 tp_spot tp_shape_of_point(const tp_shape *shape, const tp_lattice *lattice, long point);
 tp_spot tp_shape_of_metres(const tp_shape *shape, tp_bounded x_m, tp_bounded y_m);
 tp_spot tp_shape_of_scene(const tp_shape *shape, const tp_problem *problem, const fmpq_t x,

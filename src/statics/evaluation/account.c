@@ -64,9 +64,11 @@ static void add_moment(const account *a, arb_t stabilising, arb_t overturning, c
 static void measure_element(const account *a, tp_element *result, const tp_exact_element *element) {
   const tp_problem *problem = a->evaluation->problem;
   const tp_lattice *l = &problem->lattice;
-  fmpq_t number;
+  fmpq_t number, x, y;
   fmpz_t sixths;
   fmpq_init(number);
+  fmpq_init(x);
+  fmpq_init(y);
   fmpz_init(sixths);
   fmpz_divexact(sixths, &element->weight2, problem->section.density_weights + element->part);
   fmpq_mul(number, l->step_m, l->step_m);
@@ -75,17 +77,19 @@ static void measure_element(const account *a, tp_element *result, const tp_exact
   result->area_m2 = tp_result_rational(number);
   const fmpz *places[] = {&element->x6, &element->y6};
   const fmpz *origins[] = {l->origin_x, l->origin_y};
-  tp_bounded *const results[] = {&result->centroid_x_m, &result->centroid_y_m};
+  fmpq *const centroid[] = {x, y};
   for (int axis = 0; axis < 2; axis++) {
     fmpz_set(sixths, places[axis]);
     fmpz_addmul_ui(sixths, origins[axis], 6);
-    fmpq_mul_fmpz(number, l->step_m, sixths);
+    fmpq_mul_fmpz(centroid[axis], l->step_m, sixths);
     fmpz_set_ui(sixths, 6);
-    fmpq_div_fmpz(number, number, sixths);
-    *results[axis] = tp_result_rational(number);
+    fmpq_div_fmpz(centroid[axis], centroid[axis], sixths);
   }
+  tp_result_exact_place(&result->centroid_x_m, &result->centroid_y_m, problem, x, y);
   fmpz_clear(sixths);
   fmpq_clear(number);
+  fmpq_clear(x);
+  fmpq_clear(y);
 }
 
 static void account_element(account *a, tp_element *result, const tp_exact_element *element,

@@ -31,12 +31,10 @@ static double log2_size(const tp_evaluation *e) {
   return size;
 }
 
-/* Coordinate of the centroid: S6 / (3 A2), moved back by the local origin. */
-static tp_bounded centroid(const tp_evaluation *e, const arb_t first_moment, const fmpz_t origin,
-                           tp_certainty *certainty) {
+/* Coordinate of the centroid in metres: S6 / (3 A2), moved back by the local origin. */
+static void centroid(arb_t value, const tp_evaluation *e, const arb_t first_moment,
+                     const fmpz_t origin) {
   const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
-  arb_t value;
-  arb_init(value);
   /* (S6 + 3 A2 origin) / (3 A2): exact zeros stay exact */
   arb_mul_fmpz(value, e->moments.weighted + TP_A2, origin, exact);
   arb_mul_ui(value, value, 3, exact);
@@ -44,9 +42,19 @@ static tp_bounded centroid(const tp_evaluation *e, const arb_t first_moment, con
   arb_div(value, value, e->moments.weighted + TP_A2, bits);
   arb_div_ui(value, value, 3, bits);
   tp_evaluation_to_metres(value, e, 1);
-  const tp_bounded result = tp_result_within(e, value, log2_size(e), certainty);
-  arb_clear(value);
-  return result;
+}
+
+static void set_centroid(const tp_evaluation *e, tp_block_result *block, tp_certainty *certainty) {
+  const tp_lattice *l = &e->problem->lattice;
+  const arb_struct *sums = e->moments.weighted;
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  centroid(x, e, sums + TP_X6, l->origin_x);
+  centroid(y, e, sums + TP_Y6, l->origin_y);
+  tp_result_place(&block->centroid_x_m, &block->centroid_y_m, e, x, y, log2_size(e), certainty);
+  arb_clear(x);
+  arb_clear(y);
 }
 
 /* (M / m - f g / (18 A2)) area2 / A2, the moment about the centroid weighted by the relative
@@ -93,15 +101,13 @@ static void second_moments(const tp_evaluation *e, tp_block_result *block,
 
 void tp_evaluate_block(const tp_evaluation *e, tp_block_result *block, tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
-  const arb_struct *sums = e->moments.weighted;
   arb_t value;
   fmpq_t thickness;
   arb_init(value);
   fmpq_init(thickness);
   arb_mul_2exp_si(value, e->moments.area2, -1);
   block->area_m2 = tp_result_metres(e, value, 2, certainty);
-  block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x, certainty);
-  block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y, certainty);
+  set_centroid(e, block, certainty);
   second_moments(e, block, certainty);
   tp_problem_thickness(thickness, problem);
   block->thickness_m = tp_result_rational(thickness);

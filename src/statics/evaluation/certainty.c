@@ -7,6 +7,7 @@
 #include "evaluation/certainty.h"
 
 #include "number/ball.h"
+#include "problem/drawn.h"
 
 #include <math.h>
 
@@ -94,8 +95,7 @@ tp_bounded tp_result_metres(const tp_evaluation *e, arb_t value, int degree,
 void tp_result_point(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *e, tp_outline_point at,
                      tp_certainty *certainty) {
   if (at.cut == NULL) {
-    *x_m = tp_result_x(e->problem, at.point);
-    *y_m = tp_result_y(e->problem, at.point);
+    tp_result_lattice_point(x_m, y_m, e->problem, at.point);
     return;
   }
   const tp_lattice *l = &e->problem->lattice;
@@ -105,10 +105,23 @@ void tp_result_point(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *e, t
   tp_evaluation_point(x, y, e, at);
   arb_add_fmpz(x, x, l->origin_x, e->rung.bits);
   arb_add_fmpz(y, y, l->origin_y, e->rung.bits);
-  *x_m = tp_result_metres(e, x, 1, certainty);
-  *y_m = tp_result_metres(e, y, 1, certainty);
+  if (tp_drawn_is_same(e->problem)) {
+    *x_m = tp_result_metres(e, x, 1, certainty);
+    *y_m = tp_result_metres(e, y, 1, certainty);
+  } else {
+    tp_evaluation_to_metres(x, e, 1);
+    tp_evaluation_to_metres(y, e, 1);
+    tp_result_place(x_m, y_m, e, x, y, e->log2_extent, certainty);
+  }
   arb_clear(x);
   arb_clear(y);
+}
+
+void tp_result_place(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *e, arb_t x, arb_t y,
+                     double log2_size, tp_certainty *certainty) {
+  tp_drawn_ball(x, y, e->problem, e->rung.bits);
+  *x_m = tp_result_within(e, x, log2_size, certainty);
+  *y_m = tp_result_within(e, y, log2_size, certainty);
 }
 
 enum { BITS_OF_RATIONAL = 128 }; /* more than a double can show */
@@ -137,10 +150,32 @@ static tp_bounded coordinate(const tp_lattice *lattice, const fmpz *value, const
   return result;
 }
 
-tp_bounded tp_result_x(const tp_problem *problem, long point) {
-  return coordinate(&problem->lattice, problem->lattice.x + point, problem->lattice.origin_x);
+void tp_result_exact_place(tp_bounded *x_m, tp_bounded *y_m, const tp_problem *problem, fmpq_t x,
+                           fmpq_t y) {
+  const fmpq *metres = problem->scene->metres_per_unit;
+  fmpq_div(x, x, metres);
+  fmpq_div(y, y, metres);
+  tp_drawn_point(x, y, problem);
+  fmpq_mul(x, x, metres);
+  fmpq_mul(y, y, metres);
+  *x_m = tp_result_rational(x);
+  *y_m = tp_result_rational(y);
 }
 
-tp_bounded tp_result_y(const tp_problem *problem, long point) {
-  return coordinate(&problem->lattice, problem->lattice.y + point, problem->lattice.origin_y);
+void tp_result_lattice_point(tp_bounded *x_m, tp_bounded *y_m, const tp_problem *problem,
+                             long point) {
+  const tp_lattice *l = &problem->lattice;
+  if (tp_drawn_is_same(problem)) {
+    *x_m = coordinate(l, l->x + point, l->origin_x);
+    *y_m = coordinate(l, l->y + point, l->origin_y);
+    return;
+  }
+  fmpq_t x, y;
+  fmpq_init(x);
+  fmpq_init(y);
+  tp_lattice_metres_x(x, l, l->x + point);
+  tp_lattice_metres_y(y, l, l->y + point);
+  tp_result_exact_place(x_m, y_m, problem, x, y);
+  fmpq_clear(x);
+  fmpq_clear(y);
 }

@@ -47,13 +47,21 @@ tp_bounded tp_result_within(const tp_evaluation *evaluation, const arb_t ball, d
 tp_bounded tp_result_metres(const tp_evaluation *evaluation, arb_t value, int degree,
                             tp_certainty *certainty);
 
-/* A point of the outline in metres of the scene. */
+/* A point of the outline in metres of the drawing (problem/drawn.h). */
 void tp_result_point(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *evaluation,
                      tp_outline_point at, tp_certainty *certainty);
 
-/* Coordinates of a lattice point in metres, and an exact rational, as results. */
-tp_bounded tp_result_x(const tp_problem *problem, long point);
-tp_bounded tp_result_y(const tp_problem *problem, long point);
+/* A point of the problem in metres, which becomes that of the drawing, as a result certain to the
+ * asked share of the block's size, 2^log2_size, or to the digits asked. */
+void tp_result_place(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *evaluation, arb_t x,
+                     arb_t y, double log2_size, tp_certainty *certainty);
+
+/* A lattice point in metres of the drawing, one that is given exactly in metres of the problem, and
+ * an exact rational, as results. */
+void tp_result_lattice_point(tp_bounded *x_m, tp_bounded *y_m, const tp_problem *problem,
+                             long point);
+void tp_result_exact_place(tp_bounded *x_m, tp_bounded *y_m, const tp_problem *problem, fmpq_t x,
+                           fmpq_t y);
 tp_bounded tp_result_rational(const fmpq_t value);
 
 /* Does one angle in degrees lie above another by more than a millionth of a degree? Less is one

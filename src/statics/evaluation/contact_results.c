@@ -8,6 +8,7 @@
 #include "evaluation/stages.h"
 
 #include "number/ball.h"
+#include "problem/drawn.h"
 
 #include <math.h>
 
@@ -145,6 +146,15 @@ static tp_bounded metres(const tp_problem *problem, const fmpq_t length) {
   return result;
 }
 
+static tp_bounded turned_degrees(const tp_problem *problem) {
+  arb_t degrees;
+  arb_init(degrees);
+  tp_drawn_axis_degrees(degrees, problem);
+  const tp_bounded result = tp_ball_bounded(degrees);
+  arb_clear(degrees);
+  return result;
+}
+
 /* Is the mean line of the contact inclined to x by more than 1 in 10? */
 static void find_inclination(tp_frame_result *frame, const tp_problem *problem) {
   enum { BITS = 256 };
@@ -199,6 +209,7 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     frame->dip_deg = tp_result_rational(world->turn.dip_deg);
     frame->turned_about_x_m = metres(problem, world->turn.x);
     frame->turned_about_y_m = metres(problem, world->turn.y);
+    frame->turned_deg = turned_degrees(problem);
     find_dip_direction(frame, &scene->slope);
   }
   /* A block that was set down along y has said what is level. */

@@ -30,7 +30,6 @@ long tp_onset_first_window(const tp_motion_windows *windows, const tp_judge *jud
 void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t,
                      const tp_vector *twist) {
   const tp_evaluation *e = t->e;
-  const double log2_size = e->log2_extent;
   arb_t x, y;
   arb_init(x);
   arb_init(y);
@@ -39,8 +38,7 @@ void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t
   arb_div(y, twist->of, twist->of + 2, e->rung.bits);
   tp_ball_mirror(x, t->result->towards);
   tp_loaded_metres(x, y, e);
-  *x_m = tp_result_within(e, x, log2_size, t->certainty);
-  *y_m = tp_result_within(e, y, log2_size, t->certainty);
+  tp_result_place(x_m, y_m, e, x, y, e->log2_extent, t->certainty);
   arb_clear(x);
   arb_clear(y);
 }

@@ -91,6 +91,28 @@ void tp_turn_point(fmpq_t x, fmpq_t y, const tp_turn *w) {
   fmpq_clear(dy);
 }
 
+void tp_turn_back_point(fmpq_t x, fmpq_t y, const tp_turn *w) {
+  fmpq_t dx, dy, square;
+  fmpq_init(dx);
+  fmpq_init(dy);
+  fmpq_init(square);
+  fmpq_mul(square, w->cosine, w->cosine);
+  fmpq_addmul(square, w->sine, w->sine);
+  fmpq_sub(dx, x, w->x);
+  fmpq_sub(dy, y, w->y);
+  fmpq_mul(x, w->cosine, dx);
+  fmpq_submul(x, w->sine, dy);
+  fmpq_div(x, x, square);
+  fmpq_add(x, x, w->x);
+  fmpq_mul(y, w->cosine, dy);
+  fmpq_addmul(y, w->sine, dx);
+  fmpq_div(y, y, square);
+  fmpq_add(y, y, w->y);
+  fmpq_clear(dx);
+  fmpq_clear(dy);
+  fmpq_clear(square);
+}
+
 static void turn_point(fmpq_t x, fmpq_t y, const void *context) {
   tp_turn_point(x, y, context);
 }

@@ -28,6 +28,8 @@ void tp_turn_direction(fmpq_t cosine, fmpq_t sine, const tp_turn *of, const tp_t
 
 /* A point turned: x' = x0 + c (x - x0) + s (y - y0), about the one that stays. */
 void tp_turn_point(fmpq_t x, fmpq_t y, const tp_turn *turn);
+/* The inverse of that, exactly: x = x0 + (c (x' - x0) - s (y' - y0)) / (c² + s²). */
+void tp_turn_back_point(fmpq_t x, fmpq_t y, const tp_turn *turn);
 
 /* Fill a copy of the scene (scene/moved.h) with its turned points, the ends of its contact named by
  * vertices of its outline where they are kept. False when memory is exhausted. */

@@ -156,9 +156,9 @@ static void describe_pivots(tp_case *own, const tp_case *described, const tp_pro
   }
   for (size_t k = 0; k < own->pivot_count; k++) {
     const tp_contact_point *p = problem->contact.points + k;
-    own->pivots[k] = (tp_pivot){.kind = p->kind,
-                                .x_m = tp_result_x(problem, p->point),
-                                .y_m = tp_result_y(problem, p->point)};
+    tp_pivot *pivot = own->pivots + k;
+    *pivot = (tp_pivot){.kind = p->kind};
+    tp_result_lattice_point(&pivot->x_m, &pivot->y_m, problem, p->point);
   }
 }
 

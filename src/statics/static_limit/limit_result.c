@@ -37,7 +37,6 @@ tp_mechanism tp_limit_mechanism(tp_face_motion motion) {
 static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const arb_t x,
                       const arb_t y) {
   const tp_evaluation *e = t->e;
-  const double log2_size = e->log2_extent;
   arb_t scene_x, scene_y;
   arb_init(scene_x);
   arb_init(scene_y);
@@ -56,8 +55,7 @@ static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const 
     arb_clear(origin_x);
     arb_clear(origin_y);
   }
-  *x_m = tp_result_within(e, scene_x, log2_size, t->certainty);
-  *y_m = tp_result_within(e, scene_y, log2_size, t->certainty);
+  tp_result_place(x_m, y_m, e, scene_x, scene_y, e->log2_extent, t->certainty);
   arb_clear(scene_x);
   arb_clear(scene_y);
 }

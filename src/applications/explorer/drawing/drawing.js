@@ -22,6 +22,7 @@ import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
 import { tiltArc } from "./tilt_handle.js";
 import { Motion, motionOf } from "./motion.js";
+import { resultPoint } from "./result_point.js";
 
 const SNAP_DOTS = 3;
 const OTHER_SIZE = 2.5;
@@ -256,7 +257,7 @@ export class Drawing extends EventTarget {
     const { solution } = this.store;
     if (solution?.outlines === undefined || this.case === null) return null;
     const { outlines } = solution;
-    return motionOf(this.case, { x: outlines.origin_x_m, y: outlines.origin_y_m }, outlines.box_m);
+    return motionOf(this.case, outlines);
   }
 
   #edit(handle, edits) {
@@ -298,8 +299,8 @@ function roomOf(outlines, kase) {
   const room = [x0, y0 - 0.2 * size, x1, y1];
   const { centre_x_m: x, centre_y_m: y } = kase?.limit ?? {};
   if (x == null || y == null) return room;
-  const at = [x.value - outlines.origin_x_m, y.value - outlines.origin_y_m];
-  const grown = [Math.min(room[0], at[0]), Math.min(room[1], at[1]), Math.max(room[2], at[0]), Math.max(room[3], at[1])];
+  const at = resultPoint(outlines, x, y);
+  const grown = [Math.min(room[0], at.x), Math.min(room[1], at.y), Math.max(room[2], at.x), Math.max(room[3], at.y)];
   const much = grown[2] - grown[0] > x1 - x0 + CENTRE_NEAR * size || grown[3] - grown[1] > y1 - y0 + CENTRE_NEAR * size;
   return much ? room : grown;
 }

@@ -20,6 +20,7 @@
 
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
+import { resultPoint } from "./result_point.js";
 import { pathEnds } from "./thin_path.js";
 import { Placement } from "./view.js";
 
@@ -29,7 +30,7 @@ export class Context {
    * @param {import("../scene/scene_text.js").SceneText} scene
    * @param {object} kase the case that is drawn
    * @param {object} outlines of the same answer
-   * @param {{x: number, y: number}} origin of the drawing, among the results, metres
+   * @param {{x: number, y: number}} origin of the drawing, where the outlines' origins lie, metres
    */
   constructor(scene, kase, outlines, origin) {
     this.scene = scene;
@@ -57,7 +58,8 @@ export class Context {
 
   /** A point of the results in the frame of the drawing. */
   result(x, y) {
-    return { x: x.value - this.origin.x, y: y.value - this.origin.y };
+    const at = resultPoint(this.outlines, x, y);
+    return { x: at.x + this.outlines.origin_x_m - this.origin.x, y: at.y + this.outlines.origin_y_m - this.origin.y };
   }
 
   /** @param {(string|number)[]} path */

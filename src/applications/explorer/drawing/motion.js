@@ -6,20 +6,21 @@
  * them times the square of the time. Shown slower than it is, up to a fixed share of the block's size.
  */
 
+import { resultPoint } from "./result_point.js";
+
 const SHOWN_MS = 1800;
 const REST_MS = 500;
 const SHARE = 0.22; // of the block's size
 
 /**
- * @param {object} kase @param {{x: number, y: number}} origin metres
- * @param {number[]} box around the block, metres from the origin
+ * @param {object} kase @param {object} outlines of the same answer
  * @returns {((share: number) => string)|null} the block's transform in its frame at a share of the way, 0 to 1
  */
-export function motionOf(kase, origin, box) {
+export function motionOf(kase, outlines) {
   const motion = kase.motions?.[0];
   if (motion === undefined || !motion.accelerations_fixed) return null;
-  const x = kase.block.centroid_x_m.value - origin.x;
-  const y = kase.block.centroid_y_m.value - origin.y;
+  const { x, y } = resultPoint(outlines, kase.block.centroid_x_m, kase.block.centroid_y_m);
+  const box = outlines.box_m;
   const [ax, ay, turn] = [motion.acceleration_x_g, motion.acceleration_y_g, motion.angular_g_per_m].map((a) => a?.value ?? 0);
   const size = Math.hypot(box[2] - box[0], box[3] - box[1]);
   const fastest = Math.hypot(ax, ay) + Math.abs(turn) * size * 0.5;

@@ -7,6 +7,7 @@
  */
 
 import { contactFaces, normalAt } from "./contact_normals.js";
+import { resultPoint } from "./result_point.js";
 
 const PIVOTS_MAX = 60;
 const FORCE_DOTS = 120; // of the block's weight
@@ -22,10 +23,14 @@ const COMB_DOTS = 30;
  * @returns {Symbol[]} from the back to the front
  */
 export function symbolsOf(kase, outlines, view, origin) {
-  const on = (x, y) => view.toScreen(x.value - origin.x, y.value - origin.y);
+  const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
+  const on = (x, y) => {
+    const at = resultPoint(outlines, x, y);
+    return view.toScreen(at.x + shift.x, at.y + shift.y);
+  };
   return [
     ...reactions(kase, outlines, view, on),
-    ...loads(outlines, view, origin),
+    ...loads(outlines, view, shift),
     ...weight(kase, on),
     ...centre(kase, on),
     ...pivots(kase, on),
@@ -79,7 +84,6 @@ function reactions(kase, outlines, view, on) {
   const found = kase.limit?.reactions ?? [];
   if (found.length === 0) return [];
   const faces = contactFaces(outlines.contact);
-  const shift = { x: outlines.origin_x_m, y: outlines.origin_y_m };
   const cone = (kase.limit.friction_angle_deg.value * Math.PI) / 180;
   return found.flatMap((one) => {
     const share = [one.share_x.value, one.share_y.value];
@@ -87,8 +91,8 @@ function reactions(kase, outlines, view, on) {
     const size = Math.hypot(...share);
     const along = view.direction(...share);
     const long = FORCE_DOTS * size;
-    const point = [one.x_m.value - shift.x, one.y_m.value - shift.y];
-    const normal = normalAt(faces, point, share, 2 / view.dotsPerMetre);
+    const point = resultPoint(outlines, one.x_m, one.y_m);
+    const normal = normalAt(faces, [point.x, point.y], share, 2 / view.dotsPerMetre);
     const force = { kind: "reaction", d: arrow({ x: at.x - long * along.x, y: at.y - long * along.y }, at),
       title: "reaction at the limit: " + (100 * size).toFixed(1) + " % of the weight" };
     if (normal === null) return [force];
@@ -106,8 +110,7 @@ function wedge(at, view, [nx, ny], half, long) {
   return "M" + at.x + " " + at.y + "L" + side(half) + "L" + side(-half) + "Z";
 }
 
-function loads(outlines, view, origin) {
-  const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
+function loads(outlines, view, shift) {
   const anchors = (outlines.anchors ?? []).map((anchor, i) => {
     const at = view.toScreen(anchor.x_m + shift.x, anchor.y_m + shift.y);
     const angle = (anchor.direction_deg * Math.PI) / 180;

@@ -6,6 +6,7 @@
  * the centre about which it begins to turn.
  */
 
+import { resultPoint } from "../drawing/result_point.js";
 import { svgElement } from "./element.js";
 
 /** Of the diagonal of the block: the weight's arrow, and the room around the figure. */
@@ -31,7 +32,7 @@ export function forcesFigure(theCase, outlines, cones) {
   const tilt = (limit.critical_angle_deg.value * Math.PI) / 180;
   const sense = theCase.towards === "right" ? -1 : 1;
   const turned = turning(sense * tilt);
-  const centroid = { x: block.centroid_x_m.value - outlines.origin_x_m, y: block.centroid_y_m.value - outlines.origin_y_m };
+  const centroid = resultPoint(outlines, block.centroid_x_m, block.centroid_y_m);
   const down = { x: -sense * Math.sin(tilt) * scale, y: -Math.cos(tilt) * scale };
   const centre = nearCentre(limit, outlines, centroid, diagonal);
   const reach = [
@@ -78,7 +79,7 @@ function centreMark(centre, size) {
 
 function nearCentre(limit, outlines, centroid, diagonal) {
   if (!limit.centre_x_m || !limit.centre_y_m) return null;
-  const centre = { x: limit.centre_x_m.value - outlines.origin_x_m, y: limit.centre_y_m.value - outlines.origin_y_m };
+  const centre = resultPoint(outlines, limit.centre_x_m, limit.centre_y_m);
   return Math.hypot(centre.x - centroid.x, centre.y - centroid.y) <= FAR * diagonal ? centre : null;
 }
 

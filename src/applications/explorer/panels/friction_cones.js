@@ -6,6 +6,7 @@
  * the facet of contact which ends where the force acts, read from the outlines, in doubles: a drawing, not a result.
  */
 
+import { resultPoint } from "../drawing/result_point.js";
 import { segments } from "./path_data.js";
 
 /** A force on the edge of its cone may seem to lie outside by so much, degrees: what doubles lose. */
@@ -32,7 +33,7 @@ export function cones(theCase, outlines) {
   const near = NEAR * Math.hypot(x1 - x0, y1 - y0);
   return (limit?.reactions ?? []).map((reaction) => {
     const force = {
-      x: reaction.x_m.value - outlines.origin_x_m, y: reaction.y_m.value - outlines.origin_y_m,
+      ...resultPoint(outlines, reaction.x_m, reaction.y_m),
       along: reaction.share_x.value, across: reaction.share_y.value,
     };
     return { ...force, ...nearestNormal(force, facets, near, friction) };
