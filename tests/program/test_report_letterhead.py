@@ -58,7 +58,7 @@ class Letterhead(unittest.TestCase):
         report = "report:\n" + "".join(f"  {key}: '<b>{key}</b> & [x](y)'\n" for key in KEYS)
         page = Page(self.sheet(report).decode())
         self.assertEqual(words(page.all("header")[0]), "<b>company</b> & [x](y)")
-        table = page.tables("Project")[0]
+        table = page.tables("Project and persons")[0]
         self.assertEqual(table[0], ["Project", "Job", "Prepared by", "Checked by", "Date"])
         self.assertEqual(table[1], [f"<b>{key}</b> & [x](y)" for key in KEYS[1:]])
         signatures = page.tables("Who has prepared")[0]
@@ -66,7 +66,7 @@ class Letterhead(unittest.TestCase):
         told = self.sheet(report, "md").decode().split("## Input as read")[0]
         self.assertNotIn("<b>", told.replace("\\<", ""))
         self.assertTrue(self.sheet(report, "pdf").startswith(b"%PDF-"))
-        self.assertEqual(Page(self.sheet("report: {job: 7}\n").decode()).tables("Project")[0], [["Job"], ["7"]])
+        self.assertEqual(Page(self.sheet("report: {job: 7}\n").decode()).tables("Project and persons")[0], [["Job"], ["7"]])
 
     def test_of_a_study_and_a_tilt_test(self):
         """Their sheets have it too, of the scene that they are of, and names beside the signatures."""
@@ -83,7 +83,7 @@ class Letterhead(unittest.TestCase):
             page = Page((self.path / "r.html").read_text(encoding="utf-8"))
             self.assertEqual(words(page.all("header")[0]), "Example Geotechnics")
             self.assertTrue(page.all("header")[0].find("img").get("src").startswith("data:image/png;base64,"))
-            self.assertEqual(page.tables("Project")[0], [["Job", "Prepared by"], ["7", "A. Author"]])
+            self.assertEqual(page.tables("Project and persons")[0], [["Job", "Prepared by"], ["7", "A. Author"]])
             self.assertEqual(page.tables("Who has prepared")[0][1][1], "A. Author")
             self.assertEqual([words(h) for h in page.all("h3") if words(h).endswith("logo.png")], [])  # no text of a picture
 

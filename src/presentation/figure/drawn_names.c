@@ -87,17 +87,18 @@ static void add_layers(tp_text *text, const tp_scene *scene, int tint) {
   }
 }
 
-bool tp_drawn_names_init(tp_drawn_names *names, const tp_scene *scene) {
+bool tp_drawn_names_init(tp_drawn_names *names, const tp_figure *figure) {
+  const tp_scene *scene = figure->problem->scene;
   const tp_drawn *drawn = scene->drawn;
   memset(names, 0, sizeof *names);
-  tp_text_add(&names->block, "block");
+  tp_text_add(&names->block, "%s", tp_figure_word(figure, "block"));
   add_names(&names->block, ": ", drawn, TP_DRAWING_BLOCK);
-  tp_text_add(&names->base, "base");
+  tp_text_add(&names->base, "%s", tp_figure_word(figure, "base"));
   add_names(&names->base, ": ", drawn, TP_DRAWING_BASE);
-  tp_text_add(&names->hole, "hole");
+  tp_text_add(&names->hole, "%s", tp_figure_word(figure, "hole"));
   add_names(&names->hole, ": ", drawn, TP_DRAWING_HOLE);
-  tp_text_add(names->parts, "of other density");
-  tp_text_add(names->parts + 1, "of another");
+  tp_text_add(names->parts, "%s", tp_figure_word(figure, "of other density"));
+  tp_text_add(names->parts + 1, "%s", tp_figure_word(figure, "of another"));
   for (long k = 0; k < scene->block.part_count; k++) {
     names->has_part[tp_part_tint(scene, k)] = true;
   }
@@ -105,7 +106,11 @@ bool tp_drawn_names_init(tp_drawn_names *names, const tp_scene *scene) {
     add_layers(names->parts + tint, scene, tint);
   }
   tp_text_add(&names->unused, "%s", ""); /* a text in any case */
-  add_names(&names->unused, "Not used of the drawing: ", drawn, TP_DRAWING_UNUSED);
+  tp_text unused = {0};
+  tp_text_add(&unused, "%s: ", tp_figure_word(figure, "Not used of the drawing"));
+  add_names(&names->unused, unused.failed ? "" : unused.data, drawn, TP_DRAWING_UNUSED);
+  names->unused.failed = names->unused.failed || unused.failed;
+  tp_text_drop(&unused);
   return !(names->block.failed || names->base.failed || names->hole.failed ||
            names->parts[0].failed || names->parts[1].failed || names->unused.failed);
 }

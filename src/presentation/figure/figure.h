@@ -93,6 +93,7 @@ typedef struct tp_figure {
 
 /* A text of the figure, which is English: in its language as far as that has phrases. A word. */
 void tp_figure_tell(const tp_figure *figure, tp_text *text);
+void tp_figure_set_decimals(const tp_figure *figure, char *text);
 const char *tp_figure_word(const tp_figure *figure, const char *english)
     __attribute__((format_arg(2)));
 

@@ -25,6 +25,7 @@ static double scale_bar(cairo_t *cr, const tp_figure *figure, double scale, doub
   const double length = round_length(most_points / scale * unit), points = length / unit * scale;
   char text[64];
   snprintf(text, sizeof text, "%.7g %s", length, figure->solution->length_unit);
+  tp_figure_set_decimals(figure, text);
   tp_figure_ink(cr, TP_INK_BLACK);
   cairo_set_line_width(cr, 1);
   cairo_move_to(cr, x, y - 5.5);
@@ -178,7 +179,7 @@ static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
 bool tp_figure_legend(double *y, cairo_t *cr, const tp_figure *figure, double scale, double x,
                       double width) {
   tp_drawn_names names;
-  const bool done = tp_drawn_names_init(&names, figure->problem->scene);
+  const bool done = tp_drawn_names_init(&names, figure);
   if (done) draw_legend(y, cr, figure, &names, scale, x, width);
   tp_drawn_names_clear(&names);
   return done;

@@ -41,15 +41,18 @@ void tp_figure_lies_heading(tp_text *t, const tp_figure *figure, const tp_state 
 static void draw_side(cairo_t *cr, const tp_figure *figure, bool left, double x, double y) {
   const tp_frame_result *f = &figure->solution->frame;
   enum { LENGTH = 12, GAP = 4 };
-  char azimuth[TP_NUMBER_SIZE + 8], text[TP_NUMBER_SIZE + 24];
-  const bool known = tp_text_azimuth(azimuth, f, left);
-  snprintf(text, sizeof text, "%s%s%s", tp_figure_word(figure, left ? "left" : "right"),
-           known ? ", " : "", known ? azimuth : "");
+  char azimuth[TP_NUMBER_SIZE + 8];
+  tp_text side = {0};
+  tp_text_add(&side, "%s", left ? "left" : "right");
+  if (tp_text_azimuth(azimuth, f, left)) tp_text_add(&side, ", %s", azimuth);
+  tp_figure_tell(figure, &side);
+  const char *text = side.failed ? "" : side.data;
   const double middle = y - 0.36 * TP_BODY_SIZE, to = left ? x : x - LENGTH;
   tp_figure_font(cr, TP_BODY_SIZE, false);
   tp_figure_arrow(cr, (tp_spot){left ? to + LENGTH : to, middle},
                   (tp_spot){left ? to : to + LENGTH, middle}, 0.8);
   tp_figure_text(cr, left ? x + LENGTH + GAP : to - GAP - tp_figure_text_width(cr, text), y, text);
+  tp_text_drop(&side);
 }
 
 double tp_figure_sides(cairo_t *cr, const tp_figure *figure, double x, double y, double width) {

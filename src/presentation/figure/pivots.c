@@ -178,6 +178,7 @@ void tp_figure_label_tilt(tp_panel *p) {
   char number[TP_NUMBER_SIZE], text[TP_NUMBER_SIZE + 8];
   tp_box box;
   snprintf(text, sizeof text, "%s°", tp_text_fixed(number, dip_of(p), 2));
+  tp_figure_set_decimals(p->figure, text);
   tp_figure_font(p->cr, TP_BODY_SIZE, true);
   tp_figure_ink(p->cr, TP_INK_BLACK);
   if (tp_label_room_find(&box, &p->room, w.on_arc, w.middle, tp_figure_text_width(p->cr, text) + 2,

@@ -18,6 +18,10 @@ void tp_figure_tell(const tp_figure *figure, tp_text *text) {
   *text = own;
 }
 
+void tp_figure_set_decimals(const tp_figure *figure, char *text) {
+  if (figure->comma) tp_language_set_commas(text);
+}
+
 const char *tp_figure_word(const tp_figure *figure, const char *english) {
   return tp_say(figure->language, english);
 }

@@ -14,17 +14,13 @@
 
 #include <stdio.h>
 
-/* Rows that a page shows; JSON has them all. */
-enum { ROWS = 16 };
-
-static const char *percent(char out[TP_NUMBER_SIZE], tp_bounded share) {
+const char *tp_pose_percent(char out[TP_NUMBER_SIZE], tp_bounded share) {
   const tp_bounded hundred = {.value = 100 * share.value,
                               .error = 101 * share.error + 1e-15 * 100 * share.value};
   return tp_text_fixed(out, hundred, 2);
 }
 
-/* At which tilt the block begins to move. */
-static const char *lets_go(char out[TP_NUMBER_SIZE + 4], const tp_resting_pose *pose, size_t c) {
+const char *tp_pose_lets_go(char out[TP_NUMBER_SIZE + 4], const tp_resting_pose *pose, size_t c) {
   const tp_pose_verdict *v = pose->verdicts + c;
   if (pose->verdict_count == 0) return "unsolved";
   if (!v->has_critical_angle) {
@@ -40,7 +36,7 @@ static const char *lets_go(char out[TP_NUMBER_SIZE + 4], const tp_resting_pose *
 /* `°` is two bytes wide in a field, and one column. */
 static void add_angle(tp_page *p, const tp_resting_pose *pose, size_t c) {
   char n[TP_NUMBER_SIZE + 4];
-  const char *text = lets_go(n, pose, c);
+  const char *text = tp_pose_lets_go(n, pose, c);
   tp_text_add(&p->text,
               pose->verdict_count > 0 && pose->verdicts[c].has_critical_angle ? " %11s" : " %10s",
               text);
@@ -64,7 +60,7 @@ static void add_row(tp_page *p, size_t k) {
   const tp_resting_pose *pose = r->poses + k;
   char n[5][TP_NUMBER_SIZE];
   tp_text_add(&p->text, "%c %4zu %6s%% %8s° %11s %9s %9s",
-              r->has_given && r->given == k ? '>' : ' ', k + 1, percent(n[0], pose->share),
+              r->has_given && r->given == k ? '>' : ' ', k + 1, tp_pose_percent(n[0], pose->share),
               tp_text_fixed(n[1], pose->rest.turned_deg, 3),
               tp_page_length(p, n[2], pose->centroid_y_m, 5),
               tp_page_length(p, n[3], pose->first_contact_x_m, 5),
@@ -73,19 +69,24 @@ static void add_row(tp_page *p, size_t k) {
   tp_text_add(&p->text, "\n");
 }
 
+tp_bounded tp_poses_share(const tp_poses_result *r, tp_settling_end end) {
+  tp_bounded share = {0};
+  for (size_t k = 0; k < r->basin_count; k++) {
+    if (r->basins[k].end != end) continue;
+    share.value += r->basins[k].share.value;
+    share.error += r->basins[k].share.error + 1e-15;
+  }
+  return share;
+}
+
 /* What becomes of the block elsewhere. */
 static void add_rest_of_shifts(tp_page *p) {
-  const tp_poses_result *r = &p->solution->poses;
   for (int end = TP_ROLLS_OFF_LEFT; end <= TP_SETTLING_UNDECIDED; end++) {
-    tp_bounded share = {0};
-    for (size_t k = 0; k < r->basin_count; k++) {
-      if ((int)r->basins[k].end != end) continue;
-      share.value += r->basins[k].share.value;
-      share.error += r->basins[k].share.error + 1e-15;
-    }
-    if (share.value == 0) continue;
+    const tp_bounded share = tp_poses_share(&p->solution->poses, (tp_settling_end)end);
     char n[TP_NUMBER_SIZE];
-    tp_text_add(&p->text, "       %6s%% %s\n", percent(n, share), tp_settling_end_name(end));
+    if (share.value == 0) continue;
+    tp_text_add(&p->text, "       %6s%% %s\n", tp_pose_percent(n, share),
+                tp_settling_end_name(end));
   }
 }
 
@@ -107,7 +108,7 @@ static void add_least(tp_page *p) {
     tp_text_add(&p->text, "  %s the %s, pose %zu begins to move first: ",
                 p->solution->frame.world ? "Towards" : "Tilted towards",
                 tp_direction_name(v->towards), least + 1);
-    if (v->has_critical_angle) tp_text_add(&p->text, "%s, ", lets_go(n, pose, c));
+    if (v->has_critical_angle) tp_text_add(&p->text, "%s, ", tp_pose_lets_go(n, pose, c));
     tp_text_add(&p->text, "%s.\n", tp_mechanism_name(v->first));
   }
 }
@@ -124,10 +125,10 @@ void tp_page_add_poses(tp_page *p) {
               tp_page_length(p, n[0], r->from_m, 5), tp_page_length(p, n[1], r->to_m, 5), unit,
               r->pose_count, tp_page_length(p, n[2], r->spacing_m, 3), unit);
   add_head(p);
-  for (size_t k = 0; k < r->pose_count && k < ROWS; k++) add_row(p, k);
-  if (r->pose_count > ROWS) {
+  for (size_t k = 0; k < r->pose_count && k < TP_POSE_ROWS; k++) add_row(p, k);
+  if (r->pose_count > TP_POSE_ROWS) {
     tp_text_add(&p->text, "  … and %zu more, less likely (--json lists them)\n",
-                r->pose_count - ROWS);
+                r->pose_count - TP_POSE_ROWS);
   }
   add_rest_of_shifts(p);
   tp_text_add(&p->text, "\n");

@@ -8,7 +8,6 @@
 
 #include "common/options.h"
 #include "output/encode.h"
-#include "report/poses.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -24,7 +23,7 @@ void tp_sheet_options_init(tp_sheet_options *options, size_t size) {
 static void add_input(tp_sheet *s) {
   const tp_solution *own = s->solution;
   tp_document *d = &s->document;
-  tp_page page = {.solution = own}, poses = {.solution = own};
+  tp_page page = {.solution = own};
   char n[TP_NUMBER_SIZE];
   tp_document_heading(d, 2, "Block, base and contact");
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
@@ -48,12 +47,7 @@ static void add_input(tp_sheet *s) {
     tp_document_cell(d, "α = %s°", tp_page_degrees(n, own->tilt_angle_deg));
   }
   tp_sheet_add_settings(d, &own->settings);
-  tp_page_add_poses(&poses);
-  if (poses.text.length > 0) {
-    tp_sheet_take_lines(d, &poses.text);
-  } else {
-    tp_text_drop(&poses.text);
-  }
+  tp_sheet_add_poses(s);
 }
 
 static void add_case_heading(tp_sheet *s, const tp_case *c, const char *table, const char *world,

@@ -126,6 +126,7 @@ void tp_sheet_add_loads(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_account(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_limit(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_motions(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_poses(tp_sheet *sheet);
 void tp_sheet_add_proof(tp_sheet *sheet);
 
 /* ---- words -------------------------------------------------------------------------------------

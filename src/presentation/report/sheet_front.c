@@ -23,7 +23,7 @@ void tp_sheet_add_persons(tp_document *d, const tp_sheet_head *head) {
     count += is_given(head->texts[k]);
   }
   if (count == 0) return;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, count, 0, "Project");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, count, 0, "Project and persons");
   for (int k = TP_LETTERHEAD_PROJECT; k < TP_LETTERHEAD_TEXTS; k++) {
     if (is_given(head->texts[k])) tp_document_word(d, words[k]);
   }

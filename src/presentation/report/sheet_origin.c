@@ -205,8 +205,11 @@ void tp_sheet_add_foot(tp_document *d, const tp_sheet_files *files,
     tp_encode_plain(&foot, options->date);
   }
   if (files->count > 0 && files->items->why == 0) {
+    char shown[SHOWN + 1];
     add_hash(&hash, files->items);
-    tp_text_add(&foot, ", input SHA-256 %.*s…", SHOWN, hash.failed ? "" : hash.data);
+    snprintf(shown, sizeof shown, "%s", hash.failed ? "" : hash.data);
+    tp_text_add(&foot, ", ");
+    tp_text_add(&foot, tp_document_say(d, "input SHA-256 %s…"), shown);
   }
   foot.failed = foot.failed || hash.failed;
   tp_text_drop(&hash);
