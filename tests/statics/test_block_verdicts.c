@@ -15,7 +15,7 @@
 
 static tp_message message;
 
-enum { SOLVED = 900, STONE = 12 };
+enum { SOLVED = 900, FEW_EDGES = 8, MOST_EDGES = 80, STONE = MOST_EDGES + 4 };
 
 typedef struct verdicts {
   tp_mechanism mechanism[SOLVED], first[SOLVED];
@@ -144,19 +144,29 @@ START_TEST(verdicts_of_many) {
 }
 END_TEST
 
-/* A block on a rough, a toothed or a level underside below a leaning top: either way round, begun
- * anywhere, in one of two units. Its number of vertices. */
-static size_t draw_stone(double xy[2 * STONE], random_numbers *state) {
-  const size_t edges = 1 + draw_below(state, 8), count = edges + 3;
-  const size_t turned = draw_below(state, count), kind = draw_below(state, 4);
+/* The height of a vertex of an underside: rough all over; teeth, a direction twice; level in
+ * places; rough on a bow. */
+static double draw_height(long kind, size_t k, double x, size_t edges, random_numbers *state) {
+  if (kind == 0) return 0.5 * draw_part(state);
+  if (kind == 1) return k % 2 == 0 ? 0 : 0.25;
+  if (kind == 2) return k < 2 || draw_once_in(state, 2) ? 0 : 0.125;
+  const double middle = x / (double)edges - 0.5;
+  return (double)edges * (0.02 * draw_part(state) + 0.1 * middle * middle);
+}
+
+/* A block on a rough, a toothed, a bowed or a level underside of few edges or many, below a leaning
+ * top: either way round, begun anywhere, in one of two units. Its number of vertices. */
+static size_t draw_stone(double xy[2 * STONE], random_numbers *state, bool has_many) {
+  const size_t edges = has_many ? 1 + FEW_EDGES + draw_below(state, MOST_EDGES - FEW_EDGES)
+                                : 1 + draw_below(state, FEW_EDGES);
+  const size_t count = edges + 3, turned = draw_below(state, count);
+  const long kind = has_many ? 3 * draw_below(state, 2) : draw_below(state, 4);
   const double unit = draw_once_in(state, 2) ? 1 : 0.3048, height = 0.3 + 3 * draw_part(state);
   const bool clockwise = draw_once_in(state, 2), even = kind > 0 || draw_once_in(state, 2);
   for (size_t k = 0; k < count; k++) {
     const double lean = 0.4 * (draw_part(state) - 0.3);
-    double x = even ? (double)k : (double)k + 0.6 * draw_part(state), y = 0;
-    if (kind == 0) y = 0.5 * draw_part(state);                      /* rough */
-    if (kind == 1) y = k % 2 == 0 ? 0 : 0.25;                       /* teeth, a direction twice */
-    if (kind == 2) y = k < 2 || draw_once_in(state, 2) ? 0 : 0.125; /* level in places */
+    double x = even ? (double)k : (double)k + 0.6 * draw_part(state);
+    double y = draw_height(kind, k, x, edges, state);
     if (k == edges + 1) x = (double)edges + 0.6 + lean;
     if (k == edges + 2) x = lean;
     if (k > edges) y = height * (double)edges + lean;
@@ -173,14 +183,14 @@ START_TEST(verdicts_of_stones) {
   random_numbers state = random_numbers_from(random_seed());
   first_of[0] = 0;
   for (size_t k = 0; k < SOLVED; k++) {
-    first_of[k + 1] = first_of[k] + draw_stone(all_xy + 2 * first_of[k], &state);
+    first_of[k + 1] = first_of[k] + draw_stone(all_xy + 2 * first_of[k], &state, k % 6 == 0);
     friction[k] = 5 + 60 * draw_part(&state);
     tilt[k] = draw_once_in(&state, 9) ? NAN : draw_once_in(&state, 9) ? 0 : 55 * draw_part(&state);
   }
   const tp_outlines outlines = tp_outlines_ragged(all_xy, SOLVED, first_of);
   solve(&all, &outlines, 2);
   for (size_t k = 0; k < SOLVED; k++) claim_verdict(&all, k);
-  ck_assert_msg(all.summary.climbed < SOLVED / 2, "%zu climbed", all.summary.climbed);
+  ck_assert_msg(all.summary.climbed < SOLVED / 3, "%zu climbed", all.summary.climbed);
 }
 END_TEST
 

@@ -9,6 +9,7 @@
 
 #include "batch/area.h"
 #include "case_filter/block_filter.h"
+#include "number/near_angle.h"
 
 #include <math.h>
 
@@ -65,6 +66,12 @@ static bool is_taken(double degrees, double least) {
   return degrees >= least && degrees <= most;
 }
 
+static double tangent_of(double degrees) {
+  tp_near sine, cosine;
+  tp_near_sin_cos(&sine, &cosine, (tp_near){degrees, 0});
+  return sine.value / cosine.value;
+}
+
 static bool tell(tp_block_told *told, tp_case_filter *filter, const tp_block_underside *underside,
                  tp_direction towards, double friction_deg, double tilt_deg) {
   static const double least = 1e-6;
@@ -72,7 +79,7 @@ static bool tell(tp_block_told *told, tp_case_filter *filter, const tp_block_und
   told->has_tilt = !isnan(tilt_deg);
   return is_taken(friction_deg, least) &&
          (!told->has_tilt || tilt_deg == 0 || is_taken(tilt_deg, least)) &&
-         tp_block_filter_init(filter, underside, towards) &&
+         tp_block_filter_init(filter, underside, towards, tangent_of(friction_deg)) &&
          tp_case_filter_tell(&told->of, filter, &sample) &&
          (!told->has_tilt ||
           tp_case_filter_tell_at(&told->at, &told->of, (tp_near){tilt_deg, 0})) &&
@@ -82,7 +89,7 @@ static bool tell(tp_block_told *told, tp_case_filter *filter, const tp_block_und
 tp_status tp_verdict_filter(tp_block_told *told, tp_case_filter *filter, tp_workspace *workspace,
                             tp_vertices vertices, const tp_turning_task *task, double friction_deg,
                             double tilt_deg, tp_message *message) {
-  enum { MOST = TP_PLAN_POINTS / 2 + 1 };
+  enum { MOST = TP_REST_FACETS + 1 };
   double x[MOST], y[MOST];
   tp_block_turning turning;
   tp_area_moments moments;

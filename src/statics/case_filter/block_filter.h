@@ -18,8 +18,9 @@ typedef struct tp_block_underside {
   tp_near gyration; /* square of its radius */
 } tp_block_underside;
 
-/* Fills in all that tp_case_filter_tell reads; false where doubles do not tell. */
+/* Fills in all that tp_case_filter_tell reads; false where doubles do not tell. The tangent of the
+ * friction angle tells which of many facets are looked at. */
 TP_MUST_USE bool tp_block_filter_init(tp_case_filter *filter, const tp_block_underside *underside,
-                                      tp_direction towards);
+                                      tp_direction towards, double friction);
 
 #endif

@@ -33,7 +33,8 @@ typedef struct tp_filter_facet {
 
 typedef struct tp_case_filter {
   tp_contact_plan plan;
-  tp_case_shape shape; /* of the scene as it is */
+  tp_case_shape shape;  /* of the scene as it is */
+  tp_contact_rest rest; /* points that the plan leaves out */
   tp_load_plan loads;
   bool varies; /* the block does, by this map: */
   tp_outline_map map;

@@ -15,7 +15,7 @@
 
 /* Beyond these a case is left to the ladder. */
 enum {
-  TP_PLAN_POINTS = 16,
+  TP_PLAN_POINTS = 24,
   TP_PLAN_RAYS = 48,
   TP_PLAN_MODES = 96,
   TP_PLAN_EDGES = 8,

@@ -11,6 +11,7 @@
 #ifndef TP_CASE_FILTER_FILTER_LOADS_H
 #define TP_CASE_FILTER_FILTER_LOADS_H
 
+#include "case_filter/contact_rest.h"
 #include "case_filter/shape.h"
 #include "case_filter/tilt_form.h"
 
@@ -85,6 +86,7 @@ void tp_filter_load_moment(tp_tilt_form *moment, const tp_filter_load *load, tp_
 typedef struct tp_filter_case {
   const tp_contact_plan *plan;
   const tp_case_shape *shape;
+  const tp_contact_rest *rest; /* what the plan leaves out */
   const tp_filter_loads *loads;
   tp_near friction; /* tan(phi) */
 } tp_filter_case;

@@ -16,7 +16,9 @@
 void tp_edge_set_init(tp_edge_set *set, const tp_filter_case *of) {
   set->plan = of->plan;
   set->shape = of->shape;
+  set->rest = of->rest;
   set->loads = of->loads;
+  set->friction = of->friction;
   for (int k = 0; k < set->plan->edge_count; k++) {
     tp_shape_edge(set->of[k], set->shape, set->plan->edges[k], of->friction);
   }
@@ -77,7 +79,7 @@ static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
     if (is_tight(set->plan, i, j, k)) continue;
     if (tp_near_sign(tp_sparse_dot(v, set->of[k])) <= 0) return false;
   }
-  return true;
+  return tp_contact_rest_yields(set->rest, v, set->friction);
 }
 
 /* b = f_i e_i + f_j e_j: from the largest component of e_i x e_j. */

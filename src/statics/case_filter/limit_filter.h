@@ -14,7 +14,9 @@
 typedef struct tp_edge_set {
   const tp_contact_plan *plan;
   const tp_case_shape *shape;
+  const tp_contact_rest *rest;
   const tp_filter_loads *loads;
+  tp_near friction;
   tp_near of[2 * TP_PLAN_POINTS][3];
 } tp_edge_set;
 

@@ -109,6 +109,34 @@ static bool try_pairs(planning *p, int k) {
   return done || p->same[k] != k;
 }
 
+/* As two points that follow one another in a ring have it. */
+static bool add_shared(planning *p, int one, int other) {
+  const tp_plan_point *points = p->plan->points;
+  const int count = p->plan->ray_count, low = one < other ? one : other;
+  tp_plan_ray ray = {.kind = TP_RAY_LINES, .point = low, .other = one + other - low};
+  if (points[one].axis == points[other].axis) {
+    ray = (tp_plan_ray){.kind = TP_RAY_SLIDES, .point = low};
+  } else if (points[one].site == points[other].site) {
+    ray = (tp_plan_ray){.kind = TP_RAY_TURNS, .point = low};
+  }
+  return try_ray(p, ray) && p->plan->ray_count == count + 1;
+}
+
+/* The cone of motions of normals that all point up has no line in it, and its rays are a closed
+ * ring. Beside them turns about the ends of the contact, where one facet ends alone. */
+static bool find_rays_of_ring(planning *p, const int *ring, int ring_count, long last_site) {
+  bool done = ring_count >= 3;
+  for (int k = 0; k < ring_count && done; k++) {
+    done = add_shared(p, ring[k], ring[(k + 1) % ring_count]);
+  }
+  for (int k = 0; k < p->plan->point_count && done; k++) {
+    const long site = p->plan->points[k].site;
+    if (site != 0 && site != last_site) continue;
+    done = try_ray(p, (tp_plan_ray){.kind = TP_RAY_TURNS, .point = k});
+  }
+  return done;
+}
+
 static bool find_rays(planning *p) {
   bool done = true;
   for (int k = 0; k < p->plan->point_count && done; k++) {
@@ -230,21 +258,38 @@ static bool lines_differ(const planning *p) {
   return true;
 }
 
-bool tp_near_plan_find(tp_contact_plan *plan, tp_case_shape *shape) {
-  planning p = {.plan = plan, .shape = shape};
+static bool begin(planning *p, tp_contact_plan *plan, tp_case_shape *shape) {
+  *p = (planning){.plan = plan, .shape = shape};
   plan->ray_count = plan->mode_count = plan->edge_count = 0;
   plan->opens_all = true;
-  find_same(&p);
-  if (!lines_differ(&p) || !find_rays(&p)) return false;
+  find_same(p);
+  return lines_differ(p);
+}
+
+/* Edges and modes, when the rays are known. */
+static bool find_modes(planning *p) {
+  tp_contact_plan *plan = p->plan;
   for (int k = 0; k < plan->point_count; k++) {
-    if (p.same[k] != k) continue;
+    if (p->same[k] != k) continue;
     plan->edges[plan->edge_count++] = (tp_cone_edge){k, false};
     plan->edges[plan->edge_count++] = (tp_cone_edge){k, true};
   }
   bool done = true;
-  for (int k = 0; k < plan->ray_count && done; k++) done = add_ray_mode(&p, k);
+  for (int k = 0; k < plan->ray_count && done; k++) done = add_ray_mode(p, k);
   for (int k = 0; k < plan->point_count && done; k++) {
-    if (p.same[k] == k) done = add_face(&p, k);
+    if (p->same[k] == k) done = add_face(p, k);
   }
   return done;
+}
+
+bool tp_near_plan_find(tp_contact_plan *plan, tp_case_shape *shape) {
+  planning p;
+  return begin(&p, plan, shape) && find_rays(&p) && find_modes(&p);
+}
+
+bool tp_near_plan_find_ring(tp_contact_plan *plan, tp_case_shape *shape, const int *ring,
+                            int ring_count, long last_site) {
+  planning p;
+  return begin(&p, plan, shape) && find_rays_of_ring(&p, ring, ring_count, last_site) &&
+         find_modes(&p);
 }

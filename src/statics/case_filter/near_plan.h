@@ -14,4 +14,9 @@
  * or there is no room. */
 TP_MUST_USE bool tp_near_plan_find(tp_contact_plan *plan, tp_case_shape *shape);
 
+/* The same of some of the points of a contact, from site 0 to the last one, whose motions are those
+ * of all: each two that follow one another in the ring have to share one. */
+TP_MUST_USE bool tp_near_plan_find_ring(tp_contact_plan *plan, tp_case_shape *shape,
+                                        const int *ring, int ring_count, long last_site);
+
 #endif

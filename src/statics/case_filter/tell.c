@@ -74,6 +74,7 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   outline.x[0] = outline.y[0] = level;
   told->filter = f;
   told->of.plan = &f->plan;
+  told->of.rest = &f->rest;
   told->of.loads = &told->loads;
   told->of.friction = tangent_of(sample->friction_deg);
   if (tp_near_sign(told->of.friction) <= 0 || !take_shape(told, &outline, sample->variables) ||

@@ -1,82 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Determinants of three generators as cubic polynomials of the strength share; their signs give the
- * shares at which a mode can begin (docs/mechanics.md section 6, factor of the onset). */
+/* The signs of determinants of three generators give the shares at which a mode can begin
+ * (docs/mechanics.md section 6, factor of the onset). */
 
 #include "motion/mode_shares.h"
 
 #include "number/ball.h"
 
 #include <math.h>
-
-static bool rises(const tp_share_line *line) {
-  return line->rise[0].value != 0 || line->rise[1].value != 0 || line->rise[2].value != 0;
-}
-
-static void ball_determinant(arb_t own, const tp_vector *of[3], long bits) {
-  arb_t part;
-  arb_init(part);
-  arb_zero(own);
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    arb_mul(part, of[1]->of + next, of[2]->of + last, bits);
-    arb_submul(part, of[1]->of + last, of[2]->of + next, bits);
-    arb_addmul(own, part, of[0]->of + k, bits);
-  }
-  arb_clear(part);
-}
-
-/* The coefficient of a power of the share by balls. */
-static tp_near ball_coefficient(const tp_share_line *of[3], int power, long bits) {
-  arb_t sum, part;
-  arb_init(sum);
-  arb_init(part);
-  for (unsigned choice = 0; choice < 8; choice++) {
-    const tp_vector *vectors[3];
-    int own = 0;
-    for (int k = 0; k < 3; k++) {
-      const bool up = (choice >> k & 1U) != 0;
-      vectors[k] = up ? &of[k]->balls->rise : &of[k]->balls->at;
-      own += up;
-    }
-    if (own != power) continue;
-    ball_determinant(part, vectors, bits);
-    arb_add(sum, sum, part, bits);
-  }
-  const tp_near near = arb_is_zero(sum) ? (tp_near){0, 0} : tp_ball_near(sum);
-  arb_clear(sum);
-  arb_clear(part);
-  return near;
-}
-
-/* det(a, b, c) as a polynomial of the share; what its bound does not tell from zero is none. */
-static tp_share_polynomial determinant_of(const tp_share_line *a, const tp_share_line *b,
-                                          const tp_share_line *c, long bits) {
-  const tp_share_line *of[3] = {a, b, c};
-  tp_near sums[TP_SHARE_DEGREE + 1] = {{0, 0}};
-  for (unsigned choice = 0; choice < 8; choice++) {
-    const tp_near *vectors[3];
-    bool vanishes = false;
-    int power = 0;
-    for (int k = 0; k < 3; k++) {
-      const bool up = (choice >> k & 1U) != 0;
-      vectors[k] = up ? of[k]->rise : of[k]->at;
-      vanishes = vanishes || (up && !rises(of[k]));
-      power += up;
-    }
-    if (vanishes) continue;
-    sums[power] = tp_near_add(sums[power], tp_near_determinant(vectors[0], vectors[1], vectors[2]));
-  }
-  for (int power = 0; a->balls != NULL && power <= TP_SHARE_DEGREE; power++) {
-    const bool open = tp_near_sign(sums[power]) == 0 && sums[power].error > 0;
-    if (open) sums[power] = ball_coefficient(of, power, bits);
-  }
-  return tp_share_polynomial_of(sums);
-}
-
-/* ---- modes -------------------------------------------------------------------------------------
- */
 
 /* Three of the generators and of what is free, the rest of that at its bounds. */
 typedef struct choice {
@@ -156,12 +88,12 @@ static bool next_choice(choice *c, const tp_share_mode *m) {
 static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own) {
   const tp_share_line loads = loads_of(m, own);
   const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
-  const tp_share_polynomial whole = determinant_of(g[0], g[1], g[2], m->bits);
+  const tp_share_polynomial whole = tp_share_determinant(g[0], g[1], g[2], m->bits);
   tp_share_conditions c = {.count = 0};
   if (whole.degree < 0) return true;
   for (int k = 0; k < 3; k++) {
     const tp_share_polynomial part =
-        determinant_of(&loads, g[(k + 1) % 3], g[(k + 2) % 3], m->bits);
+        tp_share_determinant(&loads, g[(k + 1) % 3], g[(k + 2) % 3], m->bits);
     tp_share_polynomial *to = c.of[c.count++];
     to[0] = part;
     to[1] = whole;

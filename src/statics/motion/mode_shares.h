@@ -18,20 +18,7 @@
 #define TP_MOTION_MODE_SHARES_H
 
 #include "motion/mode.h"
-#include "motion/share_spans.h"
-
-/* A linear function of the share in balls, at + share rise. */
-typedef struct tp_ball_line {
-  tp_vector at, rise;
-} tp_ball_line;
-
-/* at + s rise; forces of one site, from 1 on, act through one point, and parallel ones along one
- * direction, so that three of them span no solid; 0: of none. */
-typedef struct tp_share_line {
-  tp_near at[3], rise[3];
-  long site, parallel;
-  const tp_ball_line *balls; /* the same, or NULL */
-} tp_share_line;
+#include "motion/share_determinant.h"
 
 enum { TP_SHARE_LINES = 24, TP_SHARE_FREE = 4 };
 
