@@ -22,9 +22,9 @@ class Figures(Chart):
 
     def test_whole_and_the_same_again(self):
         """Every kind in every format: well formed, and byte for byte the same on a rerun, which the short form asks of PDF
-        and SVG of the first two kinds alone."""
+        and SVG of the first two kinds alone; the last kind, a map that takes a second, it draws once, as CSV and SVG."""
         for k, arguments in enumerate(self.all_kinds()):
-            for ending in ("svg", "pdf", "png", "csv"):
+            for ending in ("svg", "csv") if k == rounds(4, -1) else ("svg", "pdf", "png", "csv"):
                 one, other = (self.folder / f"{k}-{turn}.{ending}" for turn in "ab")
                 again = rounds(k < 2 and ending in ("svg", "pdf"), True)
                 for path in (one, other)[:1 + again]:

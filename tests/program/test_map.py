@@ -16,9 +16,12 @@ from harness import ROOT, main, rounds, run, solve
 
 # Of angles, in place of the usual ten, which take more time than the borders.
 ONE_CONTOUR = ("--contours", "critical_angle=27")
+LEVELS = rounds((1, 1.5), (0.9, 1, 1.3, 1.5))  # of the factor
 
 
 class Map(Chart):
+    factors = {}
+
     def borders(self, *arguments):
         return select(chart("map", *arguments), series="border")
 
@@ -270,6 +273,19 @@ class Map(Chart):
         self.scene.write_text(text.replace("left}", f"left, angle_deg: {tilt}}}"), encoding="utf-8")
         return self.scene, "--x", x, "--y", y
 
+    def factor(self, levels, x, y):
+        """A map that takes seconds, drawn once: one test reads the borders, another the contours."""
+        if (x, y) not in self.factors:
+            contours = "governing_fos=" + ",".join(map(str, levels))
+            self.factors[x, y] = chart("map", *self.tilted(20, x=x, y=y), "--contours", contours)
+        return self.factors[x, y]
+
+    def factor_at_20(self):
+        return self.factor(LEVELS, "block.slab.width=0.6:3", "friction_angle_deg=18:50")
+
+    def factor_over_tilts(self):
+        return self.factor((1, 1.3), "block.slab.width=0.8:1.6", "tilt.angle_deg=15:32")
+
     def drawn(self, *arguments):
         path = self.folder / "map.svg"
         self.assertEqual(run("chart", "map", *arguments, "-o", path), (0, "", ""))
@@ -278,9 +294,8 @@ class Map(Chart):
     def test_at_the_scenes_tilt(self):
         """At 20° a slab slides where phi < 20° and topples where dx/y < tan 20°; it stands beyond both, and the title says
         at which tilt. Without a tilt, or at any, the first motion stands there as before."""
-        arguments = self.tilted(20, x="block.slab.width=0.65:3", y="friction_angle_deg=18.5:50")
         root = 2 * math.tan(20 * DEGREE)
-        rows = self.borders(*arguments, *ONE_CONTOUR)
+        rows = select(self.factor_at_20(), series="border")
         for of, truth, name, error in (("stands | topples", root, "block.slab.width", "x_error"),
                                        ("stands | slides", 20, "friction_angle_deg", "y_error")):
             own = select(rows, of=of)
@@ -304,8 +319,7 @@ class Map(Chart):
     def test_the_tilt_as_a_number(self):
         """Where an axis is the scene's own tilt, or a parameter that it is made of, no one tilt stands in the title."""
         self.assertNotIn("at a tilt", self.drawn(*self.tilted(20, x="block.slab.width=1:3", y="tilt.angle_deg=5:12"), *ONE_CONTOUR))
-        for row in self.borders(self.scene, "--x", "block.slab.width=0.8:1.6", "--y", "tilt.angle_deg=15:32",
-                                *ONE_CONTOUR):
+        for row in select(self.factor_over_tilts(), series="border"):
             tilt, own = float(row["tilt.angle_deg"]), math.atan(float(row["block.slab.width"]) / 2) / DEGREE
             if "stands" in row["of"]:
                 error = float(row["y_error"]) + float(row["x_error"]) / DEGREE
@@ -314,14 +328,12 @@ class Map(Chart):
     def test_contours_of_the_factor(self):
         """The factor of a slab is the least of dx/(y tan alpha) and tan phi/tan alpha: each point of a contour lies on it
         within its error, also on 1, which a line of the grid follows, and both ways to fail have their part."""
-        arguments = self.tilted(20, x="block.slab.width=0.6:3", y="friction_angle_deg=18:50")
-        levels = rounds((1, 1.5), (0.9, 1, 1.3, 1.5))
-        self.compare_contours(chart("map", *arguments, "--contours", "governing_fos=" + ",".join(map(str, levels))), levels)
+        self.compare_contours(self.factor_at_20(), LEVELS)
 
     def test_contours_across_a_verdict(self):
         """With the tilt on an axis the factor of a slab passes 1 where the verdict changes, min(atan(dx/y), phi): the contour of 1
         lies there, on both ways to fail, and that of 1.3 below it; none is lost though the verdict leaps."""
-        rows = chart("map", *self.tilted(20, x="block.slab.width=0.8:1.6", y="tilt.angle_deg=15:32"), "--contours", "governing_fos=1,1.3")
+        rows = self.factor_over_tilts()
         for level in (1, 1.3):
             parts, found = set(), select(rows, series="governing_fos", of=f"{level:.15g}")
             self.assertGreater(len(found), 40)

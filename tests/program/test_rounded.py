@@ -131,7 +131,7 @@ class Rounded(RoundedCase):
         """Random blocks: the radius that gives the critical angle of a known radius is that one,
         to 1e-10 of it."""
         random.seed(52)
-        for k in range(rounds(120, 1000)):
+        for k in range(rounds(50, 1000)):
             n, end = random.randint(1, 5), random.choice(["valley", "peak"])
             a, b, c = random.randint(15, 30), random.randint(60, 200), random.randint(1, 9)
             r = random.randint(10, 300) / 100

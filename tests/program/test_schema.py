@@ -255,12 +255,12 @@ class Schema(unittest.TestCase):
         self.prints("tilt", "--json", "--overturning", "--factors", "1:1.2:3", ROOT / "examples" / "shaken_boulder.yaml")
 
     def test_2_converge(self):
-        """A critical angle by the path, with a caution, and the least shaking that overturns by events,
-        of a slab that slides before it rocks, whose runs are shorter, and under `./check --long` of one that rocks."""
+        """A critical angle by the path, with a caution, and the least shaking that overturns by events within a third of a
+        second, of a slab that slides before it rocks, whose runs are shorter, and under `./check --long` of one that rocks."""
         slab = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 2600}\n" \
                f"friction_angle_deg: {rounds(3, 40)}\ntilt: {{towards: left}}\n"
         for test in ("tilt_test: {engine: path}", "tilt_test: {engine: path, until_deg: 10}",
-                     "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}"):
+                     "tilt_test: {duration_s: 0.3}\nshaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}"):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
                 status, out, err = run("tilt", "--converge", "--json", "scene.yaml", folder=folder)

@@ -315,7 +315,7 @@ class World(unittest.TestCase):
                         ("study", "--report", study.with_suffix(".md"), *(("--figure", study.with_suffix(".svg")) if name == "stands" else ()), study)):
             status, out, err = run(*command)
             told[" ".join(map(str, command))] = (status, out + err)
-        for axes in ((f"--x={varied}=20:40",), (f"--x={varied}=20:40", "--y=tilt.angle_deg=0:20")):
+        for axes in ((f"--x={varied}=20:40",), (f"--x={varied}=20:40", "--y=tilt.angle_deg=0:20", "--contours=critical_angle=27")):
             if name == "stands":
                 picture = self.path.with_name(f"map_{len(axes)}.svg")
                 told[f"chart map {len(axes)}"] = run("chart", "map", self.path, *axes, "-o", picture)[::2]

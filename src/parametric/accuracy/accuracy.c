@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Table of precisions for each method, the time of one evaluation as the median of seven samples,
+/* Table of precisions for each method, the time of one evaluation as the median of five samples,
  * and the true error against an exact value of 6144 bits (docs/accuracy.md). */
 
 #include "accuracy/accuracy.h"
@@ -106,14 +106,14 @@ static double time_repeats(tp_status *status, arb_t degrees, bool *found,
   return tp_clock_now() - began;
 }
 
-/* Seconds of one evaluation: the median of seven samples of at least 2 ms, of fewer where one alone
+/* Seconds of one evaluation: the median of five samples of at least 1 ms, of fewer where one alone
  * takes long. How many evaluations a sample has is raised until it lasts so long: a clock may tick
  * by a tenth of a millisecond, as browsers' do, and the first evaluation may take longer than
  * others. `degrees` and `*found` are those of the last. */
 static tp_status time_way(double *seconds, arb_t degrees, bool *found, const tp_accuracy_way *way,
                           tp_rung rung) {
-  enum { MOST_SAMPLES = 7, MOST_REPEATS = 1 << 24 };
-  static const double sample_s = 2e-3, long_s = 0.1, very_long_s = 1;
+  enum { MOST_SAMPLES = 5, MOST_REPEATS = 1 << 24 };
+  static const double sample_s = 1e-3, long_s = 0.1, very_long_s = 1;
   double samples[MOST_SAMPLES];
   tp_status status = TP_OK;
   const double once = time_repeats(&status, degrees, found, way, rung, 1);

@@ -43,7 +43,7 @@ export class AccuracyPanel extends Panel {
     if (this.button.disabled) return;
     this.button.disabled = true;
     this.#text = this.store.text;
-    this.told.textContent = "Measuring: seven samples of each …";
+    this.told.textContent = "Measuring: five samples of each …";
     try {
       const answer = await this.background.run(["accuracy", "--json", this.store.name], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
       if (answer.out === "") throw new Error(answer.err.trim());
