@@ -173,6 +173,22 @@ bool tp_map_sample_is_like(const tp_map_sample *one, const tp_map_sample *other)
   return true;
 }
 
+/* The regime alone, in doubles; false where these do not tell it. */
+static bool tell_regime(tp_map_sample *sample, const tp_map *map, const double *values) {
+  tp_case_told told;
+  tp_near tilt_deg;
+  *sample = (tp_map_sample){.regime = TP_REGIME_NONE};
+  for (size_t k = 0; k < map->varied.count; k++) sample->values[k] = values[k];
+  if (map->filter == NULL || !tp_keyed_filter_tell(&told, &tilt_deg, map->filter, values)) {
+    return false;
+  }
+  tp_mechanism mechanism = told.limit;
+  const bool asks_tilt = map->at_tilt && map->filter->has_tilt;
+  if (asks_tilt && !tp_case_filter_tell_mechanism(&mechanism, &told, tilt_deg)) return false;
+  sample->regime = regime_at_tilt(mechanism); /* of a limit at an angle the same */
+  return true;
+}
+
 void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high) {
   for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
     double middle[TP_VARIED_MAX];
@@ -183,7 +199,8 @@ void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high) {
       moved |= middle[k] != a && middle[k] != b;
     }
     if (!moved) return;
-    const tp_map_sample found = tp_map_take_sample(map, middle);
+    tp_map_sample found;
+    if (!tell_regime(&found, map, middle)) found = tp_map_take_sample(map, middle);
     if (tp_map_sample_is_like(&found, low)) {
       *low = found;
     } else {

@@ -7,6 +7,7 @@
 #ifndef TP_CHART_MAP_H
 #define TP_CHART_MAP_H
 
+#include "case_filter/keyed_filter.h"
 #include "chart/chart.h"
 #include "chart/motion_names.h"
 #include "stability/varied.h"
@@ -34,14 +35,15 @@ typedef struct tp_map {
   tp_chart *chart;
   const tp_chart_map_options *options;
   tp_varied varied;
-  tp_message *message; /* not NULL */
-  tp_status status;    /* of the system: memory; that a scene has no answer is none */
-  tp_message why;      /* why the last scene had no answer */
-  bool patton;         /* its friction is Patton's law */
-  bool at_tilt;        /* regimes are what the block does at the scene's tilt: */
-  bool has_tilt;       /* a sample had one */
-  bool tilts_differ;   /* it is a number that an axis takes along */
-  double tilt_deg;     /* else this */
+  tp_message *message;     /* not NULL */
+  tp_status status;        /* of the system: memory; that a scene has no answer is none */
+  tp_message why;          /* why the last scene had no answer */
+  bool patton;             /* its friction is Patton's law */
+  bool at_tilt;            /* regimes are what the block does at the scene's tilt: */
+  bool has_tilt;           /* a sample had one */
+  bool tilts_differ;       /* it is a number that an axis takes along */
+  double tilt_deg;         /* else this */
+  tp_keyed_filter *filter; /* where borders are looked for: tells regimes in doubles; or NULL */
 } tp_map;
 
 /* Tilts throughout which the same motions can begin from rest, as in tp_motion_range; none: it is

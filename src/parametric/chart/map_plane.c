@@ -272,6 +272,20 @@ static void add_contours(plane *p, contours of) {
   }
 }
 
+/* A border is a matter of the verdict alone, of which its error is not: doubles tell it, or few
+ * digits. */
+static void add_borders(plane *p) {
+  tp_map *map = p->map;
+  const tp_map_field field = {p, regime_region, cross_regimes};
+  map->varied.options.strength_reduction = false;
+  map->varied.options.digits = DIGITS_OF_GRID;
+  map->status = tp_keyed_filter_new(&map->filter, map->varied.scene, map->varied.keys,
+                                    map->varied.count, false, map->message);
+  if (map->status == TP_OK) add_curves(p, &field, tp_line_border, "border", false);
+  tp_keyed_filter_free(map->filter);
+  map->filter = NULL;
+}
+
 void tp_map_draw_plane(tp_map *map) {
   plane p = {.map = map, .grid = calloc(LOOKS, sizeof *p.grid)};
   if (p.grid == NULL) {
@@ -285,17 +299,13 @@ void tp_map_draw_plane(tp_map *map) {
   const bool any = scan(&p);
   solve->digits = digits;
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
-  const tp_map_field field = {&p, regime_region, cross_regimes};
   if (map->status == TP_OK && map->options->governing_fos) {
     add_contours(&p, (contours){read_fos, tp_line_contour, "governing_fos"});
   } else if (map->status == TP_OK) {
     add_contours(&p, (contours){read_limit, tp_line_contour, "limit"});
     add_contours(&p, (contours){read_onset, tp_line_stands, "certain to stand"});
   }
-  /* a border is a matter of the verdict alone, of which its error is not */
-  solve->strength_reduction = false;
-  solve->digits = DIGITS_OF_GRID;
-  if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
+  if (map->status == TP_OK) add_borders(&p);
   free(p.points);
   free(p.grid);
 }

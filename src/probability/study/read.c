@@ -268,7 +268,7 @@ void tp_study_free(tp_study *study) {
   free((void *)study->drawn_names);
   free(study->correlation);
   free(study->tilts);
-  tp_sample_filter_free(study->filter);
+  tp_keyed_filter_free(study->filter);
   free(study->designs);
   tp_scene_free(study->scene);
   free(study->scene_path);

@@ -1,20 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Samples told by doubles with proven bounds (case_filter/case_filter.h): where friction varies,
- * the scene's own tilt, numbers of its loads, its unit weight, on which without loads nothing in a
- * row depends, and vertices as functions of numbers. */
+/* Samples told by doubles with proven bounds (case_filter/keyed_filter.h). */
 
 #ifndef TP_STUDY_SAMPLE_FILTER_H
 #define TP_STUDY_SAMPLE_FILTER_H
 
-#include "case_filter/case_filter.h"
+#include "case_filter/keyed_filter.h"
 #include "study/row.h"
 
 /* `*filter` stays NULL where the study's samples are none for it. */
-TP_MUST_USE tp_status tp_sample_filter_new(tp_sample_filter **filter, const tp_study *study,
+TP_MUST_USE tp_status tp_sample_filter_new(tp_keyed_filter **filter, const tp_study *study,
                                            tp_message *message);
-void tp_sample_filter_free(tp_sample_filter *filter);
 
 /* A row that has its values, at the scene's tilt and the first so many of the study's; false where
  * doubles do not tell all of it, or not all digits that a row shows. The row is left alone then. */

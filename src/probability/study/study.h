@@ -11,6 +11,7 @@
 #ifndef TP_STUDY_STUDY_H
 #define TP_STUDY_STUDY_H
 
+#include "case_filter/keyed_filter.h"
 #include "sampling/distribution.h"
 #include "sampling/draws.h"
 #include "scene_varying/vary.h"
@@ -39,8 +40,6 @@ typedef struct tp_variable {
   size_t count;
   char *file; /* that the numbers are read from, or NULL */
 } tp_variable;
-
-typedef struct tp_sample_filter tp_sample_filter;
 
 /* Of the base of a sample (study/roughness.h), the first five by a study's choice. */
 typedef enum tp_study_measure_kind {
@@ -85,7 +84,7 @@ struct tp_study {
   bool relies;                 /* reliability is asked for, */
   tp_study_quantity relied;    /* of that, */
   uint64_t importance, subset; /* with samples of rare events; 0: none */
-  tp_sample_filter *filter;    /* tells samples in doubles; NULL: none */
+  tp_keyed_filter *filter;     /* tells samples in doubles; NULL: none */
   size_t measure_count;        /* in each row; 0: roughness is not asked for */
   tp_study_measure_kind measures[TP_MEASURES];
   size_t design_count;

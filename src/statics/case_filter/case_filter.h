@@ -77,6 +77,10 @@ typedef struct tp_case_told {
 TP_MUST_USE bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *filter,
                                      const tp_case_sample *sample);
 
+/* What the block does at a tilt from 0 to below 90 degrees; false where doubles do not tell. */
+TP_MUST_USE bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *told,
+                                               tp_near tilt_deg);
+
 /* A factor of safety: a number, or nothing overturns. */
 typedef struct tp_fos_told {
   tp_fos_state state;
@@ -92,7 +96,7 @@ typedef struct tp_case_told_at {
   tp_fos_told by_moments, by_shear; /* as tp_case_fos_moments, tp_case_fos_sliding */
 } tp_case_told_at;
 
-/* At a tilt from 0 to below 90 degrees; false where doubles do not tell. */
+/* With its factors, likewise. */
 TP_MUST_USE bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told,
                                         tp_near tilt_deg);
 

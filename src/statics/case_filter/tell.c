@@ -101,8 +101,8 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
  */
 
 /* Forces hold it from level ground up to the limit; beyond it some motion begins. */
-static bool tell_mechanism(tp_case_told_at *at, tp_filter_state *state, const tp_case_told *told,
-                           tp_near tangent) {
+static bool tell_mechanism(tp_mechanism *mechanism, tp_filter_state *state,
+                           const tp_case_told *told, tp_near tangent) {
   const int side = tp_near_sign(tp_near_sub(told->limit_tangent, tangent));
   *state = (tp_filter_state){.tangent = tangent};
   if (side == 0 ||
@@ -112,17 +112,28 @@ static bool tell_mechanism(tp_case_told_at *at, tp_filter_state *state, const tp
   }
   int first = TP_SLIDES;
   while (state->moves && (state->beginnings & 1U << first) == 0) first++;
-  at->mechanism = side < 0 ? told->limit : state->moves ? TP_MAY_MOVE : TP_STANDS;
+  *mechanism = side < 0 ? told->limit : state->moves ? TP_MAY_MOVE : TP_STANDS;
   if (side < 0 && (state->beginnings & 1U << told->limit) == 0) {
-    at->mechanism = (tp_mechanism)first;
+    *mechanism = (tp_mechanism)first;
   }
-  state->mover = side < 0 ? at->mechanism : (tp_mechanism)first;
+  state->mover = side < 0 ? *mechanism : (tp_mechanism)first;
   return true;
 }
 
-bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told, tp_near tilt_deg) {
+static bool tell_at(tp_mechanism *mechanism, tp_filter_state *state, const tp_case_told *told,
+                    tp_near tilt_deg) {
   const tp_near tangent = tangent_of(tilt_deg);
-  tp_filter_state state;
   return (tp_near_is_zero(tangent) || tp_near_sign(tangent) > 0) &&
-         tell_mechanism(at, &state, told, tangent) && tp_factor_filter(at, told, &state);
+         tell_mechanism(mechanism, state, told, tangent);
+}
+
+bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *told,
+                                   tp_near tilt_deg) {
+  tp_filter_state state;
+  return tell_at(mechanism, &state, told, tilt_deg);
+}
+
+bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told, tp_near tilt_deg) {
+  tp_filter_state state;
+  return tell_at(&at->mechanism, &state, told, tilt_deg) && tp_factor_filter(at, told, &state);
 }
