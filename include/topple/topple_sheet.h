@@ -23,7 +23,7 @@ typedef struct tp_sheet_options {
   int times;        /* not 0: how long each effect took, which no two runs have alike */
   int lines;        /* of each file that the scene was read from, at most; 0: none */
   /* Each instead of what the scene says under `report`; NULL: what that says. The call takes
-   * copies. Language and decimal sign are of the sheet of a solution. */
+   * copies. */
   const char *language; /* en, es or de */
   const char *decimal;  /* point or comma, before decimals */
   const char *company, *project, *job, *author, *checker, *issued; /* of the letterhead; an empty
@@ -46,7 +46,7 @@ static inline tp_sheet_options tp_sheet_options_default(void) {
 /* Does the name end in .html, .htm, .md or .pdf, the kinds of file that a sheet can be? */
 bool tp_sheet_is_file_name(const char *path);
 
-/* The languages that the sheet of a solution can be in, as "en, es, de", and is the code one? */
+/* The languages that a sheet can be in, as "en, es, de", and is the code one? */
 const char *tp_sheet_languages(void);
 bool tp_sheet_is_language(const char *code);
 

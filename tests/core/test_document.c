@@ -92,6 +92,8 @@ static const tp_phrase phrases[] = {{"%s%s to it", "%s%s"},
                                     {"FoS %s against %s", "contra %2$s FS %1$s"},
                                     {"It can begin to %s.", "Puede empezar a %s."},
                                     {"area %s", "área %s"},
+                                    {"band of 95 %%", "banda del 95 %%"},
+                                    {"certain %s %%", "con certeza %s %%"},
                                     {"slide", "deslizar"},
                                     {"topple", "volcar"}};
 static const tp_language spanish = {"es", true, sizeof phrases / sizeof phrases[0], phrases};
@@ -114,7 +116,9 @@ START_TEST(sentences_by_phrases) {
   becomes("(slide)", "(deslizar)");
   becomes("a slide 'topple, slide' at (1.5, 2)", "a slide 'topple, slide' at (1,5; 2)");
   becomes("  FoS  2 ", " FS 2 ");
-  becomes("slide to it", "slide to it"); /* where one argument ends nothing says */
+  becomes("slide to it", "slide to it");         /* where one argument ends nothing says */
+  becomes("certain 9.1 %", "con certeza 9,1 %"); /* %% is one sign */
+  becomes("band of 95 %", "banda del 95 %");
   becomes("", "");
 }
 END_TEST

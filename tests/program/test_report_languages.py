@@ -5,6 +5,7 @@
 The story: the sheet goes to an authority that reads Spanish or German. What its first two pages say is in that language, every
 number is the one of the English sheet, and a language is a column of a table in which no phrase is missing."""
 
+import base64
 import pathlib
 import re
 import shutil
@@ -21,10 +22,10 @@ import make_phrases
 
 WORD = re.compile(r"[^\W\d_]{3,}")
 #: Keys and commands in quotes and brackets, files with their places, options, hashes.
-QUOTED = re.compile(r"'[^']*'|\S*\.(?:yaml|csv|svg|wkt|geojson|dxf|md|obj|stl|ply|at2)\S*|--\S+|topple \w+|[a-z]+_[a-z_]+|\$\$.*|SHA-256 \S+|"
+QUOTED = re.compile(r"'[^']*'|\S*\.(?:yaml|csv|svg|wkt|geojson|dxf|md|obj|stl|ply|at2)\S*|--\S+|topple \w+|[a-z]+(?:[._][a-z]+)+|\$\$.*|SHA-256 \S+|"
                     r"\b[0-9a-f]{16,}\b|[0-9a-f]{6,}…")
 #: Names of programs and units, and what stands in formulas.
-SAME = {"Topple", "UTC", "SHA", "kPa", "MPa", "mm²", "cm²", "FoS", "FoSel", "Mover", "Mstab", "αslide", "min", "sin", "cos", "tan", "arctan", "POLYGON"}
+SAME = {"Topple", "UTC", "SHA", "kPa", "MPa", "GPa", "PGA", "PGV", "JRC", "mm²", "cm²", "FoS", "FoSel", "Mover", "Mstab", "αslide", "min", "sin", "cos", "tan", "arctan", "POLYGON"}
 #: Sentences that no example has: short scenes, all but their first two lines.
 SCENES = {
     "stands, topples, slides, interlocked": """
@@ -154,11 +155,14 @@ class Languages(unittest.TestCase):
             line = line.replace(name, "")
         return set(WORD.findall(QUOTED.sub("", line))) - SAME
 
-    def lines(self, scene, code):
-        """Of a whole sheet, but for the files at its end."""
-        status, _, err = run("solve", scene, "--report", self.path / "r.md", "--language", code)
+    def lines(self, scene, code, command="solve"):
+        """Of a whole sheet, but for the files at its end; with the words of its charts."""
+        status, _, err = run(command, scene, "--report", self.path / "r.md", "--language", code)
         self.assertIn(status, (0, 1), err)
-        text = re.sub(r"\(data:[^)]*\)", "", (self.path / "r.md").read_text(encoding="utf-8"))  # the figure
+        text = (self.path / "r.md").read_text(encoding="utf-8")
+        charts = (base64.b64decode(own).decode() for own in re.findall(r"\(data:image/svg\+xml;base64,([^)]*)\)", text))
+        labels = [re.sub(r"<[^>]*>", "", own) for chart in charts for own in re.findall(r"(?s)<text.*?</text>", chart)]
+        text = re.sub(r"\(data:[^)]*\)", "", text) + "\n" + "\n".join(labels)
         text = re.sub(r"\\(.)", r"\1", text)
         return [line for line in text.splitlines() if not line.startswith("    ")]
 
@@ -181,6 +185,24 @@ class Languages(unittest.TestCase):
             for code in ("es", "de"):
                 left = self.left_in_english(english, self.lines(scene, code), code, self.outside(scene))
                 self.assertEqual(left, set(), f"{scene.name} {code}")
+
+    def test_studies_and_tilt_tests(self):
+        """Their sheets, with what their charts say; decimals of the axes, too."""
+        told = [("study", ROOT / f"examples/studies/{name}_study.yaml") for name in ("slab", "rough_base")]
+        told += [("tilt", ROOT / f"examples/{name}.yaml") for name in ("tilt_locked_stress", "shaken_boulder")]
+        told.append(("study", self.path / "rare.yaml"))
+        told[-1][1].write_text(f"topple_study: 1\nscene: {ROOT}/examples/studies/slab.yaml\nsamples: 16\n"
+                               "vary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}, block.slab.width: {uniform: {low: 1, high: 2}}}\n"
+                               "sensitivity: {samples: 16}\nreliability: {quantity: limit_deg, subset: {samples: 100}}\n", encoding="utf-8")
+        for command, scene in told:
+            outside = self.outside(scene) | self.outside(ROOT / "examples/studies/slab.yaml")
+            english = self.lines(scene, "en", command)
+            for code in ("es", "de"):
+                own = self.lines(scene, code, command)
+                self.assertEqual(self.left_in_english(english, own, code, outside), set(), f"{scene.name} {code}")
+                self.assertEqual(len(own), len(english))
+                points = [line for line in own if re.search(r"(?<![\d.])\d+\.\d+(?![\d.])", QUOTED.sub("", line))]
+                self.assertEqual(points, [], f"{scene.name} {code}")
 
     @unittest.skipIf(shutil.which("pdftotext") is None, "there is no pdftotext: install Debian's package poppler-utils")
     def test_figure(self):

@@ -60,3 +60,17 @@ void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *s
   }
   *path = word;
 }
+
+void tp_cli_take_language(const char **language, const char *word, const struct argp_state *state) {
+  if (!tp_sheet_is_language(word)) {
+    tp_cli_refuse(state, "--language takes one of %s, not '%s'", tp_sheet_languages(), word);
+  }
+  *language = word;
+}
+
+void tp_cli_check_language(const char *language, const char *report,
+                           const struct argp_state *state) {
+  if (language != NULL && report == NULL) {
+    tp_cli_refuse(state, "--language is of the calculation sheet; add --report FILE");
+  }
+}

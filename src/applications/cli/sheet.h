@@ -25,4 +25,9 @@ TP_MUST_USE tp_status tp_cli_solve_for_sheet(tp_solution **solution, const tp_sc
 /* The word of --report: refused where it is no name of a sheet. */
 void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *state);
 
+/* The value of --language; and it goes with --report. */
+void tp_cli_take_language(const char **language, const char *word, const struct argp_state *state);
+void tp_cli_check_language(const char *language, const char *report,
+                           const struct argp_state *state);
+
 #endif

@@ -196,9 +196,7 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   "--table and --csv print a table alone; drop --json, --elements, --figure, "
                   "--report, --find, --verbose, --write-profile and the other of the two");
   }
-  if (a->language != NULL && a->report == NULL) {
-    tp_cli_refuse(state, "--language is of the calculation sheet; add --report FILE");
-  }
+  tp_cli_check_language(a->language, a->report, state);
   const tp_cli_written files[] = {
       {"--report", a->report}, {"--figure", a->figure}, {"--write-profile", a->profile}};
   tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
@@ -262,10 +260,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case KEY_LANGUAGE:
-    if (!tp_sheet_is_language(argument)) {
-      tp_cli_refuse(state, "--language takes one of %s, not '%s'", tp_sheet_languages(), argument);
-    }
-    a->language = argument;
+    tp_cli_take_language(&a->language, argument, state);
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;

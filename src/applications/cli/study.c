@@ -21,6 +21,7 @@ typedef struct arguments {
   size_t shard_count;
   bool json, merge;
   const char *report;           /* file for a calculation sheet; NULL: none */
+  const char *language;         /* of that; NULL: the scene's, or English */
   const char *figure, *scatter; /* files to draw into; NULL: none */
   tp_chart_format figure_format, scatter_format;
   tp_study_options options;
@@ -34,7 +35,8 @@ enum {
   KEY_RESTART,
   KEY_FIGURE,
   KEY_SCATTER,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_LANGUAGE
 };
 
 static const struct argp_option options[] = {
@@ -54,6 +56,10 @@ static const struct argp_option options[] = {
      0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
+    {"language", KEY_LANGUAGE, "CODE", 0,
+     "Write the calculation sheet in this language: en, es or de (that of the scene's report, or "
+     "English)",
+     0},
     {"threads", KEY_THREADS, "N", 0, "Number of threads; the output does not depend on it", 0},
     {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --rows", 0},
     {"merge", KEY_MERGE, NULL, 0, "Put the files of all shards together", 0},
@@ -133,6 +139,7 @@ static void check(const arguments *a, struct argp_state *state) {
                                   {"--figure", a->figure},
                                   {"--scatter", a->scatter},
                                   {"--report", a->report}};
+  tp_cli_check_language(a->language, a->report, state);
   tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
   if (a->options.restart && a->options.rows == NULL) {
     tp_cli_refuse(state, "--restart goes with --rows");
@@ -159,6 +166,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_REPORT:
     tp_cli_take_sheet(&a->report, argument, state);
+    return 0;
+  case KEY_LANGUAGE:
+    tp_cli_take_language(&a->language, argument, state);
     return 0;
   case KEY_THREADS:
     read_threads(a, argument, state);
@@ -238,6 +248,7 @@ static tp_status write_sheet(const tp_study_result *result, const arguments *a,
   tp_cli_date date;
   tp_study *study = NULL;
   tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  sheet.language = a->language;
   if (status == TP_OK) status = tp_study_read(&study, a->study, message);
   if (status == TP_OK) {
     status = tp_cli_write_study_sheet(a->report, study, result, &sheet, message);

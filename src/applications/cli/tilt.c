@@ -16,6 +16,7 @@
 typedef struct arguments {
   const char *scene;
   const char *figure, *animation, *report; /* NULL: none */
+  const char *language;                    /* of the report; NULL: the scene's, or English */
   tp_tilt_charts charts;
   bool json, csv, converge;
   tp_chart_format format; /* of the figure of --converge */
@@ -35,7 +36,8 @@ enum {
   KEY_OVERTURNING,
   KEY_FACTORS,
   KEY_CONVERGE,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_LANGUAGE
 };
 
 static const struct argp_option options[] = {
@@ -59,6 +61,10 @@ static const struct argp_option options[] = {
      0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
+    {"language", KEY_LANGUAGE, "CODE", 0,
+     "Write the calculation sheet in this language: en, es or de (that of the scene's report, or "
+     "English)",
+     0},
     {"moments", KEY_MOMENTS, "N", 0, "Number of moments of the motion to keep (default 400)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Scan factors on the shaking of the scene for those that overturn the block", 0},
@@ -101,6 +107,7 @@ static void check_converge(arguments *a, const struct argp_state *state) {
 static void refuse_same_files(const arguments *a, const struct argp_state *state) {
   const tp_cli_written files[] = {
       {"--figure", a->figure}, {"--animation", a->animation}, {"--report", a->report}};
+  tp_cli_check_language(a->language, a->report, state);
   tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
 }
 
@@ -136,6 +143,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_REPORT:
     tp_cli_take_sheet(&a->report, argument, state);
+    return 0;
+  case KEY_LANGUAGE:
+    tp_cli_take_language(&a->language, argument, state);
     return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
@@ -200,6 +210,7 @@ static tp_status write_sheet(const arguments *a, const tp_scene *scene, const tp
   tp_sheet_options sheet;
   tp_cli_date date;
   const tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  sheet.language = a->language;
   return status == TP_OK ? tp_cli_write_tilt_sheet(a->report, scene, test, &sheet, message)
                          : status;
 }

@@ -96,22 +96,19 @@ static bool match(work *w, const char *pattern, span text, span found[ARGUMENTS]
   }
 }
 
-/* Bytes of a pattern beside its arguments and blanks; 0 of one without arguments, or with two that
- * nothing parts. */
+/* Bytes of a pattern beside its arguments and blanks; 0 of one with two that nothing parts. */
 static size_t literal_of(const char *pattern) {
   size_t literal = 0, before = 0;
-  bool any = false;
   while (*pattern != '\0') {
     int argument = 0;
     bool whole = false;
     const size_t length = conversion(pattern, &argument, &whole);
     if (length > 0 && before > 0) return 0;
     before = length;
-    any = any || length > 0;
     literal += length == 0 && *pattern != ' ';
-    pattern += length > 0 ? length : 1;
+    pattern += length > 0 ? length : *pattern == '%' ? 2 : 1; /* "%%" is one */
   }
-  return any ? literal : 0;
+  return literal;
 }
 
 /* The phrase that fits with most of the text in it, and with more than `most`; NULL: none. */

@@ -18,6 +18,8 @@ ARGUMENT = re.compile(r"%(?:(\d+)\$)?([-+ 0#]*[\d.*]*(?:l|z)*[a-zA-Z%])")
 
 def arguments(phrase):
     """The conversions of a format, in the order of the arguments that they take."""
+    if "%" in ARGUMENT.sub("", phrase) or re.search("% |%$", phrase.replace("%%", "")):
+        raise ValueError(f"a '%' that begins no argument is written '%%': {phrase!r}")
     found = [(int(number) if number else None, kind) for number, kind in ARGUMENT.findall(phrase) if kind != "%"]
     if any(number is None for number, _ in found):
         if any(number is not None for number, _ in found):

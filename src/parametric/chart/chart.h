@@ -8,6 +8,7 @@
 #ifndef TP_CHART_CHART_H
 #define TP_CHART_CHART_H
 
+#include "output/language.h"
 #include "topple.h"
 
 enum { TP_CHART_KEYS = 5, TP_CHART_NOTES = 5 };
@@ -111,6 +112,7 @@ struct tp_chart {
   tp_chart_label *labels;
   tp_chart_legend *legend;
   char **sources; /* files that it was computed from */
+  bool comma;     /* before decimals */
   bool failed;    /* memory was exhausted; the rest is dropped */
 };
 
@@ -138,6 +140,10 @@ void tp_chart_add_label(tp_chart *chart, double x, double y, tp_label_side side,
 void tp_chart_add_plain_label(tp_chart *chart, double x, double y, tp_label_side side,
                               const char *text);
 void tp_chart_add_legend(tp_chart *chart, const char *text, tp_chart_style style);
+
+/* Its words in a language, and a comma before the decimals of its axes. False when memory is
+ * exhausted. */
+TP_MUST_USE bool tp_chart_tell(tp_chart *chart, const tp_language *language, bool comma);
 
 /* Hand the chart over, or free it when memory was exhausted on the way. */
 TP_MUST_USE tp_status tp_chart_finish(tp_chart *own, tp_chart **chart, tp_message *message);

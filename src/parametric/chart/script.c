@@ -94,7 +94,7 @@ static sheet lay_out(const tp_chart *chart, tp_chart_format format) {
 
 static void add_terminal(tp_text *t, const sheet *s) {
   const double w = s->width_mm, h = s->height_mm;
-  tp_text_add(t, "set encoding utf8\n");
+  tp_text_add(t, "set encoding utf8\n%s", s->chart->comma ? "set decimalsign ','\n" : "");
   if (s->format == TP_CHART_SVG) {
     tp_text_add(t,
                 "set terminal svg size %.0f,%.0f enhanced font 'Arial,%.2f' linewidth 1 "

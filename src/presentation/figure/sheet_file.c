@@ -53,11 +53,14 @@ tp_status tp_sheet_write(const char *path, const tp_document *document,
 }
 
 tp_status tp_sheet_chart(tp_picture *picture, tp_chart *chart, tp_status made, const char *path,
-                         tp_message *message) {
+                         const tp_sheet_head *head, tp_message *message) {
   const bool paper = tp_sheet_kind_of(path) == TP_SHEET_PDF;
   if (made == TP_NO_ANSWER) {
     if (message != NULL) message->text[0] = '\0';
     return TP_OK;
+  }
+  if (made == TP_OK && !tp_chart_tell(chart, head->language, head->comma)) {
+    made = tp_fail_memory(message, "the chart");
   }
   if (made == TP_OK) {
     made = paper ? tp_chart_draw(&picture->png, &picture->png_length, chart, TP_CHART_PNG, message)

@@ -23,9 +23,10 @@ TP_MUST_USE tp_status tp_sheet_write(const char *path, const tp_document *docume
                                      const tp_vector_picture *drawing, tp_file_sources sources,
                                      tp_message *message);
 
-/* A chart as a picture for the file, and the chart is freed; where `made` is TP_NO_ANSWER there is
- * none. */
+/* A chart as a picture for the file, in the language of its head, and the chart is freed; where
+ * `made` is TP_NO_ANSWER there is none. */
 TP_MUST_USE tp_status tp_sheet_chart(tp_picture *picture, tp_chart *chart, tp_status made,
-                                     const char *path, tp_message *message);
+                                     const char *path, const tp_sheet_head *head,
+                                     tp_message *message);
 
 #endif

@@ -8,6 +8,7 @@
 #include "common/options.h"
 #include "figure/sheet_file.h"
 #include "figure/tilt_frames.h"
+#include "report/tilt_svg.h"
 #include "scene/scene.h"
 #include "study/sources.h"
 #include "study/study.h"
@@ -41,14 +42,15 @@ static tp_status make_head(tp_sheet_head *head, const tp_letterhead *letterhead,
 }
 
 static tp_status study_charts(tp_sheet_picture charts[CHARTS], const char *path,
-                              const tp_study_result *result, tp_message *message) {
+                              const tp_sheet_head *head, const tp_study_result *result,
+                              tp_message *message) {
   tp_chart *chart = NULL;
   tp_status status = tp_chart_study(&chart, result, message);
-  status = tp_sheet_chart(&charts[0].picture, chart, status, path, message);
+  status = tp_sheet_chart(&charts[0].picture, chart, status, path, head, message);
   if (status != TP_OK) return status;
   chart = NULL;
   status = tp_chart_study_scatter(&chart, result, message);
-  return tp_sheet_chart(&charts[1].picture, chart, status, path, message);
+  return tp_sheet_chart(&charts[1].picture, chart, status, path, head, message);
 }
 
 tp_status tp_report_sheet_study(const char *path, const tp_study *study,
@@ -80,7 +82,7 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
   if (status == TP_OK) status = study_sources(&sources, study, message);
   if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
   files.logo = letterhead != NULL ? letterhead->logo : NULL;
-  if (status == TP_OK) status = study_charts(charts, path, result, message);
+  if (status == TP_OK) status = study_charts(charts, path, &head, result, message);
   if (status == TP_OK) {
     tp_document document = {0};
     tp_sheet_build_study(&document, result, &files, options, &head, charts, CHARTS);
@@ -99,14 +101,15 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
  */
 
 static tp_status tilt_charts(tp_sheet_picture charts[CHARTS], const char *path,
-                             const tp_tilt_test *test, tp_message *message) {
+                             const tp_sheet_head *head, const tp_tilt_test *test,
+                             tp_message *message) {
   tp_chart *chart = NULL;
   tp_status status = tp_chart_tilt_reactions(&chart, test, message);
-  status = tp_sheet_chart(&charts[0].picture, chart, status, path, message);
+  status = tp_sheet_chart(&charts[0].picture, chart, status, path, head, message);
   if (status != TP_OK || test->settings.engine == TP_TILT_PATH) return status;
   chart = NULL;
   status = tp_chart_tilt_phase(&chart, test, message);
-  return tp_sheet_chart(&charts[1].picture, chart, status, path, message);
+  return tp_sheet_chart(&charts[1].picture, chart, status, path, head, message);
 }
 
 tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp_tilt_test *test,
@@ -125,7 +128,6 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
       {{0},
        "Phase portraits: turn against angular velocity, displacement against speed.",
        "Chart of the motion; topple tilt --csv has its numbers."}};
-  const tp_vector_picture drawing = tp_tilt_frames_drawing(test);
   tp_file_sources sources = {0};
   tp_sheet_files files = {0};
   tp_picture frames = {0};
@@ -135,9 +137,9 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
   if (status == TP_OK) status = tp_sheet_sources(&sources, scene, message);
   if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
   files.logo = scene->letterhead.logo;
-  if (status == TP_OK) status = tilt_charts(charts, path, test, message);
+  if (status == TP_OK) status = tilt_charts(charts, path, &head, test, message);
   if (status == TP_OK && tp_sheet_kind_of(path) != TP_SHEET_PDF) {
-    if (tp_report_tilt_frames(&frames.svg, test) == TP_OK) {
+    if (tp_tilt_frames_svg(&frames.svg, test, head.language, head.comma) == TP_OK) {
       frames.svg_length = strlen(frames.svg);
     } else {
       status = tp_fail_memory(message, "the drawing");
@@ -145,6 +147,8 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
   }
   if (status == TP_OK) {
     tp_document document = {0};
+    const tp_tilt_drawing words = {test, head.language, head.comma};
+    const tp_vector_picture drawing = tp_tilt_frames_drawing(&words);
     tp_sheet_build_tilt(&document, test, &files, options, &head, frames, charts, CHARTS);
     status = tp_sheet_write(path, &document, &drawing, sources, message);
     tp_document_clear(&document);

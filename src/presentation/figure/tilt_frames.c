@@ -52,16 +52,20 @@ static void draw_frame(cairo_t *cr, const tp_tilt_view *view, const tp_tilt_mome
   cairo_stroke(cr);
 }
 
-static void draw_row(cairo_t *cr, const tp_tilt_test *test, const tp_tilt_view *view, double top) {
-  size_t chosen[TP_TILT_FRAMES] = {0};
-  const size_t count = tp_tilt_frames_choose(chosen, view);
-  const tp_tilt_engine engine = test->settings.engine;
-  char words[160];
+/* Words of the drawing, which are dropped. */
+static void draw_words(cairo_t *cr, double x, double y, tp_text *words) {
   tp_figure_ink(cr, TP_INK_BLACK);
   tp_figure_font(cr, 12, false);
-  snprintf(words, sizeof words, "%s, %s: %s", tp_text_table(test, view->own),
-           tp_tilt_engine_name(engine), tp_tilt_end_name(view->own->end));
-  tp_figure_text(cr, 8, top + 16, words);
+  if (words->data != NULL && !words->failed) tp_figure_text(cr, x, y, words->data);
+  tp_text_drop(words);
+}
+
+static void draw_row(cairo_t *cr, const tp_tilt_drawing *d, const tp_tilt_view *view, double top) {
+  size_t chosen[TP_TILT_FRAMES] = {0};
+  const size_t count = tp_tilt_frames_choose(chosen, view);
+  tp_text head = {0};
+  tp_tilt_frames_head(&head, d->test, view->own, d->language, d->comma);
+  draw_words(cr, 8, top + 16, &head);
   for (size_t k = 0; k < count; k++) {
     const tp_tilt_moment *m = view->own->moments + chosen[k];
     const double left = (double)k * view->width * HALF;
@@ -69,30 +73,27 @@ static void draw_row(cairo_t *cr, const tp_tilt_test *test, const tp_tilt_view *
     cairo_translate(cr, left, top + 22);
     draw_frame(cr, view, m);
     cairo_restore(cr);
-    tp_figure_ink(cr, TP_INK_BLACK);
-    tp_figure_font(cr, 12, false);
-    if (engine == TP_TILT_PATH) {
-      snprintf(words, sizeof words, "tilt %.2f°", m->angle_deg);
-    } else {
-      snprintf(words, sizeof words, "tilt %.2f°, %.3g s", m->angle_deg, m->time_s);
-    }
-    tp_figure_text(cr, left + 8, top + 22 + view->height * HALF + 14, words);
+    tp_text foot = {0};
+    tp_tilt_frames_foot(&foot, d->test, m, d->language, d->comma);
+    draw_words(cr, left + 8, top + 22 + view->height * HALF + 14, &foot);
   }
 }
 
 static bool draw(cairo_t *cr, const void *context) {
-  const tp_tilt_test *test = context;
+  const tp_tilt_drawing *drawing = context;
+  const tp_tilt_test *test = drawing->test;
   double top = 0;
   for (size_t k = 0; k < test->case_count; k++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + k);
-    draw_row(cr, test, &view, top);
+    draw_row(cr, drawing, &view, top);
     top += view.height * HALF + BELOW;
   }
   return true;
 }
 
-tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_test *test) {
-  tp_vector_picture own = {draw, test, 0, 0};
+tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_drawing *drawing) {
+  const tp_tilt_test *test = drawing->test;
+  tp_vector_picture own = {draw, drawing, 0, 0};
   for (size_t k = 0; k < test->case_count; k++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + k);
     own.width = fmax(own.width, TP_TILT_FRAMES * view.width * HALF);

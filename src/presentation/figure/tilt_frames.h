@@ -8,6 +8,13 @@
 
 #include "figure/paper.h"
 
-tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_test *test);
+/* The test, and the language that it is drawn in; kept until it is drawn. */
+typedef struct tp_tilt_drawing {
+  const tp_tilt_test *test;
+  const tp_language *language;
+  bool comma;
+} tp_tilt_drawing;
+
+tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_drawing *drawing);
 
 #endif

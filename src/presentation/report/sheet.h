@@ -52,7 +52,7 @@ typedef struct tp_sheet_picture {
   const char *caption, *alternative;
 } tp_sheet_picture;
 
-/* Those of a study and of a tilt test, with `count` charts. They are in English. */
+/* Those of a study and of a tilt test, with `count` charts. */
 void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
                           const tp_sheet_files *files, const tp_sheet_options *options,
                           tp_sheet_head *head, const tp_sheet_picture *charts, size_t count);
@@ -60,6 +60,9 @@ void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
                          const tp_sheet_files *files, const tp_sheet_options *options,
                          tp_sheet_head *head, tp_picture frames, const tp_sheet_picture *charts,
                          size_t count);
+
+/* What a study found besides its samples; nothing where nothing was asked for. */
+void tp_sheet_add_analyses(tp_document *document, const tp_study_result *result);
 
 /* A heading, and the figures below it; nothing where there are none. */
 void tp_sheet_add_charts(tp_document *document, const tp_sheet_picture *charts, size_t count);
@@ -136,8 +139,10 @@ void tp_sheet_add_proof(tp_sheet *sheet);
  * together. Empty: nothing. */
 void tp_sheet_prose(tp_document *document, tp_passage_kind kind, tp_text *text);
 
-/* Likewise of lines that begin with a label of nine columns: a row of facts each. */
+/* Likewise of lines that begin with a label of nine columns: a row of facts each; and of a row for
+ * each line, with or without a label. */
 void tp_sheet_facts(tp_document *document, tp_text *text);
+void tp_sheet_fact_lines(tp_document *document, tp_text *text);
 
 /* A number within a formula: in brackets where it is below 0, or has its bound beside it. */
 typedef struct tp_sheet_number {

@@ -36,15 +36,15 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
               r->samples, 100 * own->certain_to_move.share, 100 * own->certain_to_move.low,
               100 * own->certain_to_move.high, 100 * own->certain_to_stand.share,
               100 * own->certain_to_stand.low, 100 * own->certain_to_stand.high);
-  tp_document_take(d, TP_PASSAGE_ANSWER, 0, &where);
+  tp_document_tell(d, TP_PASSAGE_ANSWER, 0, &where);
   if (r->samples < r->planned) {
     tp_document_add(d, TP_PASSAGE_CAUTION, "Of %zu samples planned %zu were solved (%s).",
-                    r->planned, r->samples, tp_study_end_name(r->end));
+                    r->planned, r->samples, tp_document_say(d, tp_study_end_name(r->end)));
   }
 }
 
 static void add_share(tp_document *d, const char *label, const tp_study_share *share) {
-  tp_document_cell(d, "%s", label);
+  tp_document_word(d, label);
   tp_document_cell(d, "%zu", share->samples);
   tp_document_cell(d, "%.4f", share->share);
   tp_document_cell(d, "%.4f", share->low);
@@ -89,10 +89,10 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
 
 static void add_tilts(tp_document *d, const tp_study_result *r) {
   if (r->tilt_count == 1) return;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7f, "By tilt, with intervals of 95 %");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7f, "By tilt, with their intervals");
   static const char *const heads[] = {
       "Tilt", "Certain to stand", "from", "to", "Certain to move", "from", "to"};
-  for (size_t k = 0; k < 7; k++) tp_document_cell(d, "%s", heads[k]);
+  for (size_t k = 0; k < 7; k++) tp_document_word(d, heads[k]);
   for (size_t k = 1; k < r->tilt_count; k++) {
     const tp_study_tilt *own = r->tilts + k;
     const double shares[] = {own->certain_to_stand.share, own->certain_to_stand.low,
@@ -108,7 +108,7 @@ static void add_tilts(tp_document *d, const tp_study_result *r) {
 
 static void add_number(tp_document *d, double value, int decimals) {
   if (isinf(value)) {
-    tp_document_cell(d, "%s", value > 0 ? "always" : "never");
+    tp_document_word(d, value > 0 ? "always" : "never");
   } else {
     tp_document_cell(d, "%.*f", decimals, value);
   }
@@ -129,7 +129,7 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
     const tp_study_spread *own = r->quantities + q;
     if (own->samples == 0) continue;
-    tp_document_cell(d, "%s", tp_study_quantity_words((tp_study_quantity)q));
+    tp_document_word(d, tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
       add_number(d, own->quantiles[k].value, q == TP_STUDY_FOS ? 3 : 2);
     }
@@ -141,7 +141,7 @@ static void add_variables(tp_document *d, const tp_study_result *r) {
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x1c, "Variables and their samples");
   static const char *const heads[] = {
       "Key", "Distribution", "Least", "Greatest", "Rank correlation with the limit", "Unit"};
-  for (size_t k = 0; k < 6; k++) tp_document_cell(d, "%s", heads[k]);
+  for (size_t k = 0; k < 6; k++) tp_document_word(d, heads[k]);
   for (size_t k = 0; k < r->variable_count; k++) {
     const tp_study_variable *v = r->variables + k;
     const tp_study_rank *rank = v->rank_correlations + TP_STUDY_LIMIT_DEG;
@@ -149,7 +149,7 @@ static void add_variables(tp_document *d, const tp_study_result *r) {
     tp_document_outside_cell(d, v->key);
     tp_text_add(&law, "%s: ", v->kind);
     tp_encode_plain(&law, v->law);
-    tp_document_outside_cell(d, law.data != NULL ? law.data : "");
+    tp_document_told_cell(d, law.data != NULL ? law.data : "");
     d->failed = d->failed || law.failed;
     tp_text_drop(&law);
     tp_document_cell(d, "%.6g", v->least);
@@ -169,31 +169,23 @@ static void add_variables(tp_document *d, const tp_study_result *r) {
     tp_text_add(&text, " and ");
     tp_encode_plain(&text, r->variables[own->other].key);
     tp_text_add(&text, ", %.4g.", own->value);
-    tp_document_take(d, TP_PASSAGE_PARAGRAPH, 0, &text);
+    tp_document_tell(d, TP_PASSAGE_PARAGRAPH, 0, &text);
   }
-}
-
-/* Sobol' indices, reliability, design values, as the page has them. */
-static void add_analyses(tp_document *d, const tp_study_result *r) {
-  tp_text text = {0};
-  tp_study_add_analyses(&text, r);
-  if (text.length == 0) {
-    tp_text_drop(&text);
-    return;
-  }
-  tp_document_heading(d, 2, "Sensitivity, reliability and design values");
-  tp_sheet_take_lines(d, &text);
 }
 
 static void add_price(tp_document *d, const tp_study_result *r) {
   tp_document_heading(d, 2, "Proof and computing cost");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "The verdict of each sample is proven; the probability is an estimate from the "
-                  "samples, with its interval.%s",
-                  r->open > 0 ? " Some samples have a number certain to fewer than 9 digits." : "");
+                  "samples, with its interval.");
+  if (r->open > 0) {
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                    "Some samples have a number certain to fewer than 9 digits.");
+  }
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Samples, and the arithmetic that solved them");
   tp_document_cell(d, "Samples");
-  tp_document_cell(d, "%zu of %zu, %s, seed %zu", r->samples, r->planned, r->method, r->seed);
+  tp_document_cell(d, "%zu of %zu, %s, seed %zu", r->samples, r->planned,
+                   tp_document_say(d, r->method), r->seed);
   tp_document_cell(d, "Solved in doubles with bounds");
   tp_document_cell(d, "%zu", r->by_doubles);
   tp_document_cell(d, "Solved in higher precision");
@@ -216,7 +208,7 @@ static void add_price(tp_document *d, const tp_study_result *r) {
 void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
                           const tp_sheet_files *files, const tp_sheet_options *options,
                           tp_sheet_head *head, const tp_sheet_picture *charts, size_t count) {
-  tp_document own = {0}, *d = &own;
+  tp_document own = {.language = head->language, .comma = head->comma}, *d = &own;
   tp_sheet_set_letterhead(d, head);
   tp_sheet_add_title(d, result->title, "Probability that a rock block moves");
   tp_sheet_add_foot(d, files, options);
@@ -229,7 +221,7 @@ void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
     add_tilts(d, result);
     add_spreads(d, result);
     add_variables(d, result);
-    add_analyses(d, result);
+    tp_sheet_add_analyses(d, result);
     add_price(d, result);
   }
   tp_sheet_add_origin(d, files, options);

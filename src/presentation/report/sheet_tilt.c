@@ -10,7 +10,7 @@
 
 static void add_verdict(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test) {
   tp_text verdict = {0}, ending = {0};
-  tp_document_heading(d, 2, "%s", tp_text_table(test, c));
+  tp_document_heading(d, 2, "%s", tp_document_say(d, tp_text_table(test, c)));
   tp_tilt_add_verdict(&verdict, c, test);
   tp_sheet_prose(d, TP_PASSAGE_ANSWER, &verdict);
   tp_tilt_add_ending(&ending, c, test);
@@ -19,7 +19,7 @@ static void add_verdict(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
 
 static void add_angle(tp_document *d, const char *name, bool known, double degrees) {
   if (!known) return;
-  tp_document_cell(d, "%s", name);
+  tp_document_word(d, name);
   tp_document_cell(d, "%.6g°", degrees);
 }
 
@@ -32,7 +32,8 @@ static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
   add_angle(d, "Statics, α_s", c->has_onset, c->onset_deg);
   add_angle(d, "Statics, α_w", c->has_limit, c->limit_deg);
   tp_document_cell(d, "Final state");
-  tp_document_cell(d, "%s, at a tilt of %.6g°", tp_tilt_end_name(c->end), c->ended_deg);
+  tp_document_cell(d, "%s, at a tilt of %.6g°", tp_document_say(d, tp_tilt_end_name(c->end)),
+                   c->ended_deg);
   tp_document_cell(d, "Runs");
   if (options->times != 0) {
     tp_document_cell(d, "%zu, in %.3g s", c->runs, c->seconds);
@@ -41,25 +42,64 @@ static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
   }
 }
 
+static void add_event(tp_document *d, const tp_tilt_event *e, const tp_tilt_case *c,
+                      const tp_tilt_test *test) {
+  tp_text words = {0};
+  tp_document_cell(d, "%.4f", e->angle_deg);
+  if (test->settings.engine != TP_TILT_PATH) tp_document_cell(d, "%.4f", e->time_s);
+  tp_tilt_add_event_words(&words, e, c, test);
+  tp_document_told_cell(d, words.failed ? "" : words.data);
+  d->failed = d->failed || words.failed;
+  tp_text_drop(&words);
+}
+
+/* What is told once of several, to and fro. */
+static void add_chatter(tp_document *d, const tp_tilt_test *test, size_t times) {
+  tp_document_word(d, "");
+  if (test->settings.engine != TP_TILT_PATH) tp_document_word(d, "");
+  tp_document_cell(d, "alternating, %zu times in all, until it", times);
+}
+
+static void add_events(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test) {
+  const bool timed = test->settings.engine != TP_TILT_PATH;
+  tp_text facets = {0};
+  size_t k = 0;
+  tp_document_heading(d, 3, "Events");
+  tp_tilt_add_facets(&facets, c, test);
+  if (facets.length > 0) {
+    tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Facets of the base, and of the contact");
+    tp_sheet_fact_lines(d, &facets);
+  }
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, timed ? 3 : 2, timed ? 3 : 1,
+                    "Events (facets of the base from left to right)");
+  tp_document_cell(d, "Tilt (°)");
+  if (timed) tp_document_cell(d, "Time (s)");
+  tp_document_cell(d, "Event");
+  for (size_t rows = 0; k < c->event_count && rows < TP_TILT_EVENTS_TOLD; rows++) {
+    const size_t length = tp_tilt_chatter_length(c, k);
+    const bool several = length >= TP_TILT_CHATTER;
+    add_event(d, c->events + k, c, test);
+    if (several) add_chatter(d, test, length);
+    if (several) add_event(d, c->events + k + length - 1, c, test);
+    k += several ? length : 1;
+  }
+  if (k < c->event_count) {
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH, "and %zu more (listed by --json)", c->event_count - k);
+  }
+}
+
 static void add_case(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test,
                      const tp_sheet_options *options) {
-  tp_text events = {0};
-  tp_document_heading(d, 2, "Account: %s", tp_text_table(test, c));
+  tp_document_heading(d, 2, "Account: %s", tp_document_say(d, tp_text_table(test, c)));
   add_numbers(d, c, test, options);
-  tp_tilt_add_events(&events, c, test);
-  if (events.length > 0) {
-    tp_document_heading(d, 3, "Events");
-    tp_sheet_take_lines(d, &events);
-  } else {
-    tp_text_drop(&events);
-  }
+  if (c->event_count > 0) add_events(d, c, test);
 }
 
 void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
                          const tp_sheet_files *files, const tp_sheet_options *options,
                          tp_sheet_head *head, tp_picture frames, const tp_sheet_picture *charts,
                          size_t count) {
-  tp_document own = {0}, *d = &own;
+  tp_document own = {.language = head->language, .comma = head->comma}, *d = &own;
   tp_text settings = {0};
   tp_sheet_set_letterhead(d, head);
   tp_sheet_add_title(d, test->title, "Simulated tilt test of a rock block");
@@ -76,7 +116,8 @@ void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
                      "the text of this page.");
   tp_document_heading(d, 2, "Test settings");
   tp_tilt_add_settings(&settings, test);
-  tp_document_take(d, TP_PASSAGE_LISTING, 0, &settings);
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "What was simulated, and with which numbers");
+  tp_sheet_fact_lines(d, &settings);
   for (size_t k = 0; k < test->case_count; k++) add_case(d, test->cases + k, test, options);
   tp_sheet_add_charts(d, charts, count);
   tp_sheet_add_origin(d, files, options);

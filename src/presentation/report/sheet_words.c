@@ -84,6 +84,25 @@ void tp_sheet_facts(tp_document *d, tp_text *text) {
   tp_text_drop(text);
 }
 
+void tp_sheet_fact_lines(tp_document *d, tp_text *text) {
+  const char *at = text->data != NULL ? text->data : "";
+  d->failed = d->failed || text->failed;
+  while (*at != '\0') {
+    const size_t length = strcspn(at, "\n");
+    const size_t named = *at != ' ' ? strcspn(at, " \n") : 0;
+    char label[LABEL + 1];
+    tp_text value = {0};
+    snprintf(label, sizeof label, "%.*s", (int)named, at);
+    add_words(&value, at + named, length - named);
+    tp_document_word(d, label);
+    tp_document_told_cell(d, value.data != NULL ? value.data : "");
+    d->failed = d->failed || value.failed;
+    tp_text_drop(&value);
+    at += length + (at[length] == '\n');
+  }
+  tp_text_drop(text);
+}
+
 static tp_sheet_number number_of(const char *text) {
   tp_sheet_number own;
   const bool alone = *text != '-' && strchr(text, ' ') == NULL;

@@ -12,8 +12,6 @@
 #include <math.h>
 
 static const double standard_gravity = 9.80665;
-/* Events that are told one by one; the JSON has all. */
-enum { MOST_EVENTS = 60 };
 
 /* ---- what was run ------------------------------------------------------------------------------
  */
@@ -192,10 +190,8 @@ static bool is_of_contact(const tp_tilt_event *e) {
   return e->what < TP_EVENT_COLLAPSES || e->what == TP_EVENT_ACCUMULATES;
 }
 
-static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
-                      const tp_tilt_test *test) {
-  tp_text_add(t, "  %9.4f° ", e->angle_deg);
-  if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
+void tp_tilt_add_event_words(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
+                             const tp_tilt_test *test) {
   if (!is_of_contact(e)) {
     tp_text_add(t, "the block %s", tp_tilt_event_name(e->what));
   } else {
@@ -210,11 +206,17 @@ static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
   if (e->what == TP_EVENT_CLOSES && e->speed_m_s > 0) {
     tp_text_add(t, ", %.3g m/s", e->speed_m_s);
   }
+}
+
+static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
+                      const tp_tilt_test *test) {
+  tp_text_add(t, "  %9.4f° ", e->angle_deg);
+  if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
+  tp_tilt_add_event_words(t, e, c, test);
   tp_text_add(t, "\n");
 }
 
-/* How many events from one on are of the same facet: several are told as one, to and fro. */
-static size_t chatter_length(const tp_tilt_case *c, size_t first) {
+size_t tp_tilt_chatter_length(const tp_tilt_case *c, size_t first) {
   const tp_tilt_event *e = c->events + first;
   size_t k = first + 1;
   if (!is_of_contact(e)) return 1;
@@ -222,8 +224,7 @@ static size_t chatter_length(const tp_tilt_case *c, size_t first) {
   return k - first;
 }
 
-/* Where statics counts the facets of the contact otherwise, what both call them. */
-static void add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+void tp_tilt_add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   enum { LISTED = 8 };
   size_t differing = 0, listed = 0;
   for (size_t k = 0; k < c->facet_count; k++) {
@@ -244,15 +245,14 @@ static void add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
 }
 
 void tp_tilt_add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
-  enum { SEVERAL = 6 };
   size_t k = 0;
   if (c->event_count == 0) return;
   tp_text_add(t, "\n  Events (facets of the base from left to right)\n");
-  add_facets(t, c, test);
-  for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
-    const size_t length = chatter_length(c, k);
+  tp_tilt_add_facets(t, c, test);
+  for (size_t lines = 0; k < c->event_count && lines < TP_TILT_EVENTS_TOLD; lines++) {
+    const size_t length = tp_tilt_chatter_length(c, k);
     add_event(t, c->events + k, c, test);
-    if (length < SEVERAL) {
+    if (length < TP_TILT_CHATTER) {
       k++;
       continue;
     }

@@ -7,6 +7,7 @@
 #ifndef TP_REPORT_TILT_SVG_H
 #define TP_REPORT_TILT_SVG_H
 
+#include "output/language.h"
 #include "output/text.h"
 
 typedef struct tp_tilt_view {
@@ -30,6 +31,14 @@ double tp_tilt_view_turn(const tp_tilt_view *view, double angle_deg);
 /* The moments of the frames that are drawn side by side, rising; how many there are. */
 enum { TP_TILT_FRAMES = 6 };
 size_t tp_tilt_frames_choose(size_t chosen[TP_TILT_FRAMES], const tp_tilt_view *view);
+
+/* What stands above a row of frames and below one, in a language. */
+void tp_tilt_frames_head(tp_text *t, const tp_tilt_test *test, const tp_tilt_case *own,
+                         const tp_language *language, bool comma);
+void tp_tilt_frames_foot(tp_text *t, const tp_tilt_test *test, const tp_tilt_moment *moment,
+                         const tp_language *language, bool comma);
+TP_MUST_USE tp_status tp_tilt_frames_svg(char **text, const tp_tilt_test *test,
+                                         const tp_language *language, bool comma);
 
 /* The way around the points, as the attribute d of a path. */
 void tp_tilt_svg_ring(tp_text *t, const tp_tilt_view *view, const tp_tilt_point *points,

@@ -15,6 +15,14 @@ void tp_tilt_add_settings(tp_text *text, const tp_tilt_test *test);
 void tp_tilt_add_verdict(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 /* What happened, a line each; nothing where nothing did. */
 void tp_tilt_add_events(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+/* Of that, for who tells it otherwise: the words of one event; which facets statics counts
+ * otherwise; how many events from one on are of the same facet, of which so many or more are told
+ * as one; so many are told. */
+void tp_tilt_add_event_words(tp_text *text, const tp_tilt_event *event, const tp_tilt_case *own,
+                             const tp_tilt_test *test);
+void tp_tilt_add_facets(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+size_t tp_tilt_chatter_length(const tp_tilt_case *own, size_t first);
+enum { TP_TILT_CHATTER = 6, TP_TILT_EVENTS_TOLD = 60 };
 /* Which shaking overturns it, where that was asked. */
 void tp_tilt_add_overturning(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 /* How it ended, and that. */
