@@ -141,6 +141,58 @@ class Earthquake(unittest.TestCase):
         for one, other in zip(*found):
             self.assertAlmostEqual(one[2], other[2], delta=1e-12 * one[2])
 
+    def boulder(self, block, base, towards, more=""):
+        self.path.write_text(HEAD + f"block: {{{block}, unit_weight_kn_m3: 26}}\nbase: {{{base}}}\nfriction_angle_deg: 35\n"
+                             f"slope: {{dip_deg: 11, towards: {towards}}}\nloads: {{seismic: {{horizontal: 0.1, vertical: 0.04{more}}}}}\n")
+        return solve(self.path)
+
+    def test_ellipse(self):
+        """A boulder is shaken up-dip, too, where it is turned: about the upper end of its flat by hand, with its area and centroid by
+        Simpson's rule over its width at each height; its mirror image to the last digits; and as the polygon of many corners on it, in all
+        that is told of area, moments, angles and motions."""
+        w, h, flat, dip = 8.0, 3.0, 0.6, math.radians(11)
+        low = -math.cos(math.asin(flat / w))
+        ends, steps = (math.asin(low), math.pi / 2), 400
+        weights = [1, *([4, 2] * (steps // 2))[:-1], 1]
+        angles = [ends[0] + (ends[1] - ends[0]) * k / steps for k in range(steps + 1)]  # y = h/2 sin t, width w cos t, dy = h/2 cos t dt
+        each = [own * w * h / 2 * math.cos(t) ** 2 for own, t in zip(weights, angles)]
+        area = math.fsum(each) * (ends[1] - ends[0]) / steps / 3
+        rise = math.fsum(own * h / 2 * (math.sin(t) - low) for own, t in zip(each, angles)) / math.fsum(each)
+        arm = flat / 2 * math.cos(dip) + rise * math.sin(dip)
+        by_hand = arm / (0.1 * (rise * math.cos(dip) - flat / 2 * math.sin(dip)) + 0.04 * arm)
+        beyond = "mated: true, beyond: {left: 3, right: 2}"
+        told = self.boulder(f"ellipse: {{width: {w}, height: {h}, flat: {flat}}}", beyond, "left", ", direction: up_dip")["cases"][0]
+        self.assertAlmostEqual(told["block"]["area_m2"]["value"], area, delta=1e-9 * area)
+        self.assertAlmostEqual(told["block"]["centroid_y_m"]["value"], rise, delta=1e-9)
+        self.assertAlmostEqual(told["block"]["centroid_x_m"]["value"], 0, delta=1e-12)
+        self.assertEqual([p["x_m"]["value"] for p in told["pivots"]], [-0.3, 0.3])
+        self.assertAlmostEqual(told["governing_fos"]["fos"]["value"], by_hand, delta=1e-9 * by_hand)
+        for towards, sign in (("left", 1), ("right", -1)):
+            both = self.boulder(f"ellipse: {{width: {w}, height: {h}, flat: {flat}}}", f"mated: true, beyond: {{left: {3 if sign > 0 else 2}, "
+                                f"right: {2 if sign > 0 else 3}}}", towards)
+            quakes = [(own["direction"], own["vertical"], own["mechanism"], own["fos"]["value"]) for own in both["earthquakes"]]
+            if sign > 0:
+                first = quakes
+            self.assertEqual([own[:3] for own in quakes], [own[:3] for own in first])
+            for one, other in zip(quakes, first):
+                self.assertAlmostEqual(one[3], other[3], delta=1e-12 * one[3])
+        self.assertEqual({own[0] for own in first}, {"up_dip", "down_dip"})
+        self.assertNotIn("down-dip only", run("solve", self.path)[1])
+        count, cut = 800, math.asin(flat / w)
+        turn = [cut - math.pi / 2 + (2 * math.pi - 2 * cut) * k / count for k in range(count + 1)]
+        ring = [(f"{w / 2 * math.cos(t):.12f}", f"{h / 2 * (math.sin(t) - low):.12f}") for t in turn]
+        ring[0], ring[-1] = ("0.3", "0"), ("-0.3", "0")
+        other = self.boulder(f"outline: {text(ring)}", beyond + ", between: [[-0.3, 0], [0.3, 0]]", "left", ", direction: up_dip")["cases"][0]
+        near = lambda one, two, what: self.assertAlmostEqual(one["value"], two["value"], delta=4e-5 * max(1, abs(one["value"])), msg=what)
+        for key in ("area_m2", "weight_n", "second_moment_xx_m4", "second_moment_yy_m4", "second_moment_xy_m4", "centroid_y_m"):
+            near(told["block"][key], other["block"][key], key)
+        near(told["limit"]["critical_angle_deg"], other["limit"]["critical_angle_deg"], "limit")
+        near(told["onset"]["critical_angle_deg"], other["onset"]["critical_angle_deg"], "onset")
+        for one, two in zip(told["factors"], other["factors"], strict=True):
+            self.assertEqual((one["mechanism"], one["definition"], one["fos"] is None), (two["mechanism"], two["definition"], two["fos"] is None))
+            if one["fos"] is not None:
+                near(one["fos"], two["fos"], one["definition"])
+
     def test_a_block_that_fails_down_dip_anyway(self):
         """Shaken up-dip it topples down-dip still, and has no factor there; the shaking that drives it governs: moments about
         the toe of a slab w by h on 30°, w cos β against h sin β + k (w sin β + h cos β)."""

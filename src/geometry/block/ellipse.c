@@ -129,25 +129,66 @@ static void second_moment(arb_t sum, const arb_t own, const arb_t p, const arb_t
   arb_clear(product);
 }
 
+/* Moments about the centre in the axes of the block. */
+typedef struct turned_moments {
+  arb_t x, y, xx, yy, xy;
+} turned_moments;
+
+static void turned_moments_clear(turned_moments *m) {
+  arb_struct *const all[] = {m->x, m->y, m->xx, m->yy, m->xy};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_clear(all[k]);
+}
+
+/* Those moments, and the centre, which lies at (0, y) along the ellipse's own axes. */
+static void turn(turned_moments *m, arb_t x, arb_t y, const cut_circle *c, const tp_ellipse *e,
+                 long bits) {
+  arb_struct *const all[] = {m->x, m->y, m->xx, m->yy, m->xy};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_init(all[k]);
+  arb_zero(x);
+  arb_set(m->y, c->y);
+  arb_set(m->xx, c->xx);
+  arb_set(m->yy, c->yy);
+  if (e->cosine == NULL) return;
+  arb_t cosine, sine, square;
+  arb_init(cosine);
+  arb_init(sine);
+  arb_init(square);
+  arb_set_fmpq(cosine, e->cosine, bits);
+  arb_set_fmpq(sine, e->sine, bits);
+  arb_mul(x, sine, y, bits);
+  arb_mul(y, cosine, y, bits);
+  arb_mul(m->x, sine, c->y, bits);
+  arb_mul(m->y, cosine, c->y, bits);
+  arb_sub(m->xy, c->yy, c->xx, bits);
+  arb_mul(m->xy, m->xy, cosine, bits);
+  arb_mul(m->xy, m->xy, sine, bits);
+  arb_mul(square, cosine, cosine, bits);
+  arb_mul(m->xx, square, c->xx, bits);
+  arb_mul(m->yy, square, c->yy, bits);
+  arb_mul(square, sine, sine, bits);
+  arb_addmul(m->xx, square, c->yy, bits);
+  arb_addmul(m->yy, square, c->xx, bits);
+  arb_clear(cosine);
+  arb_clear(sine);
+  arb_clear(square);
+}
+
 void tp_ellipse_sums(arb_struct sums[TP_SUM_COUNT], const tp_ellipse *e, const tp_lattice *lattice,
                      const fmpq_t metres_per_unit, long bits) {
   cut_circle c;
   tp_region region;
-  arb_t a, b, x, y, zero;
+  turned_moments m;
+  arb_t a, b, x, y;
   cut_circle_init(&c, e, bits);
   tp_region_init(&region);
   arb_init(a);
   arb_init(b);
   arb_init(x);
   arb_init(y);
-  arb_init(zero);
   half_axis(a, e->width.value, lattice, metres_per_unit, bits);
   half_axis(b, e->height.value, lattice, metres_per_unit, bits);
   /* the centre, in lattice units from the local origin */
-  arb_set_fmpz(x, lattice->origin_x);
-  arb_neg(x, x);
   arb_mul(y, b, c.cosine, bits);
-  arb_sub_fmpz(y, y, lattice->origin_y, bits);
   arb_mul(c.area, c.area, a, bits);
   arb_mul(c.area, c.area, b, bits);
   arb_mul(c.y, c.y, a, bits);
@@ -157,20 +198,24 @@ void tp_ellipse_sums(arb_struct sums[TP_SUM_COUNT], const tp_ellipse *e, const t
   arb_mul(c.xx, c.xx, b, bits);
   for (int k = 0; k < 3; k++) arb_mul(c.yy, c.yy, b, bits);
   arb_mul(c.yy, c.yy, a, bits);
+  turn(&m, x, y, &c, e, bits);
+  arb_sub_fmpz(x, x, lattice->origin_x, bits);
+  arb_sub_fmpz(y, y, lattice->origin_y, bits);
   arb_struct *of = region.of;
   arb_set(of, c.area);
   arb_mul(of + 1, c.area, x, bits);
+  arb_add(of + 1, of + 1, m.x, bits);
   arb_mul(of + 2, c.area, y, bits);
-  arb_add(of + 2, of + 2, c.y, bits);
-  second_moment(of + 3, c.xx, x, zero, x, zero, c.area, bits);
-  second_moment(of + 4, c.yy, y, c.y, y, c.y, c.area, bits);
-  second_moment(of + 5, zero, x, c.y, y, zero, c.area, bits);
+  arb_add(of + 2, of + 2, m.y, bits);
+  second_moment(of + 3, m.xx, x, m.x, x, m.x, c.area, bits);
+  second_moment(of + 4, m.yy, y, m.y, y, m.y, c.area, bits);
+  second_moment(of + 5, m.xy, x, m.y, y, m.x, c.area, bits);
   tp_region_sums(sums, &region, bits);
+  turned_moments_clear(&m);
   cut_circle_clear(&c);
   tp_region_clear(&region);
   arb_clear(a);
   arb_clear(b);
   arb_clear(x);
   arb_clear(y);
-  arb_clear(zero);
 }

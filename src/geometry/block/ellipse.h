@@ -7,7 +7,8 @@
  * those of the ellipse itself, in closed form. With the half-axes 1 the flat is at -cos b, sin b =
  * flat / width, and the piece cut off has area b - sin b cos b,   first moment -2/3 sin^3 b, int
  * Y^2 = b/4 - sin 4b / 16,   int X^2 = b/4 - sin 2b / 6 + sin 4b / 48; the whole has area pi and
- * second moments pi / 4. Scaling by the half-axes gives the rest. */
+ * second moments pi / 4. Scaling by the half-axes gives the rest, and where it is turned so do the
+ * moments about its centre: int (c x + s y)^2 = c^2 int x^2 + s^2 int y^2, and so on. */
 
 #ifndef TP_BLOCK_ELLIPSE_H
 #define TP_BLOCK_ELLIPSE_H

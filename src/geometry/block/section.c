@@ -83,6 +83,7 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
   bool done = true;
   switch (block->form) {
   case TP_OUTLINE_VERTICES:
+    if (block->ellipse.cosine != NULL) section->ellipse = &block->ellipse; /* turned, by its hull */
     done = tp_polyline_copy(outline, &block->outline);
     break;
   case TP_OUTLINE_TEETH:

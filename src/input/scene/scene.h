@@ -32,6 +32,8 @@ typedef enum tp_outline_form {
  * from (-flat / 2, 0) to (flat / 2, 0). `height` is of the whole ellipse. */
 typedef struct tp_ellipse {
   tp_quantity width, height, flat;
+  const fmpq *cosine, *sine; /* turned about the middle of its flat, the origin: (x, y) to
+                                (c x + s y, c y - s x); borrowed, NULL: as given, along x */
 } tp_ellipse;
 
 /* N sub-blocks of width a; b the smaller and b + c the larger of their heights (Fig. 5). */

@@ -176,6 +176,12 @@ static bool add_corner(tp_chain *chain, const tp_shape *shape, const tp_lattice 
          add_turn(chain, c.after, c.centre);
 }
 
+/* A spot of an ellipse about the origin of the scene, which is turned about that. */
+static tp_spot turned(tp_spot at, const tp_ellipse *e, tp_spot origin) {
+  const double c = fmpq_get_d(e->cosine), s = fmpq_get_d(e->sine);
+  return (tp_spot){origin.x + c * at.x + s * at.y, origin.y + c * at.y - s * at.x};
+}
+
 /* The ellipse above its flat, in the scene about x = 0. */
 static bool add_ellipse(tp_shape *shape, const tp_problem *problem) {
   const tp_ellipse *e = problem->section.ellipse;
@@ -185,14 +191,21 @@ static bool add_ellipse(tp_shape *shape, const tp_problem *problem) {
   const double cut = asin(fmpq_get_d(e->flat.value) / fmpq_get_d(e->width.value));
   fmpq_t zero;
   fmpq_init(zero);
-  tp_spot centre = tp_shape_of_scene(shape, problem, zero, zero);
+  const tp_spot origin = tp_shape_of_scene(shape, problem, zero, zero);
   fmpq_clear(zero);
+  tp_spot centre = e->cosine == NULL ? origin : (tp_spot){0, 0};
   centre.y += half_y * cos(cut);
   const double half_turn = acos(-1);
   const tp_spot start = {centre.x + half_x * sin(cut), centre.y - half_y * cos(cut)};
-  return tp_chain_add(&shape->outline, TP_STEP_JUMP, start) &&
-         tp_chain_add_arc(&shape->outline, centre, half_x, half_y, cut - half_turn / 2,
-                          2 * (half_turn - cut));
+  const bool done = tp_chain_add(&shape->outline, TP_STEP_JUMP, start) &&
+                    tp_chain_add_arc(&shape->outline, centre, half_x, half_y, cut - half_turn / 2,
+                                     2 * (half_turn - cut));
+  for (size_t k = 0; e->cosine != NULL && k < shape->outline.count; k++) {
+    tp_chain_node *node = shape->outline.nodes + k;
+    node->at = turned(node->at, e, origin);
+    for (int i = 0; i < 2; i++) node->control[i] = turned(node->control[i], e, origin);
+  }
+  return done;
 }
 
 static bool add_ring(tp_chain *chain, const tp_shape *shape, const tp_lattice *l, long ring) {

@@ -128,6 +128,21 @@ static void add_ring(tp_boundary *boundary, const tp_local *local) {
   }
 }
 
+static tp_xy turned(tp_xy at, tp_xy about, double cosine, double sine) {
+  const double x = at.x - about.x, y = at.y - about.y;
+  return (tp_xy){about.x + cosine * x + sine * y, about.y + cosine * y - sine * x};
+}
+
+/* About the middle of the flat, as the polygon around the ellipse is turned. */
+static void turn_arcs(tp_edge *arcs, long count, tp_xy middle, const tp_ellipse *e) {
+  const double cosine = fmpq_get_d(e->cosine), sine = fmpq_get_d(e->sine);
+  for (long k = 0; k < count; k++) {
+    arcs[k].from = turned(arcs[k].from, middle, cosine, sine);
+    arcs[k].to = turned(arcs[k].to, middle, cosine, sine);
+    arcs[k].centre = turned(arcs[k].centre, middle, cosine, sine);
+  }
+}
+
 /* The flat, then round from its right end. The polygon around the ellipse begins there. */
 static void add_ellipse(tp_boundary *boundary, const tp_local *local) {
   const tp_problem *problem = local->e.problem;
@@ -142,11 +157,13 @@ static void add_ellipse(tp_boundary *boundary, const tp_local *local) {
   fmpq_clear(share);
   const tp_xy right = tp_local_lattice_point(local, 0);
   const tp_xy left = tp_local_lattice_point(local, problem->lattice.start[1] - 1);
-  const tp_xy centre = {(left.x + right.x) / 2, right.y + half.y * cos(cut)};
+  const tp_xy middle = {(left.x + right.x) / 2, (left.y + right.y) / 2};
+  const tp_xy centre = {middle.x, middle.y + half.y * cos(cut)};
   add(boundary, (tp_edge){.from = left, .to = right, .number = 1});
   tp_edge *arcs = boundary->edges + boundary->count;
   const long count = tp_ellipse_arc_count(half);
   tp_ellipse_arcs(arcs, centre, half, cut - quarter, 3 * quarter - cut);
+  if (e->cosine != NULL) turn_arcs(arcs, count, middle, e);
   arcs[0].from = right;
   arcs[count - 1].to = left;
   for (long k = 0; k < count; k++) arcs[k].number = 2;

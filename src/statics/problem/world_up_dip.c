@@ -83,11 +83,11 @@ static tp_status find_on_slope(tp_world *w, const tp_scene *scene, long ends[2],
                                const tp_section *section, tp_message *message) {
   tp_underside u;
   tp_lattice lattice;
-  if (scene->block.form == TP_OUTLINE_ELLIPSE || (toothed_on(scene) && has_facet_friction(scene))) {
+  if (toothed_on(scene) && has_facet_friction(scene)) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, scene->block.place,
-                     "an ellipse, and teeth whose base extends past them where facets have their "
-                     "own friction, are described along x; give the block as an 'outline', and the "
-                     "base as its 'profile'");
+                     "teeth whose base extends past them where facets have their own friction are "
+                     "described along x; give the block as an 'outline', and the base as its "
+                     "'profile'");
   }
   if (!scene->base.mated) return tp_sole_find(&w->sole, scene, section, message);
   tp_status status = tp_as_given_check(&lattice, scene, section, NULL, message);
@@ -109,6 +109,10 @@ static tp_status turn_ring(tp_world *w, tp_scene *ring, const tp_section *sectio
   if (ring->block.form != TP_OUTLINE_VERTICES) ring->block.outline = section->rings[0];
   w->levelled.block.form = ring->block.form = TP_OUTLINE_VERTICES;
   w->levelled.base.mated = ring->base.mated;
+  if (section->ellipse != NULL) { /* by the polygon around it */
+    w->levelled.block.ellipse.cosine = w->lay.cosine;
+    w->levelled.block.ellipse.sine = w->lay.sine;
+  }
   return tp_turn_scene(&w->levelled, &w->lay, ring, ring->base.mated, ends[0], ends[1])
              ? TP_OK
              : tp_fail_memory(message, "the turned scene");
