@@ -283,7 +283,7 @@ START_TEST(blocks_of_six) {
   const bool varies = _i % 2 == 1 && _i < 4;
   const load_draw loaded = (load_draw)(_i < 4 ? _i / 2 : _i - 2);
   long told = 0, blocks = 0;
-  for (long k = 0; k < random_scenes_or(60); k++) {
+  for (long k = 0; k < random_scenes_or(loaded < LOADS_THAT_STAY ? 60 : 20); k++) {
     random_numbers state = random_numbers_from(random_seed() + (uint64_t)k);
     stage s;
     set_block(&s, &state, varies, loaded);

@@ -162,7 +162,7 @@ bool tp_thin_contact_find(tp_thin_contact *thin, const tp_contact_rest *all, dou
   normals n;
   *thin = (tp_thin_contact){.count = 0};
   set_normals(&n, all);
-  return set_edges(sides, all, friction) && add_limit(thin, sides, 1) &&
+  return n.count > 0 && set_edges(sides, all, friction) && add_limit(thin, sides, 1) &&
          add_limit(thin, sides, -1) && add_side(thin, &n, 0) && add_side(thin, &n, 1) &&
          add_facets(thin, all, &n, first_is_down_dip) && add(thin, NULL, point);
 }

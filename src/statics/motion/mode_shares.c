@@ -181,9 +181,9 @@ static int side_of_choice(const tp_share_mode *m, const choice *c, tp_near share
 /* One generator or two are no sum of anything off their line or plane. */
 static int side_of_flat(const tp_share_mode *m, tp_near share) {
   tp_near w[3], g[2][3], cross[3];
+  if (m->free_count > 0 || m->count <= 0) return 0;
   evaluate_line(w, &m->loads, share);
   for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of + k, share);
-  if (m->free_count > 0 || m->count == 0) return 0;
   if (m->count == 2) return tp_near_sign(tp_near_determinant(w, g[0], g[1])) != 0 ? -1 : 0;
   tp_near_cross(cross, w, g[0]);
   for (int e = 0; e < 3; e++) {
