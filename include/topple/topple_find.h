@@ -55,6 +55,15 @@ typedef struct tp_found_interval {
   tp_bounded low, high; /* its ends */
 } tp_found_interval;
 
+/* A stretch over which the target is at least the wanted value: certain at both its ends, and at
+ * every number between them that was tried. */
+typedef struct tp_found_stretch {
+  double low, high; /* its ends */
+  bool begins;      /* just before it the target is certain to be below the value; false: the range
+                       begins there, or the target is not known before it, or too close to the value */
+  bool ends;        /* the same, just after it */
+} tp_found_stretch;
+
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
  * each it is certain to lie on different sides. `touching`: numbers within whose bounds the target
  * comes so close to the value that its bound does not decide whether it reaches it, and at whose
@@ -78,6 +87,15 @@ typedef struct tp_found {
                             at a spacing, kN per metre along the slope, of all their rows */
   TP_OUTSIDE char *least_over; /* if least_over != NULL: the key of a direction, as asked for: */
   double direction_deg;        /* the scene has this instead of its own, 0 where there is none */
+  size_t at_least_count;       /* of the stretches: */
+  tp_found_stretch *at_least;  /* over which the target is at least the value, in order */
+  bool is_support; /* a factor of safety was asked for, and `key` is the force of an anchor, or the
+                      pressure of a lining or wall */
+  bool has_design; /* if is_support: the first stretch begins within the range, and there
+                      the governing factor is above the value too: */
+  double design;   /* if has_design: the least number of the first stretch, rounded up to at least 4
+                      digits; the scene was solved with it */
+  tp_bounded design_result; /* if has_design: the target there, certain to be above the value */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;

@@ -165,7 +165,7 @@ class Schema(unittest.TestCase):
                                 folder=folder)["find"]
             self.assertEqual(len(found["intervals"]), 1)
             (pathlib.Path(folder) / "scene.yaml").write_text("topple: 1\nlength_unit: m\n" + SCENES["support"])
-            found = self.prints("solve", "--json", "--find", "loads.anchors.1.force_kn", "--for", "sliding_fos=1.5", "--least-force",
+            found = self.prints("solve", "--json", "--find", "loads.anchors.1.force_kn", "--for", "governing_fos=1.5", "--least-force",
                                 "scene.yaml", folder=folder)["find"]
             self.assertEqual(len(found["per_metre_kn"]), len(found["solutions"]))
 

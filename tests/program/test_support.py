@@ -10,7 +10,7 @@ import pathlib
 import tempfile
 import unittest
 
-from harness import main, run, solve
+from harness import ROOT, main, run, solve
 
 #: 1.2 x 4 m at 26 kN/m3 on a plane that dips by 25 degrees, with 2 m of water in the crack behind it.
 WIDTH, HEIGHT, WEIGHT, DIP, FRICTION = 1.2, 4, 1.2 * 4 * 26, math.radians(25), math.tan(math.radians(35))
@@ -205,6 +205,55 @@ class Support(unittest.TestCase):
         moment = 1.3 * (WEIGHT * math.sin(DIP) * 2 + WATER * 2 / 3) - WEIGHT * math.cos(DIP) * 0.6
         self.assertAlmostEqual(told["direction_deg"], -math.degrees(math.atan2(0.9, 2)), delta=2e-3)
         self.assertAlmostEqual(told["solutions"][0]["value"], moment / math.hypot(0.9, 2), delta=1e-5)
+
+    def test_between_two_forces(self):
+        """An active bolt along the plane at two thirds of the height holds the block from a force on, until its pull topples it
+        up-dip: there the factor is that by the tilt, and at the tilt of tan 25 / 1.3 the block is on its upper edge. The design
+        is the least force, rounded up; the factor is judged anew at all ends, and of half and twice the force."""
+        text = scene(anchors("at: [0, 8/3], dip_deg: -25, force_kn: 80"))
+        told = self.found(text, "governing_fos=1.3", "--to", "300")
+        lying = math.atan(math.tan(DIP) / 1.3)
+        low = (WEIGHT * math.sin(DIP) * 2 + WATER * 2 / 3 - WEIGHT * math.cos(DIP) * 0.6 / 1.3) * 3 / 8
+        high = (WEIGHT * (math.cos(lying) * 0.6 + math.sin(lying) * 2) + 9.81 * 2 * math.cos(lying) * 2 / 3) * 3 / 8
+        (own,) = told["at_least"]
+        self.assertAlmostEqual(own["from"], low, delta=1e-9)
+        self.assertAlmostEqual(own["to"], high, delta=1e-9)
+        self.assertEqual((own["begins"], own["ends"]), (True, True))
+        for force, side in ((own["from"], 1), (own["from"] - 1e-9, -1), (own["to"], 1), (own["to"] + 1e-9, -1), (low / 2, -1),
+                            (told["design"], 1), (high * 2, -1)):
+            status, out, error = run("solve", "--json", "--set", f"loads.anchors.1.force_kn={force!r}", self.write(text))
+            factor = json.loads(out)["cases"][0]["governing_fos"]["fos"]
+            value, bound = (factor["value"], factor["error"]) if factor else (0, 0)
+            self.assertGreaterEqual(side * (value - 1.3), -bound, (force, error))
+        self.assertTrue(low < told["design"] < low + 0.01 and round(told["design"], 2) == told["design"])
+        self.assertGreater(told["design_result"]["value"], 1.3)
+        report = run("solve", "--find", "loads.anchors.1.force_kn", "--for", "governing_fos=1.3", "--to", "300", self.write(text))[1]
+        self.assertIn(f"governing_fos ≥ 1.3 from {low:.10f} to {high:.10f}; below 1.3 before and after", report)
+        self.assertIn("design value: 24.43 kN, the least rounded up, which gives governing_fos 1.3002; above 62.6506 kN is too much",
+                      report)
+
+    def test_page(self):
+        """docs/loads.md prints what comes of its first command."""
+        page = (ROOT / "docs/loads.md").read_text(encoding="utf-8").partition("## Support")[2]
+        report = run("solve", "--find", "loads.anchors.1.force_kn", "--for", "governing_fos=1.3", "examples/slope/anchored_block.yaml")[1]
+        self.assertIn(f"```text\n{report}```", page)
+
+    def test_no_design(self):
+        """No force is needed where the factor is there without; one that suffices against toppling alone is no design; and a
+        lining has one in kPa, here against sliding, by hand."""
+        text = scene(anchors("at: [0, 8/3], dip_deg: 15, force_kn: 30, passive: true"))
+        told = self.found(text, "fos=0.5")
+        self.assertEqual([(own["from"], own["begins"]) for own in told["at_least"]], [(0, False)])
+        self.assertNotIn("design", told)
+        self.assertIn("no design value: fos is above 0.5 already with the least that was tried, 0 kN",
+                      run("solve", "--find", "loads.anchors.1.force_kn", "--for", "fos=0.5", self.write(text))[1])
+        self.assertNotIn("design", self.found(text, "sliding_fos=1.2"))  # where it still topples
+        low = scene("support_pressures: [{from: [0, 1], to: [0, 0], kpa: 10}]", slab=(3, 1), water="water: {height: 1}")
+        told = self.found(low, "sliding_fos=1.8", key="loads.support_pressures.1.kpa")
+        weight = 3 * 26
+        kpa = 1.8 * (weight * math.sin(DIP) + 9.81 / 2 * math.cos(DIP)) - weight * math.cos(DIP) * FRICTION
+        self.assertAlmostEqual(told["at_least"][0]["from"], kpa, delta=1e-9)
+        self.assertTrue(kpa < told["design"] < kpa + 0.01)
 
     def test_bad_input(self):
         for bolt, message in (

@@ -52,6 +52,55 @@ static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target 
   tp_text_add(t, "; use --for governing_fos\n");
 }
 
+static const char *number_text(char out[TP_NUMBER_SIZE], double number, int digits) {
+  return tp_text_significant(out, (tp_bounded){.value = number}, digits);
+}
+
+/* Between which numbers the result is at least the value, and what is beyond. */
+static void add_stretch(tp_text *t, const tp_found_stretch *s, const tp_found *f,
+                        const tp_find_options *options) {
+  char from[TP_NUMBER_SIZE], to[TP_NUMBER_SIZE];
+  const char *begin = s->begins          ? ""
+                      : s->low == f->low ? ", where the range begins,"
+                                         : ", not known before,";
+  const char *end = s->ends              ? ""
+                    : s->high == f->high ? ", where the range ends"
+                                         : ", not known beyond";
+  tp_text_add(t, "  %s ≥ %.15g from %s%s to %s%s", tp_find_target_name(options->target),
+              options->value, number_text(from, s->low, 12), begin, number_text(to, s->high, 12),
+              end);
+  if (s->begins || s->ends) {
+    tp_text_add(t, "; below %.15g %s", options->value,
+                s->begins && s->ends ? "before and after"
+                : s->begins          ? "before"
+                                     : "after");
+  }
+  tp_text_add(t, "\n");
+}
+
+/* The force to build for; or that there is no need of one. */
+static void add_design(tp_text *t, const tp_found *f, const tp_find_options *options) {
+  const char *target = tp_find_target_name(options->target);
+  const bool bolt = strncmp(f->key, "loads.anchors.", strlen("loads.anchors.")) == 0;
+  const char *unit = bolt ? "kN" : "kPa";
+  char n[TP_NUMBER_SIZE];
+  if (!f->is_support || f->at_least_count == 0) return;
+  const tp_found_stretch *first = f->at_least;
+  if (f->has_design) {
+    tp_text_add(t, "  design value: %.15g %s, the least rounded up, which gives %s %s", f->design,
+                unit, target, tp_text_fixed(n, f->design_result, 4));
+    if (first->ends)
+      tp_text_add(t, "; above %s %s is too much", number_text(n, first->high, 6), unit);
+    tp_text_add(t, "\n");
+  } else if (!first->begins && first->low <= f->low) {
+    tp_text_add(t,
+                "  no design value: %s is above %.15g already with the least that was tried, %s "
+                "%s%s\n",
+                target, options->value, number_text(n, first->low, 6), unit,
+                first->low > 0 ? "; look below it with --from" : "");
+  }
+}
+
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
@@ -93,6 +142,8 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                 tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
                 f->intervals[k].high.error);
   }
+  for (size_t k = 0; k < f->at_least_count; k++) add_stretch(&t, f->at_least + k, f, &own);
+  add_design(&t, f, &own);
   if (f->count + f->touching_count + f->interval_count == 0) add_none(&t, f, options);
   tp_text_add(&t, "search range with a solution: %.6g to %.6g\n", f->low, f->high);
   return tp_text_finish(&t, text);

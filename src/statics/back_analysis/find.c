@@ -15,10 +15,11 @@
 
 #include "back_analysis/find_least.h"
 #include "back_analysis/find_search.h"
+#include "back_analysis/find_stretches.h"
+#include "back_analysis/find_support.h"
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
-#include "scene/anchor.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,6 +41,7 @@ void tp_found_free(tp_found *found) {
   free(found->governing);
   free(found->per_metre_kn);
   free(found->least_over);
+  free(found->at_least);
   free(found);
 }
 
@@ -97,11 +99,6 @@ static tp_status check_reach(const tp_search *s) {
                        "tilt that the scene gives; a factor of safety depends on that");
 }
 
-static bool is_factor(tp_find_target target) {
-  return target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS ||
-         target == TP_FIND_GOVERNING_FOS;
-}
-
 /* What the target cannot be without. */
 static tp_status check_target(const tp_search *s) {
   const tp_find_target target = s->options->target;
@@ -112,7 +109,7 @@ static tp_status check_target(const tp_search *s) {
                      "%s needs friction; give the scene its 'friction_angle_deg: …'",
                      tp_find_target_name(target));
   }
-  const bool needs_tilt = is_factor(target);
+  const bool needs_tilt = tp_find_target_is_factor(target);
   /* one that it gives, or that of a slope */
   if (!needs_tilt || scene->tilt_angle_deg.given || tp_scene_lies_in_place(scene)) return TP_OK;
   return tp_refuse(s->message, TP_FAULT_KEY, place,
@@ -141,7 +138,7 @@ static void take_governing(tp_governing_fos *governing, const tp_solution *solut
 /* Which factor governs at what was found. */
 static void tell_governing(tp_search *s) {
   tp_found *found = s->found;
-  if (!is_factor(s->options->target) || found->count == 0) return;
+  if (!tp_find_target_is_factor(s->options->target) || found->count == 0) return;
   found->governing = calloc(found->count, sizeof *found->governing);
   if (found->governing == NULL) {
     s->status = tp_fail_memory(s->message, "the solutions");
@@ -160,42 +157,6 @@ static void tell_governing(tp_search *s) {
       s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
     }
     tp_solution_free(solution);
-  }
-}
-
-/* The bolts whose force is looked for; NULL: it is another number. */
-static const tp_anchor_description *found_bolts(const tp_search *s) {
-  static const char begin[] = "loads.anchors.";
-  const tp_loads_description *loads = &s->varied.scene->loads;
-  char *end = NULL;
-  if (strncmp(s->options->key, begin, strlen(begin)) != 0) return NULL;
-  const long number = strtol(s->options->key + strlen(begin), &end, 10);
-  const bool known = number >= 1 && number <= loads->anchor_count;
-  return known && strcmp(end, ".force_kn") == 0 ? loads->anchors + (number - 1) : NULL;
-}
-
-/* A force of bolts at a spacing: what that is per metre, of all rows. */
-static void tell_per_metre(tp_search *s) {
-  tp_found *found = s->found;
-  const tp_anchor_description *bolts = found_bolts(s);
-  if (bolts == NULL || !bolts->spacing.given || found->count == 0) return;
-  found->per_metre_kn = calloc(found->count, sizeof *found->per_metre_kn);
-  if (found->per_metre_kn == NULL) {
-    s->status = tp_fail_memory(s->message, "the solutions");
-    return;
-  }
-  fmpq_t rows;
-  fmpq_init(rows);
-  fmpq_mul(rows, bolts->spacing.value, s->varied.scene->metres_per_unit);
-  fmpq_inv(rows, rows);
-  fmpq_mul_si(rows, rows, tp_anchor_rows(bolts));
-  const double factor = fmpq_get_d(rows);
-  fmpq_clear(rows);
-  for (size_t k = 0; k < found->count; k++) {
-    const tp_bounded own = found->solutions[k];
-    found->per_metre_kn[k] =
-        (tp_bounded){.value = factor * own.value,
-                     .error = factor * (own.error * (1 + 0x1p-50) + fabs(own.value) * 0x1p-50)};
   }
 }
 
@@ -257,7 +218,10 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   if (s.status == TP_OK && options->least_over != NULL) turn_to_least(&s, &turned);
   if (s.status == TP_OK) tp_search_scan(&s);
   if (s.status == TP_OK) tell_governing(&s);
-  if (s.status == TP_OK) tell_per_metre(&s);
+  if (s.status == TP_OK) tp_search_stretches(&s);
+  if (s.status == TP_OK) tp_search_per_metre(&s);
+  if (s.status == TP_OK) tp_search_design(&s);
+  free(s.tried);
   tp_scene_free(turned);
   if (s.status == TP_OK) {
     *found = own;

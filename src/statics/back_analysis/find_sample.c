@@ -6,6 +6,7 @@
 
 #include "back_analysis/find_sample.h"
 
+#include "common/grow.h"
 #include "evaluation/case_numbers.h"
 
 #include <math.h>
@@ -41,6 +42,32 @@ bool tp_search_value(tp_bounded *value, const tp_case *own, tp_find_target targe
   return false;
 }
 
+bool tp_find_target_is_factor(tp_find_target target) {
+  return target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS ||
+         target == TP_FIND_GOVERNING_FOS;
+}
+
+/* A factor that is no number, as nothing drives the block. */
+static bool is_unbounded(const tp_case *own, tp_find_target target) {
+  const tp_fos_state state = TP_FOS_NO_OVERTURNING;
+  switch (target) {
+  case TP_FIND_FOS:
+    return own->has_toppling_pivot && own->pivots[own->toppling_pivot].fos.state == state;
+  case TP_FIND_SLIDING_FOS:
+    return own->sliding.known && !own->sliding.never && own->sliding.fos.state == state;
+  case TP_FIND_LIMIT_FOS:
+    return own->limit.fos.state == state;
+  case TP_FIND_GOVERNING_FOS:
+    return own->governing_fos.fos.state == state;
+  case TP_FIND_CRITICAL_ANGLE:
+  case TP_FIND_SLIDING_ANGLE:
+  case TP_FIND_LIMIT_ANGLE:
+  case TP_FIND_ONSET_ANGLE:
+    break;
+  }
+  return false;
+}
+
 /* A number of digits as they are printed, or nothing. */
 static void take_digits(char out[TP_SAMPLE_DIGITS], tp_bounded value) {
   out[0] = '\0';
@@ -53,9 +80,23 @@ static void note_result(tp_found *found, tp_bounded value) {
   if (first || value.value > found->greatest.value) found->greatest = value;
 }
 
+static void note_tried(tp_search *s, const tp_sample *at, bool unbounded) {
+  static const tp_tried_standing by_side[] = {TP_TRIED_BELOW, TP_TRIED_NEAR, TP_TRIED_ABOVE};
+  tp_tried *all = tp_grow(s->tried, s->tried_count, &s->tried_room, sizeof *all);
+  if (all == NULL) {
+    s->status = tp_fail_memory(s->message, "the points of the range");
+    return;
+  }
+  s->tried = all;
+  tp_tried_standing standing = unbounded ? TP_TRIED_ABOVE : TP_TRIED_NONE;
+  if (at->known) standing = by_side[tp_search_side(at) + 1];
+  all[s->tried_count++] = (tp_tried){.x = at->x, .standing = standing};
+}
+
 /* Solve the scene with the number replaced. */
 tp_sample tp_search_sample(tp_search *s, double x) {
   tp_sample at = {.x = x};
+  bool unbounded = false;
   tp_solution *solution = NULL;
   const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
   if (status == TP_OK && solution->case_count > 0) {
@@ -63,6 +104,10 @@ tp_sample tp_search_sample(tp_search *s, double x) {
     take_digits(at.digits, at.gap);
     at.gap.digits = NULL;
     if (at.known) note_result(s->found, at.gap);
+    unbounded = !at.known && is_unbounded(solution->cases, s->options->target);
+    at.result = at.gap;
+    at.governing = solution->cases[0].governing_fos.fos;
+    at.governing.value.digits = NULL;
     at.gap.value -= s->options->value;
     /* the difference is rounded once */
     at.gap.error += fabs(at.gap.value) * 0x1p-52;
@@ -71,6 +116,7 @@ tp_sample tp_search_sample(tp_search *s, double x) {
     s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
   }
   tp_solution_free(solution);
+  if (s->status == TP_OK) note_tried(s, &at, unbounded);
   return at;
 }
 
