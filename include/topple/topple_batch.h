@@ -41,7 +41,9 @@ static inline tp_batch_options tp_batch_options_default(void) {
 
 /* How a block stands, the worst first. */
 typedef enum tp_batch_standing {
-  TP_BATCH_FAILS,     /* a motion can begin as it lies, or it certainly lacks the factor required */
+  TP_BATCH_FAILS, /* a motion can begin as it lies */
+  TP_BATCH_BELOW, /* it stands, and certainly lacks the factor required; or the scene has partial
+                     factors, with which it certainly does */
   TP_BATCH_UNDECIDED, /* at the precision allowed */
   TP_BATCH_UNSOLVED,  /* the row makes no scene that can be solved */
   TP_BATCH_HOLDS      /* it certainly stands, with the factor required where one is given */
@@ -50,7 +52,7 @@ typedef enum tp_batch_standing {
 /* How many there are. */
 enum { TP_BATCH_STANDINGS = TP_BATCH_HOLDS + 1 };
 
-/* fails, undecided, not solved or holds. */
+/* fails, below required, undecided, not solved or holds. */
 const char *tp_batch_standing_name(tp_batch_standing standing);
 
 /* A block. Of the directions that its scene looks at it has the worst, and of load cases the one
@@ -86,6 +88,14 @@ typedef struct tp_batch_row {
                              scene file; NULL: there is none */
 } tp_batch_row;
 
+/* What is wrong with rows: the same with one or more. */
+typedef struct tp_batch_fault {
+  size_t line;           /* of the first row, */
+  size_t column;         /* and the number of its cell, from 1; 0: of none */
+  size_t row_count;      /* with how many rows */
+  TP_OUTSIDE char *text; /* with the place of the first, what to do, and the lines of the others */
+} tp_batch_fault;
+
 /* A table solved. */
 typedef struct tp_batch {
   size_t size;                       /* of this struct, as the library has it (TP_HAS_MEMBER) */
@@ -96,13 +106,16 @@ typedef struct tp_batch {
   size_t short_of;                   /* of the rows that certainly lack the factor required */
   size_t source_count;               /* of the sources */
   TP_OUTSIDE char **sources; /* files that rows were read from, over which none is written */
+  size_t fault_count;        /* of the faults: */
+  tp_batch_fault *faults;    /* of rows that were not solved, in the order of the table */
 } tp_batch;
 
 /* Solve each row of the table in `path`: CSV with a head that names its columns. Order: what fails,
- * what is undecided, what was not solved, what holds; each by the factor over that required, or
- * over 1, the least first, then by name and by line. A row that is wrong stops nothing; a head that
- * is wrong, or a file that is no table, is bad input of the whole. The same by any number of
- * threads. `*batch` is the caller's, to be freed by tp_batch_free. TP_DEPENDENCY_FAILED. */
+ * what lacks the factor required, what is undecided, what was not solved, what holds; each by the
+ * factor over that required, or over 1, the least first, then by name and by line. A row that is
+ * wrong stops nothing; a head that is wrong, or a file that is no table, is bad input of the whole.
+ * The same by any number of threads. `*batch` is the caller's, to be freed by tp_batch_free.
+ * TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_batch_solve(tp_batch **batch, const char *path,
                                      const tp_batch_options *options, tp_message *message);
 

@@ -113,19 +113,12 @@ static tp_status print(const tp_batch *batch, tp_cli_batch_as as, int *ended) {
 /* The first of what is wrong with rows, in full. */
 static void tell_unsolved(const tp_batch *batch) {
   enum { MOST = 20 };
-  size_t told = 0, left = 0;
-  for (size_t k = 0; k < batch->row_count; k++) {
-    const tp_batch_row *row = batch->rows + k;
-    if (row->has_case) continue;
-    if (told++ < MOST) {
-      tp_cli_complain("%s", row->remark);
-    } else {
-      left++;
-    }
+  for (size_t k = 0; k < batch->fault_count && k < MOST; k++) {
+    tp_cli_complain("%s", batch->faults[k].text);
   }
-  if (left > 0) {
-    tp_cli_complain("%s: %zu more rows could not be solved; --csv tells of each why", batch->file,
-                    left);
+  if (batch->fault_count > MOST) {
+    tp_cli_complain("%s: %zu more faults; --csv tells those of each row", batch->file,
+                    batch->fault_count - MOST);
   }
 }
 

@@ -52,7 +52,7 @@ static void put_heads(sheet *s) {
     const char *head;
     double width;
   } columns[COLUMNS] = {{"Block", 20},
-                        {"Stands?", 12},
+                        {"Stands?", 16},
                         {"FoS", 12},
                         {"against", 22},
                         {"required", 10},

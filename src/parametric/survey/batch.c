@@ -8,8 +8,8 @@
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
+#include "survey/faults.h"
 #include "survey/judge.h"
-#include "survey/survey.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,6 +28,7 @@ typedef struct work {
   const tp_survey *survey;
   tp_solve_options solve;
   tp_batch *batch;
+  tp_row_faults *faults; /* of each row */
 } work;
 
 /* ---- one row -----------------------------------------------------------------------------------
@@ -50,12 +51,17 @@ static tp_status solve_text(tp_batch_row *own, const work *w, size_t row, const 
 static tp_status note_failure(tp_batch_row *own, tp_status status, const work *w, size_t row,
                               const tp_scene_text *text, const char *load_case,
                               tp_message *message) {
+  tp_row_faults *faults = w->faults + (row - 1);
   if (status == TP_OUT_OF_MEMORY || status == TP_DEPENDENCY_FAILED) return status;
-  tp_survey_locate(message, w->survey, row, text, load_case[0] != '\0' ? load_case : NULL);
+  if (faults->count == 0) {
+    const tp_status located = tp_row_faults_locate(
+        faults, w->survey, text, load_case[0] != '\0' ? load_case : NULL, message);
+    if (located != TP_OK) return located;
+  }
   own->standing = status == TP_UNDECIDED ? TP_BATCH_UNDECIDED : TP_BATCH_UNSOLVED;
   own->status = status;
   free(own->remark);
-  own->remark = strdup(message->text);
+  own->remark = tp_row_faults_remark(faults, w->survey, row);
   return own->remark != NULL ? TP_BAD_INPUT : tp_fail_memory(message, "a table");
 }
 
@@ -79,7 +85,7 @@ static tp_status solve_row(tp_workspace *workspace, const void *task, size_t num
   own->line = w->survey->cells.rows[row].line;
   own->name = make_name(w->survey, row);
   if (own->name == NULL) return tp_fail_memory(told, "a table");
-  tp_status status = tp_survey_scene(&text, w->survey, row, &message);
+  tp_status status = tp_survey_scene(&text, w->faults + number, w->survey, row, &message);
   if (status == TP_OK) status = solve_text(own, w, row, &text, load_case, &message);
   if (status != TP_OK) status = note_failure(own, status, w, row, &text, load_case, &message);
   own->scene = text.text;
@@ -141,10 +147,17 @@ static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
   batch->size = sizeof *batch;
   batch->file = strdup(survey->path);
   batch->rows = calloc(count, sizeof *batch->rows);
-  if (batch->file == NULL || batch->rows == NULL) return tp_fail_memory(message, "a table");
+  w.faults = calloc(count, sizeof *w.faults);
+  if (batch->file == NULL || batch->rows == NULL || w.faults == NULL) {
+    free(w.faults);
+    return tp_fail_memory(message, "a table");
+  }
   batch->row_count = count;
   tp_status status = tp_share_out(&summary, solve_row, &w, count, CHUNK, options->threads, message);
   if (status == TP_OK) status = add_sources(batch, survey, message);
+  if (status == TP_OK) status = tp_batch_group_faults(batch, w.faults, survey, message);
+  for (size_t k = 0; k < count; k++) tp_row_faults_clear(w.faults + k);
+  free(w.faults);
   if (status != TP_OK) return status;
   count_rows(batch);
   qsort(batch->rows, count, sizeof *batch->rows, tp_batch_compare);
@@ -195,7 +208,9 @@ void tp_batch_free(tp_batch *batch) {
   if (batch == NULL) return;
   for (size_t k = 0; k < batch->row_count; k++) tp_batch_row_clear(batch->rows + k);
   for (size_t k = 0; k < batch->source_count; k++) free(batch->sources[k]);
+  for (size_t k = 0; k < batch->fault_count; k++) free(batch->faults[k].text);
   free(batch->rows);
+  free(batch->faults);
   free(batch->sources);
   free(batch->file);
   free(batch);

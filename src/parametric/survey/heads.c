@@ -215,6 +215,7 @@ static tp_status read_column(tp_column *own, const tp_survey *survey, size_t col
   own->kind = key ? TP_COLUMN_KEY : short_names[k].kind;
   own->key = strdup(key ? h.word : short_names[k].key);
   if (own->key == NULL) return tp_fail_memory(message, "a table");
+  if (own->kind == TP_COLUMN_KEY) tp_column_take_rule(own);
   return own->kind == TP_COLUMN_KEY ? take_unit(own, &h, survey, column, message) : TP_OK;
 }
 

@@ -8,6 +8,7 @@
 #include "common/message.h"
 #include "evaluation/case_numbers.h"
 #include "output/text.h"
+#include "survey/cell_check.h"
 #include "topple_solve.h"
 
 #include <math.h>
@@ -31,11 +32,15 @@ static bool is_certain_to_stand(const tp_case *c) {
   return c->mechanism == TP_STANDS || c->mechanism == TP_INTERLOCKED;
 }
 
-static tp_batch_standing standing_of(const tp_case *c) {
+/* Of a scene with partial factors it is the factored one that is judged: it lacks the factor
+ * required, and whether the block stands as it lies is not told. */
+static tp_batch_standing standing_of(const tp_case *c, bool factored) {
   const tp_governing_fos *g = &c->governing_fos;
   const bool open = c->mechanism == TP_MECHANISM_UNDECIDED;
+  const bool lacks = g->has_required_fos && g->meets_required == TP_DESIGN_NOT_MET && !open;
+  if (lacks && factored) return TP_BATCH_BELOW;
   if (!open && !is_certain_to_stand(c)) return TP_BATCH_FAILS;
-  if (g->has_required_fos && g->meets_required == TP_DESIGN_NOT_MET && !open) return TP_BATCH_FAILS;
+  if (lacks) return TP_BATCH_BELOW;
   if (open || !g->complete || g->fos.state == TP_FOS_UNDECIDED) return TP_BATCH_UNDECIDED;
   if (g->has_required_fos && g->meets_required != TP_DESIGN_MET) return TP_BATCH_UNDECIDED;
   return TP_BATCH_HOLDS;
@@ -43,9 +48,10 @@ static tp_batch_standing standing_of(const tp_case *c) {
 
 static const tp_case *worst_case(const tp_solution *s) {
   const tp_case *worst = s->cases;
+  const bool factored = s->partial_factors != NULL;
   for (size_t k = 1; k < s->case_count; k++) {
     const tp_case *own = s->cases + k;
-    const tp_batch_standing one = standing_of(own), other = standing_of(worst);
+    const tp_batch_standing one = standing_of(own, factored), other = standing_of(worst, factored);
     if (one < other ||
         (one == other && share_of(&own->governing_fos) < share_of(&worst->governing_fos))) {
       worst = own;
@@ -69,18 +75,14 @@ static char *make_remark(const tp_solution *s) {
 }
 
 static tp_status check(const tp_solution *s, tp_message *message) {
-  if (!s->has_tilt_angle) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "it is not told at which dip the block lies; give a column dip (deg), or a "
-                     "scene with slope or tilt");
-  }
+  bool judged = true;
   for (size_t k = 0; k < s->case_count; k++) {
-    if (s->cases[k].governing_fos.sliding_judged) continue;
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "it is not told at which friction the block slides; give a column friction "
-                     "(deg), or a scene with friction_angle_deg");
+    judged = judged && s->cases[k].governing_fos.sliding_judged;
   }
-  return TP_OK;
+  if (s->has_tilt_angle && judged) return TP_OK;
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){0}, "%s%s%s",
+                   s->has_tilt_angle ? "" : tp_row_no_dip, s->has_tilt_angle || judged ? "" : "; ",
+                   judged ? "" : tp_row_no_friction);
 }
 
 tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *message) {
@@ -102,7 +104,7 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   row->load_case = load_case;
   row->has_case = true;
   row->as_it_lies = s->frame.world;
-  row->standing = standing_of(c);
+  row->standing = standing_of(c, s->partial_factors != NULL);
   row->status = tp_solution_is_undecided(s) ? TP_UNDECIDED : TP_OK;
   if (row->status == TP_UNDECIDED && row->standing == TP_BATCH_HOLDS) {
     row->standing = TP_BATCH_UNDECIDED;

@@ -5,6 +5,7 @@
  * (3.5)*(3048/10000)/(1). */
 
 #include "common/outside.h"
+#include "survey/cell_check.h"
 #include "survey/heads_table.h"
 #include "survey/tree.h"
 
@@ -61,13 +62,6 @@ static char *make_formula(const tp_column *own, const char *cell, const char *un
   return text;
 }
 
-/* 1,5 in place of 1.5. */
-static bool has_decimal_comma(const char *cell) {
-  const size_t digits = strspn(cell, "+-0123456789");
-  return digits > 0 && cell[digits] == ',' && strspn(cell + digits, ",0123456789") > 1 &&
-         cell[digits + strspn(cell + digits, ",0123456789")] == '\0';
-}
-
 static bool is_unit(const tp_column *column) {
   return column->kind == TP_COLUMN_KEY && strcmp(column->key, "length_unit") == 0;
 }
@@ -84,11 +78,6 @@ static tp_status put_unit(tp_node *root, const tp_survey *survey, size_t row, tp
 static tp_status put_cell(tp_node *root, const tp_column *own, size_t column, const char *cell,
                           tp_message *message) {
   const tp_node *unit = tp_node_get(root, "length_unit");
-  if (has_decimal_comma(cell)) {
-    return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){0},
-                     "column '%s': '%s' has a comma for its decimal point; write a point",
-                     tp_quote_all(own->head).text, tp_quote_all(cell).text);
-  }
   char *text = make_formula(own, cell, unit != NULL ? unit->text : NULL);
   if (text == NULL) return tp_fail_memory(message, "the scene of a row");
   const tp_status status = tp_tree_put(root, own->key, text, tp_mark_of_column(column), message);
@@ -96,8 +85,9 @@ static tp_status put_cell(tp_node *root, const tp_column *own, size_t column, co
   return status;
 }
 
-static tp_status put_cells(tp_node *root, const tp_survey *survey, size_t row,
-                           tp_message *message) {
+/* The cells of a row, or all faults of them. */
+static tp_status put_cells(tp_node *root, tp_row_faults *faults, const tp_survey *survey,
+                           size_t row, tp_message *message) {
   tp_status status = TP_OK;
   for (size_t k = 0; k < survey->column_count && status == TP_OK; k++) {
     const tp_column *own = survey->columns + k;
@@ -106,15 +96,20 @@ static tp_status put_cells(tp_node *root, const tp_survey *survey, size_t row,
     if (own->kind == TP_COLUMN_NAME) {
       status = tp_tree_put(root, "title", cell, tp_mark_of_column(k), message);
     } else if (own->kind == TP_COLUMN_KEY) {
-      status = put_cell(root, own, k, cell, message);
+      status = tp_cell_check(faults, own, k, cell, root, message);
+      if (status == TP_OK) status = put_cell(root, own, k, cell, message);
     }
   }
-  return status;
+  if (status != TP_OK || faults->count == 0) return status;
+  status = tp_row_check_missing(faults, root, message);
+  return status != TP_OK
+             ? status
+             : tp_refuse(message, TP_FAULT_FORMAT, (tp_place){0}, "%s", faults->items[0].text);
 }
 
-tp_status tp_survey_put_cells(tp_node *root, const tp_survey *survey, size_t row,
-                              tp_message *message) {
+tp_status tp_survey_put_cells(tp_node *root, tp_row_faults *faults, const tp_survey *survey,
+                              size_t row, tp_message *message) {
   tp_status status = choose_unit(root, survey, row, message);
   if (status == TP_OK) status = put_unit(root, survey, row, message);
-  return status == TP_OK ? put_cells(root, survey, row, message) : status;
+  return status == TP_OK ? put_cells(root, faults, survey, row, message) : status;
 }

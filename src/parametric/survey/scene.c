@@ -121,19 +121,19 @@ static tp_status make_root(tp_node **root, const char *path, const tp_survey *su
   return tp_fail_memory(message, "the scene of a row");
 }
 
-static tp_status fill(tp_node *root, const tp_survey *survey, size_t row, const char *scene,
-                      tp_message *message) {
+static tp_status fill(tp_node *root, tp_row_faults *faults, const tp_survey *survey, size_t row,
+                      const char *scene, tp_message *message) {
   if (root->kind != TP_NODE_MAPPING) {
     return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){scene, 0, 0},
                      "this is not a scene: it does not begin with 'topple: 1'");
   }
   tp_status status = tp_survey_put_outline(root, survey, row, scene, message);
-  if (status == TP_OK) status = tp_survey_put_cells(root, survey, row, message);
+  if (status == TP_OK) status = tp_survey_put_cells(root, faults, survey, row, message);
   return status == TP_OK ? choose_side(root, message) : status;
 }
 
-tp_status tp_survey_scene(tp_scene_text *text, const tp_survey *survey, size_t row,
-                          tp_message *message) {
+tp_status tp_survey_scene(tp_scene_text *text, tp_row_faults *faults, const tp_survey *survey,
+                          size_t row, tp_message *message) {
   tp_node *root = NULL;
   tp_status status = check_width(survey, row, message);
   if (status == TP_OK) status = choose_scene(&text->name, survey, row, message);
@@ -143,7 +143,7 @@ tp_status tp_survey_scene(tp_scene_text *text, const tp_survey *survey, size_t r
   if (status == TP_OK && text->name == NULL) {
     status = tp_fail_memory(message, "the scene of a row");
   }
-  if (status == TP_OK) status = fill(root, survey, row, text->name, message);
+  if (status == TP_OK) status = fill(root, faults, survey, row, text->name, message);
   if (status == TP_OK && !tp_scene_text_write(text, root)) {
     status = tp_fail_memory(message, "the scene of a row");
   }

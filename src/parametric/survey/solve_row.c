@@ -33,10 +33,17 @@ static tp_status solve(tp_batch_row *row, tp_severity *severity, tp_scene *scene
   return status;
 }
 
+/* Fails, or lacks the factor required. */
+static bool is_short(const tp_batch_row *row) {
+  return row->standing == TP_BATCH_FAILS || row->standing == TP_BATCH_BELOW;
+}
+
 /* A block that does not stand is the worse one even where its case requires less than that. */
 static bool is_worse(const tp_batch_row *one, tp_severity of_one, const tp_batch_row *other,
                      tp_severity of_other) {
-  if (one->standing != other->standing) return one->standing < other->standing;
+  if (one->standing != other->standing && !(is_short(one) && is_short(other))) {
+    return one->standing < other->standing;
+  }
   const int order = tp_severity_compare(of_one, of_other);
   return order != 0 ? order < 0 : strcmp(one->load_case, other->load_case) < 0;
 }

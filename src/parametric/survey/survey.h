@@ -7,6 +7,7 @@
 #define TP_SURVEY_SURVEY_H
 
 #include "format/cells.h"
+#include "scene/check.h"
 #include "scene/node.h"
 
 typedef enum tp_column_kind {
@@ -22,6 +23,8 @@ typedef struct tp_column {
   tp_column_kind kind;
   const char *head;   /* as it stands in the table */
   char *key;          /* of a scene; owned */
+  bool is_number;     /* its cells are numbers, */
+  tp_rule rule;       /* of which this must hold */
   bool is_length;     /* its numbers are lengths, */
   const char *unit;   /* in this unit; NULL: that of the scene */
   const char *factor; /* by which a cell is multiplied, "(1/1000)"; NULL: by none */
@@ -35,6 +38,9 @@ typedef struct tp_survey {
   size_t column_count;
   tp_column *columns;
 } tp_survey;
+
+/* By the key of the column: is it of numbers, and what must hold of them? */
+void tp_column_take_rule(tp_column *column);
 
 /* Read the table and its head, of the text or where that is NULL of the file; to be cleared,
  * whatever the outcome. */
@@ -57,19 +63,14 @@ typedef struct tp_scene_text {
   tp_origin *lines;
 } tp_scene_text;
 
-/* The scene of a row as text; to be cleared, whatever the outcome. Complaints are without the name
- * of the row. */
-TP_MUST_USE tp_status tp_survey_scene(tp_scene_text *text, const tp_survey *survey, size_t row,
-                                      tp_message *message);
+/* The scene of a row as text; to be cleared, whatever the outcome. What is wrong with its cells is
+ * added to the faults, and is bad input; other complaints are without the name of the row. */
+typedef struct tp_row_faults tp_row_faults;
+TP_MUST_USE tp_status tp_survey_scene(tp_scene_text *text, tp_row_faults *faults,
+                                      const tp_survey *survey, size_t row, tp_message *message);
 void tp_scene_text_clear(tp_scene_text *text);
 
 /* The tree as the text of a scene file, a scalar a line. False when memory is exhausted. */
 TP_MUST_USE bool tp_scene_text_write(tp_scene_text *text, const tp_node *root);
-
-/* The complaint of a row with its place in the table: "survey.csv:7: block B3, column width (m):
- * …". `message` is what reading or solving its scene told, or that of its load case; NULL: of none.
- */
-void tp_survey_locate(tp_message *message, const tp_survey *survey, size_t row,
-                      const tp_scene_text *text, const char *load_case);
 
 #endif

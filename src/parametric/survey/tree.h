@@ -28,9 +28,10 @@ static inline tp_mark tp_mark_of_column(size_t column) {
   return (tp_mark){-(int)column - 1, 0};
 }
 
-/* The cells of a row at their keys, lengths and other numbers in the units of these. */
-TP_MUST_USE tp_status tp_survey_put_cells(tp_node *root, const tp_survey *survey, size_t row,
-                                          tp_message *message);
+/* The cells of a row at their keys, lengths and other numbers in the units of these; what is wrong
+ * with them is added to the faults, and is bad input. */
+TP_MUST_USE tp_status tp_survey_put_cells(tp_node *root, tp_row_faults *faults,
+                                          const tp_survey *survey, size_t row, tp_message *message);
 /* The file with the outline of the block in the place of its form; `scene` is the file beside which
  * the scene names others. */
 TP_MUST_USE tp_status tp_survey_put_outline(tp_node *root, const tp_survey *survey, size_t row,

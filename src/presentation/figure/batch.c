@@ -10,6 +10,7 @@
 #include "figure/figure.h"
 #include "figure/name.h"
 #include "figure/sheet_name.h"
+#include "figure/small_svg.h"
 #include "output/file.h"
 
 #include <errno.h>
@@ -19,13 +20,14 @@
 #include <sys/stat.h>
 
 typedef struct bytes {
-  const char *ending;
+  const char *ending; /* of the file; NULL: it is for a page */
   char *text;
   size_t length;
 } bytes;
 
 static tp_status draw(const tp_figure *figure, void *context, tp_message *message) {
   bytes *own = context;
+  if (own->ending == NULL) return tp_figure_small_svg(&own->text, &own->length, figure, message);
   return tp_figure_bytes(&own->text, &own->length, own->ending, figure, message);
 }
 
@@ -64,7 +66,7 @@ static tp_status draw_first(tp_picture *pictures, const tp_batch *batch, size_t 
   tp_status status = TP_OK;
   for (size_t k = 0; k < batch->row_count && figures > 0 && status == TP_OK; k++) {
     if (!batch->rows[k].has_case) continue;
-    bytes own = {.ending = ".x.svg"};
+    bytes own = {.ending = NULL};
     status = draw_row(&own, batch->rows + k, message);
     pictures[k] = (tp_picture){.svg = own.text, .svg_length = own.length};
     figures--;

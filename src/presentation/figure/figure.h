@@ -237,6 +237,11 @@ TP_MUST_USE bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *fi
 /* Letters measure alike on every kind of page: no fitting of them to its dots. */
 void tp_figure_set_up(cairo_t *cr);
 
+/* Draw the page, so many dots to the point; CAIRO_STATUS_NO_MEMORY where its own memory is
+ * exhausted. */
+cairo_status_t tp_figure_draw(double *height, cairo_surface_t *surface, const tp_figure *figure,
+                              double dots);
+
 /* The height that the page takes, found by drawing it on a page of one dot. */
 cairo_status_t tp_figure_measure(double *height, const tp_figure *figure);
 

@@ -29,9 +29,8 @@ void tp_figure_set_up(cairo_t *cr) {
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
 }
 
-/* Draw the page; CAIRO_STATUS_NO_MEMORY where its own memory is exhausted. */
-static cairo_status_t draw(double *height, cairo_surface_t *surface, const tp_figure *figure,
-                           double dots) {
+cairo_status_t tp_figure_draw(double *height, cairo_surface_t *surface, const tp_figure *figure,
+                              double dots) {
   cairo_t *cr = cairo_create(surface);
   tp_figure_set_up(cr);
   cairo_scale(cr, dots, dots);
@@ -45,7 +44,7 @@ static cairo_status_t draw(double *height, cairo_surface_t *surface, const tp_fi
 
 cairo_status_t tp_figure_measure(double *height, const tp_figure *figure) {
   cairo_surface_t *dot = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1);
-  const cairo_status_t status = draw(height, dot, figure, 1);
+  const cairo_status_t status = tp_figure_draw(height, dot, figure, 1);
   cairo_surface_destroy(dot);
   return status;
 }
@@ -71,7 +70,8 @@ static cairo_status_t write_figure(tp_figure_kind kind, tp_sink *s, const tp_fig
   cairo_surface_t *surface = open_surface(kind, s, tp_figure_width(figure), ceil(height));
   status = cairo_surface_status(surface);
   if (status == CAIRO_STATUS_SUCCESS) {
-    status = draw(&height, surface, figure, kind == TP_FIGURE_PNG ? PNG_DOTS_PER_POINT : 1);
+    status =
+        tp_figure_draw(&height, surface, figure, kind == TP_FIGURE_PNG ? PNG_DOTS_PER_POINT : 1);
   }
   if (status == CAIRO_STATUS_SUCCESS && kind == TP_FIGURE_PNG) {
     status = cairo_surface_write_to_png_stream(surface, tp_sink_write, s);

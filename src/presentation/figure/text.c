@@ -4,6 +4,7 @@
 /* Font, width, alignment, shortening and wrapped paragraphs of text drawn by Cairo. */
 
 #include "figure/figure.h"
+#include "figure/kept_texts.h"
 
 #include "output/translate.h"
 
@@ -39,6 +40,7 @@ double tp_figure_text_width(cairo_t *cr, const char *text) {
 }
 
 void tp_figure_text(cairo_t *cr, double x, double y, const char *text) {
+  if (tp_kept_texts_add(cr, x, y, text)) return;
   cairo_move_to(cr, x, y);
   cairo_show_text(cr, text);
   cairo_new_path(cr);

@@ -94,6 +94,8 @@ static void add_count(tp_text *text, size_t count, const char *one, const char *
 void tp_batch_add_sum(tp_text *text, const tp_batch *batch) {
   tp_text sum = {0};
   add_count(&sum, batch->counts[TP_BATCH_FAILS], "fails", "fail");
+  add_count(&sum, batch->counts[TP_BATCH_BELOW], "is below the factor required",
+            "are below the factor required");
   add_count(&sum, batch->counts[TP_BATCH_UNDECIDED], "is undecided", "are undecided");
   add_count(&sum, batch->counts[TP_BATCH_UNSOLVED], "could not be solved", "could not be solved");
   add_count(&sum, batch->counts[TP_BATCH_HOLDS], "holds", "hold");
@@ -110,7 +112,7 @@ enum { NAME = 20 };
 
 static void add_row(tp_text *t, const tp_batch_row *row, bool cases) {
   tp_encode_column(t, row->name, NAME);
-  tp_text_add(t, "  %-10s  %11s  %-21s  %8s  %9s", tp_batch_standing_name(row->standing),
+  tp_text_add(t, "  %-14s  %11s  %-21s  %8s  %9s", tp_batch_standing_name(row->standing),
               tp_batch_fos(row).text, tp_batch_against(row), tp_batch_required(row).text,
               row->has_margin ? tp_batch_margin(row).text : "");
   if (cases)
@@ -126,7 +128,7 @@ tp_status tp_report_batch(char **text, const tp_batch *batch) {
   tp_text t = {0};
   tp_batch_add_sum(&t, batch);
   const bool cases = tp_batch_has_cases(batch);
-  tp_text_add(&t, "\n\n%-*s  %-10s  %11s  %-21s  %8s  %8s%s\n", NAME, "block", "", "FoS", "against",
+  tp_text_add(&t, "\n\n%-*s  %-14s  %11s  %-21s  %8s  %8s%s\n", NAME, "block", "", "FoS", "against",
               "required", "margin", cases ? "  required/FoS  case" : "");
   for (size_t k = 0; k < batch->row_count; k++) add_row(&t, batch->rows + k, cases);
   for (size_t k = 0; k < batch->row_count; k++) {

@@ -41,24 +41,36 @@ static void add_table(tp_document *d, const tp_batch *batch) {
   }
 }
 
-static bool has_remark(const tp_batch_row *row, bool solved) {
-  return row->has_case == solved && row->remark[0] != '\0';
+static void add_faults(tp_document *d, const tp_batch *batch) {
+  if (batch->fault_count > 0) tp_document_heading(d, 2, "Not solved");
+  for (size_t k = 0; k < batch->fault_count; k++) {
+    tp_text text = {0};
+    tp_encode_plain(&text, batch->faults[k].text);
+    tp_document_take(d, TP_PASSAGE_CAUTION, 0, &text);
+  }
 }
 
-static void add_remarks(tp_document *d, const tp_batch *batch, bool solved, const char *heading) {
+static void add_cautions(tp_document *d, const tp_batch *batch) {
   bool any = false;
   for (size_t k = 0; k < batch->row_count; k++) {
     const tp_batch_row *row = batch->rows + k;
-    if (!has_remark(row, solved)) continue;
-    if (!any) tp_document_heading(d, 2, "%s", heading);
+    if (!row->has_case || row->remark[0] == '\0') continue;
+    if (!any) tp_document_heading(d, 2, "Cautions");
     any = true;
     tp_text text = {0};
-    if (solved) {
-      tp_encode_plain(&text, row->name);
-      tp_text_add(&text, ": ");
-    }
+    tp_encode_plain(&text, row->name);
+    tp_text_add(&text, ": ");
     tp_encode_plain(&text, row->remark);
     tp_document_take(d, TP_PASSAGE_CAUTION, 0, &text);
+  }
+}
+
+/* How it stands: "below required 1.300". */
+static void add_standing(tp_text *caption, const tp_batch_row *row) {
+  if (row->standing == TP_BATCH_BELOW) {
+    tp_text_add(caption, ": below required %s", tp_batch_required(row).text);
+  } else {
+    tp_text_add(caption, ": %s", tp_batch_standing_name(row->standing));
   }
 }
 
@@ -68,7 +80,7 @@ static void add_figure(tp_document *d, const tp_batch_row *row, tp_picture pictu
   const tp_batch_cell fos = tp_batch_fos(row);
   char *text = NULL;
   tp_encode_plain(&caption, row->name);
-  tp_text_add(&caption, ": %s", tp_batch_standing_name(row->standing));
+  add_standing(&caption, row);
   if (fos.text[0] != '\0') tp_text_add(&caption, ", FoS %s", fos.text);
   if (row->has_fos_mechanism) tp_text_add(&caption, " against %s", tp_batch_against(row));
   if (row->load_case != NULL) {
@@ -92,10 +104,10 @@ void tp_batch_build_page(tp_document *d, const tp_batch *batch, tp_picture *pict
   tp_document_set_foot(d, &foot);
   tp_batch_add_sum(&sum, batch);
   tp_document_take(d, TP_PASSAGE_ANSWER, 0, &sum);
-  add_remarks(d, batch, false, "Not solved");
+  add_faults(d, batch);
   tp_document_heading(d, 2, "Table");
   add_table(d, batch);
-  add_remarks(d, batch, true, "Cautions");
+  add_cautions(d, batch);
   for (size_t k = 0; k < batch->row_count; k++) {
     solved += batch->rows[k].has_case;
     if (pictures == NULL || pictures[k].svg == NULL) continue;
