@@ -43,6 +43,7 @@
 
 #include "topple_accuracy.h"
 #include "topple_batch.h"
+#include "topple_block_system.h"
 #include "topple_blocks.h"
 #include "topple_chart.h"
 #include "topple_converge.h"

@@ -19,7 +19,7 @@ from .errors import BadInput, Caution, checked
 from .given import File, Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record, text as text_of
-from .records import LoadCases, Note, Solution
+from .records import BlockSystem, LoadCases, Note, Solution
 from .report import taken, written
 from .word import number_of
 from .words import Level, NoteKind, PivotsListed
@@ -240,6 +240,19 @@ class Scene(Builder):
                   len(texts), options)
         owner = ffi.gc(receives[0], lib.tp_load_cases_free)
         return record(LoadCases, owner[0], owner)
+
+    @property
+    def block_count(self) -> int:
+        """How many blocks the scene lists, with those that are ground; 0: it is of one block."""
+        return int(lib.tp_scene_block_count(self._c))
+
+    def solve_block_system(self, *, strength_reduction: bool | None = None) -> BlockSystem:
+        """The stability of a scene of many blocks. `strength_reduction`: its factor of safety."""
+        options = solve_options(None, None, None, strength_reduction, None, None, None, None)
+        receives = ffi.new("tp_block_system **")
+        self._use(lib.tp_solve_block_system, receives, self._c, options)
+        owner = ffi.gc(receives[0], lib.tp_block_system_free)
+        return record(BlockSystem, owner[0], owner)
 
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,

@@ -14,7 +14,7 @@ from .word import number_of
 from .words import Design, Direction, Mechanism, PivotsListed
 
 if TYPE_CHECKING:
-    from .records import Case, LoadCases, Pivot, Solution
+    from .records import BlockSystem, Case, LoadCases, Pivot, Solution, SystemCase
     from .scene import Scene
 
 
@@ -35,6 +35,35 @@ class CaseMethods:
         """Is the governing factor of safety certainly as much, at a tilt at which the block
         stands?"""
         return tuple(Design)[lib.tp_case_meets(struct_of(self), design_fos)]
+
+
+class BlockSystemMethods:
+    """What can be asked of many blocks that were solved."""
+
+    def meets(self: BlockSystem, required: float) -> Design:
+        """Has every case certainly a factor of `required`, where no motion can begin?"""
+        return tuple(Design)[lib.tp_block_system_meets(struct_of(self), required)]
+
+    @property
+    def undecided(self: BlockSystem) -> bool:
+        """Did the proofs leave a verdict open?"""
+        return bool(lib.tp_block_system_is_undecided(struct_of(self)))
+
+    def report(self: BlockSystem) -> str:
+        """The page that `topple solve` prints."""
+        return written(lib.tp_report_block_system, struct_of(self))
+
+    def to_json(self: BlockSystem) -> str:
+        """What `topple solve --json` prints."""
+        return written(lib.tp_report_block_system_json, struct_of(self))
+
+
+class SystemCaseMethods:
+    """What can be asked of one direction."""
+
+    def meets(self: SystemCase, required: float) -> Design:
+        """Has it certainly a factor of `required`, where no motion can begin?"""
+        return tuple(Design)[lib.tp_system_case_meets(struct_of(self), required)]
 
 
 class LoadCasesMethods:

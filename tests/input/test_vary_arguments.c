@@ -38,6 +38,34 @@ START_TEST(load_cases) {
 }
 END_TEST
 
+START_TEST(block_systems) {
+  const tp_solve_options options = tp_solve_options_default();
+  tp_scene *plain = NULL, *scene = NULL;
+  tp_block_system *system = UNTOUCHED(tp_block_system);
+  tp_solution *solution = UNTOUCHED(tp_solution);
+  char *text = &untouched;
+  ck_assert_int_eq(tp_scene_read(&plain, EXAMPLE("slab_left.yaml"), &message), TP_OK);
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("blocks/toppling_slope.yaml"), &message), TP_OK);
+  REFUSED(tp_solve_block_system(NULL, scene, &options, &message), "'system' must not be NULL");
+  REFUSED(tp_solve_block_system(&system, NULL, &options, &message), "'scene'");
+  REFUSED(tp_solve_block_system(&system, scene, NULL, &message), "'options'");
+  REFUSED(tp_solve_block_system(&system, plain, &options, &message), "tp_solve takes it");
+  REFUSED(tp_solve(&solution, scene, &options, &message), "many blocks");
+  ck_assert_int_eq(tp_report_block_system(&text, NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_block_system_json(&text, NULL), TP_BAD_INPUT);
+  ck_assert_uint_eq(tp_scene_block_count(NULL) + tp_scene_block_count(plain), 0);
+  ck_assert_uint_eq(tp_scene_block_count(scene), 17);
+  ck_assert(tp_block_system_is_undecided(NULL));
+  ck_assert_int_eq(tp_block_system_meets(NULL, 1), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_system_case_meets(NULL, 1), TP_DESIGN_OPEN);
+  ck_assert_str_eq(tp_system_verdict_name((tp_system_verdict)99), "unknown");
+  ck_assert_str_eq(tp_joint_state_name((tp_joint_state)99), "unknown");
+  tp_block_system_free(NULL);
+  tp_scene_free(plain);
+  tp_scene_free(scene);
+}
+END_TEST
+
 START_TEST(numbers_by_keys) {
   const char *key = "friction_angle_deg", *none = NULL;
   const tp_exact value = tp_exact_of(20);
@@ -122,6 +150,7 @@ SUITE(vary_arguments) {
   tcase_add_test(tests, numbers_by_keys);
   tcase_add_test(tests, sweeps);
   tcase_add_test(tests, load_cases);
+  tcase_add_test(tests, block_systems);
   suite_add_tcase(suite, tests);
   return suite;
 }

@@ -110,7 +110,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "batch", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "batch", "block_system", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -218,6 +218,23 @@ class Schema(unittest.TestCase):
             status, out, err = run("solve", "--batch", "--json", table)
             self.assertEqual(status, 3, err)
             self.fits("batch", out)
+
+    def test_2_block_system(self):
+        example = ROOT / "examples" / "blocks" / "toppling_slope.yaml"
+        with tempfile.TemporaryDirectory() as name:
+            scene = pathlib.Path(name) / "scene.yaml"
+            # of no weight, held by friction alone, which no divisor spends
+            scene.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nrequired_fos: 1.3\nblocks:\n"
+                             "- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
+                             "- {slab: {width: 2, height: 1}}\n", encoding="utf-8")
+            slot = pathlib.Path(name) / "slot.yaml"  # in which no tilt moves the block; of a weight that no rock has
+            slot.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nblock: {unit_weight_kn_m3: 2}\nblocks:\n"
+                            "- {ground: true, outline: [[0, 0], [0, 1], [-1, 1], [-1, -1], [2, -1], [2, 1], [1, 1], [1, 0]]}\n"
+                            "- {slab: {width: 1, height: 1}}\n", encoding="utf-8")
+            for path, more in ((example, ("--set", "friction_angle_deg=36")), (scene, ()), (slot, ())):
+                status, out, err = run("solve", "--json", *more, path)
+                self.assertIn(status, (0, 4), err)
+                self.fits("block_system", out)
 
     def test_2_sweep(self):
         """With points that are wrong, and at more digits than a double has."""

@@ -39,6 +39,12 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_MECHANISM_UNDECIDED + 1; k++) {
     note_text(s, tp_mechanism_name((tp_mechanism)k));
   }
+  for (int k = 0; k <= TP_SYSTEM_UNDECIDED + 1; k++) {
+    note_text(s, tp_system_verdict_name((tp_system_verdict)k));
+  }
+  for (int k = 0; k <= TP_JOINT_OPENS + 1; k++) {
+    note_text(s, tp_joint_state_name((tp_joint_state)k));
+  }
   for (int k = 0; k <= TP_SETTLING_UNDECIDED + 1; k++) {
     note_text(s, tp_settling_end_name((tp_settling_end)k));
   }

@@ -64,6 +64,27 @@ static void say_load_cases(sayings *s) {
   tp_scene_free(scene);
 }
 
+/* Many blocks in contact. */
+static void say_block_system(sayings *s) {
+  tp_message message = {.text = ""};
+  tp_scene *scene = NULL;
+  tp_block_system *system = NULL;
+  const tp_solve_options options = tp_solve_options_default();
+  SAY(tp_scene_read(&scene, TP_EXAMPLES "/blocks/toppling_slope.yaml", &message));
+  if (scene == NULL) return;
+  note_number(s, (long)tp_scene_block_count(scene));
+  SAY(tp_solve_block_system(&system, scene, &options, &message));
+  if (system != NULL) {
+    note_number(s, tp_block_system_is_undecided(system));
+    note_number(s, tp_block_system_meets(system, 1.15));
+    note_number(s, tp_system_case_meets(system->cases, 1.25));
+    if (tp_report_block_system(next_saying(s), system) != TP_OK) s->count--;
+    if (tp_report_block_system_json(next_saying(s), system) != TP_OK) s->count--;
+  }
+  tp_block_system_free(system);
+  tp_scene_free(scene);
+}
+
 /* What became of a drawing, of a scene that has none and of one that is a drawing. */
 static void say_drawing(sayings *s, const tp_scene *scene) {
   static const char *const setting = "friction_angle_deg=30+1/3";
@@ -155,6 +176,7 @@ void say_varied(sayings *s) {
   tp_message message = {.text = ""};
   tp_scene *scene = NULL;
   say_load_cases(s);
+  say_block_system(s);
   SAY(tp_scene_read_text(&scene, text, "varied", &message));
   if (scene == NULL) return;
   say_with(s, scene, of_file);

@@ -10,6 +10,7 @@
 #include "cli/signals.h"
 #include "cli/solve_cases.h"
 #include "cli/solve_judge.h"
+#include "cli/solve_system.h"
 #include "cli/verdict_colours.h"
 #include "cli/watch.h"
 
@@ -102,6 +103,7 @@ static tp_status solve_scene(tp_cli_solved *own, const char *path, const tp_solv
   solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
   const tp_status status = tp_cli_solve_cases(own, path, a, &solve, message);
   if (status != TP_OK || own->solution != NULL) return status;
+  if (tp_scene_block_count(own->scene) > 0) return tp_cli_check_system(path, a, message);
   return a->report != NULL && !a->elements
              ? tp_cli_solve_for_sheet(&own->solution, own->scene, &solve, message)
              : tp_solve(&own->solution, own->scene, &solve, message);
@@ -225,6 +227,11 @@ static tp_status write_report(const tp_solve_words *a, const tp_cli_solved *own,
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_cli_solved own;
   tp_status status = solve_scene(&own, a->scene, a, message);
+  if (status == TP_OK && tp_scene_block_count(own.scene) > 0) {
+    status = tp_cli_solve_system(own.scene, a, ended, message);
+    tp_cli_solved_clear(&own);
+    return status;
+  }
   if (status == TP_OK) {
     status = a->find.key != NULL ? print_found(own.scene, own.solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, &own, ended, message)

@@ -30,7 +30,7 @@ UNITS = {"deg": "degrees", "m": "m", "m2": "m²", "m4": "m⁴", "n": "N", "nm": 
 
 
 # What prints a schema's keys, where it is no command of that name.
-COMMANDS = {"batch": "solve --batch", "converge": "tilt --converge"}
+COMMANDS = {"block_system": "solve", "batch": "solve --batch", "converge": "tilt --converge"}
 
 
 def rows(name):

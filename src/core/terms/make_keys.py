@@ -29,6 +29,9 @@ LISTS = {"block.holes": ("HOLES", "tp_polyline"), "block.parts": ("PARTS", "tp_p
          "loads.anchors": ("ANCHORS", "tp_anchor_description"),
          "friction.facets": ("FRICTIONS", "tp_facet_friction_description"),
          "tilt_test.tractions": ("TRACTIONS", "tp_traction_description")}
+#: Items that are read from files alone: the type of one; and maps that have the keys of another besides their own.
+ITEMS = {"blocks": "tp_listed_block", "joints": "tp_joint_description"}
+INCLUDES = {"blocks": "block"}
 
 
 class Key:
@@ -42,6 +45,9 @@ class Key:
         self.members = [] if not row["member"] else [part.strip() for part in member.split(",")]
         base = next((base for base in LISTS if self.path.startswith(base) and ("[]" in self.path or self.kind == "POINT")), None)
         self.list, self.type = LISTS[base] if base else (None, "tp_scene")
+        item = next((item for item in ITEMS if self.path.startswith(f"{item}[]")), None)
+        self.is_item = item is not None
+        self.type = ITEMS.get(item, self.type)
         self.section, _, self.name = self.path.rpartition(".")
 
     def offset(self, member):
@@ -56,7 +62,7 @@ class Key:
 
     def stands_alone(self):
         """Of no list, with no condition but that it is given, and with nothing that follows from it."""
-        return self.is_number() and not (self.list or self.has or self.settle)
+        return self.is_number() and not (self.list or self.is_item or self.has or self.settle)
 
     def rows(self):
         """Those of the numbers that can vary."""
@@ -95,10 +101,10 @@ def value(key, name=None):
 
 def header(own):
     numbers = dict.fromkeys(f"{member}.value" if key.kind == "QUANTITY" else member for key in own
-                            if key.list is None and key.kind in ("QUANTITY", "NUMBER") for member in key.members)
+                            if key.type == "tp_scene" and key.kind in ("QUANTITY", "NUMBER") for member in key.members)
     text = macro("TP_SCENE_KEYS", "ROW", [row for key in own for row in key.rows()])
     text += macro("TP_SCENE_NUMBERS", "MEMBER", [f"MEMBER(tp_scene, {member})" for member in numbers])
-    for kind in dict.fromkeys(kind for _, kind in LISTS.values()):
+    for kind in dict.fromkeys([kind for _, kind in LISTS.values()] + list(ITEMS.values())):
         inside = dict.fromkeys(f"{member}.value" for key in own if key.type == kind and key.kind == "QUANTITY" for member in key.members)
         if inside:
             text += macro(f"TP_NUMBERS_OF_{kind.removeprefix('tp_').upper()}", "MEMBER", [f"MEMBER({kind}, {member})" for member in inside])
@@ -107,9 +113,9 @@ def header(own):
     return text + "".join(f"extern const tp_key_map tp_key_map_{name};\n" for name in maps(own))
 
 
-def map_of(name, inside):
+def map_of(name, inside, included):
     values = [value(key, key.name) for key in inside if key.is_value()]
-    names = ", ".join(f'"{key.name}"' for key in inside)
+    names = ", ".join(f'"{key.name}"' for key in inside + included)
     text = f"static const char *const keys_of_{name}[] = {{{names}, NULL}};\n"
     if values:
         text += f"static const tp_key_value values_of_{name}[] = {{{', '.join(values)}}};\n"
@@ -124,7 +130,8 @@ def write(code, declarations):
     own = keys()
     pathlib.Path(declarations).write_text(f"{MADE}#ifndef TP_SCENE_KEYS_H\n#define TP_SCENE_KEYS_H\n\n#include \"scene/key_map.h\"\n\n"
                                           f"{header(own)}\n#endif\n", encoding="utf-8")
-    made = "".join(map_of(name, inside) for name, inside in maps(own).items())
+    all_maps = maps(own)
+    made = "".join(map_of(name, inside, all_maps.get(INCLUDES.get(name), [])) for name, inside in all_maps.items())
     pathlib.Path(code).write_text(f'{MADE}#include "scene_keys.h"\n\n{made}', encoding="utf-8")
 
 

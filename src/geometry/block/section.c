@@ -9,6 +9,7 @@
 #include "block/ellipse.h"
 #include "block/outline.h"
 #include "block/repair.h"
+#include "scene/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,6 +92,8 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
     done = tp_outline_teeth(outline, &block->teeth, mark) &&
            tp_outline_teeth_elements(&section->element_corners, &block->teeth);
     break;
+  case TP_OUTLINE_OF_EACH:
+    break;
   case TP_OUTLINE_ELLIPSE:
     section->ellipse = &block->ellipse;
     done = tp_ellipse_hull(outline, &block->ellipse, mark);
@@ -134,6 +137,8 @@ static tp_status repair_rings(tp_section *section, tp_message *message) {
 tp_status tp_section_init(tp_section *section, const tp_block_description *block,
                           tp_message *message) {
   memset(section, 0, sizeof *section);
+  tp_status status = tp_check_one_block(block, message);
+  if (status != TP_OK) return status;
   fmpq_init(section->weight_unit);
   section->hole_count = block->hole_count;
   section->part_count = block->part_count;
@@ -143,7 +148,6 @@ tp_status tp_section_init(tp_section *section, const tp_block_description *block
   section->ring_weights = calloc(rings, sizeof *section->ring_weights);
   section->density_weights =
       calloc((size_t)section->part_count + 1, sizeof *section->density_weights);
-  tp_status status = TP_OK;
   if (section->rings == NULL || section->ring_weights == NULL || section->density_weights == NULL ||
       !set_rings(section, block)) {
     status = tp_fail_memory(message, "the block");

@@ -63,6 +63,9 @@ static void block_extent(fmpq_t extent, const tp_block_description *block) {
     fmpq_mul_si(extent, block->teeth.width, block->teeth.count);
     fmpq_add(other, block->teeth.height, block->teeth.depth);
     break;
+  case TP_OUTLINE_OF_EACH:
+    fmpq_zero(extent);
+    break;
   case TP_OUTLINE_ELLIPSE:
     fmpq_set(extent, block->ellipse.width.value);
     fmpq_set(other, block->ellipse.height.value);
@@ -94,8 +97,21 @@ static tp_status check_length(tp_notes *notes, const tp_scene *scene, const fmpq
                       unit, scene->length_unit);
 }
 
+/* Each unit weight once: that of all blocks has the place where it stands for all. */
+static tp_status check_blocks(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  const tp_quantity *all = &scene->block.unit_weight_kn_m3;
+  tp_status status = check_unit_weight(notes, all, message);
+  for (long k = 0; k < scene->many.count && status == TP_OK; k++) {
+    const tp_quantity *own = &scene->many.blocks[k].shape.unit_weight_kn_m3;
+    if (all->given && own->place.line == all->place.line) continue;
+    status = check_unit_weight(notes, own, message);
+  }
+  return status;
+}
+
 tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
+  if (scene->many.count > 0) return check_blocks(notes, scene, message);
   fmpq_t extent;
   fmpq_init(extent);
   block_extent(extent, block);

@@ -189,8 +189,15 @@ tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place, tp_messa
                    "parts of another density need the block's 'unit_weight_kn_m3' too");
 }
 
+tp_status tp_check_one_block(const tp_block_description *block, tp_message *message) {
+  if (block->form != TP_OUTLINE_OF_EACH) return TP_OK;
+  return tp_refuse(message, TP_FAULT_KEY, block->place,
+                   "this scene has many blocks, which 'topple solve' takes alone, without options "
+                   "of one block");
+}
+
 tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place, tp_message *message) {
-  if (scene->block.unit_weight_kn_m3.given) return TP_OK;
+  if (scene->block.unit_weight_kn_m3.given || scene->many.count > 0) return TP_OK;
   return tp_refuse(message, TP_FAULT_KEY, place,
                    "loads are weighed against the block: give its 'unit_weight_kn_m3'");
 }

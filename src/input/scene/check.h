@@ -31,6 +31,9 @@ TP_MUST_USE tp_status tp_check_range(const fmpq_t value, const char *name, tp_pl
 TP_MUST_USE tp_status tp_check_rule(tp_rule rule, const fmpq_t value, const char *name,
                                     tp_place place, tp_message *message);
 
+/* Is it the block of a scene of one, not what many have in common? */
+TP_MUST_USE tp_status tp_check_one_block(const tp_block_description *block, tp_message *message);
+
 /* A whole number of teeth, as it goes into `count`. */
 TP_MUST_USE tp_status tp_check_tooth_count(long *count, const fmpq_t value, const char *what,
                                            tp_place place, tp_message *message);

@@ -31,6 +31,11 @@ static const size_t of_line_load[] = {TP_NUMBERS_OF_LINE_LOAD(OFFSET)};
 static const size_t of_anchor[] = {TP_NUMBERS_OF_ANCHOR_DESCRIPTION(OFFSET)};
 static const size_t of_facets[] = {TP_NUMBERS_OF_FACET_FRICTION_DESCRIPTION(OFFSET)};
 static const size_t of_traction[] = {TP_NUMBERS_OF_TRACTION_DESCRIPTION(OFFSET)};
+static const size_t of_listed_block[] = {TP_NUMBERS_OF_LISTED_BLOCK(OFFSET)};
+static const size_t of_joint[] = {TP_NUMBERS_OF_JOINT_DESCRIPTION(OFFSET)};
+
+const tp_offsets tp_listed_block_numbers = OFFSETS(of_listed_block);
+const tp_offsets tp_joint_numbers = OFFSETS(of_joint);
 
 #define ITEMS(list, number, type)                                                                  \
   .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)

@@ -19,6 +19,9 @@ typedef struct tp_offsets {
 /* Numbers (fmpq_t) and chains (tp_polyline) of a scene. */
 extern const tp_offsets tp_scene_numbers, tp_scene_lines;
 
+/* Numbers of an item of the lists of blocks and joints. */
+extern const tp_offsets tp_listed_block_numbers, tp_joint_numbers;
+
 typedef enum tp_list_kind {
   TP_LIST_HOLES,
   TP_LIST_PARTS,

@@ -25,7 +25,8 @@ typedef enum tp_outline_form {
   TP_OUTLINE_VERTICES,
   TP_OUTLINE_TEETH,
   TP_OUTLINE_SLAB,
-  TP_OUTLINE_ELLIPSE
+  TP_OUTLINE_ELLIPSE,
+  TP_OUTLINE_OF_EACH /* of a scene of many blocks, which have their own */
 } tp_outline_form;
 
 /* An ellipse of a width and a height, cut off below where it is `flat` wide: it rests on that flat,
@@ -92,6 +93,8 @@ typedef struct tp_block_description {
   tp_quantity thickness; /* scene lengths; 1 m where not given */
   tp_quantity unit_weight_kn_m3;
 } tp_block_description;
+
+#include "scene/block_list.h"
 
 typedef struct tp_base_description {
   tp_place place;
@@ -249,7 +252,8 @@ struct tp_scene {
   const tp_unit *result_units[TP_UNIT_KINDS]; /* NULL: reports choose */
   tp_letterhead letterhead;                   /* of its calculation sheet */
   tp_parameters parameters;
-  tp_block_description block;
+  tp_block_description block; /* of many blocks: what those have that do not say so themselves */
+  tp_block_list many;
   tp_base_description base;
   tp_frame frame;
   tp_place frame_place;       /* of frame or slope */
@@ -292,6 +296,9 @@ bool tp_scene_is_shifted(const tp_scene *scene);
 tp_place tp_scene_shift_place(const tp_scene *scene);
 /* Does the block lie at its place, on a slope or in the frame of the world; else on a table? */
 bool tp_scene_lies_in_place(const tp_scene *scene);
+
+/* The block that was read becomes one of the list, and the scene's has nothing given again. */
+void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed);
 
 /* Is its water told by a level, a surface or a crack? */
 bool tp_water_is_sited(const tp_water_description *water);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene made, with what holds where nothing is given, copied, and given back. */
+/* A scene made, with what holds where nothing is given, copied, and given back; the block that was
+ * read moved to the list of many. */
 
 #include "scene/members.h"
 #include "scene/partial_factors.h"
@@ -37,8 +38,51 @@ static void clear_list(tp_scene *scene, tp_list_kind kind) {
   free(items);
 }
 
+static bool is_of_block(size_t offset) {
+  return offset >= offsetof(tp_scene, block) &&
+         offset < offsetof(tp_scene, block) + sizeof(tp_block_description);
+}
+
+static void clear_block(tp_scene *scene) {
+  for (int k = 0; k < TP_LISTS; k++) {
+    if (is_of_block(tp_scene_lists[k].items)) clear_list(scene, (tp_list_kind)k);
+  }
+  for (size_t k = 0; k < tp_scene_lines.count; k++) {
+    const size_t offset = tp_scene_lines.items[k];
+    if (is_of_block(offset)) tp_polyline_clear(tp_member_line(scene, offset));
+  }
+  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
+    const size_t offset = tp_scene_numbers.items[k];
+    if (is_of_block(offset)) fmpq_clear(tp_member_number(scene, offset));
+  }
+}
+
+void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed) {
+  listed->shape = scene->block;
+  memset(&scene->block, 0, sizeof scene->block);
+  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
+    const size_t offset = tp_scene_numbers.items[k];
+    if (is_of_block(offset)) fmpq_init(tp_member_number(scene, offset));
+  }
+}
+
+/* The members of a scene are known by their offsets in it: each block takes its place once more. */
+static void clear_blocks(tp_scene *scene) {
+  tp_block_list *many = &scene->many;
+  for (long k = 0; k < many->count; k++) {
+    clear_block(scene);
+    scene->block = many->blocks[k].shape;
+    clear_numbers(many->blocks + k, &tp_listed_block_numbers);
+    free(many->blocks[k].name);
+  }
+  for (long k = 0; k < many->joint_count; k++) clear_numbers(many->joints + k, &tp_joint_numbers);
+  free(many->blocks);
+  free(many->joints);
+}
+
 void tp_scene_free(tp_scene *scene) {
   if (scene == NULL) return;
+  clear_blocks(scene);
   for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
   for (size_t k = 0; k < tp_scene_lines.count; k++) {
     tp_polyline_clear(tp_member_line(scene, tp_scene_lines.items[k]));

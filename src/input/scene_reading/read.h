@@ -89,6 +89,11 @@ TP_MUST_USE tp_status tp_read_drawn_holes(const tp_reader *reader);
 TP_MUST_USE tp_status tp_read_drawn_arcs(const tp_reader *reader);
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
+/* Its form and what it is made of, whatever other keys stand beside them. */
+TP_MUST_USE tp_status tp_read_block_shape(const tp_reader *reader, const tp_node *node,
+                                          const tp_node *drawing);
+/* The keys blocks, joints and block of a scene of many blocks. */
+TP_MUST_USE tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);

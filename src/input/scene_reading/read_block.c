@@ -206,16 +206,9 @@ static tp_status read_repair(const tp_reader *reader, const tp_node *node) {
   return tp_check_repair(reader->scene, block->repair_place, reader->message);
 }
 
-tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  tp_block_description *block = &reader->scene->block;
-  block->place = tp_node_place(node, reader->scene->path);
-  const tp_node *drawing = tp_node_get(node->parent, "drawing");
-  if (node == drawing) node = NULL; /* which is all that says what the block is */
-  tp_status status = TP_OK;
-  if (node != NULL) {
-    status = tp_read_keys(reader, node, &tp_key_map_block, "the block");
-  }
-  if (status == TP_OK) status = read_form(reader, node);
+tp_status tp_read_block_shape(const tp_reader *reader, const tp_node *node,
+                              const tp_node *drawing) {
+  tp_status status = read_form(reader, node);
   if (status == TP_OK) status = tp_read_values(reader, reader->scene, node, &tp_key_map_block);
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = tp_read_drawn_holes(reader);
@@ -225,4 +218,16 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
   if (status == TP_OK) status = tp_read_drawn_arcs(reader);
   if (status == TP_OK) status = tp_read_rounded(reader, tp_node_get(node, "rounded"));
   return status == TP_OK ? read_repair(reader, tp_node_get(node, "repair")) : status;
+}
+
+tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
+  tp_block_description *block = &reader->scene->block;
+  block->place = tp_node_place(node, reader->scene->path);
+  const tp_node *drawing = tp_node_get(node->parent, "drawing");
+  if (node == drawing) node = NULL; /* which is all that says what the block is */
+  tp_status status = TP_OK;
+  if (node != NULL) {
+    status = tp_read_keys(reader, node, &tp_key_map_block, "the block");
+  }
+  return status == TP_OK ? tp_read_block_shape(reader, node, drawing) : status;
 }

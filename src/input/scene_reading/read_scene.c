@@ -110,6 +110,20 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
   return tp_read_block(reader, block);
 }
 
+/* The block on its base, or the blocks. */
+static tp_status read_bodies(const tp_reader *reader, const tp_node *root) {
+  const tp_node *joints = tp_node_get(root, "joints");
+  if (tp_node_get(root, "blocks") != NULL) return tp_read_blocks(reader, root);
+  if (joints != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, joints,
+                        "'joints' are between the blocks of 'blocks', which this scene has not");
+  }
+  tp_status status = read_block(reader, root);
+  if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
+  if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
+  return status == TP_OK ? tp_read_joint(reader, tp_node_get(root, "joint")) : status;
+}
+
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
@@ -124,10 +138,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_report(reader, tp_node_get(root, "report"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK) status = tp_read_drawing(reader, tp_node_get(root, "drawing"));
-  if (status == TP_OK) status = read_block(reader, root);
-  if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
-  if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
-  if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
+  if (status == TP_OK) status = read_bodies(reader, root);
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_values(reader, scene, root, &tp_key_map_scene);
   if (status == TP_OK) status = tp_read_friction(reader, root);

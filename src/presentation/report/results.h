@@ -35,7 +35,9 @@ typedef struct tp_json_subject {
   const tp_tilt_reaction *reactions; /* of the moment that is being written */
   size_t reaction_count;
   const tp_tilt_convergence_case *converge_case;
-  const tp_load_cases *load_cases; /* NULL: the solution is of one scene */
+  const tp_block_system *system;
+  const tp_system_case *system_case; /* of the system, that is being written */
+  const tp_load_cases *load_cases;   /* NULL: the solution is of one scene */
   const tp_solution *s;
   tp_pivots_listed listed;
   const tp_case *c;  /* of the solution, that is being written: */

@@ -7,6 +7,7 @@
 #include "tilt/settings.h"
 
 #include "common/message.h"
+#include "scene/check.h"
 #include "scene/check_tilt_test.h"
 
 #include <math.h>
@@ -52,6 +53,8 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
 }
 
 tp_status tp_tilt_check_scene(const tp_scene *scene, tp_message *message) {
+  const tp_status status = tp_check_one_block(&scene->block, message);
+  if (status != TP_OK) return status;
   if (!tp_scene_is_simulated(scene)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
                      "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "

@@ -203,6 +203,18 @@ static tp_status try_within(void *context, long block, long other, tp_message *m
   return fail_overlap(context, block, other, message);
 }
 
+/* By the numbers of their blocks, then along the first block's outline: whatever the axes are. */
+static int compare_contacts(const void *first, const void *second) {
+  const tp_block_contact *a = first, *b = second;
+  for (int greater = 0; greater < 2; greater++) {
+    const long p = a->block[(a->block[0] < a->block[1]) == greater];
+    const long q = b->block[(b->block[0] < b->block[1]) == greater];
+    if (p != q) return p < q ? -1 : 1;
+  }
+  if (a->from != b->from) return a->from < b->from ? -1 : 1;
+  return (a->ends[0] > b->ends[0]) - (a->ends[0] < b->ends[0]);
+}
+
 tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
   const long count = a->edge_count;
   line_edge *edges = calloc((size_t)count + 1, sizeof *edges);
@@ -217,6 +229,9 @@ tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
   tp_status status = meet_along_lines(a, edges, count, message);
   if (status == TP_OK) {
     status = tp_edge_pairs_each(a, try_pair, try_within, message);
+  }
+  if (status == TP_OK && a->contact_count > 0) {
+    qsort(a->contacts, (size_t)a->contact_count, sizeof *a->contacts, compare_contacts);
   }
   for (long k = 0; k < count; k++) clear_edge(edges + k);
   free(edges);

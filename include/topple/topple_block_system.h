@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Many blocks in contact, in one scene (docs/blocks_in_contact.md): the greatest tilt that forces
+ * between them can hold, the factor of safety by strength reduction, and how they begin to move
+ * beyond. Included by topple.h.
+ *
+ * Limits are those of limit analysis (Livesley 1978): below them some forces within the friction of
+ * all joints hold every block, above them none do, and collapse is certain; each is proven from
+ * both sides. That forces can hold the blocks does not say that they do: friction lets blocks move
+ * for which forces in equilibrium exist. The verdict `stands` is given only where that is
+ * excluded. Forces and weights are per metre of thickness. */
+
+#ifndef TOPPLE_BLOCK_SYSTEM_H
+#define TOPPLE_BLOCK_SYSTEM_H
+
+#include "topple_solve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How many blocks a scene has, with those that are ground; 0: it is of one block on its base. */
+size_t tp_scene_block_count(const tp_scene *scene);
+
+/* What many blocks do as they lie. */
+typedef enum tp_system_verdict {
+  TP_SYSTEM_STANDS,    /* no motion can begin */
+  TP_SYSTEM_CAN_HOLD,  /* some forces hold all blocks; whether a motion can begin all the same is
+                          not excluded */
+  TP_SYSTEM_COLLAPSES, /* no forces hold them: a motion begins */
+  TP_SYSTEM_UNDECIDED  /* at the precision of the proofs */
+} tp_system_verdict;
+
+/* In words: stands, can be held, collapses, undecided. */
+const char *tp_system_verdict_name(tp_system_verdict verdict);
+
+/* A block. */
+typedef struct tp_system_block {
+  TP_OUTSIDE char *name;   /* as the scene has it, or its number */
+  bool ground;             /* it is fixed */
+  tp_bounded area_m2;      /* of its section */
+  tp_bounded centroid_x_m; /* its centroid, in the scene's axes */
+  tp_bounded centroid_y_m;
+  bool has_weight;       /* the scene gives unit weights: */
+  tp_bounded weight_n_m; /* if has_weight: per metre of thickness */
+} tp_system_block;
+
+/* A piece of an edge that two blocks share, or a corner of one within an edge of the other. */
+typedef struct tp_system_contact {
+  size_t first, second; /* numbers of the blocks; the first lies on the left of the way from
+                          one end to the other */
+  bool corner;          /* both ends are one point */
+  tp_bounded from_x_m, from_y_m; /* the first end */
+  tp_bounded to_x_m, to_y_m;     /* the second one */
+  tp_bounded friction_angle_deg; /* of this contact */
+} tp_system_contact;
+
+/* How a block begins to move in a collapse. Velocities are to a common scale: the fastest corner of
+ * all has 1. */
+typedef struct tp_system_motion {
+  tp_mechanism mechanism;        /* stands (it stays at rest), slides, topples, or both */
+  double velocity_x, velocity_y; /* of its centroid, in the scene's axes */
+  double turn_per_m;             /* counter-clockwise, per metre that the fastest corner moves */
+} tp_system_motion;
+
+/* What the joint does in a collapse. */
+typedef enum tp_joint_state {
+  TP_JOINT_AT_REST, /* no relative motion */
+  TP_JOINT_SLIPS,
+  TP_JOINT_OPENS, /* at one end or both */
+} tp_joint_state;
+
+/* In a word: closed, slips, opens. */
+const char *tp_joint_state_name(tp_joint_state state);
+
+/* The force in a contact at the limit. */
+typedef struct tp_system_force {
+  double normal_n_m;    /* compression, not below 0 */
+  double shear_n_m;     /* on the first block, above 0 from the first end to the second */
+  double x_m, y_m;      /* where it acts; where there is none, the middle */
+  tp_joint_state state; /* in the collapse */
+} tp_system_force;
+
+/* Is there a limit as all is tilted? */
+typedef enum tp_system_limit {
+  TP_SYSTEM_LIMIT_NUMBER,
+  TP_SYSTEM_INTERLOCKED,  /* forces hold the blocks up to 90 degrees */
+  TP_SYSTEM_HELD_NOWHERE, /* at no tilt to this side */
+  TP_SYSTEM_LIMIT_UNDECIDED
+} tp_system_limit;
+
+/* One direction of tilt. */
+typedef struct tp_system_case {
+  tp_direction towards;          /* the side that the tilt lowers */
+  tp_bounded tilt_angle_deg;     /* at which it lies: below 0, tilted to the other side */
+  tp_system_verdict verdict;     /* what the blocks do there */
+  tp_system_limit limit;         /* is there one? */
+  tp_bounded critical_angle_deg; /* if limit == TP_SYSTEM_LIMIT_NUMBER: the greatest tilt of all
+                                    that forces can hold, with the earthquake as it is */
+  bool has_acceleration;         /* that, and it lies below: */
+  tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
+                                         side, that forces can hold at the tilt */
+  tp_fos fos;               /* by strength reduction: the number by which tan(phi) of all joints
+                               can be divided until no forces hold the blocks as they lie */
+  bool fos_is_least;        /* that is only proven to be exceeded: the search ended there */
+  bool has_required_fos;    /* the scene requires a factor: */
+  tp_design meets_required; /* if has_required_fos: is it met? */
+  bool has_forces;          /* the scene gives unit weights, so that forces are known in N */
+  size_t motion_count, force_count; /* of the lists; 0: no collapse is known */
+  tp_system_motion
+      *motions; /* motion_count of them: by block, of the collapse, with the strength
+                   divided by the factor, or at the critical tilt where there is none */
+  tp_system_force
+      *forces; /* force_count of them: by contact, that hold the blocks just before it */
+} tp_system_case;
+
+/* All that is known of the blocks of a scene. */
+typedef struct tp_block_system {
+  size_t size; /* of this struct, as the library has it (TP_HAS_MEMBER) */
+  char *title; /* of the scene; NULL: none */
+  char *scene; /* what its file is called */
+  char *length_unit;
+  double metres_per_unit; /* rounded */
+  bool lies_in_place;     /* on a slope or in the frame of the world: tilts are dips */
+  bool has_required_fos;
+  tp_bounded required_fos;
+  tp_notes notes;
+  tp_settings settings;
+  size_t block_count, contact_count, case_count;
+  tp_system_block *blocks;
+  tp_system_contact *contacts;
+  tp_system_case *cases; /* one for each direction */
+} tp_block_system;
+
+/* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of
+ * tp_solve; TP_DEPENDENCY_FAILED where Topple was built without CXSparse. */
+TP_MUST_USE tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
+                                            const tp_solve_options *options, tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
+void tp_block_system_free(tp_block_system *system);
+
+/* Did the proofs leave a verdict open? */
+bool tp_block_system_is_undecided(const tp_block_system *system);
+
+/* Has a case certainly a factor of `required`? Met only where it also certainly stands: the factor
+ * of limit analysis is above that of joints that do not dilate as they slip. */
+tp_design tp_system_case_meets(const tp_system_case *one, double required);
+
+/* Does every case certainly have a factor of `required`? Met only where it also certainly stands.
+ */
+tp_design tp_block_system_meets(const tp_block_system *system, double required);
+
+/* Reports, as `topple solve` prints them. Texts are as of tp_report_text. */
+TP_MUST_USE tp_status tp_report_block_system(char **text, const tp_block_system *system);
+TP_MUST_USE tp_status tp_report_block_system_json(char **text, const tp_block_system *system);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

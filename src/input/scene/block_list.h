@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The blocks of a scene of many blocks, and what its joints have instead of the scene's friction.
+ * Included by scene/scene.h. */
+
+#ifndef TP_SCENE_BLOCK_LIST_H
+#define TP_SCENE_BLOCK_LIST_H
+
+/* One block, shifted by `at`. */
+typedef struct tp_listed_block {
+  tp_place place;
+  TP_OUTSIDE char *name;
+  bool fixed; /* ground */
+  tp_quantity at_x, at_y;
+  tp_block_description shape;
+} tp_listed_block;
+
+/* All contacts between two blocks, by their numbers in the list. */
+typedef struct tp_joint_description {
+  tp_place place;
+  long between[2];
+  tp_quantity friction_angle_deg;
+} tp_joint_description;
+
+/* No blocks: the scene is of one block on its base. */
+typedef struct tp_block_list {
+  tp_place place;
+  long count, joint_count;
+  tp_listed_block *blocks;
+  tp_joint_description *joints;
+} tp_block_list;
+
+#endif

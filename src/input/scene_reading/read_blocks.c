@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reads a scene of many blocks: the keys blocks, joints and block. Each block is read as that of a
+ * scene of one block, and then moved to the list; joints name two of them. */
+
+#include "scene/members.h"
+#include "scene_reading/read.h"
+
+#include "common/outside.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_NAME = 60 };
+static const long most_blocks = 1000000;
+
+/* ---- names -------------------------------------------------------------------------------------
+ */
+
+typedef struct named {
+  const char *name;
+  long number;
+} named;
+
+static int compare_names(const void *first, const void *second) {
+  const named *a = first, *b = second;
+  const int order = strcmp(a->name, b->name);
+  return order != 0 ? order : (a->number > b->number) - (a->number < b->number);
+}
+
+static int compare_name(const void *name, const void *item) {
+  return strcmp(name, ((const named *)item)->name);
+}
+
+static tp_status check_names(const tp_reader *reader, const named *names) {
+  const tp_block_list *many = &reader->scene->many;
+  for (long k = 1; k < many->count; k++) {
+    if (strcmp(names[k - 1].name, names[k].name) != 0) continue;
+    return tp_refuse(reader->message, TP_FAULT_KEY, many->blocks[names[k].number].place,
+                     "two blocks are named '%s', the first in line %d; give each a name of its own",
+                     tp_quote_all(names[k].name).text,
+                     many->blocks[names[k - 1].number].place.line);
+  }
+  return TP_OK;
+}
+
+/* Those of all blocks, sorted, each once. */
+static tp_status sort_names(named **names, const tp_reader *reader) {
+  const tp_block_list *many = &reader->scene->many;
+  named *own = calloc((size_t)many->count + 1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(reader->message, "the blocks");
+  for (long k = 0; k < many->count; k++) own[k] = (named){many->blocks[k].name, k};
+  qsort(own, (size_t)many->count, sizeof *own, compare_names);
+  const tp_status status = check_names(reader, own);
+  if (status == TP_OK) {
+    *names = own;
+  } else {
+    free(own);
+  }
+  return status;
+}
+
+static tp_status read_name(const tp_reader *reader, tp_listed_block *listed, const tp_node *node,
+                           long number) {
+  if (node == NULL) {
+    enum { SIZE = 24 };
+    char text[SIZE];
+    snprintf(text, sizeof text, "%ld", number);
+    listed->name = strdup(text);
+  } else if (node->kind != TP_NODE_SCALAR || node->text[0] == '\0' ||
+             strlen(node->text) > MOST_NAME) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "the name of a block is a text of 1 to %d characters, as 'name: B1'",
+                        MOST_NAME);
+  } else {
+    listed->name = strdup(node->text);
+  }
+  return listed->name != NULL ? TP_OK : tp_fail_memory(reader->message, "the blocks");
+}
+
+/* ---- blocks ------------------------------------------------------------------------------------
+ */
+
+static tp_status check_shape(const tp_reader *reader, const tp_node *node) {
+  const tp_block_description *block = &reader->scene->block;
+  if (block->form == TP_OUTLINE_ELLIPSE || block->rounded.place.file != NULL ||
+      (block->arc_count > 0 && !block->arc_tolerance.given)) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "blocks in contact have straight edges: give the outline by vertices, or "
+                        "its arcs with an 'arc_tolerance'");
+  }
+  if (block->thickness.given) {
+    return tp_refuse(reader->message, TP_FAULT_KEY, block->thickness.place,
+                     "blocks in contact are all as thick, and results are per metre: leave out "
+                     "'thickness'");
+  }
+  return TP_OK;
+}
+
+static tp_status read_listed(const tp_reader *reader, tp_listed_block *listed, const tp_node *node,
+                             const tp_quantity *unit_weight) {
+  tp_block_description *block = &reader->scene->block;
+  const tp_node *at = tp_node_get(node, "at");
+  listed->place = block->place = tp_node_place(node, reader->scene->path);
+  fmpq_set(block->unit_weight_kn_m3.value, unit_weight->value);
+  block->unit_weight_kn_m3.given = unit_weight->given;
+  block->unit_weight_kn_m3.place = unit_weight->place;
+  tp_status status = tp_read_map(reader, listed, node, &tp_key_map_blocks, "a block");
+  if (status == TP_OK) {
+    status = read_name(reader, listed, tp_node_get(node, "name"), reader->scene->many.count);
+  }
+  if (status == TP_OK && at != NULL) {
+    status = tp_read_point(reader, &listed->at_x, &listed->at_y, at, "at");
+  }
+  if (status == TP_OK) status = tp_read_block_shape(reader, node, NULL);
+  if (status == TP_OK) status = check_shape(reader, node);
+  tp_scene_list_block(reader->scene, listed);
+  return status;
+}
+
+/* Of each block that has weight, or of none: then the material is the same for all. */
+static tp_status check_weights(const tp_reader *reader) {
+  const tp_block_list *many = &reader->scene->many;
+  const tp_listed_block *weighed = NULL, *other = NULL;
+  for (long k = 0; k < many->count; k++) {
+    const tp_listed_block *own = many->blocks + k;
+    if (own->fixed) continue;
+    if (own->shape.unit_weight_kn_m3.given) {
+      weighed = own;
+    } else {
+      other = own;
+    }
+  }
+  if (weighed == NULL || other == NULL) return TP_OK;
+  return tp_refuse(reader->message, TP_FAULT_KEY, other->place,
+                   "block '%s' has no 'unit_weight_kn_m3', and '%s' has one: give it to each, or "
+                   "to all by 'block: {unit_weight_kn_m3: 25}'",
+                   tp_quote_all(other->name).text, tp_quote_all(weighed->name).text);
+}
+
+static tp_status read_list(const tp_reader *reader, const tp_node *node,
+                           const tp_quantity *unit_weight) {
+  tp_block_list *many = &reader->scene->many;
+  many->place = tp_node_place(node, reader->scene->path);
+  if (node->kind != TP_NODE_SEQUENCE || node->count == 0 || node->count > most_blocks) {
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "blocks are a list, of up to %ld: [{name: ground, ground: true, outline: "
+                        "[[0, 0], …]}, {name: B1, outline: [[0, 0], …]}]",
+                        most_blocks);
+  }
+  many->blocks = calloc((size_t)node->count, sizeof *many->blocks);
+  if (many->blocks == NULL) return tp_fail_memory(reader->message, "the blocks");
+  tp_status status = TP_OK;
+  for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
+    tp_listed_block *own = many->blocks + many->count++;
+    for (size_t k = 0; k < tp_listed_block_numbers.count; k++) {
+      fmpq_init(tp_member_number(own, tp_listed_block_numbers.items[k]));
+    }
+    status = read_listed(reader, own, n, unit_weight);
+  }
+  return status == TP_OK ? check_weights(reader) : status;
+}
+
+/* What the blocks have in common. */
+static tp_status read_common(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"unit_weight_kn_m3", NULL};
+  if (node == NULL) return TP_OK;
+  const tp_status status = tp_node_expect_keys(node, keys, "what all blocks have in common",
+                                               reader->scene->path, reader->message);
+  return status == TP_OK ? tp_read_values(reader, reader->scene, node, &tp_key_map_block) : status;
+}
+
+/* ---- joints ------------------------------------------------------------------------------------
+ */
+
+static tp_status read_end(const tp_reader *reader, long *number, const tp_node *node,
+                          const named *names) {
+  const named *found = NULL;
+  if (node->kind == TP_NODE_SCALAR) {
+    found =
+        bsearch(node->text, names, (size_t)reader->scene->many.count, sizeof *names, compare_name);
+  }
+  if (found == NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node, "no block is named '%s'",
+                        tp_quote_all(node->kind == TP_NODE_SCALAR ? node->text : "").text);
+  }
+  *number = found->number;
+  return TP_OK;
+}
+
+static tp_status read_joint(const tp_reader *reader, tp_joint_description *joint,
+                            const tp_node *node, const named *names) {
+  const tp_node *between = NULL;
+  joint->place = tp_node_place(node, reader->scene->path);
+  tp_status status = tp_read_map(reader, joint, node, &tp_key_map_joints, "a joint");
+  if (status == TP_OK) {
+    status = tp_read_required(reader, &between, node, "between", "between: [B1, B2]");
+  }
+  if (status == TP_OK && (between->kind != TP_NODE_SEQUENCE || between->count != 2)) {
+    status = tp_read_fail(reader, TP_FAULT_FORMAT, between, "'between' names two blocks: [B1, B2]");
+  }
+  if (status == TP_OK) status = read_end(reader, joint->between, between->first, names);
+  if (status == TP_OK) status = read_end(reader, joint->between + 1, between->last, names);
+  if (status == TP_OK && joint->between[0] == joint->between[1]) {
+    status = tp_read_fail(reader, TP_FAULT_KEY, between, "a joint is between two blocks");
+  }
+  return status;
+}
+
+static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
+  tp_block_list *many = &reader->scene->many;
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE) {
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "joints are a list of {between: [B1, B2], friction_angle_deg: 25}");
+  }
+  named *names = NULL;
+  tp_status status = sort_names(&names, reader);
+  if (status != TP_OK) return status;
+  many->joints = calloc((size_t)node->count + 1, sizeof *many->joints);
+  if (many->joints == NULL) status = tp_fail_memory(reader->message, "the joints");
+  for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
+    tp_joint_description *own = many->joints + many->joint_count++;
+    for (size_t k = 0; k < tp_joint_numbers.count; k++) {
+      fmpq_init(tp_member_number(own, tp_joint_numbers.items[k]));
+    }
+    status = read_joint(reader, own, n, names);
+  }
+  free(names);
+  return status;
+}
+
+/* ---- the scene ---------------------------------------------------------------------------------
+ */
+
+/* Keys that say nothing of many blocks. */
+static tp_status check_root(const tp_reader *reader, const tp_node *root) {
+  static const char *const keys[] = {"base",      "contact",  "joint",           "drawing",
+                                     "section",   "friction", "cases",           "report",
+                                     "tilt_test", "shaking",  "partial_factors", NULL};
+  for (size_t k = 0; keys[k] != NULL; k++) {
+    const tp_node *node = tp_node_get(root, keys[k]);
+    if (node == NULL) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "'%s' is of a scene of one block, and this one has 'blocks': leave it out",
+                        keys[k]);
+  }
+  const tp_node *loads = tp_node_get(root, "loads");
+  for (const tp_node *n = loads != NULL ? loads->first : NULL; n != NULL; n = n->next) {
+    if (n->key == NULL || strcmp(n->key, "seismic") == 0) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, n,
+                        "on many blocks acts 'seismic' alone so far: leave out '%s'",
+                        tp_quote_all(n->key).text);
+  }
+  return TP_OK;
+}
+
+tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root) {
+  tp_quantity unit_weight = {.given = false};
+  fmpq_init(unit_weight.value);
+  tp_status status = check_root(reader, root);
+  if (status == TP_OK) status = read_common(reader, tp_node_get(root, "block"));
+  if (status == TP_OK) {
+    fmpq_set(unit_weight.value, reader->scene->block.unit_weight_kn_m3.value);
+    unit_weight.given = reader->scene->block.unit_weight_kn_m3.given;
+    unit_weight.place = reader->scene->block.unit_weight_kn_m3.place;
+    status = read_list(reader, tp_node_get(root, "blocks"), &unit_weight);
+  }
+  if (status == TP_OK) status = read_joints(reader, tp_node_get(root, "joints"));
+  tp_block_description *all = &reader->scene->block;
+  fmpq_set(all->unit_weight_kn_m3.value, unit_weight.value);
+  all->unit_weight_kn_m3.given = unit_weight.given;
+  all->unit_weight_kn_m3.place = unit_weight.place;
+  all->form = TP_OUTLINE_OF_EACH;
+  all->place = reader->scene->many.place;
+  fmpq_clear(unit_weight.value);
+  return status;
+}

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene of many blocks as a page for a terminal, and as JSON: the verdict first, then numbers,
+ * then how each block moves and what each contact bears. */
+
+#include "common/host.h"
+#include "output/encode.h"
+#include "report/notes.h"
+#include "report/results.h"
+#include "report/words.h"
+#include "terms/names.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Rows of a table on a page; more stand in JSON. */
+enum { MOST_ROWS = 60 };
+
+static size_t free_count(const tp_block_system *s) {
+  size_t count = 0;
+  for (size_t k = 0; k < s->block_count; k++) count += !s->blocks[k].ground;
+  return count;
+}
+
+static void add_head(tp_text *t, const tp_block_system *s) {
+  if (s->title != NULL) {
+    tp_encode_plain(t, s->title);
+    tp_text_add(t, "\n\n");
+  }
+  const size_t moves = free_count(s);
+  tp_text_add(t, "Blocks   %zu, and %zu that %s ground; %zu contacts\n", moves,
+              s->block_count - moves, s->block_count - moves == 1 ? "is" : "are", s->contact_count);
+  tp_text_settings(t, &s->settings);
+  tp_text_notes(t, &s->notes);
+}
+
+/* ---- the verdict -------------------------------------------------------------------------------
+ */
+
+/* All that move do it so. */
+static tp_mechanism mechanism_of(const tp_system_case *c) {
+  bool slides = false, topples = false;
+  for (size_t k = 0; k < c->motion_count; k++) {
+    const tp_mechanism own = c->motions[k].mechanism;
+    slides = slides || own == TP_SLIDES || own == TP_SLIDES_AND_TOPPLES;
+    topples = topples || own == TP_TOPPLES || own == TP_SLIDES_AND_TOPPLES;
+  }
+  return slides && topples ? TP_SLIDES_AND_TOPPLES
+         : slides          ? TP_SLIDES
+         : topples         ? TP_TOPPLES
+                           : TP_STANDS;
+}
+
+static void add_verdict(tp_text *t, const tp_system_case *c) {
+  switch (c->verdict) {
+  case TP_SYSTEM_STANDS:
+    tp_text_add(t, "  STANDS: no motion can begin.\n");
+    break;
+  case TP_SYSTEM_COLLAPSES:
+    tp_text_add(t, "  COLLAPSES: no forces within the friction of the joints hold the blocks.\n");
+    break;
+  case TP_SYSTEM_CAN_HOLD:
+    tp_text_add(t, "  CAN BE HELD: forces within the friction of the joints hold all blocks as\n"
+                   "  they lie. That no motion begins all the same is not excluded.\n");
+    break;
+  case TP_SYSTEM_UNDECIDED:
+    tp_text_add(t, "  UNDECIDED: the proofs do not tell whether forces hold the blocks.\n");
+    break;
+  }
+}
+
+/* The label of a number, in a column. */
+static void add_label(tp_text *t, const char *label) {
+  enum { WIDTH = 38 };
+  tp_text_add(t, "  %-*s", WIDTH, label);
+}
+
+static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  add_label(t, s->lies_in_place ? "greatest dip that forces can hold"
+                                : "greatest tilt that forces can hold");
+  switch (c->limit) {
+  case TP_SYSTEM_LIMIT_NUMBER:
+    tp_text_add(t, "%s°\n", tp_text_fixed(n, c->critical_angle_deg, 4));
+    break;
+  case TP_SYSTEM_INTERLOCKED:
+    tp_text_add(t, "none below 90°: interlocked\n");
+    break;
+  case TP_SYSTEM_HELD_NOWHERE:
+  case TP_SYSTEM_LIMIT_UNDECIDED:
+    tp_text_add(t, "undecided\n");
+    break;
+  }
+  if (c->has_acceleration) {
+    add_label(t, "critical horizontal acceleration");
+    tp_text_add(t, "%s g\n", tp_text_significant(n, c->critical_acceleration_g, 5));
+  }
+}
+
+static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  static const char *const met[] = {"met", "NOT MET", "undecided, as a motion is not excluded"};
+  char n[TP_NUMBER_SIZE], required[TP_NUMBER_SIZE];
+  if (c->fos.state == TP_FOS_NOT_ASKED) return;
+  add_label(t, "factor of safety, strength reduction");
+  if (c->fos.state == TP_FOS_NUMBER) {
+    tp_text_add(t, "%s%s\n", c->fos_is_least ? "above " : "",
+                tp_text_fixed(n, c->fos.value, c->fos_is_least ? 0 : 5));
+  } else {
+    tp_text_add(t, "undecided\n");
+  }
+  if (c->has_required_fos) {
+    add_label(t, "required factor of safety");
+    tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),
+                met[c->meets_required]);
+  }
+}
+
+/* ---- tables ------------------------------------------------------------------------------------
+ */
+
+static int name_width(const tp_block_system *s) {
+  enum { LEAST = 5, MOST = 16 };
+  size_t width = LEAST;
+  for (size_t k = 0; k < s->block_count; k++) {
+    const size_t own = strlen(s->blocks[k].name);
+    if (own > width) width = own;
+  }
+  return width < MOST ? (int)width : MOST;
+}
+
+static void add_name(tp_text *t, const char *name, int width) {
+  char plain[128];
+  tp_plain_text(plain, sizeof plain, name);
+  tp_text_add(t, "%-*s", width, plain);
+}
+
+static void add_more(tp_text *t, size_t rows) {
+  if (rows > MOST_ROWS) tp_text_add(t, "  and %zu more: see --json\n", rows - MOST_ROWS);
+}
+
+static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
+  size_t row = 0;
+  tp_text_add(t, "  %-*s  %-19s  %10s  %10s  %12s\n", width, "block", "in the collapse", "speed x",
+              "speed y", "turns rad/m");
+  for (size_t k = 0; k < c->motion_count; k++) {
+    const tp_system_motion *m = c->motions + k;
+    if (s->blocks[k].ground || row++ >= MOST_ROWS) continue;
+    tp_text_add(t, "  ");
+    add_name(t, s->blocks[k].name, width);
+    tp_text_add(t, "  %-19s",
+                m->mechanism == TP_STANDS ? "at rest" : tp_mechanism_name(m->mechanism));
+    if (m->mechanism != TP_STANDS) {
+      tp_text_add(t, "  %10.4f  %10.4f  %12.3g", m->velocity_x, m->velocity_y, m->turn_per_m);
+    }
+    tp_text_add(t, "\n");
+  }
+  add_more(t, row);
+}
+
+static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
+  tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
+  if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
+  tp_text_add(t, "  %10s  %10s\n", "at x", "y");
+  for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) {
+    const tp_system_force *f = c->forces + k;
+    const tp_system_contact *contact = s->contacts + k;
+    tp_text_add(t, "  ");
+    add_name(t, s->blocks[contact->first].name, width);
+    tp_text_add(t, "  ");
+    add_name(t, s->blocks[contact->second].name, width);
+    tp_text_add(t, "  %-6s", tp_joint_state_name(f->state));
+    if (c->has_forces) {
+      tp_text_add(t, "  %10.4g  %10.4g", f->normal_n_m / 1e3, f->shear_n_m / 1e3);
+    }
+    tp_text_add(t, "  %10.5g  %10.5g\n", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
+  }
+  add_more(t, c->force_count);
+}
+
+/* "Towards the left, at a tilt of 20°" */
+static void add_stance(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  const bool away = c->tilt_angle_deg.value < 0;
+  const tp_bounded angle = {fabs(c->tilt_angle_deg.value), c->tilt_angle_deg.error, NULL};
+  tp_text_add(t, "\nTowards the %s", tp_direction_name(c->towards));
+  if (angle.value != 0 || angle.error != 0) {
+    tp_text_add(t, ", %s %s of %s°", away ? "against" : "at", s->lies_in_place ? "a dip" : "a tilt",
+                tp_text_fixed(n, angle, 3));
+  } else {
+    tp_text_add(t, ", as it lies");
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  const int width = name_width(s);
+  add_stance(t, s, c);
+  add_verdict(t, c);
+  add_factor(t, s, c);
+  add_limit(t, s, c);
+  if (c->motion_count == 0) return;
+  const bool reduced = c->fos.state == TP_FOS_NUMBER && !c->fos_is_least;
+  add_label(t, "at that limit, all in all");
+  tp_text_add(t, "%s\n\n  Collapse %s, by velocities at its beginning:\n",
+              tp_mechanism_name(mechanism_of(c)),
+              reduced            ? "with tan(phi) over the factor"
+              : s->lies_in_place ? "at the greatest dip"
+                                 : "at the greatest tilt");
+  add_motions(t, s, c, width);
+  tp_text_add(t, "\n  Forces that hold the blocks just before it, one distribution of many:\n");
+  add_forces(t, s, c, width);
+}
+
+tp_status tp_report_block_system(char **text, const tp_block_system *system) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, system);
+  tp_text t = {0};
+  add_head(&t, system);
+  for (size_t k = 0; k < system->case_count; k++) add_case(&t, system, system->cases + k);
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_block_system_json(char **text, const tp_block_system *system) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, system);
+  tp_json_subject x = {.system = system};
+  return tp_json_document_of_block_system(text, system, &x);
+}

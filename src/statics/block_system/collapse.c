@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The twists of a bracket run against the motion: no force does work on them. Joints dilate in it
+ * by their friction (the flow rule of limit analysis), so that one that slips opens by tan(phi) of
+ * the slip; one that opens by more than that opens. */
+
+#include "block_system/collapse.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double at_rest = 1e-3; /* of the fastest corner */
+static const double newtons = 1000; /* in a kN */
+
+typedef struct point {
+  double x, y;
+} point;
+
+typedef struct moving {
+  const tp_assemblage *a;
+  const double *twists; /* by row */
+  double fastest;       /* of all corners, in the measure of the twists */
+} moving;
+
+static double length(const tp_assemblage *a, const fmpz_t from, const fmpz_t to) {
+  return tp_assemblage_length(a, from, to).value;
+}
+
+/* Of a block's point p, of the lattice. */
+static point velocity(const moving *m, const tp_rigid_block *b, double arm_x, double arm_y) {
+  if (b->number < 0) return (point){0, 0};
+  const double *twist = m->twists + 3 * b->number;
+  return (point){-(twist[0] - twist[2] * arm_y), -(twist[1] + twist[2] * arm_x)};
+}
+
+static point velocity_at(const moving *m, const tp_rigid_block *b, long p) {
+  const tp_lattice *l = &m->a->lattice;
+  return velocity(m, b, length(m->a, b->x, l->x + p), length(m->a, b->y, l->y + p));
+}
+
+static double fastest_corner(const moving *m, const tp_rigid_block *b) {
+  double most = 0;
+  for (long p = b->outline; p < b->end && b->number >= 0; p++) {
+    const point v = velocity_at(m, b, p);
+    most = fmax(most, hypot(v.x, v.y));
+  }
+  return most;
+}
+
+/* ---- joints ------------------------------------------------------------------------------------
+ */
+
+typedef struct relative {
+  double opens, slips; /* the first block against the second */
+} relative;
+
+static relative relative_at(const moving *m, const tp_block_contact *c, long end) {
+  const tp_lattice *l = &m->a->lattice;
+  const point first = velocity_at(m, m->a->blocks + c->block[0], end);
+  const point second = velocity_at(m, m->a->blocks + c->block[1], end);
+  const double dx = length(m->a, l->x + c->from, l->x + c->to);
+  const double dy = length(m->a, l->y + c->from, l->y + c->to);
+  const double size = hypot(dx, dy) * m->fastest;
+  const double x = first.x - second.x, y = first.y - second.y;
+  return (relative){(dx * y - dy * x) / size, (dx * x + dy * y) / size};
+}
+
+static bool is_hinge(const relative *r) {
+  return fabs(r->opens) <= at_rest && fabs(r->slips) <= at_rest;
+}
+
+static tp_joint_state state_of(const moving *m, const tp_block_contact *c, double tangent) {
+  bool slips = false, opens = false;
+  for (int e = 0; e < 2; e++) {
+    const relative r = relative_at(m, c, c->ends[e]);
+    slips = slips || fabs(r.slips) > at_rest;
+    opens = opens || r.opens > tangent * fabs(r.slips) + at_rest;
+  }
+  return opens ? TP_JOINT_OPENS : slips ? TP_JOINT_SLIPS : TP_JOINT_AT_REST;
+}
+
+/* ---- blocks ------------------------------------------------------------------------------------
+ */
+
+/* By the number of a block: it turns about an end of one of its joints. */
+static bool *find_hinged(const moving *m) {
+  bool *hinged = calloc((size_t)m->a->count, sizeof *hinged);
+  for (long k = 0; k < m->a->contact_count && hinged != NULL; k++) {
+    const tp_block_contact *c = m->a->contacts + k;
+    for (int e = 0; e < 2; e++) {
+      const relative r = relative_at(m, c, c->ends[e]);
+      if (!is_hinge(&r)) continue;
+      hinged[c->block[0]] = hinged[c->block[1]] = true;
+    }
+  }
+  return hinged;
+}
+
+static void describe_block(tp_system_motion *own, const moving *m, long block, bool hinged,
+                           double metre) {
+  const tp_rigid_block *b = m->a->blocks + block;
+  *own = (tp_system_motion){.mechanism = TP_STANDS};
+  const double corner = fastest_corner(m, b);
+  if (corner <= at_rest * m->fastest) return;
+  const point centre = velocity(m, b, b->arm_x.value, b->arm_y.value);
+  own->velocity_x = centre.x / m->fastest;
+  own->velocity_y = centre.y / m->fastest;
+  own->turn_per_m = -m->twists[3 * b->number + 2] / m->fastest / metre;
+  const bool turns = corner - hypot(centre.x, centre.y) > at_rest * corner;
+  own->mechanism = !turns ? TP_SLIDES : hinged ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;
+}
+
+/* ---- forces ------------------------------------------------------------------------------------
+ */
+
+/* Of an end: both edges of its cone, as they act on the first block. */
+static point force_of(const tp_force_column *columns, const double *forces) {
+  point sum = {0, 0};
+  for (int k = 0; k < 2; k++) {
+    const int side = columns[k].row[0] >= 0 ? 0 : 1;
+    const double sign = side == 0 ? 1 : -1;
+    sum.x += sign * forces[k] * columns[k].entry[side][0].value;
+    sum.y += sign * forces[k] * columns[k].entry[side][1].value;
+  }
+  return sum;
+}
+
+static point place_of(const tp_assemblage *a, long p) {
+  const tp_lattice *l = &a->lattice;
+  fmpq_t metres;
+  fmpq_init(metres);
+  point place;
+  tp_lattice_metres_x(metres, l, l->x + p);
+  place.x = fmpq_get_d(metres);
+  tp_lattice_metres_y(metres, l, l->y + p);
+  place.y = fmpq_get_d(metres);
+  fmpq_clear(metres);
+  return place;
+}
+
+static void describe_force(tp_system_force *own, const tp_force_program *p, long contact,
+                           const double *forces, double scale) {
+  const tp_assemblage *a = p->assemblage;
+  const tp_block_contact *c = a->contacts + contact;
+  const point ends[2] = {place_of(a, c->ends[0]), place_of(a, c->ends[1])};
+  const point from = place_of(a, c->from), to = place_of(a, c->to);
+  const double size = hypot(to.x - from.x, to.y - from.y);
+  const long first = p->first[contact], count = (p->first[contact + 1] - first) / 2;
+  double normals[2] = {0, 0}, shear = 0;
+  for (long e = 0; e < count; e++) {
+    const point f = force_of(p->columns + first + 2 * e, forces + first + 2 * e);
+    normals[e] = ((to.x - from.x) * f.y - (to.y - from.y) * f.x) / size;
+    shear += ((to.x - from.x) * f.x + (to.y - from.y) * f.y) / size;
+  }
+  const double sum = normals[0] + normals[1];
+  const double share = sum > 0 ? normals[1] / sum : 1.0 / 2;
+  own->normal_n_m = sum * scale;
+  own->shear_n_m = shear * scale;
+  own->x_m = ends[0].x + share * (ends[1].x - ends[0].x);
+  own->y_m = ends[0].y + share * (ends[1].y - ends[0].y);
+}
+
+/* ---- both --------------------------------------------------------------------------------------
+ */
+
+static tp_status describe_motions(tp_system_case *own, const tp_built_system *s, moving *m,
+                                  double divisor, tp_message *message) {
+  const tp_assemblage *a = m->a;
+  const double metre = ldexp(fmpq_get_d(a->lattice.step_m), (int)a->length_exponent);
+  for (long k = 0; k < a->count; k++) {
+    m->fastest = fmax(m->fastest, fastest_corner(m, a->blocks + k));
+  }
+  if (!(m->fastest > 0)) return TP_OK;
+  bool *hinged = find_hinged(m);
+  if (hinged == NULL) return tp_fail_memory(message, "the motions");
+  for (long k = 0; k < a->count; k++) {
+    describe_block(own->motions + k, m, k, hinged[k], metre);
+  }
+  for (long k = 0; k < a->contact_count; k++) {
+    own->forces[k].state = state_of(m, a->contacts + k, s->tangents[k].value / divisor);
+  }
+  free(hinged);
+  return TP_OK;
+}
+
+tp_status tp_collapse_describe(tp_system_case *own, const tp_built_system *s,
+                               const tp_load_bracket *bracket, double divisor, double scale,
+                               tp_message *message) {
+  const tp_assemblage *a = &s->assemblage;
+  tp_force_program program; /* its columns are the same to either side */
+  tp_status status = tp_built_system_program(&program, s, true, divisor, message);
+  if (status != TP_OK) return status;
+  const double unit = ldexp(newtons * scale, (int)a->weight_exponent);
+  for (long k = 0; k < a->contact_count; k++) {
+    describe_force(own->forces + k, &program, k, bracket->forces, unit);
+  }
+  moving m = {.a = a, .twists = bracket->twists};
+  status = describe_motions(own, s, &m, divisor, message);
+  tp_force_program_clear(&program);
+  return status;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* How blocks begin to move at a limit, and the forces between them just before it: what the two
+ * proofs of a bracket hold, as numbers of a result. Doubles without bounds: the proofs are of the
+ * limit, which many a force and some a motion share. */
+
+#ifndef TP_BLOCK_SYSTEM_COLLAPSE_H
+#define TP_BLOCK_SYSTEM_COLLAPSE_H
+
+#include "block_system/built_system.h"
+
+/* Into the motions and forces of a case, which have their room; the bracket is one of tan(phi) over
+ * `divisor`. `scale`: of forces, what the part
+ * of the loads along the normal is to the weights; 0 where they are not known in N. */
+TP_MUST_USE tp_status tp_collapse_describe(tp_system_case *own, const tp_built_system *system,
+                                           const tp_load_bracket *bracket, double divisor,
+                                           double scale, tp_message *message);
+
+#endif

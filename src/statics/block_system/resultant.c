@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Angles in balls of 128 bits. */
+
+#include "block_system/resultant.h"
+
+enum { BITS = 128, RIGHT_ANGLE_DEG = 90 };
+
+static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) {
+  if (scene->frame == TP_FRAME_SLOPE) {
+    arb_set_fmpq(r->tilt_deg, scene->slope.dip_deg.value, BITS);
+    if (scene->slope.left != towards_left) arb_neg(r->tilt_deg, r->tilt_deg);
+  } else if (scene->tilt_angle_deg.given) {
+    arb_set_fmpq(r->tilt_deg, scene->tilt_angle_deg.value, BITS);
+  }
+}
+
+/* k_h and 1 - k_v; the earthquake as an angle. */
+static tp_status set_earthquake(tp_resultant *r, arb_t along, arb_t across, const tp_scene *scene,
+                                tp_message *message) {
+  const tp_loads_description *loads = &scene->loads;
+  arb_one(along);
+  if (loads->horizontal.given) arb_set_fmpq(across, loads->horizontal.value, BITS);
+  if (loads->vertical.given && fmpq_sgn(loads->vertical.value) > 0) {
+    arb_set_fmpq(along, loads->vertical.value, BITS);
+    arb_sub_ui(along, along, 1, BITS);
+    arb_neg(along, along);
+  }
+  if (!arb_is_positive(along)) {
+    return tp_refuse(message, TP_FAULT_RANGE, loads->vertical.place,
+                     "with 'vertical' of 1 or more nothing has weight: give less");
+  }
+  tp_ball_atan2_degrees(r->earthquake_deg, across, along, BITS);
+  return TP_OK;
+}
+
+static void set_tangent(tp_resultant *r, const arb_t along, const arb_t across) {
+  arb_t angle, sine, cosine, size;
+  arb_init(angle);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(size);
+  arb_add(angle, r->tilt_deg, r->earthquake_deg, BITS);
+  tp_ball_sin_cos(sine, cosine, angle, BITS);
+  arb_hypot(size, along, across, BITS);
+  r->beyond = !arb_is_positive(cosine);
+  arb_mul(size, size, cosine, BITS);
+  r->along_normal = arf_get_d(arb_midref(size), ARF_RND_NEAR);
+  if (!r->beyond) {
+    arb_div(sine, sine, cosine, BITS);
+    if (arb_is_zero(angle)) arb_zero(sine);
+    r->tangent = tp_ball_near(sine);
+  }
+  arb_clear(angle);
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(size);
+}
+
+tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, bool towards_left,
+                            tp_message *message) {
+  arb_t along, across;
+  *r = (tp_resultant){.beyond = true};
+  arb_init(r->tilt_deg);
+  arb_init(r->earthquake_deg);
+  arb_init(along);
+  arb_init(across);
+  set_tilt(r, scene, towards_left);
+  const tp_status status = set_earthquake(r, along, across, scene, message);
+  if (status == TP_OK) {
+    set_tangent(r, along, across);
+  } else {
+    tp_resultant_clear(r);
+  }
+  arb_clear(along);
+  arb_clear(across);
+  return status;
+}
+
+void tp_resultant_clear(tp_resultant *r) {
+  arb_clear(r->tilt_deg);
+  arb_clear(r->earthquake_deg);
+}
+
+/* The angle with a tangent between the bounds, in degrees. */
+static void set_angle(arb_t degrees, double low, double high) {
+  arb_t one;
+  arf_t bound;
+  arb_init(one);
+  arf_init(bound);
+  arb_one(one);
+  arf_set_d(arb_midref(degrees), low);
+  arf_set_d(bound, high);
+  arb_set_interval_arf(degrees, arb_midref(degrees), bound, BITS);
+  tp_ball_atan2_degrees(degrees, degrees, one, BITS);
+  arf_clear(bound);
+  arb_clear(one);
+}
+
+tp_bounded tp_resultant_tilt_deg(const tp_resultant *r, double low, double high) {
+  arb_t degrees;
+  arb_init(degrees);
+  set_angle(degrees, low, high);
+  arb_sub(degrees, degrees, r->earthquake_deg, BITS);
+  const tp_bounded tilt = tp_ball_bounded(degrees);
+  arb_clear(degrees);
+  return tilt;
+}
+
+bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *r, double low,
+                               double high) {
+  arb_t degrees, sine, cosine;
+  arb_init(degrees);
+  arb_init(sine);
+  arb_init(cosine);
+  set_angle(degrees, low, high);
+  arb_sub(degrees, degrees, r->tilt_deg, BITS);
+  tp_ball_sin_cos(sine, cosine, degrees, BITS);
+  const bool known = arb_is_positive(cosine);
+  if (known) {
+    arb_div(sine, sine, cosine, BITS);
+    *acceleration = tp_ball_bounded(sine);
+  }
+  arb_clear(degrees);
+  arb_clear(sine);
+  arb_clear(cosine);
+  return known;
+}

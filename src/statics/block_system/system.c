@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The result of a scene of many blocks: what the scene says, blocks and contacts; made and given
+ * back. */
+
+#include "block_system/system.h"
+
+#include "common/notes.h"
+#include "number/ball.h"
+#include "scene_varying/settings.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BITS = 128 };
+static const double newtons = 1000; /* in a kN */
+
+size_t tp_scene_block_count(const tp_scene *scene) {
+  return scene == NULL ? 0 : (size_t)scene->many.count;
+}
+
+void tp_block_system_free(tp_block_system *system) {
+  if (system == NULL) return;
+  for (size_t k = 0; k < system->block_count && system->blocks != NULL; k++) {
+    free(system->blocks[k].name);
+  }
+  for (size_t k = 0; k < system->case_count && system->cases != NULL; k++) {
+    free(system->cases[k].motions);
+    free(system->cases[k].forces);
+  }
+  free(system->blocks);
+  free(system->contacts);
+  free(system->cases);
+  free(system->title);
+  free(system->scene);
+  free(system->length_unit);
+  tp_notes_clear(&system->notes);
+  tp_settings_clear(&system->settings);
+  free(system);
+}
+
+/* ---- blocks ------------------------------------------------------------------------------------
+ */
+
+static tp_bounded bounded(tp_near near) {
+  return (tp_bounded){.value = near.value, .error = near.error};
+}
+
+/* A sum of a whole number and an arm, in metres. */
+static tp_bounded coordinate(const tp_assemblage *a, const fmpz_t origin, const fmpz_t whole,
+                             tp_near arm) {
+  arb_t sum, metres;
+  arb_init(sum);
+  arb_init(metres);
+  tp_ball_set_bounded(sum, arm.value, arm.error);
+  arb_mul_2exp_si(sum, sum, a->length_exponent);
+  arb_add_fmpz(sum, sum, whole, BITS);
+  arb_add_fmpz(sum, sum, origin, BITS);
+  arb_set_fmpq(metres, a->lattice.step_m, BITS);
+  arb_mul(sum, sum, metres, BITS);
+  const tp_bounded value = tp_ball_bounded(sum);
+  arb_clear(sum);
+  arb_clear(metres);
+  return value;
+}
+
+/* Twice the area of the rings of the block itself, its holes subtracted. */
+static tp_bounded area_of(const tp_section *section, const fmpq_t metres_per_unit) {
+  arb_t area, metres;
+  fmpq_t sum, part;
+  arb_init(area);
+  arb_init(metres);
+  fmpq_init(sum);
+  fmpq_init(part);
+  for (long r = 0; r <= section->hole_count; r++) {
+    const tp_polyline *ring = section->rings + r;
+    for (long k = 0; k < ring->count; k++) {
+      const long next = k + 1 < ring->count ? k + 1 : 0;
+      fmpq_mul(part, ring->x + k, ring->y + next);
+      (r == 0 ? fmpq_add : fmpq_sub)(sum, sum, part);
+      fmpq_mul(part, ring->x + next, ring->y + k);
+      (r == 0 ? fmpq_sub : fmpq_add)(sum, sum, part);
+    }
+  }
+  fmpq_mul(sum, sum, metres_per_unit);
+  fmpq_mul(sum, sum, metres_per_unit);
+  fmpq_div_2exp(sum, sum, 1);
+  arb_set_fmpq(area, sum, BITS);
+  const tp_bounded value = tp_ball_bounded(area);
+  arb_clear(area);
+  arb_clear(metres);
+  fmpq_clear(sum);
+  fmpq_clear(part);
+  return value;
+}
+
+static bool set_block(tp_system_block *own, const tp_built_system *s, long k) {
+  const tp_assemblage *a = &s->assemblage;
+  const tp_rigid_block *block = a->blocks + k;
+  const tp_listed_block *listed = s->scene->many.blocks + k;
+  own->name = strdup(listed->name);
+  own->ground = listed->fixed;
+  own->area_m2 = area_of(s->sections + k, s->scene->metres_per_unit);
+  own->centroid_x_m = coordinate(a, a->lattice.origin_x, block->x, block->arm_x);
+  own->centroid_y_m = coordinate(a, a->lattice.origin_y, block->y, block->arm_y);
+  own->has_weight = listed->shape.unit_weight_kn_m3.given;
+  own->weight_n_m =
+      bounded(tp_near_mul(block->weight, (tp_near){ldexp(newtons, (int)a->weight_exponent), 0}));
+  return own->name != NULL;
+}
+
+static void set_contact(tp_system_contact *own, const tp_built_system *s, long k) {
+  const tp_assemblage *a = &s->assemblage;
+  const tp_block_contact *contact = a->contacts + k;
+  static const tp_near nothing = {0, 0};
+  arb_t degrees;
+  arb_init(degrees);
+  own->first = (size_t)contact->block[0];
+  own->second = (size_t)contact->block[1];
+  own->corner = contact->ends[0] == contact->ends[1];
+  tp_bounded *const ends[2][2] = {{&own->from_x_m, &own->from_y_m}, {&own->to_x_m, &own->to_y_m}};
+  for (int e = 0; e < 2; e++) {
+    const long p = contact->ends[e];
+    *ends[e][0] = coordinate(a, a->lattice.origin_x, a->lattice.x + p, nothing);
+    *ends[e][1] = coordinate(a, a->lattice.origin_y, a->lattice.y + p, nothing);
+  }
+  arb_set_fmpq(degrees, s->friction[k]->value, BITS);
+  own->friction_angle_deg = tp_ball_bounded(degrees);
+  arb_clear(degrees);
+}
+
+/* ---- all ---------------------------------------------------------------------------------------
+ */
+
+static bool set_lists(tp_block_system *own, const tp_built_system *s) {
+  enum { CASES = 2 };
+  const tp_assemblage *a = &s->assemblage;
+  own->blocks = calloc((size_t)a->count, sizeof *own->blocks);
+  own->contacts = calloc((size_t)a->contact_count + 1, sizeof *own->contacts);
+  own->cases = calloc(CASES, sizeof *own->cases);
+  bool done = own->blocks != NULL && own->contacts != NULL && own->cases != NULL;
+  for (long k = 0; k < a->count && done; k++) {
+    done = set_block(own->blocks + k, s, k);
+    own->block_count++;
+  }
+  for (long k = 0; k < a->contact_count && done; k++) set_contact(own->contacts + k, s, k);
+  own->contact_count = (size_t)a->contact_count;
+  return done;
+}
+
+static void set_required(tp_block_system *own, const tp_scene *scene) {
+  arb_t required;
+  arb_init(required);
+  own->has_required_fos = scene->required_fos.given;
+  arb_set_fmpq(required, scene->required_fos.value, BITS);
+  if (own->has_required_fos) own->required_fos = tp_ball_bounded(required);
+  arb_clear(required);
+}
+
+tp_status tp_block_system_describe(tp_block_system **system, const tp_built_system *s,
+                                   tp_message *message) {
+  const tp_scene *scene = s->scene;
+  tp_block_system *own = calloc(1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the result");
+  own->size = sizeof *own;
+  own->title = scene->title != NULL ? strdup(scene->title) : NULL;
+  own->scene = strdup(scene->path);
+  own->length_unit = strdup(scene->length_unit);
+  own->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
+  own->lies_in_place = tp_scene_lies_in_place(scene);
+  set_required(own, scene);
+  const bool done = set_lists(own, s) && own->scene != NULL && own->length_unit != NULL &&
+                    (own->title == NULL) == (scene->title == NULL);
+  tp_status status = done ? TP_OK : tp_fail_memory(message, "the result");
+  if (status == TP_OK) status = tp_scene_notes(&own->notes, scene, message);
+  if (status == TP_OK) status = tp_notes_append(&own->notes, &s->notes, message);
+  if (status == TP_OK) status = tp_scene_settings(&own->settings, scene, message);
+  if (status == TP_OK) {
+    *system = own;
+  } else {
+    tp_block_system_free(own);
+  }
+  return status;
+}
+
+bool tp_system_is_weighed(const tp_block_system *system) {
+  for (size_t k = 0; k < system->block_count; k++) {
+    if (!system->blocks[k].ground) return system->blocks[k].has_weight;
+  }
+  return false;
+}
+
+tp_status tp_system_case_add(tp_block_system *system, tp_system_case **added, tp_message *message) {
+  tp_system_case *own = system->cases + system->case_count++;
+  own->motions = calloc(system->block_count, sizeof *own->motions);
+  own->forces = calloc(system->contact_count + 1, sizeof *own->forces);
+  *added = own;
+  return own->motions != NULL && own->forces != NULL ? TP_OK
+                                                     : tp_fail_memory(message, "the result");
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The result of a scene of many blocks, before anything is solved. */
+
+#ifndef TP_BLOCK_SYSTEM_SYSTEM_H
+#define TP_BLOCK_SYSTEM_SYSTEM_H
+
+#include "block_system/built_system.h"
+
+/* Without cases, and with room for two; to be freed by tp_block_system_free. */
+TP_MUST_USE tp_status tp_block_system_describe(tp_block_system **system,
+                                               const tp_built_system *built, tp_message *message);
+
+/* Does the scene give the unit weights of blocks that are free? */
+bool tp_system_is_weighed(const tp_block_system *system);
+
+/* One more case, with room for its motions and forces. */
+TP_MUST_USE tp_status tp_system_case_add(tp_block_system *system, tp_system_case **added,
+                                         tp_message *message);
+
+#endif

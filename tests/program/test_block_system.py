@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Scenes of many blocks (docs/blocks_in_contact.md) against closed forms, published walls and slopes, the same blocks as a scene of
+one, and their images: mirrored, renumbered, in another unit, far away, turned by 3-4-5."""
+
+import fractions
+import json
+import math
+import random
+
+from governing_case import GoverningCase
+from harness import ROOT, main, run
+
+EXAMPLE = ROOT / "examples" / "blocks" / "toppling_slope.yaml"
+
+
+def box(left, low, right, high):
+    return [(left, low), (right, low), (right, high), (left, high)]
+
+
+def text_of(points):
+    return "[" + ", ".join(f"[{x}, {y}]" for x, y in points) + "]"
+
+
+class Pile:
+    """Blocks by their names: outlines in rationals, of which those that are ground."""
+
+    def __init__(self):
+        self.blocks, self.joints = [], []
+
+    def add(self, name, points, ground=False):
+        self.blocks.append((name, points, ground))
+        return self
+
+    def moved(self, how):
+        own = Pile()
+        own.joints = self.joints
+        own.blocks = [(name, [how(*p) for p in points], ground) for name, points, ground in self.blocks]
+        return own
+
+    def scene(self, friction, more="tilt: {towards: left}", unit="m", weight=25):
+        lines = ["topple: 1", f"length_unit: {unit}", f"friction_angle_deg: {friction}", more,
+                 f"block: {{unit_weight_kn_m3: {weight}}}", "blocks:"]
+        for name, points, ground in self.blocks:
+            lines.append(f"  - {{name: {name}, {'ground: true, ' if ground else ''}outline: {text_of(points)}}}")
+        if self.joints:
+            lines += ["joints:"] + [f"  - {{between: [{a}, {b}], friction_angle_deg: {phi}}}" for a, b, phi in self.joints]
+        return "\n".join(lines) + "\n"
+
+
+def degrees_of(tangent):
+    """An angle as a decimal of which the tangent is right to 1e-15."""
+    return f"{math.degrees(math.atan(tangent)):.17g}"
+
+
+def wall(courses, bricks):
+    """Ferris and Tin-Loi (2001): bricks 4 × 1.75, half bricks at the ends of each other course, the lowest among them."""
+    own = Pile().add("ground", box(-4, -4, 4 * bricks + 4, 0), True)
+    for c in range(courses):
+        ends = [4 * k - (2 if c % 2 == 0 else 0) for k in range(bricks + (2 if c % 2 == 0 else 1))]
+        for k, (left, right) in enumerate(zip(ends, ends[1:])):
+            low = fractions.Fraction(7 * c, 4)
+            own.add(f"b{c}.{k}", box(max(left, 0), low, min(right, 4 * bricks), low + fractions.Fraction(7, 4)))
+    return own
+
+
+class BlockSystem(GoverningCase):
+    def json(self, text, *options, status=0):
+        done, out, err = run("solve", "--json", *options, self.scene(text))
+        self.assertEqual(done, status, err)
+        return json.loads(out)
+
+    def case(self, text, *options):
+        return self.json(text, *options)["cases"][0]
+
+    def tangent(self, pile, friction, **more):
+        own = self.case(pile.scene(friction, **more))["critical_angle_deg"]
+        return math.tan(math.radians(own["value"])), math.radians(own["error"]) * 3
+
+    def encloses(self, told, truth, digits):
+        """The truth is known to so many digits, and the bracket is as narrow as is promised."""
+        self.assertLessEqual(abs(told["value"] - truth), told["error"] + digits)
+        self.assertLessEqual(told["error"], 2e-6 * max(1, abs(told["value"])))
+
+    def test_slope_of_goodman_and_bray(self):
+        """The free limit is at tan φ 0.659599 ± 5e-7 where the slope dips 30° (an exact program of 2026): the factor of safety is tan φ
+        over that, and 1 at that friction; no motion is excluded, so that no required factor is certainly met."""
+        needed = 0.659599
+        own = json.loads(run("solve", "--json", EXAMPLE)[1])["cases"]
+        self.assertEqual([c["towards"] for c in own], ["left"])
+        self.assertEqual(own[0]["verdict"], "can be held")
+        self.encloses(own[0]["fos"], math.tan(math.radians(38.15)) / needed, 1e-6)
+        for tangent, verdict in ((needed - 2e-6, "collapses"), (needed + 2e-6, "can be held")):
+            one = json.loads(run("solve", "--json", EXAMPLE, "--set", f"friction_angle_deg={degrees_of(tangent)}")[1])["cases"][0]
+            self.assertEqual(one["verdict"], verdict)
+            self.encloses(one["fos"], tangent / needed, 1e-6)
+        for required, status in (("1.1", 4), ("1.2", 1)):
+            self.assertEqual(run("solve", "--fail-below", required, EXAMPLE)[0], status)
+
+    def test_forces_balance(self):
+        """The forces that are told hold every column: with its weight, at a dip of 30°, they sum to nothing, and so do their
+        moments, to 1e-5 of the weight: they are of strength divided by the factor, of which the bracket is 1e-6 wide."""
+        own = json.loads(run("solve", "--json", EXAMPLE)[1])
+        case, blocks = own["cases"][0], {b["name"]: b for b in own["blocks"]}
+        sine, cosine = 0.5, math.sqrt(0.75)
+        sums = {name: [-b["weight_n_m"]["value"] * sine, -b["weight_n_m"]["value"] * cosine, 0] for name, b in blocks.items()}
+        for contact, force in zip(own["contacts"], case["forces"]):
+            dx = contact["to_x_m"]["value"] - contact["from_x_m"]["value"]
+            dy = contact["to_y_m"]["value"] - contact["from_y_m"]["value"]
+            if contact["corner"]:
+                continue
+            size = math.hypot(dx, dy)
+            # Ends run along the first block's edge, or against it: the first block lies on the side to which it is pushed.
+            for name, sign in ((contact["first"], 1), (contact["second"], -1)):
+                b = blocks[name]
+                x = sign * (force["shear_n_m"] * dx - force["normal_n_m"] * dy) / size
+                y = sign * (force["shear_n_m"] * dy + force["normal_n_m"] * dx) / size
+                sums[name][0] += x
+                sums[name][1] += y
+                sums[name][2] += ((force["x_m"] - b["centroid_x_m"]["value"]) * y
+                                  - (force["y_m"] - b["centroid_y_m"]["value"]) * x)
+        for name, b in blocks.items():
+            if not b["ground"]:
+                for part, arm in zip(sums[name], (1, 1, 40)):
+                    self.assertLessEqual(abs(part), 1e-5 * arm * b["weight_n_m"]["value"], (name, sums[name]))
+
+    def test_published_walls(self):
+        """33 and 55 blocks, 83 and 141 contacts: 0.64286 and 0.58000, to the five digits that are printed."""
+        for courses, known, contacts in ((6, 0.64286, 83), (10, 0.58, 141)):
+            own = self.json(wall(courses, 5).scene(degrees_of(0.65)))
+            self.assertEqual(len(own["contacts"]), contacts)
+            self.encloses(own["cases"][0]["critical_angle_deg"], math.degrees(math.atan(known)), 3e-4)
+
+    def test_joint_of_its_own(self):
+        """A block 2 × 1 below a column 1 × 5, μ 0.6: tan of the limit 0.25517241 = 37/145 with a frictionless joint between them,
+        0.26530612 = 13/49 with 0.3 there."""
+        for joint, known in ((0, fractions.Fraction(37, 145)), (0.3, fractions.Fraction(13, 49))):
+            own = Pile().add("ground", box(-9, -1, 9, 0), True).add("low", box(0, 0, 2, 1)).add("column", box(2, 0, 3, 5))
+            own.joints = [("low", "column", degrees_of(joint))]
+            tangent, within = self.tangent(own, degrees_of(0.6))
+            self.assertLessEqual(abs(tangent - known), within + 1e-9)
+
+    def test_as_a_scene_of_one(self):
+        """Random blocks of straight edges on a level base: the limit is that of `topple solve` of the one block, on a base that
+        extends past it, and the factor of safety is that by strength reduction."""
+        draw = random.Random(3)
+        for _ in range(6):
+            width, height, lean = draw.randint(2, 9), draw.randint(3, 12), draw.randint(-2, 3)
+            outline = [(0, 0), (width, 0), (width + lean, height), (lean + draw.randint(0, 1), height)]
+            if 2 * lean >= width:
+                continue
+            friction, tilt = draw.choice((20, 35, 50)), draw.choice((3, 7))
+            one = self.json(f"topple: 1\nlength_unit: m\nblock: {{outline: {text_of(outline)}, unit_weight_kn_m3: 25}}\n"
+                            f"base: {{beyond: {{left: 50, right: 50}}}}\nfriction_angle_deg: {friction}\n"
+                            f"tilt: {{towards: left, angle_deg: {tilt}}}\n")["cases"][0]["limit"]
+            many = self.case(Pile().add("g", box(-50, -1, 60, 0), True).add("b", outline)
+                             .scene(friction, f"tilt: {{towards: left, angle_deg: {tilt}}}"))
+            for told, truth in ((many["critical_angle_deg"], one["critical_angle_deg"]), (many["fos"], one["fos"])):
+                self.assertLessEqual(abs(told["value"] - truth["value"]), told["error"] + truth["error"], (outline, friction, tilt))
+
+    def test_images(self):
+        """Mirrored, renumbered, in millimetres, in a mine's coordinates, turned by 3-4-5 with gravity, with the ground cut in two and
+        with a block far away that nothing touches but the ground: brackets of limit and factor overlap."""
+        pile = wall(3, 3)
+        tilt = "tilt: {towards: left, angle_deg: 10}"
+        shuffled = Pile()
+        shuffled.blocks = random.Random(1).sample(pile.blocks, len(pile.blocks))
+        split = Pile().add("g1", box(-4, -4, 5, 0), True).add("g2", box(5, -4, 16, 0), True)
+        split.blocks += pile.blocks[1:]
+        far = Pile()
+        far.blocks = pile.blocks + [("far", box(1000, 0, 1001, fractions.Fraction(1, 10))), ("more", box(990, -1, 1010, 0), True)]
+        far.blocks = [(b + (False,))[:3] for b in far.blocks]
+        texts = {"own": pile.scene(35, tilt), "mirrored": pile.moved(lambda x, y: (-x, y)).scene(35, tilt.replace("left", "right")),
+                 "renumbered": shuffled.scene(35, tilt),
+                 "in mm": pile.moved(lambda x, y: (1000 * x, 1000 * y)).scene(35, tilt, unit="mm"),
+                 "in a mine": pile.moved(lambda x, y: (x + fractions.Fraction(5123452, 10), y + 6789012)).scene(35, tilt),
+                 "split": split.scene(35, tilt), "far": far.scene(35, tilt)}
+        own = {name: self.case(text) for name, text in texts.items()}
+        for name, one in own.items():
+            for key in ("critical_angle_deg", "fos"):
+                a, b = own["own"][key], one[key]
+                self.assertLessEqual(abs(a["value"] - b["value"]), a["error"] + b["error"], (name, key))
+        for name in ("mirrored", "in a mine", "in mm"):
+            for a, b in zip(own["own"]["motions"], own[name]["motions"]):
+                self.assertEqual(a["mechanism"], b["mechanism"], name)
+
+    def test_shaken(self):
+        """k_h turns the resultant by atan(k_h): the critical tilt is less by that, and the critical acceleration is tan of what is left
+        at the tilt."""
+        pile = Pile().add("g", box(-9, -1, 9, 0), True).add("b", box(0, 0, 2, 4))
+        tilt = "tilt: {towards: left, angle_deg: 10}"
+        still = self.case(pile.scene(40, tilt))
+        shaken = self.case(pile.scene(40, tilt + "\nloads: {seismic: {horizontal: 0.2}}"))
+        limit = math.degrees(math.atan(0.5))
+        self.encloses(still["critical_angle_deg"], limit, 1e-9)
+        self.encloses(shaken["critical_angle_deg"], limit - math.degrees(math.atan(0.2)), 1e-9)
+        for own in (still, shaken):
+            self.encloses(own["critical_acceleration_g"], math.tan(math.radians(limit - 10)), 1e-9)
+        self.assertEqual([still["verdict"], shaken["verdict"]], ["can be held", "can be held"])
+        more = self.case(pile.scene(40, tilt + "\nloads: {seismic: {horizontal: 0.4}}"))
+        self.assertEqual([more["verdict"], more["motions"][1]["mechanism"]], ["collapses", "topples"])
+        slope = "slope: {dip_deg: 5, towards: left}\nloads: {seismic: {horizontal: 0.1}}"
+        self.assertEqual([c["towards"] for c in self.json(pile.scene(40, slope))["cases"]], ["left", "right"])
+
+    def test_what_is_refused(self):
+        """Bad input is told by the names of blocks and the place, before anything is solved."""
+        ground, block = ("g", box(-9, -1, 9, 0), True), ("b", box(0, 0, 2, 4), False)
+        tower = box(1, 1, 3, 3)
+        for blocks, joints, more, told in (
+                ([ground, block, ("c", tower, False)], [], "", "blocks 'b' and 'c' overlap"),
+                ([ground, block, ("c", box(4, 1, 5, 2), False)], [], "", "block 'c' touches no other"),
+                ([block, ("c", box(2, 0, 4, 4), False)], [], "", "no block is ground"),
+                ([ground], [], "", "all blocks are ground"),
+                ([ground, block, ("b", box(3, 0, 4, 4), False)], [("g", "b", 20)], "", "two blocks are named 'b'"),
+                ([ground, block], [("g", "x", 20)], "", "no block is named 'x'"),
+                ([ground, block], [("g", "b", 20), ("b", "g", 30)], "", "given twice"),
+                ([ground, block], [], "base: {mated: true}", "'base' is of a scene of one block"),
+                ([ground, block], [], "loads: {cohesion_kpa: 5}", "leave out 'cohesion_kpa'"),
+                ([ground, ("b", [(0, 0), (2, 4), (2, 0), (0, 4)], False)], [], "", "crosses")):
+            own = Pile()
+            own.blocks, own.joints = blocks, joints
+            status, out, err = run("solve", self.scene(own.scene(30, more)))
+            self.assertEqual((status, out), (3, ""), told)
+            self.assertIn(told, err)
+            self.assertRegex(err, r"\.yaml:\d+:\d+: ")
+        for command in ("tilt", "derive"):
+            status, out, err = run(command, EXAMPLE)
+            self.assertEqual((status, out), (3, ""))
+            self.assertIn("many blocks", err)
+        status, out, err = run("solve", "--find", "friction_angle_deg", "--for", "fos=1.3", EXAMPLE)
+        self.assertEqual(status, 3)
+        self.assertIn("--find", err)
+
+
+if __name__ == "__main__":
+    main()
