@@ -86,7 +86,6 @@ typedef struct tp_system_force {
 typedef enum tp_system_limit {
   TP_SYSTEM_LIMIT_NUMBER,
   TP_SYSTEM_INTERLOCKED,  /* forces hold the blocks up to 90 degrees */
-  TP_SYSTEM_HELD_NOWHERE, /* at no tilt to this side */
   TP_SYSTEM_LIMIT_UNDECIDED
 } tp_system_limit;
 

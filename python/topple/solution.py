@@ -14,7 +14,7 @@ from .word import number_of
 from .words import Design, Direction, Mechanism, PivotsListed
 
 if TYPE_CHECKING:
-    from .records import BlockSystem, Case, LoadCases, Pivot, Solution, SystemCase
+    from .records import Case, LoadCases, Pivot, Solution
     from .scene import Scene
 
 
@@ -40,20 +40,20 @@ class CaseMethods:
 class BlockSystemMethods:
     """What can be asked of many blocks that were solved."""
 
-    def meets(self: BlockSystem, required: float) -> Design:
+    def meets(self: Any, required: float) -> Design:
         """Has every case certainly a factor of `required`, where no motion can begin?"""
         return tuple(Design)[lib.tp_block_system_meets(struct_of(self), required)]
 
     @property
-    def undecided(self: BlockSystem) -> bool:
+    def undecided(self: Any) -> bool:
         """Did the proofs leave a verdict open?"""
         return bool(lib.tp_block_system_is_undecided(struct_of(self)))
 
-    def report(self: BlockSystem) -> str:
+    def report(self: Any) -> str:
         """The page that `topple solve` prints."""
         return written(lib.tp_report_block_system, struct_of(self))
 
-    def to_json(self: BlockSystem) -> str:
+    def to_json(self: Any) -> str:
         """What `topple solve --json` prints."""
         return written(lib.tp_report_block_system_json, struct_of(self))
 
@@ -61,7 +61,7 @@ class BlockSystemMethods:
 class SystemCaseMethods:
     """What can be asked of one direction."""
 
-    def meets(self: SystemCase, required: float) -> Design:
+    def meets(self: Any, required: float) -> Design:
         """Has it certainly a factor of `required`, where no motion can begin?"""
         return tuple(Design)[lib.tp_system_case_meets(struct_of(self), required)]
 

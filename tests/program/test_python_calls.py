@@ -40,6 +40,24 @@ class Words(unittest.TestCase):
         self.assertEqual("".join(term + "\n" for term in topple.terms()), printed("explain"))
 
 
+class Blocks(unittest.TestCase):
+    def test_block_system(self):
+        """What the program prints of many blocks, and the same in the records."""
+        path = ROOT / "examples" / "blocks" / "toppling_slope.yaml"
+        scene = topple.Scene.read(path)
+        self.assertEqual(scene.block_count, 17)
+        own = scene.solve_block_system()
+        self.assertEqual(own.report(), printed("solve", path))
+        told = json.loads(printed("solve", "--json", path))
+        self.assertEqual(json.loads(own.to_json()), told)
+        self.assertEqual(own.cases[0].fos.value.value, told["cases"][0]["fos"]["value"])
+        self.assertEqual(own.cases[0].verdict, topple.SystemVerdict.CAN_HOLD)
+        self.assertEqual([own.meets(1.1), own.meets(1.2)], [topple.Design.OPEN, topple.Design.NOT_MET])
+        self.assertIsNone(scene.solve_block_system(strength_reduction=False).cases[0].fos.value)
+        with self.assertRaisesRegex(topple.BadInput, "many blocks"):
+            scene.solve()
+
+
 class Formulas(unittest.TestCase):
     def test_derivation(self):
         """The program's JSON, and the same in the records."""

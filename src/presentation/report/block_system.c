@@ -87,7 +87,6 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
   case TP_SYSTEM_INTERLOCKED:
     tp_text_add(t, "none below 90°: interlocked\n");
     break;
-  case TP_SYSTEM_HELD_NOWHERE:
   case TP_SYSTEM_LIMIT_UNDECIDED:
     tp_text_add(t, "undecided\n");
     break;
