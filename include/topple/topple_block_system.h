@@ -85,7 +85,7 @@ typedef struct tp_system_force {
 /* Is there a limit as all is tilted? */
 typedef enum tp_system_limit {
   TP_SYSTEM_LIMIT_NUMBER,
-  TP_SYSTEM_INTERLOCKED,  /* forces hold the blocks up to 90 degrees */
+  TP_SYSTEM_INTERLOCKED, /* forces hold the blocks up to 90 degrees */
   TP_SYSTEM_LIMIT_UNDECIDED
 } tp_system_limit;
 
