@@ -144,6 +144,22 @@ class WaterSite(unittest.TestCase):
         self.agrees(self.moment(case, "water"), 1000 * (face - G * 2 * 1))
         self.assertIn("stands above the top", run("solve", self.path)[1].replace("\n", " ").replace("         ", ""))
 
+    def test_level_top_under_two_levels(self):
+        """On a level top stands the water in front, which a crack behind passes nothing on to, whichever side is which: a block and its
+        mirror image once had the water of the right side there."""
+        told = []
+        for towards in ("left", "right"):
+            case = self.case("block: {outline: [[0, 0], [2, 0], [2, 3], [0, 3]], unit_weight_kn_m3: 26}\n"
+                             f"tilt: {{towards: {towards}}}\nloads:\n  water: {{level: 5, tension_crack: {{height: 6}}, uplift: none, faces: both}}\n",
+                             "m", "--outlines")
+            top = [own for own in self.solution["outlines"]["pressures"] if own["y0_m"] == own["y1_m"] and own["first_kpa"] > 0]
+            self.assertEqual(len(top), 1)
+            for own in (top[0]["first_kpa"], top[0]["last_kpa"]):
+                self.agrees(own, 2 * G)
+            told.append([pivot["critical_angle_deg"]["value"] for pivot in case["pivots"]])
+        for one, other in zip(told[0], told[1][::-1]):
+            self.agrees(one, other)
+
     def test_bent_surface(self):
         """A surface that falls from 5 m at x = 4 to 3 m at x = 2 and on to 2 m at x = -1: on a back from (4, 0) to (2, 4) depths are
         linear, 5 at the heel, 0 where 5 - (4 - x) = 2 (4 - x), x = 7/3."""

@@ -169,16 +169,20 @@ static bool faces_up(const wetting *w, long k) {
 }
 
 /* The edges that the water on one side presses on, from `from` up to `to`: up to the summit, and on
- * over the top where it stands above that and the other side has none of its own. */
+ * over the top where it stands above that and the other side has none of its own. On a level top
+ * between two summits it is the water in front that stands: behind a crack may hold another level.
+ */
 static void find_edges(long *from, long *to, const wetting *w, int side, bool alone) {
   *from = side == 1 ? 0 : w->left_top;
   *to = side == 1 ? w->right_top : w->chain.count - 1;
+  const int front = 1 - w->of->behind;
+  const bool takes_top = alone || side == front || !stands_above(w, front);
   if (!stands_above(w, side)) return;
   if (side == 1) {
-    *to = w->left_top;
+    if (takes_top) *to = w->left_top;
     while (alone && *to + 1 < w->chain.count && faces_up(w, *to)) ++*to;
   } else {
-    if (alone || !stands_above(w, 1)) *from = w->right_top;
+    if (takes_top) *from = w->right_top;
     while (alone && *from > 0 && faces_up(w, *from - 1)) --*from;
   }
 }
