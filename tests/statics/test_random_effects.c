@@ -2,7 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Random scenes that combine effects: rounded corners, arcs, ellipses, holes, parts, profiles with
- * notches and walls, bases that go on, kinks, all loads and all laws of friction. Whatever is true
+ * notches and walls, bases that go on, kinks, all loads and all laws of friction; slopes that are
+ * shaken both ways, water of a level with cracks, uplift and ice, bolts of a spacing, linings.
+ * Whatever is true
  * of a block is true of its mirror image, of the same block elsewhere, larger, in another unit,
  * written otherwise, tilted towards one side at a time, by another arithmetic and to other digits.
  * This is the test that finds what no list of cases does: each wrong answer of one of these

@@ -174,6 +174,8 @@ bool solutions_agree(char why[256], const tp_solution *one, const tp_solution *o
                      const relation *r) {
   comparison c = {r, why, "of the block", false};
   why[0] = '\0';
+  /* what is not certain may have the other shaking govern, which is told along other axes */
+  if (r->uncertain && one->frame.level != other->frame.level) return true;
   compare_need(&c, one->case_count == other->case_count, "number of cases");
   compare_blocks(&c, one, other);
   for (size_t k = 0; k < one->case_count && why[0] == '\0'; k++) {

@@ -189,6 +189,7 @@ void random_effects_draw(random_scene *s, random_numbers *state) {
   }
   fmpq_clear(width);
   fmpq_clear(height);
+  random_site_draw(s, state);
 }
 
 bool random_effects_allow(const random_effects *e) {
@@ -201,7 +202,7 @@ bool random_effects_load(const random_effects *e) {
 }
 
 bool random_effects_turn(const random_effects *e) {
-  bool turns = e->law == LAW_NONE && !random_effects_load(e) && !e->ellipse;
+  bool turns = e->law == LAW_NONE && !random_effects_load(e) && !e->ellipse && !e->slope;
   for (int k = 0; k < e->corners; k++) turns = turns && e->places[k] == AT_VERTEX;
   return turns;
 }

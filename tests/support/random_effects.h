@@ -22,22 +22,28 @@ enum {
   ELLIPSE_WIDTH,
   ELLIPSE_HEIGHT,
   ELLIPSE_FLAT,
+  CRACK_HEIGHT,
+  CRACK_DISTANCE,
+  ICE_THICKNESS,
   STRESSES, /* kPa: two for each pressure, one for each surcharge */
   SURCHARGES = STRESSES + 2 * LINES_MOST,
   BOND = SURCHARGES + LINES_MOST,
   COHESION,
   STRENGTH,
   TEST_STRESS,
+  ICE_STRESS,
   FORCES, /* kN */
   PLAIN_NUMBERS = FORCES + ANCHORS_MOST,
   DIRECTIONS = PLAIN_NUMBERS,
-  HORIZONTAL = DIRECTIONS + ANCHORS_MOST,
+  DIPS = DIRECTIONS + ANCHORS_MOST,
+  HORIZONTAL = DIPS + ANCHORS_MOST,
   VERTICAL,
   WATER_WEIGHT,
   JRC,
   TEST_ANGLE,
   ROUGHNESS,
-  THICKNESS, /* a scene length that stays where the section is scaled */
+  THICKNESS, /* scene lengths that stay where the section is scaled */
+  SPACING,
   EFFECT_NUMBERS
 };
 
@@ -55,6 +61,10 @@ typedef enum random_law { LAW_NONE, LAW_PATTON, LAW_JRC, LAW_TEST, LAW_ROUGHNESS
 typedef enum random_place { AT_LEFT_END, AT_RIGHT_END, AT_VERTEX } random_place;
 typedef enum random_towards { TOWARDS_BOTH, TOWARDS_LEFT, TOWARDS_RIGHT } random_towards;
 
+/* Water of a level, and what is wetted by it. */
+typedef enum random_uplift { UPLIFT_NONE, UPLIFT_TRIANGULAR, UPLIFT_FULL } random_uplift;
+typedef enum random_faces { FACES_BEHIND, FACES_FRONT, FACES_BOTH } random_faces;
+
 typedef struct random_effects {
   fmpq numbers[EFFECT_NUMBERS];
   long x[EFFECT_POINTS], y[EFFECT_POINTS];
@@ -65,12 +75,23 @@ typedef struct random_effects {
   bool has_between;
   random_law law;
   random_towards towards;
+  /* random_site.c: on a slope; water of a level; the last pressures are a lining's; bolts by their
+   * dip */
+  bool slope, sited, crack, ice, lined, lining_passive, bolted, spaced[ANCHORS_MOST];
+  random_uplift uplift_kind;
+  random_faces faces;
+  int unit_of_site;
 } random_effects;
 
 struct random_scene;
 
 /* Up to all of them at once. */
 void random_effects_draw(struct random_scene *scene, random_numbers *state);
+
+/* The block at its place, on top of those. */
+void random_site_draw(struct random_scene *scene, random_numbers *state);
+void random_site_write_water(FILE *file, const random_effects *effects);
+void random_site_write_tilt(FILE *file, const struct random_scene *scene);
 
 bool random_effects_load(const random_effects *effects); /* any besides the weight */
 

@@ -76,6 +76,10 @@ void random_effects_write_between(FILE *file, const random_scene *s) {
 
 static void write_water(FILE *file, const random_effects *e) {
   if (!e->water) return;
+  if (e->sited) {
+    random_site_write_water(file, e);
+    return;
+  }
   random_scene_number(file, "\n  water: {height: ", e->numbers + WATER_HEIGHT, "");
   random_scene_number(file, ", unit_weight_kn_m3: ", e->numbers + WATER_WEIGHT, "");
   fprintf(file, ", uplift: %s, stays_level: %s}", e->uplift ? "true" : "false",
@@ -94,6 +98,17 @@ static void write_lines(FILE *file, const random_scene *s, const char *name, int
   }
 }
 
+static void write_lining(FILE *file, const random_scene *s) {
+  const int last = LINES_MOST - 1;
+  if (!s->effects.lined) return;
+  const fmpq *kpa = s->effects.numbers + STRESSES + 2 * last;
+  write_point(file, "\n  support_pressures:\n  - {from: [", s, AT_PRESSURES + 2 * last);
+  write_point(file, ", to: [", s, AT_PRESSURES + 2 * last + 1);
+  random_scene_number(file, ", kpa: [", kpa, ", ");
+  random_scene_number(file, "", kpa + 1, "]");
+  fprintf(file, ", passive: %s}", s->effects.lining_passive ? "true" : "false");
+}
+
 void random_effects_write_loads(FILE *file, const random_scene *s) {
   const random_effects *e = &s->effects;
   const fmpq *n = e->numbers;
@@ -104,12 +119,18 @@ void random_effects_write_loads(FILE *file, const random_scene *s) {
     random_scene_number(file, ", vertical: ", n + VERTICAL, "}");
   }
   write_water(file, e);
-  write_lines(file, s, "pressures", e->pressures, AT_PRESSURES, STRESSES, true);
+  write_lines(file, s, "pressures", e->pressures - e->lined, AT_PRESSURES, STRESSES, true);
+  write_lining(file, s);
   write_lines(file, s, "surcharges", e->surcharges, AT_SURCHARGES, SURCHARGES, false);
   if (e->anchors > 0) fputs("\n  anchors:", file);
   for (int k = 0; k < e->anchors; k++) {
     write_point(file, "\n  - {at: [", s, AT_ANCHORS + k);
-    random_scene_number(file, ", direction_deg: ", n + DIRECTIONS + k, "");
+    if (e->bolted) {
+      random_scene_number(file, ", dip_deg: ", n + DIPS + k, "");
+      if (e->spaced[k]) random_scene_number(file, ", spacing: ", n + SPACING, "");
+    } else {
+      random_scene_number(file, ", direction_deg: ", n + DIRECTIONS + k, "");
+    }
     random_scene_number(file, ", force_kn: ", n + FORCES + k, "");
     fprintf(file, ", passive: %s}", e->passive[k] ? "true" : "false");
   }
@@ -144,6 +165,10 @@ void random_effects_write_friction(FILE *file, const random_scene *s) {
 
 void random_effects_write_tilt(FILE *file, const random_scene *s) {
   static const char *const names[] = {"both", "left", "right"};
+  if (s->effects.slope) {
+    random_site_write_tilt(file, s);
+    return;
+  }
   fprintf(file, "\ntilt: {towards: %s", names[s->effects.towards]);
   if (s->has_tilt) random_scene_number(file, ", angle_deg: ", s->numbers + TILT, "");
   fputs("}", file);

@@ -112,6 +112,7 @@ static bool change_unit(random_scene *s, relation *r, random_numbers *state) {
   fmpq_div(factor, &random_units[s->unit].metres, &random_units[unit].metres);
   multiply_lengths(s, factor);
   fmpq_mul(s->effects.numbers + THICKNESS, s->effects.numbers + THICKNESS, factor);
+  fmpq_mul(s->effects.numbers + SPACING, s->effects.numbers + SPACING, factor);
   s->unit = unit;
   fmpq_clear(factor);
   return true;
