@@ -26,11 +26,15 @@ typedef struct topple_run {
 } topple_run;
 """
 CALLS = """
+const char *built_version(void);
 bool run_stops(void *run);
 void run_counts(void *run, size_t done, size_t of);
 void run_brackets(void *run, size_t runs, double least, double most);
 """
 BODIES = """
+static const char *built_version(void) {
+  return TP_VERSION;
+}
 static bool run_stops(void *run) {
   return __atomic_load_n(&((topple_run *)run)->stop, __ATOMIC_RELAXED) != 0;
 }
@@ -44,7 +48,7 @@ static void run_brackets(void *run, size_t runs, double least, double most) {
   __atomic_store_n(&((topple_run *)run)->done, runs, __ATOMIC_RELEASE);
 }
 """
-DRAWS = re.compile(r"^ *tp_status (tp_report_(?:figure|sheet)\w*)\([^;]*\);\n", re.MULTILINE)
+DRAWS = re.compile(r"^ *(?:tp_status |const char \*)(tp_report_(?:figure|sheet)\w*|tp_figure_version)\([^;]*\);\n", re.MULTILINE)
 INLINE = re.compile(r"^ *static inline ([^{]*?) \{\n.*?^\}", re.MULTILINE | re.DOTALL)
 
 

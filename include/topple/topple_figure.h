@@ -16,6 +16,10 @@ extern "C" {
 /* Does the name end in .svg, .pdf, .png or .dxf, the kinds of file that a figure can be? */
 bool tp_figure_is_file_name(const char *path);
 
+/* The version of the library topple-figure that the program has loaded, as TP_VERSION. It is to be
+ * that of libtopple to the last digit: what is drawn by another one is TP_DEPENDENCY_FAILED. */
+const char *tp_figure_version(void);
+
 /* Draw the solution of the scene into the file `path`, of the kind that its ending names; a file of
  * that name is replaced, keeps its owner and mode, and stays as it was where the drawing fails. A
  * file that the scene was read from is bad input. The triangles of the account

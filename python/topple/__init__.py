@@ -49,6 +49,9 @@ from .verify import verify, verify_text
 from .words import *  # noqa: F403
 
 __version__ = _ffi.string(_lib.tp_version()).decode()
+if (_built := _ffi.string(_lib.built_version()).decode()) != __version__:
+    raise ImportError(f"this package was built for libtopple {_built}, and loads libtopple {__version__}: install both of the "
+                      "same version")
 
 __all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution", "Chart", "CriticalAngles",
            "DependencyFailed", "FileNotFound", "FrictionIs", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",

@@ -47,6 +47,10 @@ def drawing() -> Any:
     except ImportError as error:
         raise DependencyFailed("figures and reports need libtopple-figure, which cannot be loaded:"
                                f" {error}") from error
+    own, draws = (ffi.string(text).decode() for text in (lib.tp_version(), _figure.lib.tp_figure_version()))
+    if own != draws:
+        raise DependencyFailed(f"figures and reports are drawn by libtopple-figure {draws}, and libtopple is {own}: install both of "
+                               "the same version")
     return _figure
 
 

@@ -24,6 +24,7 @@ START_TEST(names) {
   }
   ck_assert_str_eq(tp_version(), TP_VERSION);
   ck_assert_int_eq(tp_version_number(), TP_VERSION_NUMBER);
+  ck_assert_str_eq(tp_figure_version(), TP_VERSION);
   tp_text_free(NULL);
   tp_cleanup();
   ck_assert_ptr_nonnull(tp_sheet_languages());

@@ -10,6 +10,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -148,6 +149,64 @@ class Installed(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (5, ""))
         self.assertIn("libtopple-figure.so", done.stderr)
         self.assertFalse(figure.exists())
+
+
+OTHER = """const char *tp_version(void) { return "9.8.7"; }
+const char *tp_figure_version(void) { return "9.8.7"; }
+const char *tp_module_version(void) { return "9.8.7"; }
+"""
+CALL = """import ctypes, sys
+ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)
+figure = ctypes.CDLL(sys.argv[2])
+message, what = ctypes.create_string_buffer(4096), ctypes.create_string_buffer(4096)
+print(figure.tp_report_figure(b"figure.svg", what, what, message), message.raw)
+"""
+
+
+class Versions(unittest.TestCase):
+    """Libraries of other versions know other structs, and crashed, or drew nonsense: each pair that meets says so first."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="topple versions ")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.other = cls.folder / "libother.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", cls.other], input=OTHER, check=True, encoding="utf-8")
+        cls.program = shutil.copy(pathlib.Path(BUILD) / "topple", cls.folder)
+
+    def refused(self, library, *words, status=5):
+        shutil.copy(self.other, self.folder / library)
+        done = subprocess.run([self.program, *words], cwd=self.folder, check=False, capture_output=True, encoding="utf-8")
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        self.assertIn(f"{library}, which does not load (its version is 9.8.7, and that of ", done.stderr)
+        self.assertIn("install both of the same version", done.stderr)
+
+    def test_program_and_libraries(self):
+        self.refused("libtopple-figure.so.0", "solve", "--figure", "f.svg", EXAMPLE)
+        self.refused("libtopple-xlsx.so", "solve", "--batch", "table.xlsx")
+        self.refused("libtopple-hdf5.so", "study", "--rows", "rows.h5", ROOT / "examples" / "studies" / "slab_study.yaml")
+        self.refused("libtopple-trace.so", "trace", "p.png", "--outline=1,1,9,1,1,9", "--scale=1,1,2,2,1", "-o", "s.yaml")
+        self.assertEqual(sorted(path.suffix for path in self.folder.iterdir() if not path.name.startswith("lib")), [""])
+
+    def test_libraries_of_a_program(self):
+        """A program that is linked with both, of two versions: the library of figures looks at neither scene nor solution."""
+        figure = pathlib.Path(BUILD) / "libtopple-figure.so"
+        done = subprocess.run([sys.executable, "-c", CALL, self.other, figure], cwd=self.folder, check=True, capture_output=True,
+                              encoding="utf-8")
+        self.assertNotEqual(done.stdout.split()[0], "0")
+        self.assertIn(", and that of libtopple 9.8.7: install both of the same version", done.stdout)
+        self.assertFalse((self.folder / "figure.svg").exists())
+
+    def test_packages(self):
+        """Those of pkg-config and of Debian ask for the one version."""
+        version = subprocess.run([self.program, "--version"], check=True, capture_output=True, encoding="utf-8").stdout.split()[1]
+        (file,) = pathlib.Path(BUILD).rglob("meson-private/topple-figure.pc")
+        self.assertRegex(file.read_text(), rf"(?m)^Requires: topple = +{re.escape(version)}\b")
+        control = (ROOT / "docs/packaging/debian/control").read_text().split("\n\n")
+        for name, asked in (("libtopple-figure0", 1), ("python3-topple", 2), ("libtopple-dev", 2), ("topple", 1)):
+            (own,) = [part for part in control if part.startswith(f"Package: {name}\n")]
+            self.assertEqual(own.count("(= ${binary:Version})"), asked, name)
 
 
 class Entries(unittest.TestCase):

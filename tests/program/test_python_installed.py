@@ -64,6 +64,23 @@ class Installed(unittest.TestCase):
         self.assertEqual(pathlib.Path(where).parent, self.package.parent)
         self.assertIn("</svg>", drawn[0])
 
+    def test_other_versions(self):
+        """A package that was built for another libtopple than is loaded, and another library of figures: told, before a struct of
+        one is read by the other."""
+        draws = "import topple\ntopple.Scene('mm', slab=(5, 10), friction_angle_deg=30).solve().write_figure('f.svg')\n"
+        for call, said in (("tp_version", "ImportError: this package was built for libtopple 0"),
+                           ("tp_figure_version", "libtopple-figure 9.8.7, and libtopple is 0")):
+            first = self.folder / f"{call}.so"
+            subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", first], check=True, encoding="utf-8",
+                           input=f'const char *{call}(void) {{ return "9.8.7"; }}\n')
+            done = subprocess.run([sys.executable, "-c", draws], cwd=self.folder / "empty", check=False, capture_output=True,
+                                  encoding="utf-8", env={"PATH": os.environ["PATH"], "LD_PRELOAD": f"../{call}.so",  # no blank in it
+                                                         "PYTHONPATH": str(self.package.parent.parent)})
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(said, done.stderr)
+            self.assertIn("install both of the same version", done.stderr)
+        self.assertEqual(list((self.folder / "empty").iterdir()), [])
+
     def test_without_numpy(self):
         """Scenes of lists need no NumPy, and it is not loaded for them."""
         self.assertEqual(self.run_alone("import sys, topple\ntopple.Scene('mm', outline=[(0, 0), (50, 0), (0, 50)]).solve()\n"

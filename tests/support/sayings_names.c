@@ -16,6 +16,7 @@ static void note_text(sayings *s, const char *text) {
 static void say_version(sayings *s) {
   note_text(s, tp_version());
   note_number(s, tp_version_number());
+  note_text(s, tp_figure_version());
 }
 
 static void say_enumerations(sayings *s) {

@@ -22,16 +22,15 @@ bool tp_cli_is_xlsx(const char *path) {
 
 /* One of its functions, into `*function`. */
 static tp_status load(void **function, const char *name, tp_message *message) {
-  void *library = tp_cli_load_library(TP_XLSX_LIBRARY);
-  *function = library != NULL ? dlsym(library, name) : NULL;
+  tp_cli_why why;
+  *function = tp_cli_load_call(TP_XLSX_LIBRARY, name, &why);
   if (*function != NULL) return TP_OK;
-  const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
            "worksheets are read and written by " TP_XLSX_LIBRARY
            ", which does not load (%s); './run --with xlsx' in Topple's folder installs libzip and "
            "libxlsxwriter (libzip-dev, libxlsxwriter-dev) and builds it, or use files that end in "
            ".csv",
-           why != NULL ? why : "no reason is given");
+           why.text);
   return TP_DEPENDENCY_FAILED;
 }
 

@@ -9,7 +9,6 @@
 #include "cli/cli.h"
 #include "cli/library.h"
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -39,15 +38,14 @@ typedef tp_status drawer_call(void *call, const void *what, tp_figure_consent co
 
 static tp_status draw_here(drawer_call *draw, const char *name, const void *what,
                            tp_figure_consent consent, tp_message *message) {
-  void *library = tp_cli_load_library(TP_FIGURE_LIBRARY);
-  void *call = library != NULL ? dlsym(library, name) : NULL;
+  tp_cli_why why;
+  void *call = tp_cli_load_call(TP_FIGURE_LIBRARY, name, &why);
   if (call != NULL) return draw(call, what, consent, message);
-  const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
            "figures and reports are drawn by " TP_FIGURE_LIBRARY
            ", which does not load (%s); install it beside Topple's "
            "other files",
-           why != NULL ? why : "no reason is given");
+           why.text);
   return TP_DEPENDENCY_FAILED;
 }
 

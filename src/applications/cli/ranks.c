@@ -10,7 +10,6 @@
 
 #include "cli/library.h"
 
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -45,10 +44,9 @@ static void find_launcher(size_t *rank, size_t *count) {
 }
 
 static const tp_ranks_calls *load(size_t count, tp_message *message) {
-  void *library = tp_cli_load_library(TP_RANKS_LIBRARY);
-  const tp_ranks_calls *calls = library != NULL ? dlsym(library, TP_RANKS_CALLS) : NULL;
+  tp_cli_why why;
+  const tp_ranks_calls *calls = tp_cli_load_call(TP_RANKS_LIBRARY, TP_RANKS_CALLS, &why);
   if (calls != NULL) return calls;
-  const char *why = dlerror();
   char processes[32] = "several";
   if (count > 0) snprintf(processes, sizeof processes, "%zu", count);
   snprintf(message->text, sizeof message->text,
@@ -56,7 +54,7 @@ static const tp_ranks_calls *load(size_t count, tp_message *message) {
            ", which does not load (%s); './run --with mpi' in Topple's folder installs MPI and "
            "builds it, or share the "
            "study out by --shard",
-           processes, why != NULL ? why : "no reason is given");
+           processes, why.text);
   return NULL;
 }
 

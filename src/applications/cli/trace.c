@@ -8,7 +8,6 @@
 #include "cli/new_answers.h"
 #include "cli/sheet.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -311,16 +310,15 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
   const arguments *a = words;
   trace_function run = NULL;
   char *report = NULL;
-  void *library = tp_cli_load_library(TP_TRACE_LIBRARY);
-  if (library != NULL) *(void **)&run = dlsym(library, "tp_trace_run");
+  tp_cli_why why;
+  *(void **)&run = tp_cli_load_call(TP_TRACE_LIBRARY, "tp_trace_run", &why);
   if (run == NULL) {
-    const char *why = dlerror();
     snprintf(message->text, sizeof message->text,
              "pictures are traced by " TP_TRACE_LIBRARY
              ", which does not load (%s); './run --with trace' in Topple's folder installs OpenCV, "
              "libpng and libjpeg "
              "(libopencv-imgproc-dev libpng-dev libjpeg-dev) and builds it",
-             why != NULL ? why : "no reason is given");
+             why.text);
     return TP_DEPENDENCY_FAILED;
   }
   tp_status status =

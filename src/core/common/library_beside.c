@@ -2,10 +2,12 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Finds a library beside the running code or in the folder where it was to be installed, checks its
- * owner and mode, and loads it by dlopen. */
+ * owner and mode, loads it by dlopen, and checks its version. */
 
 #define _GNU_SOURCE /* dladdr */
 #include "common/library_beside.h"
+
+#include "topple_basics.h"
 
 #include <dlfcn.h>
 #include <limits.h>
@@ -39,7 +41,7 @@ static bool is_trusted(const char *path, const struct stat *beside) {
   return owner && (own.st_mode & S_IWOTH) == 0;
 }
 
-void *tp_library_beside(const char *name) {
+static void *load(const char *name) {
   static const char *const relative[] = {"", TP_LIBRARY_FROM_PROGRAM "/"};
   char own[PATH_MAX], path[2 * PATH_MAX];
   struct stat beside;
@@ -52,4 +54,22 @@ void *tp_library_beside(const char *name) {
   }
   snprintf(path, sizeof path, "%s/%s", TP_LIBRARY_FOLDER, name);
   return dlopen(path, RTLD_NOW | RTLD_LOCAL);
+}
+
+void *tp_library_beside(const char *name, tp_library_why *why) {
+  void *library = load(name);
+  if (library == NULL) {
+    const char *reason = dlerror();
+    snprintf(why->text, sizeof why->text, "%s", reason != NULL ? reason : "no reason is given");
+    return NULL;
+  }
+  const char *(*version)(void) = NULL;
+  *(void **)&version = dlsym(library, "tp_module_version");
+  const char *own = version != NULL ? version() : "unknown";
+  if (strcmp(own, TP_VERSION) == 0) return library;
+  snprintf(why->text, sizeof why->text,
+           "its version is %.40s, and that of what loads it " TP_VERSION
+           ": install both of the same version",
+           own);
+  return NULL;
 }

@@ -9,7 +9,6 @@
 #include "format/gis_library.h"
 #include "number/ratio.h"
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -180,14 +179,14 @@ tp_status tp_gis_drawing_read(tp_drawing *drawing, tp_message *message) {
   char why[TP_GIS_WHY_SIZE] = "";
   tp_status status = check_file(drawing->path, message);
   if (status != TP_OK) return status;
-  tp_gis_read_function *read = tp_gis_library();
+  tp_library_why why_not = {.text = "it is another library of this name"};
+  tp_gis_read_function *read = tp_gis_library(&why_not);
   if (read == NULL) {
-    const char *reason = dlerror();
     return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){drawing->path, 0, 0},
                    "is read by " TP_GIS_LIBRARY
                    ", which does not load (%s); './run --with gis' in Topple's folder installs "
                    "GDAL (libgdal-dev) and builds it, or save the drawing as GeoJSON",
-                   reason != NULL ? tp_quote_all(reason).text : "no reason is given");
+                   tp_quote_all(why_not.text).text);
   }
   taking t = {.drawing = drawing, .message = message, .outer = -1};
   fmpq_init(t.x);

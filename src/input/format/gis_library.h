@@ -7,12 +7,13 @@
 #ifndef TP_FORMAT_GIS_LIBRARY_H
 #define TP_FORMAT_GIS_LIBRARY_H
 
+#include "common/library_beside.h"
 #include "gis/gis.h"
 
 typedef tp_gis_outcome tp_gis_read_function(const char *path, tp_gis_take *take, void *context,
                                             char why[TP_GIS_WHY_SIZE]);
 
-/* tp_gis_read of libtopple-gis (common/library_beside.h); NULL: dlerror tells. */
-tp_gis_read_function *tp_gis_library(void);
+/* tp_gis_read of libtopple-gis; NULL: `why` tells. */
+tp_gis_read_function *tp_gis_library(tp_library_why *why);
 
 #endif

@@ -11,6 +11,7 @@
 #include "figure/name.h"
 #include "figure/sheet_name.h"
 #include "figure/small_svg.h"
+#include "figure/version.h"
 #include "output/file.h"
 
 #include <errno.h>
@@ -93,6 +94,7 @@ tp_status tp_report_sheet_batch(const char *path, const tp_batch *batch, size_t 
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, path);
   TP_REFUSE_NULL(message, batch);
+  TP_REFUSE_OTHER_VERSION(message);
   if (tp_sheet_kind_of(path) != TP_SHEET_HTML) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
                      "a page of blocks ends in .html or .htm");
@@ -148,6 +150,7 @@ tp_status tp_report_figures_batch(const char *folder, const char *ending, const 
   TP_REFUSE_NULL(message, folder);
   TP_REFUSE_NULL(message, ending);
   TP_REFUSE_NULL(message, batch);
+  TP_REFUSE_OTHER_VERSION(message);
   char name[16];
   snprintf(name, sizeof name, "x%s", ending);
   if (tp_figure_kind_of(name) == TP_FIGURE_UNKNOWN) {

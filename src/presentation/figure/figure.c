@@ -6,6 +6,7 @@
 #include "figure/figure.h"
 #include "common/host.h"
 #include "common/message.h"
+#include "figure/version.h"
 
 /* What is done with the figure of a solution. */
 typedef struct task {
@@ -49,6 +50,7 @@ tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_sol
   TP_REFUSE_NULL(message, path);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, solution);
+  TP_REFUSE_OTHER_VERSION(message);
   return tp_report_figure_if(path, scene, solution, (tp_figure_consent){0}, message);
 }
 
@@ -58,6 +60,7 @@ tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_
   TP_REFUSE_NULL(message, path);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, solution);
+  TP_REFUSE_OTHER_VERSION(message);
   if (!tp_figure_is_file_name(path)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
                      "the ending of a figure's name is its format: .svg, .pdf, .png or .dxf");

@@ -8,6 +8,7 @@
 #include "common/options.h"
 #include "figure/figure.h"
 #include "figure/sheet_file.h"
+#include "figure/version.h"
 #include "scene/scene.h"
 
 #include <stdlib.h>
@@ -64,6 +65,7 @@ tp_status tp_report_sheet(const char *path, const tp_scene *scene, const tp_solu
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, solution);
   TP_REFUSE_NULL(message, options);
+  TP_REFUSE_OTHER_VERSION(message);
   tp_sheet_options taken = tp_sheet_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   tp_file_sources sources = {0};

@@ -8,6 +8,7 @@
 #include "common/options.h"
 #include "figure/sheet_file.h"
 #include "figure/tilt_frames.h"
+#include "figure/version.h"
 #include "report/tilt_svg.h"
 #include "scene/scene.h"
 #include "study/sources.h"
@@ -61,6 +62,7 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
   TP_REFUSE_NULL(message, study);
   TP_REFUSE_NULL(message, result);
   TP_REFUSE_NULL(message, options);
+  TP_REFUSE_OTHER_VERSION(message);
   tp_sheet_options taken = tp_sheet_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   tp_sheet_picture charts[CHARTS] = {
@@ -119,6 +121,7 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, test);
   TP_REFUSE_NULL(message, options);
+  TP_REFUSE_OTHER_VERSION(message);
   tp_sheet_options taken = tp_sheet_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   tp_sheet_picture charts[CHARTS] = {

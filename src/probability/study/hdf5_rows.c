@@ -23,18 +23,18 @@ static bool is_hdf5(const char *path) {
 }
 
 static tp_status load(tp_hdf5_rows *own, tp_message *message) {
-  void *library = tp_library_beside("libtopple-hdf5.so");
+  tp_library_why why = {.text = "it is another library of this name"};
+  void *library = tp_library_beside("libtopple-hdf5.so", &why);
   void *check = library != NULL ? dlsym(library, "tp_hdf5_check") : NULL;
   void *write = check != NULL ? dlsym(library, "tp_hdf5_write") : NULL;
   memcpy(&own->check, &check, sizeof check);
   memcpy(&own->write, &write, sizeof write);
   if (write != NULL) return TP_OK;
-  const char *why = dlerror();
   return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){own->path, 0, 0},
                  "HDF5 is written by libtopple-hdf5.so, which does not load (%s); './run --with "
                  "hdf5' in Topple's folder installs HDF5 (libhdf5-dev) and builds it, or name a "
                  "file that ends in .csv",
-                 why != NULL ? why : "no reason is given");
+                 why.text);
 }
 
 tp_status tp_hdf5_rows_begin(tp_hdf5_rows *own, tp_study_options *options, const tp_study *study,
