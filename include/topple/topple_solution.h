@@ -268,6 +268,8 @@ typedef struct tp_earthquake {
   bool vertical;          /* with the scene's vertical part */
   tp_mechanism mechanism; /* what the block does under it */
   tp_fos fos;             /* its governing factor */
+  bool fails_against;     /* it moves the other way than it is shaken: `fos` is no measure of this
+                             earthquake */
 } tp_earthquake;
 
 /* Down-dip and up-dip, each with and without the vertical part. */

@@ -220,6 +220,16 @@ class Earthquake(unittest.TestCase):
             holds, drives = 0.5 * c + 1.0 * s, 0.9 * (1.0 * c - 0.5 * s)
             self.assertAlmostEqual(own["governing_fos"]["fos"]["value"], holds / drives, delta=1e-6)
 
+    def test_against_the_shaking(self):
+        """1.2 x 4 m at 30 degrees: about the lower edge even 0.1 g up-dip holds with 0.6 cos 30 + 0.1 (2 cos 30 + 0.6 sin 30) = 0.723
+        against 2 sin 30 = 1, so it topples down-dip though shaken up-dip, and no factor is told of that."""
+        self.path = self.path.with_name("slender.yaml")
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1.2, height: 4}, unit_weight_kn_m3: 26}\n"
+                             "slope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 25\nloads: {seismic: {horizontal: 0.1}}\n")
+        out = run("solve", self.path)[1]
+        self.assertIn("Seismic  shaken to the left, down-dip: topples, FoS 0.432;\n", out)
+        self.assertIn("shaken to the right, up-dip: topples down-dip all the same.\n", out)
+
     def test_every_output(self):
         """Report, figure, sheet, --fail-below, sweep and study are of the one that governs; what is not looked at is told."""
         status, out, _ = run("solve", self.write("horizontal: 0.2"))

@@ -30,6 +30,8 @@ SCENES = {
              "cases:\n- {name: DA1-2, partial_factors: DA1-2}\n- {name: level, set: {slope.dip_deg: 0}}\n",
     "a case": "block: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 20, towards: left}\nfriction_angle_deg: 35\n"
               "partial_factors: DA3\n",
+    "fails against": "block: {slab: {width: 1.2, height: 4}, unit_weight_kn_m3: 26}\nslope: {dip_deg: 30, towards: left}\n"
+                     "friction_angle_deg: 25\nloads: {seismic: {horizontal: 0.1}}\n",
     "within": "block: {outline: [[0, 0.01], [2, -0.01], [2, 3], [0, 3]]}\nbase: {profile: [[-1, 0], [3, 0]]}\n"
               "contact: {within: 0.02}\n",
     "joint": "block: {teeth: {count: 4, width: 30, height: 120, depth: 5, left_end: valley}}\n"

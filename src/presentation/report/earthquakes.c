@@ -31,10 +31,14 @@ void tp_page_add_earthquakes(tp_page *p) {
   const tp_solution *s = p->solution;
   for (size_t k = 0; k < s->earthquake_count; k++) {
     const tp_earthquake *own = s->earthquakes + k;
-    tp_text_add(&p->text, k == 0 ? "Seismic  " : "         ");
+    tp_text_add(&p->text, k == 0 ? "Seismic  shaken " : "         shaken ");
     tp_text_earthquake(&p->text, s, own);
     tp_text_add(&p->text, ": %s", tp_mechanism_name(own->mechanism));
-    add_factor(&p->text, own->fos);
+    if (own->fails_against) {
+      tp_text_add(&p->text, " %s all the same", own->up_dip ? "down-dip" : "up-dip");
+    } else {
+      add_factor(&p->text, own->fos);
+    }
     tp_text_add(&p->text, k + 1 < s->earthquake_count ? ";\n" : ".\n");
   }
   if (s->earthquake_count > 0) {

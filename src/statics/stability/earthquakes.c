@@ -100,27 +100,21 @@ static double factor_of(tp_fos fos, bool fails_against) {
   }
 }
 
-typedef struct shaken_case {
-  tp_earthquake result;
-  bool fails_against; /* the block moves the other way than it is shaken */
-} shaken_case;
-
-static bool is_worse(const shaken_case *own, const shaken_case *than) {
-  const int rank = rank_of(own->result.mechanism), other = rank_of(than->result.mechanism);
+static bool is_worse(const tp_earthquake *own, const tp_earthquake *than) {
+  const int rank = rank_of(own->mechanism), other = rank_of(than->mechanism);
   if (rank != other) return rank < other;
-  return factor_of(own->result.fos, own->fails_against) <
-         factor_of(than->result.fos, than->fails_against);
+  return factor_of(own->fos, own->fails_against) < factor_of(than->fos, than->fails_against);
 }
 
 /* The worst of its cases. */
-static shaken_case result_of(const tp_solution *solution, bool up_dip, bool vertical) {
-  shaken_case worst = {.fails_against = false};
+static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool vertical) {
+  tp_earthquake worst = {.fails_against = false};
   for (size_t k = 0; k < solution->case_count; k++) {
     const tp_case *c = solution->cases + k;
     tp_fos fos = c->governing_fos.fos;
     fos.value.digits = NULL; /* of the solution, which may go before the others */
-    const shaken_case own = {{c->towards, up_dip, vertical, c->mechanism, fos},
-                             c->governing_fos.up_dip};
+    const tp_earthquake own = {c->towards,   up_dip, vertical,
+                               c->mechanism, fos,    c->governing_fos.up_dip};
     if (k == 0 || is_worse(&own, &worst)) worst = own;
   }
   return worst;
@@ -132,12 +126,12 @@ static shaken_case result_of(const tp_solution *solution, bool up_dip, bool vert
 typedef struct looking {
   tp_solution *governs; /* NULL: none yet */
   size_t count;
-  shaken_case all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
+  tp_earthquake all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
 } looking;
 
 /* Take a solution over, or give it back. */
 static void take(looking *l, tp_solution *solution, bool up_dip, bool vertical) {
-  const shaken_case own = result_of(solution, up_dip, vertical);
+  const tp_earthquake own = result_of(solution, up_dip, vertical);
   if (l->count == 0 || is_worse(&own, l->all)) {
     memmove(l->all + 1, l->all, l->count * sizeof own);
     l->all[0] = own;
@@ -182,7 +176,7 @@ static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
   const bool sited = tp_water_is_sited(water) && water->faces != TP_WATER_IN_FRONT;
   const bool wets = sited || (water->given && !fmpq_is_zero(water->height.value));
-  if (status == TP_OK && wets && !l->all->result.up_dip) { /* else the solution has it */
+  if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
     return tp_earthquake_note_water(&l->governs->notes, water, message);
   }
   if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) {
@@ -211,7 +205,7 @@ tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
     return status;
   }
   l.governs->earthquake_count = l.count > 1 ? l.count : 0;
-  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k].result;
+  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k];
   *solution = l.governs;
   return TP_OK;
 }
