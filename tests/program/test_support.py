@@ -216,10 +216,10 @@ class Support(unittest.TestCase):
         low = (WEIGHT * math.sin(DIP) * 2 + WATER * 2 / 3 - WEIGHT * math.cos(DIP) * 0.6 / 1.3) * 3 / 8
         high = (WEIGHT * (math.cos(lying) * 0.6 + math.sin(lying) * 2) + 9.81 * 2 * math.cos(lying) * 2 / 3) * 3 / 8
         (own,) = told["at_least"]
-        self.assertAlmostEqual(own["from"], low, delta=1e-9)
-        self.assertAlmostEqual(own["to"], high, delta=1e-9)
+        self.assertAlmostEqual(own["low"], low, delta=1e-9)
+        self.assertAlmostEqual(own["high"], high, delta=1e-9)
         self.assertEqual((own["begins"], own["ends"]), (True, True))
-        for force, side in ((own["from"], 1), (own["from"] - 1e-9, -1), (own["to"], 1), (own["to"] + 1e-9, -1), (low / 2, -1),
+        for force, side in ((own["low"], 1), (own["low"] - 1e-9, -1), (own["high"], 1), (own["high"] + 1e-9, -1), (low / 2, -1),
                             (told["design"], 1), (high * 2, -1)):
             status, out, error = run("solve", "--json", "--set", f"loads.anchors.1.force_kn={force!r}", self.write(text))
             factor = json.loads(out)["cases"][0]["governing_fos"]["fos"]
@@ -243,7 +243,7 @@ class Support(unittest.TestCase):
         lining has one in kPa, here against sliding, by hand."""
         text = scene(anchors("at: [0, 8/3], dip_deg: 15, force_kn: 30, passive: true"))
         told = self.found(text, "fos=0.5")
-        self.assertEqual([(own["from"], own["begins"]) for own in told["at_least"]], [(0, False)])
+        self.assertEqual([(own["low"], own["begins"]) for own in told["at_least"]], [(0, False)])
         self.assertNotIn("design", told)
         self.assertIn("no design value: fos is above 0.5 already with the least that was tried, 0 kN",
                       run("solve", "--find", "loads.anchors.1.force_kn", "--for", "fos=0.5", self.write(text))[1])
@@ -252,7 +252,7 @@ class Support(unittest.TestCase):
         told = self.found(low, "sliding_fos=1.8", key="loads.support_pressures.1.kpa")
         weight = 3 * 26
         kpa = 1.8 * (weight * math.sin(DIP) + 9.81 / 2 * math.cos(DIP)) - weight * math.cos(DIP) * FRICTION
-        self.assertAlmostEqual(told["at_least"][0]["from"], kpa, delta=1e-9)
+        self.assertAlmostEqual(told["at_least"][0]["low"], kpa, delta=1e-9)
         self.assertTrue(kpa < told["design"] < kpa + 0.01)
 
     def test_bad_input(self):
