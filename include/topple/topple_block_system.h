@@ -54,6 +54,8 @@ typedef struct tp_system_contact {
   tp_bounded from_x_m, from_y_m; /* the first end */
   tp_bounded to_x_m, to_y_m;     /* the second one */
   tp_bounded friction_angle_deg; /* of this contact */
+  tp_bounded cohesion_kpa;       /* likewise, against sliding */
+  tp_bounded tension_kpa;        /* and its tensile strength */
 } tp_system_contact;
 
 /* How a block begins to move in a collapse. Velocities are to a common scale: the fastest corner of
@@ -100,7 +102,7 @@ typedef struct tp_system_case {
   bool has_acceleration;         /* that, and it lies below: */
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt */
-  tp_fos fos;               /* by strength reduction: the number by which tan(phi) of all joints
+  tp_fos fos;               /* by strength reduction: the number by which the strength of all joints
                                can be divided until no forces hold the blocks as they lie */
   bool fos_is_least;        /* that is only proven to be exceeded: the search ended there */
   bool has_required_fos;    /* the scene requires a factor: */

@@ -80,13 +80,17 @@ tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_lef
   tp_message message = {.text = ""};
   tp_force_program program;
   tp_load_bracket bracket;
-  tp_near *tangents = calloc((size_t)p->assemblage.contact_count + 1, sizeof *tangents);
-  ck_assert_ptr_nonnull(tangents);
-  for (long k = 0; k < p->assemblage.contact_count; k++) tangents[k] = (tp_near){tangent, 0};
-  ck_assert_int_eq(
-      tp_force_program_tilted(&program, &p->assemblage, tangents, towards_left, &message), TP_OK);
+  const tp_weight_loads loads = tp_weight_loads_tilted(towards_left);
+  tp_contact_strength *strengths =
+      calloc((size_t)p->assemblage.contact_count + 1, sizeof *strengths);
+  ck_assert_ptr_nonnull(strengths);
+  for (long k = 0; k < p->assemblage.contact_count; k++) {
+    strengths[k] = (tp_contact_strength){.tangent = {tangent, 0}};
+  }
+  ck_assert_int_eq(tp_force_program_init(&program, &p->assemblage, strengths, &loads, &message),
+                   TP_OK);
   ck_assert_int_eq(tp_load_bracket_find(&bracket, &program, share, &message), TP_OK);
   tp_force_program_clear(&program);
-  free(tangents);
+  free(strengths);
   return bracket;
 }

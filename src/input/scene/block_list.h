@@ -20,7 +20,7 @@ typedef struct tp_listed_block {
 typedef struct tp_joint_description {
   tp_place place;
   long between[2];
-  tp_quantity friction_angle_deg;
+  tp_quantity friction_angle_deg, cohesion_kpa, tension_kpa; /* not given: the scene's */
 } tp_joint_description;
 
 /* No blocks: the scene is of one block on its base. */

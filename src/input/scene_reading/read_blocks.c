@@ -235,6 +235,14 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
+static bool is_of_many(const char *load) {
+  static const char *const loads[] = {"seismic", "cohesion_kpa", "bond_kpa"};
+  for (size_t k = 0; load != NULL && k < sizeof loads / sizeof loads[0]; k++) {
+    if (strcmp(load, loads[k]) == 0) return true;
+  }
+  return load == NULL; /* no map: its reader says so */
+}
+
 /* Keys that say nothing of many blocks. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"base",      "contact",  "joint",           "drawing",
@@ -249,9 +257,10 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   }
   const tp_node *loads = tp_node_get(root, "loads");
   for (const tp_node *n = loads != NULL ? loads->first : NULL; n != NULL; n = n->next) {
-    if (n->key == NULL || strcmp(n->key, "seismic") == 0) continue;
+    if (is_of_many(n->key)) continue;
     return tp_read_fail(reader, TP_FAULT_KEY, n,
-                        "on many blocks acts 'seismic' alone so far: leave out '%s'",
+                        "many blocks take 'seismic', and 'cohesion_kpa' and 'bond_kpa' of all "
+                        "joints: leave out '%s'",
                         tp_quote_all(n->key).text);
   }
   return TP_OK;

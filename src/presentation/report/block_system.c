@@ -58,10 +58,10 @@ static void add_verdict(tp_text *t, const tp_system_case *c) {
     tp_text_add(t, "  STANDS: no motion can begin.\n");
     break;
   case TP_SYSTEM_COLLAPSES:
-    tp_text_add(t, "  COLLAPSES: no forces within the friction of the joints hold the blocks.\n");
+    tp_text_add(t, "  COLLAPSES: no forces within the strength of the joints hold the blocks.\n");
     break;
   case TP_SYSTEM_CAN_HOLD:
-    tp_text_add(t, "  CAN BE HELD: forces within the friction of the joints hold all blocks as\n"
+    tp_text_add(t, "  CAN BE HELD: forces within the strength of the joints hold all blocks as\n"
                    "  they lie. That no motion begins all the same is not excluded.\n");
     break;
   case TP_SYSTEM_UNDECIDED:
@@ -203,7 +203,7 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_label(t, "at that limit, all in all");
   tp_text_add(t, "%s\n\n  Collapse %s, by velocities at its beginning:\n",
               tp_mechanism_name(mechanism_of(c)),
-              reduced            ? "with tan(phi) over the factor"
+              reduced            ? "with strength over the factor"
               : s->lies_in_place ? "at the greatest dip"
                                  : "at the greatest tilt");
   add_motions(t, s, c, width);

@@ -21,63 +21,126 @@ void tp_force_program_clear(tp_force_program *p) {
   memset(p, 0, sizeof *p);
 }
 
-/* The contact's direction over a power of two, so that its size is about one; its ends. */
+/* The contact's direction over a power of two, so that its size is about one; its ends, and its
+ * length over that size. */
 typedef struct frame {
-  tp_near dx, dy, tangent;
+  tp_near dx, dy, length;
   long ends[2];
 } frame;
+
+static void scale(tp_near *number, int exponent) {
+  number->value = ldexp(number->value, exponent);
+  number->error = ldexp(number->error, exponent);
+}
 
 static frame frame_of(const tp_assemblage *a, const tp_block_contact *c, tp_near tangent) {
   const tp_lattice *l = &a->lattice;
   frame f = {.dx = tp_assemblage_length(a, l->x + c->from, l->x + c->to),
              .dy = tp_assemblage_length(a, l->y + c->from, l->y + c->to),
-             .tangent = tangent,
              .ends = {c->ends[0], c->ends[1]}};
   const int exponent = ilogb(hypot(f.dx.value, f.dy.value) * hypot(1, tangent.value));
-  tp_near *parts[] = {&f.dx, &f.dy};
-  for (int k = 0; k < 2; k++) {
-    parts[k]->value = ldexp(parts[k]->value, -exponent);
-    parts[k]->error = ldexp(parts[k]->error, -exponent);
-  }
+  scale(&f.dx, -exponent);
+  scale(&f.dy, -exponent);
+  if (f.ends[0] == f.ends[1]) return f;
+  const tp_near x = tp_assemblage_length(a, l->x + c->ends[0], l->x + c->ends[1]);
+  const tp_near y = tp_assemblage_length(a, l->y + c->ends[0], l->y + c->ends[1]);
+  const tp_near along = tp_near_plus(tp_near_times(x, f.dx), tp_near_times(y, f.dy));
+  const tp_near size = tp_near_plus(tp_near_times(f.dx, f.dx), tp_near_times(f.dy, f.dy));
+  f.length = tp_near_div(along, size);
+  if (f.length.value < 0) f.length = tp_near_neg(f.length);
   return f;
 }
 
-/* An edge of the cone at an end, on the block to the left; on the other one turned round. */
+/* A force of the first two of `force` at an end, on the block to the left; on the other one turned
+ * round. */
 static void set_column(tp_force_column *column, const tp_assemblage *a, long contact,
-                       const frame *f, int end, bool against) {
-  *column = (tp_force_column){.contact = contact, .row = {-1, -1}};
+                       const frame *f, int end, const tp_near force[2]) {
+  *column = (tp_force_column){.contact = contact, .row = {-1, -1}, .most = {INFINITY, 0}};
   for (int k = 0; k < 2; k++) {
     const tp_rigid_block *block = a->blocks + a->contacts[contact].block[k];
     if (block->number < 0) continue;
     const tp_near arm_x = tp_assemblage_length(a, block->x, a->lattice.x + f->ends[end]);
     const tp_near arm_y = tp_assemblage_length(a, block->y, a->lattice.y + f->ends[end]);
     column->row[k] = 3 * block->number;
-    tp_sparse_cone_edge(column->entry[k], &f->dx, &f->dy, &f->tangent, against);
+    column->entry[k][0] = force[0];
+    column->entry[k][1] = force[1];
     tp_sparse_moment(column->entry[k], &arm_x, &arm_y);
     if (k == 1) tp_sparse_reverse(column->entry[k]);
   }
 }
 
-static void set_loads(tp_force_program *p, const tp_assemblage *a, bool towards_left) {
+/* So much of a column, always. */
+static void add_dead(tp_force_program *p, const tp_force_column *column, tp_near force) {
+  for (int k = 0; k < 2; k++) {
+    if (column->row[k] < 0) continue;
+    for (int e = 0; e < 3; e++) {
+      tp_near *own = p->dead + column->row[k] + e;
+      *own = tp_near_plus(*own, tp_near_times(force, column->entry[k][e]));
+    }
+  }
+}
+
+static void add_cones(tp_force_program *p, long contact, const frame *f,
+                      const tp_contact_strength *strength) {
+  for (int end = 0; end < (f->ends[0] == f->ends[1] ? 1 : 2); end++) {
+    for (int against = 0; against < 2; against++) {
+      tp_near edge[2];
+      tp_sparse_cone_edge(edge, &f->dx, &f->dy, &strength->tangent, against == 1);
+      set_column(p->columns + p->count++, p->assemblage, contact, f, end, edge);
+    }
+  }
+}
+
+/* Half of it at each end, on the block to the left to its right. */
+static void add_tension(tp_force_program *p, long contact, const frame *f, tp_near tension) {
+  const tp_near normal[2] = {tp_near_neg(f->dy), f->dx};
+  const tp_near half = tp_near_neg(tp_near_times(tension, f->length));
+  if (tp_near_is_zero(half)) return;
+  for (int end = 0; end < 2; end++) {
+    tp_force_column column;
+    set_column(&column, p->assemblage, contact, f, end, normal);
+    add_dead(p, &column, (tp_near){half.value / 2, half.error / 2});
+  }
+}
+
+static void add_cohesion(tp_force_program *p, long contact, const frame *f, tp_near cohesion) {
+  const tp_near along[2] = {f->dx, f->dy};
+  const tp_near half = tp_near_times(cohesion, f->length);
+  if (tp_near_is_zero(half)) return;
+  tp_force_column *column = p->columns + p->count++;
+  set_column(column, p->assemblage, contact, f, 0, along);
+  column->most = (tp_near){2 * half.value, 2 * half.error};
+  add_dead(p, column, tp_near_neg(half));
+}
+
+static void set_loads(tp_force_program *p, const tp_assemblage *a, const tp_weight_loads *loads) {
   for (long k = 0; k < a->count; k++) {
     const tp_rigid_block *b = a->blocks + k;
     if (b->number < 0) continue;
     p->block[b->number] = k;
     tp_near *dead = p->dead + 3 * b->number, *live = p->live + 3 * b->number;
-    dead[1] = tp_near_neg(b->weight);
-    live[0] = towards_left ? tp_near_neg(b->weight) : b->weight;
+    for (int axis = 0; axis < 2; axis++) {
+      dead[axis] = tp_near_times(b->weight, loads->dead[axis]);
+      live[axis] = tp_near_times(b->weight, loads->live[axis]);
+    }
     tp_sparse_moment(dead, &b->arm_x, &b->arm_y);
     tp_sparse_moment(live, &b->arm_x, &b->arm_y);
   }
 }
 
-tp_status tp_force_program_tilted(tp_force_program *p, const tp_assemblage *a,
-                                  const tp_near *tangents, bool towards_left, tp_message *message) {
+tp_weight_loads tp_weight_loads_tilted(bool towards_left) {
+  return (tp_weight_loads){.dead = {{0, 0}, {-1, 0}}, .live = {{towards_left ? -1 : 1, 0}, {0, 0}}};
+}
+
+tp_status tp_force_program_init(tp_force_program *p, const tp_assemblage *a,
+                                const tp_contact_strength *strengths, const tp_weight_loads *loads,
+                                tp_message *message) {
+  enum { MOST_COLUMNS = 5 }; /* of a contact */
   memset(p, 0, sizeof *p);
   p->assemblage = a;
   p->rows = 3 * a->free_count;
   p->block = calloc((size_t)a->free_count + 1, sizeof *p->block);
-  p->columns = calloc(4 * (size_t)a->contact_count + 1, sizeof *p->columns);
+  p->columns = calloc(MOST_COLUMNS * (size_t)a->contact_count + 1, sizeof *p->columns);
   p->first = calloc((size_t)a->contact_count + 1, sizeof *p->first);
   p->dead = calloc((size_t)p->rows + 1, sizeof *p->dead);
   p->live = calloc((size_t)p->rows + 1, sizeof *p->live);
@@ -86,15 +149,15 @@ tp_status tp_force_program_tilted(tp_force_program *p, const tp_assemblage *a,
     tp_force_program_clear(p);
     return tp_fail_memory(message, "the forces between blocks");
   }
+  set_loads(p, a, loads);
   for (long k = 0; k < a->contact_count; k++) {
-    const frame f = frame_of(a, a->contacts + k, tangents[k]);
+    const frame f = frame_of(a, a->contacts + k, strengths[k].tangent);
     p->first[k] = p->count;
-    for (int end = 0; end < (f.ends[0] == f.ends[1] ? 1 : 2); end++) {
-      set_column(p->columns + p->count++, a, k, &f, end, false);
-      set_column(p->columns + p->count++, a, k, &f, end, true);
-    }
+    add_cones(p, k, &f, strengths + k);
+    if (f.ends[0] == f.ends[1]) continue; /* a point has no area */
+    add_tension(p, k, &f, strengths[k].tension);
+    add_cohesion(p, k, &f, strengths[k].cohesion);
   }
   p->first[a->contact_count] = p->count;
-  set_loads(p, a, towards_left);
   return TP_OK;
 }

@@ -7,7 +7,9 @@
  *
  * Three rows a free block: force in x, in y and moment about its own point. Four columns a contact
  * of edges, two a corner: at each end the two edges n + t tan(phi) and n - t tan(phi) of the
- * friction cone, pushing the first block to its left and the second one back. All entries are
+ * friction cone, pushing the first block to its left and the second one back. Tensile strength
+ * moves the apex of the cone of both ends by half its force, which is part of w0; and cohesion is a
+ * column more, along t, from 0 to twice its force, of which w0 has the half back. All entries are
  * enclosed. */
 
 #ifndef TP_ASSEMBLAGE_FORCE_PROGRAM_H
@@ -18,25 +20,39 @@
 /* A force of about size one. Of a fixed block the row is -1, and its entries nothing. */
 typedef struct tp_force_column {
   long contact, row[2];
+  tp_near most; /* the greatest factor on it; an infinity: there is none */
   tp_near entry[2][3];
 } tp_force_column;
+
+/* Of a contact, over its length, in units of force over length of the assemblage: N >= -tension and
+ * |T| <= cohesion + (N + tension) tangent, as of a bond in statics of one block. */
+typedef struct tp_contact_strength {
+  tp_near tangent, cohesion, tension;
+} tp_contact_strength;
+
+/* What acts on a weight of one: always, and times s. */
+typedef struct tp_weight_loads {
+  tp_near dead[2], live[2];
+} tp_weight_loads;
 
 typedef struct tp_force_program {
   const tp_assemblage *assemblage;
   long rows, count;
   long *block;              /* by number of a free block: which it is */
   tp_force_column *columns; /* those of one contact follow each other */
-  long *first;              /* by contact, and `count` at the end */
+  long *first;              /* by contact, and `count` at the end; cones before cohesion */
   tp_near *dead, *live;     /* w0 and w1, by row */
 } tp_force_program;
 
 /* Weights act downwards (-y) and s times the weights towards -x, or towards x: by s = tan(tilt) all
- * is tilted to that side, or s is a pseudo-static coefficient. `tangents` are tan(phi) by contact.
- * On failure `program` is cleared. */
-TP_MUST_USE tp_status tp_force_program_tilted(tp_force_program *program,
-                                              const tp_assemblage *assemblage,
-                                              const tp_near *tangents, bool towards_left,
-                                              tp_message *message);
+ * is tilted to that side, or s is a pseudo-static coefficient. */
+tp_weight_loads tp_weight_loads_tilted(bool towards_left);
+
+/* `strengths` are by contact. On failure `program` is cleared. */
+TP_MUST_USE tp_status tp_force_program_init(tp_force_program *program,
+                                            const tp_assemblage *assemblage,
+                                            const tp_contact_strength *strengths,
+                                            const tp_weight_loads *loads, tp_message *message);
 void tp_force_program_clear(tp_force_program *program);
 
 #endif

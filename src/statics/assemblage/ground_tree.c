@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Breadth first from the ground over contacts of two ends with friction; of each the three columns
- * of largest determinant, by Cramer's rule. */
+/* Breadth first from the ground over contacts of two ends with friction or cohesion; of each the
+ * three columns of largest determinant, by Cramer's rule. */
 
 #include "assemblage/ground_tree.h"
 
@@ -12,21 +12,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+static double volume_of(const tp_force_program *p, const long own[3], int side) {
+  const tp_near volume =
+      tp_near_determinant(p->columns[own[0]].entry[side], p->columns[own[1]].entry[side],
+                          p->columns[own[2]].entry[side]);
+  return tp_near_sign(volume) == 0 ? 0 : fabs(volume.value);
+}
+
 /* Three of the contact's columns; false where they span less than all. */
 static bool choose_columns(tp_tree_link *link, const tp_force_program *p, long contact) {
-  const long first = p->first[contact], count = p->first[contact + 1] - first;
+  const long first = p->first[contact], end = p->first[contact + 1];
   double most = 0;
-  for (int without = 0; without < 4 && count == 4; without++) {
-    long own[3];
-    for (int k = 0, at = 0; k < 4; k++) {
-      if (k != without) own[at++] = first + k;
+  for (long i = first; i < end; i++) {
+    for (long j = i + 1; j < end; j++) {
+      for (long k = j + 1; k < end; k++) {
+        const long own[3] = {i, j, k};
+        const double volume = volume_of(p, own, link->side);
+        if (volume <= most) continue;
+        most = volume;
+        memcpy(link->columns, own, sizeof own);
+      }
     }
-    const tp_near volume = tp_near_determinant(p->columns[own[0]].entry[link->side],
-                                               p->columns[own[1]].entry[link->side],
-                                               p->columns[own[2]].entry[link->side]);
-    if (tp_near_sign(volume) == 0 || fabs(volume.value) <= most) continue;
-    most = fabs(volume.value);
-    memcpy(link->columns, own, sizeof own);
   }
   return most > 0;
 }

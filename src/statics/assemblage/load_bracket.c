@@ -56,11 +56,20 @@ static void hand_down(tp_near *parent, const tp_near *own, const tp_assemblage *
   for (int e = 0; e < 3; e++) parent[e] = tp_near_plus(parent[e], moved[e]);
 }
 
+/* Factors above zero, of which the method keeps them, and no greater than they may be. */
+static bool are_allowed(const tp_force_program *p, const double *forces) {
+  for (long k = 0; k < p->count; k++) {
+    const tp_near most = p->columns[k].most;
+    if (!(forces[k] >= 0 && forces[k] <= most.value - most.error)) return false;
+  }
+  return true;
+}
+
 /* Does what the forces leave fit into the contacts of the tree? Each column is of one link. */
 static bool is_held(proving *s, const double *forces, double load) {
   const tp_force_program *p = s->p;
   const tp_assemblage *a = p->assemblage;
-  if (s->tree->count < p->rows / 3) return false;
+  if (s->tree->count < p->rows / 3 || !are_allowed(p, forces)) return false;
   find_lacks(s, forces, load);
   for (long k = s->tree->count - 1; k >= 0; k--) {
     const tp_tree_link *link = s->tree->links + k;
@@ -69,7 +78,10 @@ static bool is_held(proving *s, const double *forces, double load) {
     tp_tree_link_share(factors, link, p, own);
     for (int c = 0; c < 3; c++) {
       const tp_near sum = tp_near_add((tp_near){forces[link->columns[c]], 0}, factors[c]);
-      if (!(sum.value >= sum.error)) return false;
+      const tp_near most = p->columns[link->columns[c]].most;
+      if (!(sum.value >= sum.error && sum.value + sum.error <= most.value - most.error)) {
+        return false;
+      }
     }
     if (link->parent < 0) continue;
     hand_down(s->lacks + 3 * link->parent, own, a, a->blocks + p->block[link->number],
@@ -89,8 +101,10 @@ static tp_near power_of(const tp_near *wrenches, const double *twists, long rows
   return sum;
 }
 
-/* No force does work on the twists: A^T v <= 0. */
-static bool opens_all(const tp_force_program *p, const double *twists) {
+/* No force does work on the twists: A^T v <= 0; but for those that are bounded, of which the work
+ * is added up. */
+static bool opens_all(tp_near *work, const tp_force_program *p, const double *twists) {
+  *work = (tp_near){0, 0};
   for (long k = 0; k < p->count; k++) {
     const tp_force_column *c = p->columns + k;
     tp_near sum = {0, 0};
@@ -99,16 +113,24 @@ static bool opens_all(const tp_force_program *p, const double *twists) {
         sum = tp_near_plus(sum, power_of(c->entry[side], twists + c->row[side], 3));
       }
     }
-    if (!(sum.value <= -sum.error)) return false;
+    if (isfinite(c->most.value)) {
+      const tp_near own = tp_near_mul(tp_near_larger(sum, (tp_near){0, 0}), c->most);
+      *work = tp_near_plus(*work, own);
+    } else if (!(sum.value <= -sum.error)) {
+      return false;
+    }
   }
   return true;
 }
 
-/* Of what is held w0 . v + s w1 . v = -f . A^T v >= 0, so that s <= w0 . v / -w1 . v. */
+/* Of what is held w0 . v + s w1 . v = -f . A^T v >= -work, so that s <= (w0 . v + work) / -w1 . v.
+ */
 static bool find_bound(double *bound, const tp_force_program *p, const double *twists) {
   const tp_near live = tp_near_neg(power_of(p->live, twists, p->rows));
-  if (tp_near_sign(live) <= 0 || !opens_all(p, twists)) return false;
-  const tp_near own = tp_near_div(power_of(p->dead, twists, p->rows), live);
+  tp_near work;
+  if (tp_near_sign(live) <= 0 || !opens_all(&work, p, twists)) return false;
+  const tp_near dead = tp_near_plus(power_of(p->dead, twists, p->rows), work);
+  const tp_near own = tp_near_div(dead, live);
   *bound = nextafter(own.value + own.error, INFINITY);
   return isfinite(*bound);
 }
@@ -127,11 +149,14 @@ static bool is_narrow(const proving *s) {
   return b->is_held && b->is_bounded && b->bound - b->held <= s->share * fabs(b->bound);
 }
 
+/* Forces that are not proven to hold are kept too: to begin from, where none are. */
 static bool watch(void *context, const tp_interior_iterate *at) {
   proving *s = context;
   tp_load_bracket *b = s->bracket;
   double bound = 0;
-  (void)try_forces(s, at);
+  if (!try_forces(s, at) && !b->is_held) {
+    memcpy(b->forces, at->forces, (size_t)s->p->count * sizeof *b->forces);
+  }
   if (find_bound(&bound, s->p, at->twists) && (!b->is_bounded || bound < b->bound)) {
     b->is_bounded = true;
     b->bound = bound;
@@ -139,18 +164,27 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   }
   /* nearer than that roundings follow, and forces are found by the other way */
   const bool is_near = b->is_bounded && at->gap <= s->share / 8 * fabs(b->bound);
-  return (b->is_held && (is_near || b->held > TP_MOST_LOAD)) || is_narrow(s);
+  return is_near || (b->is_held && b->held > TP_MOST_LOAD) || is_narrow(s);
 }
 
 static bool watch_centre(void *context, const tp_interior_iterate *at) {
   return try_forces(context, at);
 }
 
-/* A share below the bound forces are found once more, from the nearest ones. */
+/* A share below the bound forces are found once more, from the nearest ones; where roundings keep
+ * them from that, a little farther away. */
 static tp_status hold_nearer(proving *s, tp_message *message) {
+  static const double farther = 16, farthest = 2;
   tp_load_bracket *b = s->bracket;
-  const double load = b->bound - s->share / 2 * fabs(b->bound);
-  return tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
+  tp_status status = TP_OK;
+  for (double away = s->share / 2; away < farthest && status == TP_OK; away *= farther) {
+    const double load = b->bound - away * fabs(b->bound);
+    if (b->is_held && load <= b->held) break;
+    const bool was_held = b->is_held;
+    status = tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
+    if (b->is_held && !was_held) break;
+  }
+  return status;
 }
 
 tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, double share,
@@ -165,7 +199,7 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, do
       b->forces != NULL && b->twists != NULL && s.lacks != NULL && tp_ground_tree_init(&tree, p);
   tp_status status = made ? tp_interior_point(p, watch, &s, message)
                           : tp_fail_memory(message, "the forces between blocks");
-  if (status == TP_OK && b->is_held && b->is_bounded && !is_narrow(&s)) {
+  if (status == TP_OK && b->is_bounded && !is_narrow(&s)) {
     status = hold_nearer(&s, message);
   }
   tp_ground_tree_clear(&tree);

@@ -23,7 +23,7 @@ typedef struct tp_load_bracket {
   double held;              /* forces hold that load, or one the other way; not looked for
                                beyond TP_MOST_LOAD */
   double bound; /* none hold more; below zero: none hold it without a load the other way */
-  double *forces, *twists; /* of these proofs, by column and by row */
+  double *forces, *twists; /* of these proofs, by column and by row, where there is one */
 } tp_load_bracket;
 
 /* To `share` of itself; where that is not to be had the nearest proofs. On failure cleared. */

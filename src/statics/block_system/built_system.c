@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { BITS = 128 };
 static const double limit_share = 1e-6; /* of itself, to which a limit is proven */
 
 void tp_built_system_clear(tp_built_system *s) {
@@ -23,8 +24,8 @@ void tp_built_system_clear(tp_built_system *s) {
   for (long k = 0; k < s->count && s->sections != NULL; k++) tp_section_clear(s->sections + k);
   free(s->sections);
   free(s->given);
-  free(s->friction);
-  free(s->tangents);
+  free(s->joints);
+  free(s->strengths);
   tp_notes_clear(&s->notes);
   memset(s, 0, sizeof *s);
 }
@@ -89,7 +90,7 @@ static tp_status set_block(tp_built_system *s, const tp_listed_block *listed, tp
   return status == TP_OK ? check(section, s->scene->metres_per_unit, message) : status;
 }
 
-/* ---- friction ----------------------------------------------------------------------------------
+/* ---- strength ----------------------------------------------------------------------------------
  */
 
 /* Joints in the order of their pairs of blocks. */
@@ -133,45 +134,98 @@ static tp_status check_joints(tp_built_system *s, const tp_joint_description **s
   return status;
 }
 
-static tp_near tangent_of(const tp_quantity *angle_deg) {
-  enum { BITS = 128 };
-  arb_t tangent;
+const tp_quantity *tp_built_system_property(const tp_built_system *s, long contact,
+                                            tp_joint_property property) {
+  const tp_scene *scene = s->scene;
+  const tp_joint_description *joint = s->joints[contact];
+  const tp_quantity *const of_scene[] = {[TP_JOINT_FRICTION] = &scene->friction_angle_deg,
+                                         [TP_JOINT_COHESION] = &scene->loads.cohesion_kpa,
+                                         [TP_JOINT_TENSION] = &scene->loads.bond_kpa};
+  if (joint == NULL) return of_scene[property];
+  const tp_quantity *const own[] = {[TP_JOINT_FRICTION] = &joint->friction_angle_deg,
+                                    [TP_JOINT_COHESION] = &joint->cohesion_kpa,
+                                    [TP_JOINT_TENSION] = &joint->tension_kpa};
+  return own[property]->given ? own[property] : of_scene[property];
+}
+
+/* Pressures in units of force over length of the assemblage. */
+static void set_pressure(arb_t pressure, const tp_built_system *s, const tp_quantity *kpa) {
+  arb_t step;
+  arb_init(step);
+  arb_set_fmpq(pressure, kpa->value, BITS);
+  arb_set_fmpq(step, s->assemblage.lattice.step_m, BITS);
+  arb_mul(pressure, pressure, step, BITS);
+  arb_mul_2exp_si(pressure, pressure,
+                  s->assemblage.length_exponent - s->assemblage.weight_exponent);
+  arb_clear(step);
+}
+
+/* What is exactly nothing stays so. */
+static tp_near near_of(const arb_t ball) {
+  return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
+}
+
+static void set_strength(tp_built_system *s, long contact) {
+  arb_t tangent, cohesion, tension;
   arb_init(tangent);
-  arb_set_fmpq(tangent, angle_deg->value, BITS);
+  arb_init(cohesion);
+  arb_init(tension);
+  arb_set_fmpq(tangent, tp_built_system_property(s, contact, TP_JOINT_FRICTION)->value, BITS);
   tp_friction_tangent(tangent, tangent, BITS);
-  const tp_near near = tp_ball_near(tangent);
+  set_pressure(cohesion, s, tp_built_system_property(s, contact, TP_JOINT_COHESION));
+  set_pressure(tension, s, tp_built_system_property(s, contact, TP_JOINT_TENSION));
+  s->strengths[contact] =
+      (tp_contact_strength){near_of(tangent), near_of(cohesion), near_of(tension)};
+  s->is_cohesive = s->is_cohesive || !arb_is_zero(cohesion) || !arb_is_zero(tension);
   arb_clear(tangent);
-  return near;
+  arb_clear(cohesion);
+  arb_clear(tension);
 }
 
 /* Contacts of a joint follow each other rarely: each takes a search. */
 static void set_contacts(tp_built_system *s, const tp_joint_description **sorted, bool *used) {
-  const tp_scene *scene = s->scene;
-  const tp_near of_scene = tangent_of(&scene->friction_angle_deg);
   for (long k = 0; k < s->assemblage.contact_count; k++) {
-    const long joint = find_joint(sorted, scene->many.joint_count, s->assemblage.contacts + k);
-    s->friction[k] = joint >= 0 ? &sorted[joint]->friction_angle_deg : &scene->friction_angle_deg;
-    s->tangents[k] = joint >= 0 ? tangent_of(s->friction[k]) : of_scene;
+    const long joint = find_joint(sorted, s->scene->many.joint_count, s->assemblage.contacts + k);
+    s->joints[k] = joint >= 0 ? sorted[joint] : NULL;
     if (joint >= 0) used[joint] = true;
+    if (k > 0 && s->joints[k] == NULL && s->joints[k - 1] == NULL) {
+      s->strengths[k] = s->strengths[k - 1];
+    } else {
+      set_strength(s, k);
+    }
   }
 }
 
-static tp_status set_friction(tp_built_system *s, tp_message *message) {
+/* A pressure is held against weights in kN. */
+static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
+  for (long k = 0; k < s->count && s->is_cohesive; k++) {
+    const tp_listed_block *own = s->scene->many.blocks + k;
+    if (own->fixed || own->shape.unit_weight_kn_m3.given) continue;
+    return tp_refuse(
+        message, TP_FAULT_KEY, own->place,
+        "cohesion is weighed against the blocks: give 'block: {unit_weight_kn_m3: 25}' "
+        "or that of each");
+  }
+  return TP_OK;
+}
+
+static tp_status set_strengths(tp_built_system *s, tp_message *message) {
   const tp_block_list *many = &s->scene->many;
   const size_t contacts = (size_t)s->assemblage.contact_count + 1;
   const size_t joints = (size_t)many->joint_count + 1;
   const tp_joint_description **sorted = calloc(joints, sizeof *sorted);
   bool *used = calloc(joints, sizeof *used);
-  s->friction = calloc(contacts, sizeof *s->friction);
-  s->tangents = calloc(contacts, sizeof *s->tangents);
+  s->joints = calloc(contacts, sizeof *s->joints);
+  s->strengths = calloc(contacts, sizeof *s->strengths);
   tp_status status = TP_OK;
-  if (sorted == NULL || used == NULL || s->friction == NULL || s->tangents == NULL) {
+  if (sorted == NULL || used == NULL || s->joints == NULL || s->strengths == NULL) {
     status = tp_fail_memory(message, "the joints");
   } else {
     for (long k = 0; k < many->joint_count; k++) sorted[k] = many->joints + k;
     qsort(sorted, (size_t)many->joint_count, sizeof *sorted, compare_joints);
     set_contacts(s, sorted, used);
     status = check_joints(s, sorted, used, message);
+    if (status == TP_OK) status = check_weighed(s, message);
   }
   free(sorted);
   free(used);
@@ -194,7 +248,7 @@ static tp_status build(tp_built_system *s, tp_message *message) {
     status =
         tp_assemblage_init(&s->assemblage, s->given, s->count, s->scene->metres_per_unit, message);
   }
-  return status == TP_OK ? set_friction(s, message) : status;
+  return status == TP_OK ? set_strengths(s, message) : status;
 }
 
 tp_status tp_built_system_init(tp_built_system *s, const tp_scene *scene, tp_message *message) {
@@ -210,26 +264,35 @@ tp_status tp_built_system_init(tp_built_system *s, const tp_scene *scene, tp_mes
   return status;
 }
 
+static tp_near over(tp_near number, double divisor) {
+  return tp_near_is_zero(number) ? number : tp_near_div(number, (tp_near){divisor, 0});
+}
+
+tp_contact_strength tp_built_system_strength(const tp_built_system *s, long contact,
+                                             double divisor) {
+  const tp_contact_strength *own = s->strengths + contact;
+  return (tp_contact_strength){over(own->tangent, divisor), over(own->cohesion, divisor),
+                               over(own->tension, divisor)};
+}
+
 tp_status tp_built_system_program(tp_force_program *program, const tp_built_system *s,
-                                  bool towards_left, double divisor, tp_message *message) {
+                                  const tp_weight_loads *loads, double divisor,
+                                  tp_message *message) {
   const long count = s->assemblage.contact_count;
-  tp_near *tangents = calloc((size_t)count + 1, sizeof *tangents);
-  if (tangents == NULL) return tp_fail_memory(message, "the joints");
-  for (long k = 0; k < count; k++) {
-    tangents[k] = tp_near_is_zero(s->tangents[k])
-                      ? s->tangents[k]
-                      : tp_near_div(s->tangents[k], (tp_near){divisor, 0});
-  }
+  tp_contact_strength *strengths = calloc((size_t)count + 1, sizeof *strengths);
+  if (strengths == NULL) return tp_fail_memory(message, "the joints");
+  for (long k = 0; k < count; k++) strengths[k] = tp_built_system_strength(s, k, divisor);
   const tp_status status =
-      tp_force_program_tilted(program, &s->assemblage, tangents, towards_left, message);
-  free(tangents);
+      tp_force_program_init(program, &s->assemblage, strengths, loads, message);
+  free(strengths);
   return status;
 }
 
 tp_status tp_built_system_bracket(tp_load_bracket *bracket, const tp_built_system *s,
-                                  bool towards_left, double divisor, tp_message *message) {
+                                  const tp_weight_loads *loads, double divisor,
+                                  tp_message *message) {
   tp_force_program program;
-  tp_status status = tp_built_system_program(&program, s, towards_left, divisor, message);
+  tp_status status = tp_built_system_program(&program, s, loads, divisor, message);
   if (status != TP_OK) return status;
   status = tp_load_bracket_find(bracket, &program, limit_share, message);
   tp_force_program_clear(&program);

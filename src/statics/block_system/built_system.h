@@ -14,9 +14,10 @@ typedef struct tp_built_system {
   tp_section *sections;
   tp_given_block *given;
   tp_assemblage assemblage;
-  const tp_quantity **friction; /* by contact, degrees; borrowed from the scene */
-  tp_near *tangents;            /* by contact: tan(phi) */
-  tp_notes notes;               /* on what was made of the blocks */
+  const tp_joint_description **joints; /* by contact; NULL: the scene's strength */
+  tp_contact_strength *strengths;      /* by contact */
+  bool is_cohesive;                    /* some of them has cohesion or tension */
+  tp_notes notes;                      /* on what was made of the blocks */
 } tp_built_system;
 
 /* Each block is checked by itself first. On failure `system` is cleared. */
@@ -24,14 +25,28 @@ TP_MUST_USE tp_status tp_built_system_init(tp_built_system *system, const tp_sce
                                            tp_message *message);
 void tp_built_system_clear(tp_built_system *system);
 
-/* The program of forces towards a side with tan(phi) of all contacts over a number. */
-TP_MUST_USE tp_status tp_built_system_program(tp_force_program *program,
-                                              const tp_built_system *system, bool towards_left,
-                                              double divisor, tp_message *message);
+/* The friction angle, in degrees, and cohesion and tension, in kPa, of a contact: its joint's where
+ * that gives them, else the scene's. */
+typedef enum tp_joint_property {
+  TP_JOINT_FRICTION,
+  TP_JOINT_COHESION,
+  TP_JOINT_TENSION
+} tp_joint_property;
+const tp_quantity *tp_built_system_property(const tp_built_system *system, long contact,
+                                            tp_joint_property property);
 
-/* Its limit. */
+/* The strength of a contact over a number, as its program has it. */
+tp_contact_strength tp_built_system_strength(const tp_built_system *system, long contact,
+                                             double divisor);
+
+/* The program of forces with the strength of all contacts over a number; and its limit. */
+TP_MUST_USE tp_status tp_built_system_program(tp_force_program *program,
+                                              const tp_built_system *system,
+                                              const tp_weight_loads *loads, double divisor,
+                                              tp_message *message);
 TP_MUST_USE tp_status tp_built_system_bracket(tp_load_bracket *bracket,
-                                              const tp_built_system *system, bool towards_left,
-                                              double divisor, tp_message *message);
+                                              const tp_built_system *system,
+                                              const tp_weight_loads *loads, double divisor,
+                                              tp_message *message);
 
 #endif

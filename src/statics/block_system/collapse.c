@@ -114,16 +114,12 @@ static void describe_block(tp_system_motion *own, const moving *m, long block, b
 /* ---- forces ------------------------------------------------------------------------------------
  */
 
-/* Of an end: both edges of its cone, as they act on the first block. */
-static point force_of(const tp_force_column *columns, const double *forces) {
-  point sum = {0, 0};
-  for (int k = 0; k < 2; k++) {
-    const int side = columns[k].row[0] >= 0 ? 0 : 1;
-    const double sign = side == 0 ? 1 : -1;
-    sum.x += sign * forces[k] * columns[k].entry[side][0].value;
-    sum.y += sign * forces[k] * columns[k].entry[side][1].value;
-  }
-  return sum;
+/* So much of a column, as it acts on the first block. */
+static void add_force(point *sum, const tp_force_column *column, double force) {
+  const int side = column->row[0] >= 0 ? 0 : 1;
+  const double own = side == 0 ? force : -force;
+  sum->x += own * column->entry[side][0].value;
+  sum->y += own * column->entry[side][1].value;
 }
 
 static point place_of(const tp_assemblage *a, long p) {
@@ -139,22 +135,39 @@ static point place_of(const tp_assemblage *a, long p) {
   return place;
 }
 
-static void describe_force(tp_system_force *own, const tp_force_program *p, long contact,
-                           const double *forces, double scale) {
-  const tp_assemblage *a = p->assemblage;
-  const tp_block_contact *c = a->contacts + contact;
-  const point ends[2] = {place_of(a, c->ends[0]), place_of(a, c->ends[1])};
-  const point from = place_of(a, c->from), to = place_of(a, c->to);
-  const double size = hypot(to.x - from.x, to.y - from.y);
-  const long first = p->first[contact], count = (p->first[contact + 1] - first) / 2;
-  double normals[2] = {0, 0}, shear = 0;
-  for (long e = 0; e < count; e++) {
-    const point f = force_of(p->columns + first + 2 * e, forces + first + 2 * e);
-    normals[e] = ((to.x - from.x) * f.y - (to.y - from.y) * f.x) / size;
-    shear += ((to.x - from.x) * f.x + (to.y - from.y) * f.y) / size;
+/* Normal forces of both ends and the shear force: the cones', less the tension by which those were
+ * moved, half of it at each end, and what is used of the cohesion. */
+static void split_forces(double normals[2], double *shear, const tp_force_program *p, long contact,
+                         const tp_contact_strength *strength, const double *forces) {
+  const tp_block_contact *c = p->assemblage->contacts + contact;
+  const tp_lattice *l = &p->assemblage->lattice;
+  const double dx = length(p->assemblage, l->x + c->from, l->x + c->to);
+  const double dy = length(p->assemblage, l->y + c->from, l->y + c->to);
+  const double size = hypot(dx, dy);
+  const double touching = hypot(length(p->assemblage, l->x + c->ends[0], l->x + c->ends[1]),
+                                length(p->assemblage, l->y + c->ends[0], l->y + c->ends[1]));
+  const long cones = touching > 0 ? 4 : 2;
+  normals[0] = normals[1] = *shear = 0;
+  for (long k = p->first[contact]; k < p->first[contact + 1]; k++) {
+    const long own = k - p->first[contact];
+    point f = {0, 0};
+    add_force(&f, p->columns + k, forces[k] - (own < cones ? 0 : p->columns[k].most.value / 2));
+    *shear += (dx * f.x + dy * f.y) / size;
+    if (own < cones) normals[own / 2] += (dx * f.y - dy * f.x) / size;
   }
+  for (int e = 0; e < 2; e++) normals[e] -= strength->tension.value * touching / 2;
+}
+
+static void describe_force(tp_system_force *own, const tp_force_program *p, long contact,
+                           const tp_contact_strength *strength, const double *forces,
+                           double scale) {
+  const tp_block_contact *c = p->assemblage->contacts + contact;
+  const point ends[2] = {place_of(p->assemblage, c->ends[0]), place_of(p->assemblage, c->ends[1])};
+  double normals[2], shear;
+  split_forces(normals, &shear, p, contact, strength, forces);
   const double sum = normals[0] + normals[1];
-  const double share = sum > 0 ? normals[1] / sum : 1.0 / 2;
+  const bool pressed = normals[0] >= 0 && normals[1] >= 0 && sum > 0;
+  const double share = pressed ? normals[1] / sum : 1.0 / 2;
   own->normal_n_m = sum * scale;
   own->shear_n_m = shear * scale;
   own->x_m = ends[0].x + share * (ends[1].x - ends[0].x);
@@ -178,25 +191,26 @@ static tp_status describe_motions(tp_system_case *own, const tp_built_system *s,
     describe_block(own->motions + k, m, k, hinged[k], metre);
   }
   for (long k = 0; k < a->contact_count; k++) {
-    own->forces[k].state = state_of(m, a->contacts + k, s->tangents[k].value / divisor);
+    own->forces[k].state = state_of(m, a->contacts + k, s->strengths[k].tangent.value / divisor);
   }
   free(hinged);
   return TP_OK;
 }
 
 tp_status tp_collapse_describe(tp_system_case *own, const tp_built_system *s,
-                               const tp_load_bracket *bracket, double divisor, double scale,
-                               tp_message *message) {
+                               const tp_load_bracket *bracket, const tp_system_state *state,
+                               double scale, tp_message *message) {
   const tp_assemblage *a = &s->assemblage;
-  tp_force_program program; /* its columns are the same to either side */
-  tp_status status = tp_built_system_program(&program, s, true, divisor, message);
+  tp_force_program program;
+  tp_status status = tp_built_system_program(&program, s, &state->loads, state->divisor, message);
   if (status != TP_OK) return status;
   const double unit = ldexp(newtons * scale, (int)a->weight_exponent);
   for (long k = 0; k < a->contact_count; k++) {
-    describe_force(own->forces + k, &program, k, bracket->forces, unit);
+    const tp_contact_strength strength = tp_built_system_strength(s, k, state->divisor);
+    describe_force(own->forces + k, &program, k, &strength, bracket->forces, unit);
   }
   moving m = {.a = a, .twists = bracket->twists};
-  status = describe_motions(own, s, &m, divisor, message);
+  status = describe_motions(own, s, &m, state->divisor, message);
   tp_force_program_clear(&program);
   return status;
 }

@@ -8,13 +8,13 @@
 #ifndef TP_BLOCK_SYSTEM_COLLAPSE_H
 #define TP_BLOCK_SYSTEM_COLLAPSE_H
 
-#include "block_system/built_system.h"
+#include "block_system/threshold.h"
 
-/* Into the motions and forces of a case, which have their room; the bracket is one of tan(phi) over
- * `divisor`. `scale`: of forces, what the part
- * of the loads along the normal is to the weights; 0 where they are not known in N. */
+/* Into the motions and forces of a case, which have their room; the bracket is one of the state.
+ * `scale`: of forces, what a load of one is to the weights. */
 TP_MUST_USE tp_status tp_collapse_describe(tp_system_case *own, const tp_built_system *system,
-                                           const tp_load_bracket *bracket, double divisor,
-                                           double scale, tp_message *message);
+                                           const tp_load_bracket *bracket,
+                                           const tp_system_state *state, double scale,
+                                           tp_message *message);
 
 #endif

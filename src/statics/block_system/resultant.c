@@ -5,6 +5,8 @@
 
 #include "block_system/resultant.h"
 
+#include "number/ball.h"
+
 enum { BITS = 128, RIGHT_ANGLE_DEG = 90 };
 
 static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) {
@@ -17,25 +19,70 @@ static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) 
 }
 
 /* k_h and 1 - k_v; the earthquake as an angle. */
-static tp_status set_earthquake(tp_resultant *r, arb_t along, arb_t across, const tp_scene *scene,
-                                tp_message *message) {
+static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
-  arb_one(along);
-  if (loads->horizontal.given) arb_set_fmpq(across, loads->horizontal.value, BITS);
+  arb_one(r->along);
+  if (loads->horizontal.given) arb_set_fmpq(r->across, loads->horizontal.value, BITS);
   if (loads->vertical.given && fmpq_sgn(loads->vertical.value) > 0) {
-    arb_set_fmpq(along, loads->vertical.value, BITS);
-    arb_sub_ui(along, along, 1, BITS);
-    arb_neg(along, along);
+    arb_set_fmpq(r->along, loads->vertical.value, BITS);
+    arb_sub_ui(r->along, r->along, 1, BITS);
+    arb_neg(r->along, r->along);
   }
-  if (!arb_is_positive(along)) {
+  if (!arb_is_positive(r->along)) {
     return tp_refuse(message, TP_FAULT_RANGE, loads->vertical.place,
                      "with 'vertical' of 1 or more nothing has weight: give less");
   }
-  tp_ball_atan2_degrees(r->earthquake_deg, across, along, BITS);
+  tp_ball_atan2_degrees(r->earthquake_deg, r->across, r->along, BITS);
   return TP_OK;
 }
 
-static void set_tangent(tp_resultant *r, const arb_t along, const arb_t across) {
+/* Weights at a tilt to the side, of which sine and cosine are given: times 1 - k_v along gravity,
+ * and times s along the horizontal. */
+static tp_weight_loads loads_at(const tp_resultant *r, const arb_t sine, const arb_t cosine) {
+  arb_t part;
+  arb_init(part);
+  tp_weight_loads own;
+  arb_mul(part, r->along, sine, BITS);
+  own.dead[0] = tp_ball_near(part);
+  arb_mul(part, r->along, cosine, BITS);
+  own.dead[1] = tp_near_neg(tp_ball_near(part));
+  own.live[0] = tp_ball_near(cosine);
+  own.live[1] = tp_ball_near(sine);
+  if (r->left) {
+    own.dead[0] = tp_near_neg(own.dead[0]);
+    own.live[0] = tp_near_neg(own.live[0]);
+  }
+  arb_clear(part);
+  return own;
+}
+
+tp_weight_loads tp_resultant_at(const tp_resultant *r, double tilt) {
+  arb_t angle, sine, cosine;
+  arb_init(angle);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_set_d(angle, tilt);
+  arb_sin_cos(sine, cosine, angle, BITS);
+  const tp_weight_loads own = loads_at(r, sine, cosine);
+  arb_clear(angle);
+  arb_clear(sine);
+  arb_clear(cosine);
+  return own;
+}
+
+static void set_as_it_lies(tp_resultant *r) {
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  tp_ball_sin_cos(sine, cosine, r->tilt_deg, BITS);
+  r->loads = loads_at(r, sine, cosine);
+  r->target = tp_ball_near(r->across);
+  r->along_normal = 1;
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+static void set_along_base(tp_resultant *r) {
   arb_t angle, sine, cosine, size;
   arb_init(angle);
   arb_init(sine);
@@ -43,14 +90,15 @@ static void set_tangent(tp_resultant *r, const arb_t along, const arb_t across) 
   arb_init(size);
   arb_add(angle, r->tilt_deg, r->earthquake_deg, BITS);
   tp_ball_sin_cos(sine, cosine, angle, BITS);
-  arb_hypot(size, along, across, BITS);
+  arb_hypot(size, r->along, r->across, BITS);
   r->beyond = !arb_is_positive(cosine);
   arb_mul(size, size, cosine, BITS);
   r->along_normal = arf_get_d(arb_midref(size), ARF_RND_NEAR);
+  r->loads = tp_weight_loads_tilted(r->left);
   if (!r->beyond) {
     arb_div(sine, sine, cosine, BITS);
     if (arb_is_zero(angle)) arb_zero(sine);
-    r->tangent = tp_ball_near(sine);
+    r->target = tp_ball_near(sine);
   }
   arb_clear(angle);
   arb_clear(sine);
@@ -59,28 +107,29 @@ static void set_tangent(tp_resultant *r, const arb_t along, const arb_t across) 
 }
 
 tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, bool towards_left,
-                            tp_message *message) {
-  arb_t along, across;
-  *r = (tp_resultant){.beyond = true};
+                            bool is_cohesive, tp_message *message) {
+  *r = (tp_resultant){.left = towards_left};
   arb_init(r->tilt_deg);
   arb_init(r->earthquake_deg);
-  arb_init(along);
-  arb_init(across);
+  arb_init(r->along);
+  arb_init(r->across);
   set_tilt(r, scene, towards_left);
-  const tp_status status = set_earthquake(r, along, across, scene, message);
-  if (status == TP_OK) {
-    set_tangent(r, along, across);
-  } else {
+  const tp_status status = set_earthquake(r, scene, message);
+  if (status != TP_OK) {
     tp_resultant_clear(r);
+  } else if (is_cohesive) {
+    set_as_it_lies(r);
+  } else {
+    set_along_base(r);
   }
-  arb_clear(along);
-  arb_clear(across);
   return status;
 }
 
 void tp_resultant_clear(tp_resultant *r) {
   arb_clear(r->tilt_deg);
   arb_clear(r->earthquake_deg);
+  arb_clear(r->along);
+  arb_clear(r->across);
 }
 
 /* The angle with a tangent between the bounds, in degrees. */

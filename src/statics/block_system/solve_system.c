@@ -1,110 +1,185 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Public calls that solve a scene of many blocks: the limits to both sides once, and for each
- * direction verdict, factor of safety, and the collapse. */
+/* Public calls that solve a scene of many blocks: for each direction the limits to both sides,
+ * verdict, factor of safety, and the collapse. */
 
 #include "block_system/collapse.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
-#include "block_system/system_strength.h"
 #include "common/host.h"
+#include "number/ball.h"
 
 #include <math.h>
 #include <string.h>
+
+/* No greater factor of safety is looked for. */
+static const double most_factor = 1000;
 
 typedef struct solving {
   const tp_built_system *s;
   const tp_solve_options *options;
   tp_block_system *system;
-  tp_load_bracket limits[2]; /* to the left and to the right */
 } solving;
 
-static bool is_exceeded(const tp_load_bracket *b, double tangent) {
-  return b->is_bounded && b->bound < tangent;
+/* One direction. */
+typedef struct direction {
+  const solving *x;
+  tp_system_case *own;
+  tp_resultant resultant;
+  tp_limits limits;      /* as the blocks lie */
+  tp_threshold strength; /* by the logarithm of the factor */
+  tp_threshold tilt;     /* with cohesion: in radians */
+} direction;
+
+static void judge(direction *d) {
+  const tp_near target = d->resultant.target;
+  d->own->verdict = d->resultant.beyond                  ? TP_SYSTEM_UNDECIDED
+                    : tp_limits_fail(&d->limits, target) ? TP_SYSTEM_COLLAPSES
+                    : tp_limits_hold(&d->limits, target) ? TP_SYSTEM_CAN_HOLD
+                                                         : TP_SYSTEM_UNDECIDED;
 }
 
-static bool is_held(const tp_load_bracket *b, double tangent) {
-  return b->is_held && b->held >= tangent;
+/* ---- limit -------------------------------------------------------------------------------------
+ */
+
+static tp_system_limit kind_of(const tp_load_bracket *b) {
+  if (b->is_held && b->is_bounded) return TP_SYSTEM_LIMIT_NUMBER;
+  return b->is_held && b->held > TP_MOST_LOAD ? TP_SYSTEM_INTERLOCKED : TP_SYSTEM_LIMIT_UNDECIDED;
 }
 
-/* By the limits to the side and to the other. */
-static tp_system_verdict judge(const tp_resultant *r, const tp_load_bracket *side,
-                               const tp_load_bracket *other) {
-  const double t = r->tangent.value, e = r->tangent.error;
-  if (r->beyond) return TP_SYSTEM_UNDECIDED;
-  if (is_exceeded(side, t - e) || is_exceeded(other, -t - e)) return TP_SYSTEM_COLLAPSES;
-  return is_held(side, t + e) && is_held(other, -t + e) ? TP_SYSTEM_CAN_HOLD : TP_SYSTEM_UNDECIDED;
+static tp_bounded between(double low, double high) {
+  const double value = low + (high - low) / 2;
+  return (tp_bounded){.value = value,
+                      .error = nextafter(fmax(high - value, value - low), INFINITY)};
 }
 
-static void set_limit(tp_system_case *own, const tp_load_bracket *b, const tp_resultant *r) {
-  if (!b->is_held && !b->is_bounded) {
-    own->limit = TP_SYSTEM_LIMIT_UNDECIDED;
-  } else if (!b->is_bounded) {
-    own->limit = b->held > TP_MOST_LOAD ? TP_SYSTEM_INTERLOCKED : TP_SYSTEM_LIMIT_UNDECIDED;
-  } else if (!b->is_held) {
-    own->limit = TP_SYSTEM_LIMIT_UNDECIDED;
-  } else {
-    own->limit = TP_SYSTEM_LIMIT_NUMBER;
-    own->critical_angle_deg = tp_resultant_tilt_deg(r, b->held, b->bound);
-    own->has_acceleration =
-        tp_resultant_acceleration(&own->critical_acceleration_g, r, b->held, b->bound) &&
-        own->critical_acceleration_g.value >= 0;
+static tp_system_state state_at_tilt(const void *context, double tilt) {
+  return (tp_system_state){tp_resultant_at(context, tilt), 1};
+}
+
+/* With cohesion the tilt is no load of the program. */
+static tp_status find_tilt(direction *d, tp_message *message) {
+  static const double right_angle = 1.5707963, step = 0.2; /* radians */
+  const double from =
+      fmax(-right_angle, fmin(right_angle, d->own->tilt_angle_deg.value * right_angle / 90));
+  const tp_threshold_search search = {.system = d->x->s,
+                                      .state = state_at_tilt,
+                                      .context = &d->resultant,
+                                      .target = d->resultant.target,
+                                      .from = from,
+                                      .step = step,
+                                      .most = right_angle - from};
+  const tp_status status = tp_threshold_find(&d->tilt, &search, message);
+  if (status != TP_OK) return status;
+  const double degrees = 180 / acos(-1), round = 1e-13;
+  d->own->limit = d->tilt.is_held && d->tilt.is_bounded ? TP_SYSTEM_LIMIT_NUMBER
+                  : d->tilt.is_held                     ? TP_SYSTEM_INTERLOCKED
+                                                        : TP_SYSTEM_LIMIT_UNDECIDED;
+  if (d->own->limit == TP_SYSTEM_LIMIT_NUMBER) {
+    d->own->critical_angle_deg = between(d->tilt.held * degrees, d->tilt.bound * degrees);
+    d->own->critical_angle_deg.error += round;
   }
+  return TP_OK;
 }
 
-static void set_factor(tp_system_case *own, const tp_system_strength *strength) {
-  own->fos.state = TP_FOS_UNDECIDED;
-  if (!strength->is_held) return;
-  own->fos.state = TP_FOS_NUMBER;
-  if (strength->is_bounded) {
-    own->fos.value.value = strength->held + (strength->bound - strength->held) / 2;
-    own->fos.value.error =
-        nextafter((strength->bound - strength->held) / 2 * (1 + 1e-15), INFINITY);
-  } else {
-    own->fos_is_least = true;
-    own->fos.value.value = strength->held;
+static tp_status set_limit(direction *d, tp_message *message) {
+  const tp_load_bracket *b = &d->limits.side;
+  tp_system_case *own = d->own;
+  const tp_system_limit kind = kind_of(b);
+  if (d->x->s->is_cohesive) {
+    own->has_acceleration = kind == TP_SYSTEM_LIMIT_NUMBER && b->held >= 0;
+    if (own->has_acceleration) own->critical_acceleration_g = between(b->held, b->bound);
+    return find_tilt(d, message);
   }
+  own->limit = kind;
+  if (kind != TP_SYSTEM_LIMIT_NUMBER) return TP_OK;
+  own->critical_angle_deg = tp_resultant_tilt_deg(&d->resultant, b->held, b->bound);
+  own->has_acceleration =
+      tp_resultant_acceleration(&own->critical_acceleration_g, &d->resultant, b->held, b->bound) &&
+      own->critical_acceleration_g.value >= 0;
+  return TP_OK;
 }
 
-/* The collapse with less strength where there is a factor; else the one at the limit. */
-static tp_status set_collapse(tp_system_case *own, const solving *x,
-                              const tp_system_strength *strength, const tp_load_bracket *limit,
-                              const tp_resultant *r, tp_message *message) {
-  const bool reduced = strength->is_bounded;
-  const tp_load_bracket *b = reduced ? &strength->collapse : limit;
+/* ---- factor ------------------------------------------------------------------------------------
+ */
+
+static tp_system_state state_at_strength(const void *context, double logarithm) {
+  const tp_resultant *r = context;
+  return (tp_system_state){r->loads, exp(logarithm)};
+}
+
+static tp_status find_factor(direction *d, tp_message *message) {
+  const tp_threshold *found = &d->strength;
+  const tp_threshold_search search = {.system = d->x->s,
+                                      .state = state_at_strength,
+                                      .context = &d->resultant,
+                                      .target = d->resultant.target,
+                                      .from = 0,
+                                      .step = log(2),
+                                      .most = log(most_factor)};
+  tp_fos *fos = &d->own->fos;
+  fos->state = TP_FOS_NOT_ASKED;
+  if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
+  const tp_status status = tp_threshold_find(&d->strength, &search, message);
+  fos->state = found->is_held ? TP_FOS_NUMBER : TP_FOS_UNDECIDED;
+  if (status != TP_OK || !found->is_held) return status;
+  d->own->fos_is_least = !found->is_bounded;
+  fos->value = found->is_bounded ? between(exp(found->held), exp(found->bound))
+                                 : (tp_bounded){.value = exp(found->held)};
+  return TP_OK;
+}
+
+/* ---- collapse ----------------------------------------------------------------------------------
+ */
+
+/* With less strength where there is a factor; else at the limit. */
+static tp_status set_collapse(direction *d, tp_message *message) {
+  const bool reduced = d->strength.is_bounded, cohesive = d->x->s->is_cohesive;
+  const tp_load_bracket *b = reduced    ? &d->strength.collapse
+                             : cohesive ? &d->tilt.collapse
+                                        : &d->limits.side;
   if (!b->is_held || !b->is_bounded) return TP_OK;
-  own->motion_count = x->system->block_count;
-  own->force_count = x->system->contact_count;
-  own->has_forces = tp_system_is_weighed(x->system);
-  const double scale = reduced ? r->along_normal : cos(atan(b->held));
-  return tp_collapse_describe(own, x->s, b, reduced ? strength->bound : 1, scale, message);
+  const tp_system_state state = reduced    ? state_at_strength(&d->resultant, d->strength.bound)
+                                : cohesive ? state_at_tilt(&d->resultant, d->tilt.bound)
+                                           : state_at_strength(&d->resultant, 0);
+  d->own->has_forces = tp_system_is_weighed(d->x->system);
+  d->own->motion_count = d->x->system->block_count;
+  d->own->force_count = d->x->system->contact_count;
+  const double scale = reduced || cohesive ? d->resultant.along_normal : cos(atan(b->held));
+  return tp_collapse_describe(d->own, d->x->s, b, &state, scale, message);
+}
+
+/* ---- cases -------------------------------------------------------------------------------------
+ */
+
+static tp_status solve_direction(direction *d, tp_message *message) {
+  const tp_system_state as_it_lies = state_at_strength(&d->resultant, 0);
+  d->own->tilt_angle_deg = tp_ball_bounded(d->resultant.tilt_deg);
+  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, message);
+  if (status == TP_OK) judge(d);
+  if (status == TP_OK) status = set_limit(d, message);
+  if (status == TP_OK) status = find_factor(d, message);
+  return status == TP_OK ? set_collapse(d, message) : status;
 }
 
 static tp_status solve_case(const solving *x, bool left, tp_message *message) {
-  tp_system_case *own = NULL;
-  tp_resultant r;
-  tp_system_strength strength = {.is_held = false};
-  tp_status status = tp_system_case_add(x->system, &own, message);
-  if (status == TP_OK) status = tp_resultant_init(&r, x->s->scene, left, message);
+  direction d = {.x = x};
+  tp_status status = tp_system_case_add(x->system, &d.own, message);
+  if (status == TP_OK) {
+    d.own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+    status = tp_resultant_init(&d.resultant, x->s->scene, left, x->s->is_cohesive, message);
+  }
   if (status != TP_OK) return status;
-  const tp_load_bracket *side = x->limits + (left ? 0 : 1), *other = x->limits + (left ? 1 : 0);
-  own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-  own->tilt_angle_deg = tp_ball_bounded(r.tilt_deg);
-  own->verdict = judge(&r, side, other);
-  set_limit(own, side, &r);
-  own->fos.state = TP_FOS_NOT_ASKED;
-  if (x->options->strength_reduction && !r.beyond) {
-    status = tp_system_strength_find(&strength, x->s, left, &r.tangent, message);
-    if (status == TP_OK) set_factor(own, &strength);
+  status = solve_direction(&d, message);
+  d.own->has_required_fos = x->system->has_required_fos;
+  if (d.own->has_required_fos) {
+    d.own->meets_required = tp_system_case_meets(d.own, x->system->required_fos.value);
   }
-  if (status == TP_OK) status = set_collapse(own, x, &strength, side, &r, message);
-  own->has_required_fos = x->system->has_required_fos;
-  if (own->has_required_fos) {
-    own->meets_required = tp_system_case_meets(own, x->system->required_fos.value);
-  }
-  tp_system_strength_clear(&strength);
-  tp_resultant_clear(&r);
+  tp_limits_clear(&d.limits);
+  tp_threshold_clear(&d.strength);
+  tp_threshold_clear(&d.tilt);
+  tp_resultant_clear(&d.resultant);
   return status;
 }
 
@@ -118,14 +193,11 @@ static bool is_asked(const tp_scene *scene, bool left) {
   return !only || (loads->direction == TP_SEISMIC_DOWN_DIP) == down_dip;
 }
 
-static tp_status solve_cases(solving *x, tp_message *message) {
+static tp_status solve_cases(const solving *x, tp_message *message) {
   const tp_scene *scene = x->s->scene;
-  tp_status status = tp_built_system_bracket(x->limits, x->s, true, 1, message);
-  if (status == TP_OK) status = tp_built_system_bracket(x->limits + 1, x->s, false, 1, message);
-  if (status == TP_OK && is_asked(scene, true)) status = solve_case(x, true, message);
+  tp_status status = TP_OK;
+  if (is_asked(scene, true)) status = solve_case(x, true, message);
   if (status == TP_OK && is_asked(scene, false)) status = solve_case(x, false, message);
-  tp_load_bracket_clear(x->limits);
-  tp_load_bracket_clear(x->limits + 1);
   return status;
 }
 

@@ -110,12 +110,19 @@ static bool set_block(tp_system_block *own, const tp_built_system *s, long k) {
   return own->name != NULL;
 }
 
+static tp_bounded property_of(const tp_built_system *s, long contact, tp_joint_property property) {
+  arb_t number;
+  arb_init(number);
+  arb_set_fmpq(number, tp_built_system_property(s, contact, property)->value, BITS);
+  const tp_bounded value = tp_ball_bounded(number);
+  arb_clear(number);
+  return value;
+}
+
 static void set_contact(tp_system_contact *own, const tp_built_system *s, long k) {
   const tp_assemblage *a = &s->assemblage;
   const tp_block_contact *contact = a->contacts + k;
   static const tp_near nothing = {0, 0};
-  arb_t degrees;
-  arb_init(degrees);
   own->first = (size_t)contact->block[0];
   own->second = (size_t)contact->block[1];
   own->corner = contact->ends[0] == contact->ends[1];
@@ -125,9 +132,9 @@ static void set_contact(tp_system_contact *own, const tp_built_system *s, long k
     *ends[e][0] = coordinate(a, a->lattice.origin_x, a->lattice.x + p, nothing);
     *ends[e][1] = coordinate(a, a->lattice.origin_y, a->lattice.y + p, nothing);
   }
-  arb_set_fmpq(degrees, s->friction[k]->value, BITS);
-  own->friction_angle_deg = tp_ball_bounded(degrees);
-  arb_clear(degrees);
+  own->friction_angle_deg = property_of(s, k, TP_JOINT_FRICTION);
+  own->cohesion_kpa = property_of(s, k, TP_JOINT_COHESION);
+  own->tension_kpa = property_of(s, k, TP_JOINT_TENSION);
 }
 
 /* ---- all ---------------------------------------------------------------------------------------
