@@ -83,7 +83,12 @@ class Cases(GoverningCase):
             self.close(own[name]["design_utilisation"], required / factor)
             self.assertEqual(own[name]["meets_required"], "met")
         self.assertEqual(own["EQU"]["against"], "topples")
+        pairs = {words: sums(*pair)[0] for words, pair in (
+            ("weight unfavourable, water unfavourable", (1.35, 1.35)), ("weight favourable, water unfavourable", (1, 1.35)),
+            ("weight unfavourable, water favourable", (1.35, 1)), ("weight favourable, water favourable", (1, 1)))}
+        self.assertIn(f"; the worst of 4 combinations: {min(pairs, key=pairs.get)}", own["DA1-1"]["partial_factors"])
         self.assertIn("weight × 1.35, water × 1.35", own["DA1-1"]["partial_factors"])
+        self.assertNotIn("worst", own["DA1-2"]["partial_factors"])
 
     def test_where_the_weight_is_better_light(self):
         """Without water more weight lowers the factor of a slab that cohesion holds; with an earthquake, whose force is k W of the
@@ -92,6 +97,8 @@ class Cases(GoverningCase):
                                 case("shaken", "partial_factors: {permanent_unfavourable: 1.35, permanent_favourable: 0.9, earthquake: 1.2}",
                                      "loads: {seismic: {horizontal: 0.15}}")))
         self.close(own["dry"]["fos"], min(sums(w, wet=False)[0] for w in (1.35, 0.9)))
+        worse = "weight unfavourable" if sums(1.35, wet=False)[0] < sums(0.9, wet=False)[0] else "weight favourable"
+        self.assertIn(f"; the worst of 2 combinations: {worse}", own["dry"]["partial_factors"])
         self.close(own["shaken"]["fos"], min(sums(w, shaken=0.18, wet=False)[0] for w in (1.35, 0.9)))
 
     def test_published_example(self):

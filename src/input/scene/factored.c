@@ -59,13 +59,17 @@ static bool acts(const tp_scene *scene, group of) {
   return false;
 }
 
-bool tp_combination_differs(const tp_scene *scene, unsigned combination) {
+/* Does it act, and with another factor where it is favourable? */
+static bool has_two(const tp_scene *scene, group of) {
   const tp_partial_factors *own = scene->partial_factors;
+  if (of == WEIGHT && own->toppling_alone) return false;
+  return acts(scene, of) &&
+         fmpq_equal(own->values + unfavourable[of], own->values + favourable[of]) == 0;
+}
+
+bool tp_combination_differs(const tp_scene *scene, unsigned combination) {
   for (int k = 0; k < GROUPS; k++) {
-    if (!(combination >> k & 1)) continue;
-    const bool same = fmpq_equal(own->values + unfavourable[k], own->values + favourable[k]) != 0 ||
-                      (k == WEIGHT && own->toppling_alone);
-    if (same || !acts(scene, (group)k)) return false;
+    if ((combination >> k & 1) && !has_two(scene, (group)k)) return false;
   }
   return true;
 }
@@ -209,6 +213,8 @@ void tp_factored_clear(tp_scene *copy) {
 /* ---- in words ----------------------------------------------------------------------------------
  */
 
+static const char *const names[GROUPS] = {"weight", "water", "pressures", "surcharges"};
+
 static void add(char *text, size_t size, const char *what, const char *how, const fmpq_t value) {
   char number[64];
   const size_t used = strlen(text);
@@ -217,7 +223,6 @@ static void add(char *text, size_t size, const char *what, const char *how, cons
 }
 
 char *tp_factored_text(const tp_scene *scene, unsigned combination) {
-  static const char *const names[GROUPS] = {"weight", "water", "pressures", "surcharges"};
   enum { SIZE = 600 };
   const tp_partial_factors *own = scene->partial_factors;
   const tp_loads_description *loads = &scene->loads;
@@ -250,4 +255,15 @@ char *tp_factored_text(const tp_scene *scene, unsigned combination) {
   }
   fmpq_clear(factor);
   return text;
+}
+
+void tp_combination_text(char *text, size_t size, const tp_scene *scene, unsigned combination) {
+  size_t used = 0;
+  *text = '\0';
+  for (int k = 0; k < GROUPS && used < size; k++) {
+    if (!has_two(scene, (group)k)) continue;
+    snprintf(text + used, size - used, "%s%s %s", used > 0 ? ", " : "", names[k],
+             combination >> k & 1 ? "favourable" : "unfavourable");
+    used = strlen(text);
+  }
 }

@@ -74,4 +74,8 @@ void tp_factored_clear(tp_scene *factored);
  * NULL when memory is exhausted. */
 char *tp_factored_text(const tp_scene *scene, unsigned combination);
 
+/* "weight unfavourable, water favourable" of the groups that a combination decides on. */
+enum { TP_COMBINATION_TEXT = 120 };
+void tp_combination_text(char *text, size_t size, const tp_scene *scene, unsigned combination);
+
 #endif

@@ -22,10 +22,11 @@ static bool is_worse(const tp_solution *one, const tp_solution *other) {
                              tp_severity_of(other->cases + tp_severity_worst(other))) < 0;
 }
 
-/* "DA1-2: weight × 1, …; the worst of 2 combinations" */
+/* "DA1-2: weight × 1, water × 1, …; the worst of 2 combinations: water unfavourable" */
 static tp_status tell(tp_solution *solution, const tp_scene *scene, unsigned combination,
                       unsigned solved, tp_message *message) {
-  enum { SIZE = 800 };
+  enum { SIZE = 900 };
+  char which[TP_COMBINATION_TEXT];
   const char *name = scene->partial_factors->name;
   char *factors = tp_factored_text(scene, combination);
   char *text = calloc(1, SIZE);
@@ -33,7 +34,8 @@ static tp_status tell(tp_solution *solution, const tp_scene *scene, unsigned com
     snprintf(text, SIZE, "%s: %s", name != NULL ? name : "own", factors);
     const size_t used = strlen(text);
     if (solved > 1) {
-      snprintf(text + used, SIZE - used, "; the worst of %u combinations", solved);
+      tp_combination_text(which, sizeof which, scene, combination);
+      snprintf(text + used, SIZE - used, "; the worst of %u combinations: %s", solved, which);
     }
   }
   const bool told = factors != NULL && text != NULL;
