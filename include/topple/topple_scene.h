@@ -379,8 +379,9 @@ TP_MUST_USE tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact 
                                           tp_message *message);
 
 /* Bolts at the point (x, y) of the block, each of `force_kn`, that pull towards the up-dip side and
- * below the horizontal by `dip_deg` in [-90, 90]: on a slope as it dips, on a table as it stands
- * level. They are anchors too, and `passive` counts as of these. */
+ * below the horizontal by `dip_deg` in [-90, 90]: on a slope as it dips, in the world's frame as
+ * the mean plane does, on a table as it stands level. They are anchors too, and `passive` counts as
+ * of these. */
 TP_MUST_USE tp_status tp_scene_add_bolt(tp_scene *scene, tp_exact x, tp_exact y, tp_exact dip_deg,
                                         tp_exact force_kn, bool passive, tp_message *message);
 

@@ -101,7 +101,8 @@ class Support(unittest.TestCase):
 
     def test_same_in_other_words(self):
         """Along a slope, as it lies, and on a table: a dip is a direction. Rows are bolts one by one, a spacing scales a force, a
-        passive capacity is a force. (In the world's frame the dip is atan 7/24.)"""
+        passive capacity is a force. (In the world's frame the dip is atan 7/24, and the bolt goes up-dip unless its side is said, in a
+        mirror and shaken both ways too.)"""
         say = BOLT + ", force_kn: 80"
         self.same(scene(anchors(say)), scene(anchors("at: [0, 8/3], direction_deg: -40, force_kn: 80")))
         table = "tilt: {angle_deg: 25, towards: left}\n"
@@ -110,7 +111,13 @@ class Support(unittest.TestCase):
         ring = [(c * x - s * y, s * x + c * y) for x, y in ((0, 0), (1.2, 0), (1.2, 4), (0, 4))]
         world = "outline: [" + ", ".join(f"[{x:.9f}, {y:.9f}]" for x, y in ring) + "]"
         x, y = -s * 2.5, c * 2.5
-        lies = scene(anchors(f"at: [{x:.9f}, {y:.9f}], dip_deg: 15, towards: right, force_kn: 80"), "frame: world\n", slab=world)
+        bolt = f"at: [{x:.9f}, {y:.9f}], dip_deg: 15, force_kn: 80"
+        lies = scene(anchors(bolt), "frame: world\n", slab=world)
+        self.same(lies, scene(anchors(bolt + ", towards: right"), "frame: world\n", slab=world))
+        mirror = "outline: [" + ", ".join(f"[{-x:.9f}, {y:.9f}]" for x, y in ring) + "]"
+        self.same(lies, scene(anchors(bolt.replace("[-", "[")), "frame: world\n", slab=mirror))
+        shaken = ["seismic: {horizontal: 0.3}, " + anchors(bolt + side) for side in ("", ", towards: right")]
+        self.same(*(scene(loads, "frame: world\n", slab=world, water="") for loads in shaken))
         slope = f"slope: {{dip_deg: {math.degrees(math.atan2(7, 24))!r}, towards: left}}\n"
         self.same(lies, scene(anchors("at: [0, 2.5], dip_deg: 15, force_kn: 80"), slope))
         for passive in ("true", "false"):
@@ -275,6 +282,10 @@ class Support(unittest.TestCase):
                 ("at: [0, 1], dip_deg: 15, towards: up, force_kn: 1", "towards must be left or right")):
             self.assertIn(message, self.refused(anchors(bolt)), bolt)
         self.assertIn("say where this bolt goes to", self.refused(anchors(BOLT + ", force_kn: 1"), place="tilt: {angle_deg: 5}\n"))
+        level, lying = "outline: [[0, 0], [2, 0], [2, 3], [0, 3]]", "outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]"
+        for slab, bolt, message in ((level, "at: [0, 1], dip_deg: 15", "say where this bolt goes to"),
+                                    (lying, "at: [0, 2], dip_deg: -80", "taken to go up-dip, leaves the block where no rock is behind it")):
+            self.assertIn(message, self.refused(anchors(bolt + ", force_kn: 1"), place="frame: world\n", slab=slab, water=""))
         for words, message in ((("--least-force",), "--least-force goes with --find"),):
             self.assertIn(message, run("solve", *words, self.write(scene(anchors(BOLT + ", force_kn: 80"))))[2])
         for passive, key, message in ((", passive: true", "force_kn", "name that key instead, or give it a 'force_kn' too"),

@@ -4,8 +4,9 @@
 /* A bolt that dips by b below the horizontal pulls to the right in the direction -b of horizontal
  * and vertical coordinates, to the left in 180 + b. Along a slope x runs at its dip d to the
  * horizontal: at +d where it dips to the left, which takes d from the direction, at -d where it
- * dips to the right. On a table that of the level table counts. A bolt of force F at a spacing s
- * bears F d / s on a block of thickness d. */
+ * dips to the right. On a table that of the level table counts. In the world's frame x is level,
+ * and the side that is up-dip is that of the mean plane, which is found later. A bolt of force F at
+ * a spacing s bears F d / s on a block of thickness d. */
 
 #include "scene/anchor.h"
 
@@ -14,6 +15,7 @@
 /* To the right: where it is said, or into the slope. */
 static bool runs_right(const tp_scene *scene, const tp_anchor_description *a) {
   if (a->side != TP_BOLT_UP_DIP) return a->side == TP_BOLT_RIGHT;
+  if (scene->up_dip != TP_BOLT_UP_DIP) return scene->up_dip == TP_BOLT_RIGHT;
   return scene->frame == TP_FRAME_SLOPE ? scene->slope.left : !scene->towards_right;
 }
 
@@ -32,6 +34,38 @@ void tp_anchor_direction(fmpq_t degrees, const tp_scene *scene, const tp_anchor_
   } else {
     fmpq_add(degrees, degrees, scene->slope.dip_deg.value);
   }
+}
+
+/* An upright one has no side. */
+bool tp_anchor_waits(const tp_scene *scene, const tp_anchor_description *a) {
+  if (scene->frame != TP_FRAME_WORLD || scene->up_dip != TP_BOLT_UP_DIP) return false;
+  return a->dip_deg.given && a->side == TP_BOLT_UP_DIP && fmpq_cmp_si(a->dip_deg.value, 90) != 0 &&
+         fmpq_cmp_si(a->dip_deg.value, -90) != 0;
+}
+
+static tp_status fail_side(const tp_anchor_description *a, tp_message *message) {
+  return tp_refuse(message, TP_FAULT_KEY, a->dip_deg.place,
+                   "the scene does not say which side is up-dip: say where this bolt goes to, "
+                   "'towards: left' or 'towards: right'");
+}
+
+tp_status tp_anchors_take_side(tp_scene *turned, const tp_scene *scene, int rises,
+                               tp_message *message) {
+  const bool one_side = scene->towards_left != scene->towards_right;
+  if (rises != 0 || one_side) {
+    turned->up_dip =
+        rises > 0 || (rises == 0 && scene->towards_left) ? TP_BOLT_RIGHT : TP_BOLT_LEFT;
+    return TP_OK;
+  }
+  for (long k = 0; k < scene->loads.anchor_count; k++) {
+    const tp_anchor_description *a = scene->loads.anchors + k;
+    if (tp_anchor_waits(scene, a)) return fail_side(a, message);
+  }
+  return TP_OK;
+}
+
+bool tp_anchor_took_side(const tp_scene *scene, const tp_anchor_description *a) {
+  return scene->up_dip != TP_BOLT_UP_DIP && a->side == TP_BOLT_UP_DIP && !a->direction_deg.given;
 }
 
 long tp_anchor_rows(const tp_anchor_description *a) {
@@ -77,13 +111,10 @@ static tp_status check_direction(const tp_scene *scene, const tp_anchor_descript
     return tp_refuse(message, TP_FAULT_KEY, a->place,
                      "'towards' goes with 'dip_deg': 'direction_deg' says already where it pulls");
   }
-  const bool plain =
-      scene->frame == TP_FRAME_SLOPE ||
-      (scene->frame != TP_FRAME_WORLD && scene->towards_left != scene->towards_right);
+  const bool plain = scene->frame == TP_FRAME_SLOPE || scene->frame == TP_FRAME_WORLD ||
+                     scene->towards_left != scene->towards_right;
   if (!a->dip_deg.given || a->side != TP_BOLT_UP_DIP || plain) return TP_OK;
-  return tp_refuse(message, TP_FAULT_KEY, a->dip_deg.place,
-                   "the scene does not say which side is up-dip: say where this bolt goes to, "
-                   "'towards: left' or 'towards: right'");
+  return fail_side(a, message);
 }
 
 static tp_status check_force(const tp_anchor_description *a, tp_message *message) {

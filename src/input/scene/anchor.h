@@ -12,6 +12,16 @@
 void tp_anchor_direction(fmpq_t degrees, const tp_scene *scene,
                          const tp_anchor_description *anchor);
 
+/* In the world's frame a bolt goes up-dip unless its side is said, which its mean plane tells: that
+ * is not known yet. */
+bool tp_anchor_waits(const tp_scene *scene, const tp_anchor_description *anchor);
+/* It is known now: what rises to the right is 1, to the left -1. Bolts that wait on a level plane
+ * are refused, unless the scene tilts to one side alone. */
+TP_MUST_USE tp_status tp_anchors_take_side(tp_scene *turned, const tp_scene *scene, int rises,
+                                           tp_message *message);
+/* Has a moved scene found its side so? */
+bool tp_anchor_took_side(const tp_scene *scene, const tp_anchor_description *anchor);
+
 long tp_anchor_rows(const tp_anchor_description *anchor);
 
 /* Where the bolt of a row holds, counted from 0. */

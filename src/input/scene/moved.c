@@ -103,14 +103,16 @@ static tp_line_load *move_lines(const tp_line_load *own, long count, const tp_po
 /* Its direction, which a dip and the scene's own frame give, becomes one of the frame that it is
  * turned to; the step between rows is the difference of two moved points. */
 static void move_anchor(tp_anchor_description *moved, const tp_anchor_description *own,
-                        const tp_scene *scene, const fmpq_t turn_deg, const tp_point_map *map) {
+                        const tp_scene *copy, const fmpq_t turn_deg, const tp_point_map *map) {
   const bool rows = own->step_x.given;
   move_quantities(&moved->x, &moved->y, map);
   fmpq_init(moved->direction_deg.value);
-  tp_anchor_direction(moved->direction_deg.value, scene, own);
-  fmpq_add(moved->direction_deg.value, moved->direction_deg.value, turn_deg);
-  if (own->dip_deg.given) moved->direction_deg.place = own->dip_deg.place;
-  moved->dip_deg.given = false;
+  if (!tp_anchor_waits(copy, own)) {
+    tp_anchor_direction(moved->direction_deg.value, copy, own);
+    fmpq_add(moved->direction_deg.value, moved->direction_deg.value, turn_deg);
+    if (own->dip_deg.given) moved->direction_deg.place = own->dip_deg.place;
+    moved->dip_deg.given = false;
+  }
   fmpq_init(moved->step_x.value);
   fmpq_init(moved->step_y.value);
   if (!rows) return;
@@ -134,7 +136,7 @@ bool tp_moved_loads(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg
     return false;
   }
   for (long k = 0; k < own->anchor_count; k++) {
-    move_anchor(loads->anchors + k, own->anchors + k, scene, turn_deg, map);
+    move_anchor(loads->anchors + k, own->anchors + k, copy, turn_deg, map);
   }
   return true;
 }

@@ -259,6 +259,7 @@ struct tp_scene {
   tp_place frame_place;       /* of frame or slope */
   tp_slope_description slope; /* TP_FRAME_SLOPE */
   tp_polyline mean_plane;     /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
+  tp_bolt_side up_dip;        /* likewise: of that plane, once it is known; else TP_BOLT_UP_DIP */
   tp_loads_description loads;
   tp_quantity friction_angle_deg;      /* 0 <= value < 90 */
   tp_quantity required_fos;            /* that the governing factor is held against */

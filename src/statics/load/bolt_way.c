@@ -101,9 +101,23 @@ static bool faces_rock(const tp_scene *scene, const tp_polyline *ring, long k) {
   return runs > 0 || behind_right || behind_left;
 }
 
-static tp_status check_length(const tp_scene *scene, const tp_anchor_description *a, long row,
-                              const tp_polyline *ring, const fmpq_t x, const fmpq_t y,
-                              tp_message *message) {
+/* Where its side is not said it goes up-dip, and is one that holds the block only if it goes into
+ * rock there. */
+static tp_status fail_rock(const tp_scene *scene, const tp_anchor_description *a,
+                           const char *of_row, tp_message *message) {
+  const bool takes = tp_anchor_took_side(scene, a);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, a->place,
+                   "the bolt%s%s leaves the block where no rock is behind it: from 'at' along its "
+                   "pull it must go out through the joint below or the up-dip face; %s",
+                   of_row, takes ? ", taken to go up-dip," : "",
+                   takes ? "say where it goes to, 'towards: left' or 'towards: right', or change "
+                           "its dip"
+                         : "change its dip, or 'towards'");
+}
+
+static tp_status check_way(const tp_scene *scene, const tp_anchor_description *a, long row,
+                           const tp_polyline *ring, const fmpq_t x, const fmpq_t y,
+                           tp_message *message) {
   fmpq_t direction;
   arb_t way, length;
   fmpq_init(direction);
@@ -112,21 +126,15 @@ static tp_status check_length(const tp_scene *scene, const tp_anchor_description
   tp_anchor_direction(direction, scene, a);
   const long last = tp_bolt_way(way, ring, x, y, direction, WAY_BITS);
   const bool rock = last >= 0 && faces_rock(scene, ring, last);
-  arb_set_fmpq(length, a->length.value, WAY_BITS);
-  const bool reaches = arb_gt(length, way);
+  if (a->length.given) arb_set_fmpq(length, a->length.value, WAY_BITS);
+  const bool reaches = !a->length.given || arb_gt(length, way);
   const double needed = arf_get_d(arb_midref(way), ARF_RND_UP);
   fmpq_clear(direction);
   arb_clear(way);
   arb_clear(length);
   char of_row[40] = "";
   if (tp_anchor_rows(a) > 1) snprintf(of_row, sizeof of_row, " of row %ld", row + 1);
-  if (!rock) {
-    return tp_refuse(message, TP_FAULT_GEOMETRY, a->place,
-                     "the bolt%s leaves the block where no rock is behind it: from 'at' along its "
-                     "pull it must go out through the joint below or the up-dip face; change its "
-                     "dip, or 'towards'",
-                     of_row);
-  }
+  if (!rock) return fail_rock(scene, a, of_row, message);
   if (reaches) return TP_OK;
   return tp_refuse(message, TP_FAULT_GEOMETRY, a->length.place,
                    "the bolt%s ends in the block: its way through it to the rock is %.6g %s; give "
@@ -152,8 +160,8 @@ tp_status tp_bolt_check(const tp_scene *scene, const tp_anchor_description *a,
                                "row %ld of these bolts does not hold the block: it lies outside "
                                "its outline; take fewer rows, or a smaller 'row_step'",
                                row + 1);
-    } else if (a->length.given) {
-      status = check_length(scene, a, row, ring, x, y, message);
+    } else if (a->length.given || tp_anchor_took_side(scene, a)) {
+      status = check_way(scene, a, row, ring, x, y, message);
     }
   }
   fmpq_clear(x);

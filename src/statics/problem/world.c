@@ -9,6 +9,7 @@
 #include "base/mean_plane.h"
 #include "base/underside.h"
 #include "problem/as_given.h"
+#include "scene/anchor.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -255,6 +256,7 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
   fmpq_set(w->turn.y, f->y);
   tp_turn_set(&w->turn, f->u, f->v);
   tp_status status = set_tilt(w, scene, message);
+  if (status == TP_OK) status = tp_anchors_take_side(&w->scene, scene, w->turn.rises, message);
   w->goes_up_dip = f->up_dip && w->turn.rises != 0;
   if (status == TP_OK && w->goes_up_dip && !tp_scene_is_shifted(scene)) {
     status = tp_world_lay_up_dip(w, scene, message);
