@@ -266,11 +266,15 @@ class Batch(unittest.TestCase):
         self.assertTrue(first.endswith("; likewise in lines 4 ('?'), 5 ('ca. 3'), 6 and 7 ('2 m')"), first)
         self.assertEqual([line.split(": ", 1)[1] for line in err.splitlines()], [own["text"] for own in told["faults"]])
         remarks = {row["name"]: row["remark"] for row in told["rows"] if "remark" in row}
-        for part in ("column 'width (m)': 'x' is not", "; column 'height (m)': 'ca. 3' is not", "; column 'dip (deg)': dip_deg must lie",
-                     "; column 'friction (deg)': friction_angle_deg must lie"):
+        for part in ("column 'width (m)': 'x' is not", "; column 'height (m)': 'ca. 3' is not", "; column 'dip (deg)': '95' is out of range: dip_deg must lie",
+                     "; column 'friction (deg)': '-1' is out of range: friction_angle_deg must lie"):
             self.assertIn(part, remarks["d"])
         for part in ("'2 m' is not a number", "give a column dip (deg)", "give a column friction (deg)"):
             self.assertIn(part, remarks["f"])
+        light = self.write(head + "a,1,2,20,35,5\n", "light.csv")
+        self.assertIn("give its 'unit_weight_kn_m3', in a column 'unit weight (kN/m3)'", run("solve", "--batch", light)[2])
+        heavy = self.write(head.replace("name", "name,unit weight (kN/m3)") + "a,26,1,2,20,35,5\n", "heavy.csv")
+        self.assertEqual(run("solve", "--batch", heavy)[0], 0)
         page = self.folder / "faults.html"
         run("solve", "--batch", table, "--output", page)
         self.assertEqual(page.read_text(encoding="utf-8").count("is not a number"), 2)

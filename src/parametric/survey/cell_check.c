@@ -8,6 +8,7 @@
 
 #include "scene/expression.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* Does a parameter of the scene stand in it? */
@@ -56,7 +57,9 @@ tp_status tp_cell_check(tp_row_faults *faults, const tp_column *own, size_t colu
                                message);
   } else if (tp_check_range(value, name_of(own->key), nowhere, &what) != TP_OK ||
              tp_check_rule(own->rule, value, name_of(own->key), nowhere, &what) != TP_OK) {
-    status = tp_row_faults_add(faults, column + 1, NULL, what.text, message);
+    char told[sizeof what.text + 24];
+    snprintf(told, sizeof told, "is out of range: %s", what.text);
+    status = tp_row_faults_add(faults, column + 1, cell, told, message);
   }
   fmpq_clear(value);
   return status;

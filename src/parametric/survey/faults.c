@@ -69,6 +69,9 @@ tp_status tp_row_faults_locate(tp_row_faults *faults, const tp_survey *survey,
     rest = message->text;
   }
   tp_text_add(&own, "%s", rest);
+  if (strstr(rest, "give its 'unit_weight_kn_m3'") != NULL) {
+    tp_text_add(&own, ", in a column 'unit weight (kN/m3)'");
+  }
   const tp_status status = own.failed
                                ? tp_fail_memory(message, "a table")
                                : tp_row_faults_add(faults, mark.line < 0 ? (size_t)-mark.line : 0,
