@@ -250,6 +250,18 @@ class BlockSystem(GoverningCase):
                 a, b = own["own"][key], own[name][key]
                 self.assertLessEqual(abs(a["value"] - b["value"]), a["error"] + b["error"], (name, key))
 
+    def test_on_corners(self):
+        """A block that rests on two points, 4 apart and alike to both sides: it topples where its centroid, at 24·3 − 3·4/9 over 21 by
+        the box less the notch, is past the lower one, and slides at tan φ. So it does on two blocks, one below each point."""
+        points = [(0, 0), (1, 1), (3, 1), (4, 0), (4, 6), (0, 6)]
+        height = (72 - fractions.Fraction(4, 3)) / 21
+        for friction, known in ((60, 2 / height), (25, math.tan(math.radians(25)))):
+            one = Pile().add("g", box(-9, -1, 9, 0), True).add("b", points)
+            two = Pile().add("g", box(-9, -3, 9, -2), True).add("l", box(-3, -2, 2, 0)).add("r", box(2, -2, 7, 0)).add("b", points)
+            for pile in (one, two):
+                tangent, within = self.tangent(pile, friction)
+                self.assertLessEqual(abs(tangent - known), within + 1e-9)
+
     def test_what_is_refused(self):
         """Bad input is told by the names of blocks and the place, before anything is solved."""
         ground, block = ("g", box(-9, -1, 9, 0), True), ("b", box(0, 0, 2, 4), False)

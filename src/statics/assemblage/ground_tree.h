@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A tree of contacts from the ground to every free block, each of which can exert any wrench: three
- * of its columns span all of them. */
+/* An order of the free blocks from the ground on, in which each can be held by three columns of its
+ * contacts with the ground and with blocks before it: three that span all wrenches. */
 
 #ifndef TP_ASSEMBLAGE_GROUND_TREE_H
 #define TP_ASSEMBLAGE_GROUND_TREE_H
@@ -10,15 +10,15 @@
 #include "assemblage/force_program.h"
 
 typedef struct tp_tree_link {
-  long number;     /* of the block that it leads to */
-  long parent;     /* number of the block that it comes from; -1: ground */
-  long columns[3]; /* of the program */
-  int side;        /* which block of the columns' contact that is: 0 or 1 */
+  long number;         /* of the block */
+  long columns[3];     /* of the program */
+  int sides[3];        /* which block of each column's contact it is: 0 or 1 */
+  bool of_one_contact; /* all three */
 } tp_tree_link;
 
 typedef struct tp_ground_tree {
   long count;          /* fewer than there are free blocks where some are not reached */
-  tp_tree_link *links; /* parents before children */
+  tp_tree_link *links; /* each block behind those that it rests on */
 } tp_ground_tree;
 
 /* False when memory is exhausted. */

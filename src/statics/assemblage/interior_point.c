@@ -15,9 +15,8 @@
 #include <string.h>
 
 enum { MOST_STEPS = 150 };
-static const double least_load = -1; /* 45 degrees to the other side */
 
-/* Variables: forces, then s - least_load. */
+/* Variables: forces, then s - TP_LEAST_LOAD. */
 typedef struct interior {
   const tp_force_program *p;
   tp_normal_equations normal;
@@ -70,7 +69,7 @@ static double bounded_products(const interior *s, double of_x, double of_w) {
 static void find_residuals(interior *s) {
   const tp_force_program *p = s->p;
   for (long r = 0; r < p->rows; r++)
-    s->rp[r] = -p->dead[r].value - (s->x[s->n] + least_load) * s->live[r];
+    s->rp[r] = -p->dead[r].value - (s->x[s->n] + TP_LEAST_LOAD) * s->live[r];
   for (long k = 0; k < s->n; k++) {
     add_column(s->rp, p->columns + k, -s->x[k]);
     s->rd[k] = -power_of(p->columns + k, s->y) - s->z[k] + s->w[k];
@@ -298,7 +297,8 @@ tp_status tp_interior_point(const tp_force_program *p, tp_interior_watch *watch,
   for (int k = 0; k < MOST_STEPS && goes_on; k++) {
     if (k > 0) restore(&s);
     find_residuals(&s);
-    const tp_interior_iterate iterate = {s.x, s.x[s.n] + least_load, s.y, s.mu * (double)(s.n + 1)};
+    const tp_interior_iterate iterate = {s.x, s.x[s.n] + TP_LEAST_LOAD, s.y,
+                                         s.mu * (double)(s.n + 1)};
     goes_on = !watch(context, &iterate) && advance(&s);
   }
   clear(&s);
@@ -349,7 +349,7 @@ tp_status tp_interior_centre(const tp_force_program *p, const double *forces, do
   bool goes_on = status == TP_OK;
   if (goes_on) {
     memcpy(s.x, forces, (size_t)s.n * sizeof *s.x);
-    s.x[s.n] = load - least_load;
+    s.x[s.n] = load - TP_LEAST_LOAD;
   }
   for (int k = 0; k < MOST && goes_on; k++) {
     if (k > 0) restore(&s);

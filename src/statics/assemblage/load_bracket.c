@@ -45,15 +45,41 @@ static void find_lacks(proving *s, const double *forces, double load) {
   }
 }
 
-/* A wrench on a block as one on its parent, about that one's own point. */
-static void hand_down(tp_near *parent, const tp_near *own, const tp_assemblage *a,
+/* A wrench on a block as one on another, about that one's own point: what one contact carries. */
+static void hand_over(tp_near *other, const tp_near *own, const tp_assemblage *a,
                       const tp_rigid_block *from, const tp_rigid_block *to) {
   const tp_near x = tp_assemblage_length(a, to->x, from->x);
   const tp_near y = tp_assemblage_length(a, to->y, from->y);
   tp_near moved[3] = {own[0], own[1]};
   tp_sparse_moment(moved, &x, &y);
   moved[2] = tp_near_plus(moved[2], own[2]);
-  for (int e = 0; e < 3; e++) parent[e] = tp_near_plus(parent[e], moved[e]);
+  for (int e = 0; e < 3; e++) other[e] = tp_near_plus(other[e], moved[e]);
+}
+
+/* A column bears so much more: what the block on its other side lacks then. */
+static void bear(tp_near *lacks, const tp_force_column *column, int side, tp_near more) {
+  if (column->row[!side] < 0) return;
+  tp_near *own = lacks + column->row[!side];
+  for (int e = 0; e < 3; e++) {
+    own[e] = tp_near_minus(own[e], tp_near_times(more, column->entry[!side][e]));
+  }
+}
+
+/* What a block lacks becomes that of those that it rests on. Of one contact as a whole: the factors
+ * know it less well, and the more so the higher the pile. */
+static void hand_down(proving *s, const tp_tree_link *link, const tp_near factors[3]) {
+  const tp_force_program *p = s->p;
+  const tp_force_column *first = p->columns + link->columns[0];
+  if (!link->of_one_contact) {
+    for (int c = 0; c < 3; c++) {
+      bear(s->lacks, p->columns + link->columns[c], link->sides[c], factors[c]);
+    }
+  } else if (first->row[!link->sides[0]] >= 0) {
+    const long other = first->row[!link->sides[0]] / 3;
+    hand_over(s->lacks + 3 * other, s->lacks + 3 * link->number, p->assemblage,
+              p->assemblage->blocks + p->block[link->number],
+              p->assemblage->blocks + p->block[other]);
+  }
 }
 
 /* Factors above zero, of which the method keeps them, and no greater than they may be. */
@@ -68,24 +94,21 @@ static bool are_allowed(const tp_force_program *p, const double *forces) {
 /* Does what the forces leave fit into the contacts of the tree? Each column is of one link. */
 static bool is_held(proving *s, const double *forces, double load) {
   const tp_force_program *p = s->p;
-  const tp_assemblage *a = p->assemblage;
   if (s->tree->count < p->rows / 3 || !are_allowed(p, forces)) return false;
   find_lacks(s, forces, load);
   for (long k = s->tree->count - 1; k >= 0; k--) {
     const tp_tree_link *link = s->tree->links + k;
-    const tp_near *own = s->lacks + 3 * link->number;
     tp_near factors[3];
-    tp_tree_link_share(factors, link, p, own);
+    tp_tree_link_share(factors, link, p, s->lacks + 3 * link->number);
     for (int c = 0; c < 3; c++) {
+      const tp_force_column *column = p->columns + link->columns[c];
       const tp_near sum = tp_near_add((tp_near){forces[link->columns[c]], 0}, factors[c]);
-      const tp_near most = p->columns[link->columns[c]].most;
-      if (!(sum.value >= sum.error && sum.value + sum.error <= most.value - most.error)) {
+      if (!(sum.value >= sum.error &&
+            sum.value + sum.error <= column->most.value - column->most.error)) {
         return false;
       }
     }
-    if (link->parent < 0) continue;
-    hand_down(s->lacks + 3 * link->parent, own, a, a->blocks + p->block[link->number],
-              a->blocks + p->block[link->parent]);
+    hand_down(s, link, factors);
   }
   return true;
 }
@@ -149,6 +172,11 @@ static bool is_narrow(const proving *s) {
   return b->is_held && b->is_bounded && b->bound - b->held <= s->share * fabs(b->bound);
 }
 
+/* No load that is looked for. */
+static bool is_never_held(const tp_load_bracket *b) {
+  return b->is_bounded && b->bound < TP_LEAST_LOAD;
+}
+
 /* Forces that are not proven to hold are kept too: to begin from, where none are. */
 static bool watch(void *context, const tp_interior_iterate *at) {
   proving *s = context;
@@ -164,7 +192,7 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   }
   /* nearer than that roundings follow, and forces are found by the other way */
   const bool is_near = b->is_bounded && at->gap <= s->share / 8 * fabs(b->bound);
-  return is_near || (b->is_held && b->held > TP_MOST_LOAD) || is_narrow(s);
+  return is_near || is_never_held(b) || (b->is_held && b->held > TP_MOST_LOAD) || is_narrow(s);
 }
 
 static bool watch_centre(void *context, const tp_interior_iterate *at) {
@@ -179,7 +207,7 @@ static tp_status hold_nearer(proving *s, tp_message *message) {
   tp_status status = TP_OK;
   for (double away = s->share / 2; away < farthest && status == TP_OK; away *= farther) {
     const double load = b->bound - away * fabs(b->bound);
-    if (b->is_held && load <= b->held) break;
+    if (load <= TP_LEAST_LOAD || (b->is_held && load <= b->held)) break;
     const bool was_held = b->is_held;
     status = tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
     if (b->is_held && !was_held) break;
@@ -199,7 +227,7 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, do
       b->forces != NULL && b->twists != NULL && s.lacks != NULL && tp_ground_tree_init(&tree, p);
   tp_status status = made ? tp_interior_point(p, watch, &s, message)
                           : tp_fail_memory(message, "the forces between blocks");
-  if (status == TP_OK && b->is_bounded && !is_narrow(&s)) {
+  if (status == TP_OK && b->is_bounded && !is_narrow(&s) && !is_never_held(b)) {
     status = hold_nearer(&s, message);
   }
   tp_ground_tree_clear(&tree);
