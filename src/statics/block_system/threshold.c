@@ -137,7 +137,7 @@ static bool prove_bound(tp_threshold *own, searching *x, double at) {
 }
 
 static tp_status prove(tp_threshold *own, searching *x, double zero) {
-  static const double first = 2.5e-7, last = 1e-2, growth = 4;
+  static const double first = 1e-6, last = 1e-2, growth = 4;
   for (double away = first; away < last; away *= growth) {
     if (!own->is_held && !prove_held(own, x, zero - away)) break;
     if (!own->is_bounded && !prove_bound(own, x, zero + away)) break;
@@ -148,7 +148,7 @@ static tp_status prove(tp_threshold *own, searching *x, double zero) {
 
 static tp_status search(tp_threshold *own, searching *x) {
   enum { MOST = 60 };
-  static const double width = 1e-9, flat = 1e-9;
+  static const double width = 2e-7, flat = 1e-7; /* a tenth of what is proven */
   const tp_root_search of = {margin, x, flat, width, MOST};
   tp_root_end low, high;
   tp_root root;
