@@ -91,6 +91,50 @@ typedef enum tp_system_limit {
   TP_SYSTEM_LIMIT_UNDECIDED
 } tp_system_limit;
 
+/* What a column does by Goodman and Bray (1976). */
+typedef enum tp_column_state {
+  TP_COLUMN_STABLE, /* it needs nothing of the next one */
+  TP_COLUMN_TOPPLES,
+  TP_COLUMN_SLIDES
+} tp_column_state;
+
+/* In a word: stable, topples, slides. */
+const char *tp_column_state_name(tp_column_state state);
+
+/* One column, with the friction of the joints as the scene has it. */
+typedef struct tp_goodman_bray_column {
+  size_t block; /* its number */
+  tp_column_state state;
+  double toppling_n_m;    /* P(n-1,t), that it needs against toppling; not above 0: none */
+  double sliding_n_m;     /* P(n-1,s), against sliding */
+  double push_n_m;        /* P(n-1), the greatest of both and 0: it pushes the next one towards the
+                             toe by so much; the toe lacks it */
+  double base_normal_n_m; /* on its base, compression */
+  double base_shear_n_m;  /* above 0: up the slope */
+  bool base_holds;        /* these are within the friction of the base */
+} tp_goodman_bray_column;
+
+/* Limit equilibrium of columns side by side (Goodman and Bray 1976): forces between columns act at
+ * the top of each contact, with the friction there fully mobilised. Its numbers are doubles without
+ * a bound. */
+typedef struct tp_goodman_bray {
+  bool applies;              /* the free blocks are such a row, which is pressed to this side */
+  TP_OUTSIDE char *why_not;  /* if !applies: a sentence */
+  bool has_fos;              /* this friction or a greater one is enough: */
+  double fos;                /* if has_fos: tan(phi) of all joints over that at which the force at
+                                the toe is zero; */
+  bool fos_is_least;         /* it is only known to be more: the search ended there */
+  bool has_friction_angle;   /* all joints have the same friction, and there is such a limit: */
+  double friction_angle_deg; /* if has_friction_angle: at which that force is zero */
+  bool has_forces;           /* the scene gives unit weights, so that forces are known in N */
+  bool has_support;          /* and a support can hold the toe: */
+  double support_n_m;        /* if has_support: horizontal, into the slope, at the top of the toe's
+                                free side, that holds it; 0: it needs none */
+  size_t column_count;       /* of the list */
+  tp_goodman_bray_column *columns; /* column_count of them: from the toe up; forces are 0 where the
+                                      scene gives no unit weights */
+} tp_goodman_bray;
+
 /* One direction of tilt. */
 typedef struct tp_system_case {
   tp_direction towards;          /* the side that the tilt lowers */
@@ -114,6 +158,7 @@ typedef struct tp_system_case {
                    divided by the factor, or at the critical tilt where there is none */
   tp_system_force
       *forces; /* force_count of them: by contact, that hold the blocks just before it */
+  tp_goodman_bray goodman_bray; /* beside it, of columns in a row */
 } tp_system_case;
 
 /* All that is known of the blocks of a scene. */
@@ -146,7 +191,8 @@ void tp_block_system_free(tp_block_system *system);
 bool tp_block_system_is_undecided(const tp_block_system *system);
 
 /* Has a case certainly a factor of `required`? Met only where it also certainly stands: the factor
- * of limit analysis is above that of joints that do not dilate as they slip. */
+ * of limit analysis is above that of joints that do not dilate as they slip. Not met where the
+ * factor of Goodman and Bray is below it, too. */
 tp_design tp_system_case_meets(const tp_system_case *one, double required);
 
 /* Does every case certainly have a factor of `required`? Met only where it also certainly stands.

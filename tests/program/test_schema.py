@@ -233,7 +233,10 @@ class Schema(unittest.TestCase):
             slot.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nblock: {unit_weight_kn_m3: 2}\nblocks:\n"
                             "- {ground: true, outline: [[0, 0], [0, 1], [-1, 1], [-1, -1], [2, -1], [2, 1], [1, 1], [1, 0]]}\n"
                             "- {slab: {width: 1, height: 1}}\n", encoding="utf-8")
-            for path, more in ((example, ("--set", "friction_angle_deg=36")), (scene, ()), (slot, ())):
+            row = pathlib.Path(name) / "row.yaml"  # of columns that nothing moves
+            row.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nslope: {dip_deg: 0.01, towards: left}\n"
+                           "columns: {width: 1, heights: [1, 1]}\n", encoding="utf-8")
+            for path, more in ((example, ("--set", "friction_angle_deg=36")), (scene, ()), (slot, ()), (row, ())):
                 status, out, err = run("solve", "--json", *more, path)
                 self.assertIn(status, (0, 4), err)
                 self.fits("block_system", out)

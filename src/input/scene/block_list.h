@@ -23,12 +23,20 @@ typedef struct tp_joint_description {
   tp_quantity friction_angle_deg, cohesion_kpa, tension_kpa; /* not given: the scene's */
 } tp_joint_description;
 
+/* Columns side by side on steps that Goodman and Bray (1976) describe: the key columns, of which
+ * blocks and joints are made as it is read (scene_reading/read_columns.c). */
+typedef struct tp_columns_description {
+  tp_quantity width, step, rise, fall, below_crest, above_crest;
+  tp_quantity side_friction_angle_deg; /* given: between columns, instead of the scene's */
+} tp_columns_description;
+
 /* No blocks: the scene is of one block on its base. */
 typedef struct tp_block_list {
   tp_place place;
   long count, joint_count;
   tp_listed_block *blocks;
   tp_joint_description *joints;
+  tp_columns_description columns;
 } tp_block_list;
 
 #endif

@@ -17,4 +17,11 @@ typedef struct tp_quantity {
   tp_place place;
 } tp_quantity;
 
+/* Both have their value initialised. */
+static inline void tp_quantity_copy(tp_quantity *copy, const tp_quantity *quantity) {
+  copy->given = quantity->given;
+  copy->place = quantity->place;
+  fmpq_set(copy->value, quantity->value);
+}
+
 #endif

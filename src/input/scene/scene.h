@@ -298,6 +298,10 @@ tp_place tp_scene_shift_place(const tp_scene *scene);
 /* Does the block lie at its place, on a slope or in the frame of the world; else on a table? */
 bool tp_scene_lies_in_place(const tp_scene *scene);
 
+/* The next block of the list, of which there is room, with nothing given but its place; and that of
+ * the scene has this place and this unit weight. */
+tp_listed_block *tp_scene_next_block(tp_scene *scene, tp_place place,
+                                     const tp_quantity *unit_weight);
 /* The block that was read becomes one of the list, and the scene's has nothing given again. */
 void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed);
 

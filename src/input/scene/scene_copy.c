@@ -57,6 +57,17 @@ static void clear_block(tp_scene *scene) {
   }
 }
 
+tp_listed_block *tp_scene_next_block(tp_scene *scene, tp_place place,
+                                     const tp_quantity *unit_weight) {
+  tp_listed_block *own = scene->many.blocks + scene->many.count++;
+  for (size_t k = 0; k < tp_listed_block_numbers.count; k++) {
+    fmpq_init(tp_member_number(own, tp_listed_block_numbers.items[k]));
+  }
+  own->place = scene->block.place = place;
+  tp_quantity_copy(&scene->block.unit_weight_kn_m3, unit_weight);
+  return own;
+}
+
 void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed) {
   listed->shape = scene->block;
   memset(&scene->block, 0, sizeof scene->block);

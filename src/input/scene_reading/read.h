@@ -94,6 +94,10 @@ TP_MUST_USE tp_status tp_read_block_shape(const tp_reader *reader, const tp_node
                                           const tp_node *drawing);
 /* The keys blocks, joints and block of a scene of many blocks. */
 TP_MUST_USE tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root);
+/* The key columns: the blocks that it makes; and their joints, behind those that were read. */
+TP_MUST_USE tp_status tp_read_columns(const tp_reader *reader, const tp_node *node,
+                                      const tp_quantity *unit_weight);
+TP_MUST_USE tp_status tp_read_column_joints(const tp_reader *reader);
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads a scene of many blocks: the keys blocks, joints and block. Each block is read as that of a
- * scene of one block, and then moved to the list; joints name two of them. */
+/* Reads a scene of many blocks: the keys blocks, columns, joints and block. Each block is read as
+ * that of a scene of one block, and then moved to the list; joints name two of them. */
 
 #include "scene/members.h"
 #include "scene_reading/read.h"
@@ -99,14 +99,11 @@ static tp_status check_shape(const tp_reader *reader, const tp_node *node) {
   return TP_OK;
 }
 
-static tp_status read_listed(const tp_reader *reader, tp_listed_block *listed, const tp_node *node,
+static tp_status read_listed(const tp_reader *reader, const tp_node *node,
                              const tp_quantity *unit_weight) {
-  tp_block_description *block = &reader->scene->block;
+  tp_listed_block *listed =
+      tp_scene_next_block(reader->scene, tp_node_place(node, reader->scene->path), unit_weight);
   const tp_node *at = tp_node_get(node, "at");
-  listed->place = block->place = tp_node_place(node, reader->scene->path);
-  fmpq_set(block->unit_weight_kn_m3.value, unit_weight->value);
-  block->unit_weight_kn_m3.given = unit_weight->given;
-  block->unit_weight_kn_m3.place = unit_weight->place;
   tp_status status = tp_read_map(reader, listed, node, &tp_key_map_blocks, "a block");
   if (status == TP_OK) {
     status = read_name(reader, listed, tp_node_get(node, "name"), reader->scene->many.count);
@@ -143,7 +140,6 @@ static tp_status check_weights(const tp_reader *reader) {
 static tp_status read_list(const tp_reader *reader, const tp_node *node,
                            const tp_quantity *unit_weight) {
   tp_block_list *many = &reader->scene->many;
-  many->place = tp_node_place(node, reader->scene->path);
   if (node->kind != TP_NODE_SEQUENCE || node->count == 0 || node->count > most_blocks) {
     return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "blocks are a list, of up to %ld: [{name: ground, ground: true, outline: "
@@ -154,11 +150,7 @@ static tp_status read_list(const tp_reader *reader, const tp_node *node,
   if (many->blocks == NULL) return tp_fail_memory(reader->message, "the blocks");
   tp_status status = TP_OK;
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
-    tp_listed_block *own = many->blocks + many->count++;
-    for (size_t k = 0; k < tp_listed_block_numbers.count; k++) {
-      fmpq_init(tp_member_number(own, tp_listed_block_numbers.items[k]));
-    }
-    status = read_listed(reader, own, n, unit_weight);
+    status = read_listed(reader, n, unit_weight);
   }
   return status == TP_OK ? check_weights(reader) : status;
 }
@@ -252,8 +244,8 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
     const tp_node *node = tp_node_get(root, keys[k]);
     if (node == NULL) continue;
     return tp_read_fail(reader, TP_FAULT_KEY, node,
-                        "'%s' is of a scene of one block, and this one has 'blocks': leave it out",
-                        keys[k]);
+                        "'%s' is of a scene of one block, and this one has '%s': leave it out",
+                        keys[k], tp_node_get(root, "columns") != NULL ? "columns" : "blocks");
   }
   const tp_node *loads = tp_node_get(root, "loads");
   for (const tp_node *n = loads != NULL ? loads->first : NULL; n != NULL; n = n->next) {
@@ -266,22 +258,31 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   return TP_OK;
 }
 
+/* Listed, or columns made by rule. */
+static tp_status read_bodies(const tp_reader *reader, const tp_node *root,
+                             const tp_quantity *unit_weight) {
+  const tp_node *blocks = tp_node_get(root, "blocks"), *columns = tp_node_get(root, "columns");
+  const tp_node *node = columns != NULL ? columns : blocks;
+  reader->scene->many.place = tp_node_place(node, reader->scene->path);
+  if (columns == NULL) return read_list(reader, blocks, unit_weight);
+  if (blocks == NULL) return tp_read_columns(reader, columns, unit_weight);
+  return tp_read_fail(reader, TP_FAULT_KEY, columns,
+                      "a scene has 'blocks', or 'columns' that make them: leave one out");
+}
+
 tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root) {
   tp_quantity unit_weight = {.given = false};
+  tp_block_description *all = &reader->scene->block;
   fmpq_init(unit_weight.value);
   tp_status status = check_root(reader, root);
   if (status == TP_OK) status = read_common(reader, tp_node_get(root, "block"));
   if (status == TP_OK) {
-    fmpq_set(unit_weight.value, reader->scene->block.unit_weight_kn_m3.value);
-    unit_weight.given = reader->scene->block.unit_weight_kn_m3.given;
-    unit_weight.place = reader->scene->block.unit_weight_kn_m3.place;
-    status = read_list(reader, tp_node_get(root, "blocks"), &unit_weight);
+    tp_quantity_copy(&unit_weight, &all->unit_weight_kn_m3);
+    status = read_bodies(reader, root, &unit_weight);
   }
   if (status == TP_OK) status = read_joints(reader, tp_node_get(root, "joints"));
-  tp_block_description *all = &reader->scene->block;
-  fmpq_set(all->unit_weight_kn_m3.value, unit_weight.value);
-  all->unit_weight_kn_m3.given = unit_weight.given;
-  all->unit_weight_kn_m3.place = unit_weight.place;
+  if (status == TP_OK) status = tp_read_column_joints(reader);
+  tp_quantity_copy(&all->unit_weight_kn_m3, &unit_weight);
   all->form = TP_OUTLINE_OF_EACH;
   all->place = reader->scene->many.place;
   fmpq_clear(unit_weight.value);

@@ -6,16 +6,15 @@
 
 #include "common/host.h"
 #include "output/encode.h"
+#include "report/column_page.h"
 #include "report/notes.h"
 #include "report/results.h"
+#include "report/system_page.h"
 #include "report/words.h"
 #include "terms/names.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Rows of a table on a page; more stand in JSON. */
-enum { MOST_ROWS = 60 };
 
 static size_t free_count(const tp_block_system *s) {
   size_t count = 0;
@@ -70,16 +69,10 @@ static void add_verdict(tp_text *t, const tp_system_case *c) {
   }
 }
 
-/* The label of a number, in a column. */
-static void add_label(tp_text *t, const char *label) {
-  enum { WIDTH = 38 };
-  tp_text_add(t, "  %-*s", WIDTH, label);
-}
-
 static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   char n[TP_NUMBER_SIZE];
-  add_label(t, s->lies_in_place ? "greatest dip that forces can hold"
-                                : "greatest tilt that forces can hold");
+  tp_text_system_label(t, s->lies_in_place ? "greatest dip that forces can hold"
+                                           : "greatest tilt that forces can hold");
   switch (c->limit) {
   case TP_SYSTEM_LIMIT_NUMBER:
     tp_text_add(t, "%s°\n", tp_text_fixed(n, c->critical_angle_deg, 4));
@@ -92,7 +85,7 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
     break;
   }
   if (c->has_acceleration) {
-    add_label(t, "critical horizontal acceleration");
+    tp_text_system_label(t, "critical horizontal acceleration");
     tp_text_add(t, "%s g\n", tp_text_significant(n, c->critical_acceleration_g, 5));
   }
 }
@@ -101,7 +94,7 @@ static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_cas
   static const char *const met[] = {"met", "NOT MET", "undecided, as a motion is not excluded"};
   char n[TP_NUMBER_SIZE], required[TP_NUMBER_SIZE];
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
-  add_label(t, "factor of safety, strength reduction");
+  tp_text_system_label(t, "factor of safety, strength reduction");
   if (c->fos.state == TP_FOS_NUMBER) {
     tp_text_add(t, "%s%s\n", c->fos_is_least ? "above " : "",
                 tp_text_fixed(n, c->fos.value, c->fos_is_least ? 0 : 5));
@@ -109,7 +102,7 @@ static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_cas
     tp_text_add(t, "undecided\n");
   }
   if (c->has_required_fos) {
-    add_label(t, "required factor of safety");
+    tp_text_system_label(t, "required factor of safety");
     tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),
                 met[c->meets_required]);
   }
@@ -128,25 +121,15 @@ static int name_width(const tp_block_system *s) {
   return width < MOST ? (int)width : MOST;
 }
 
-static void add_name(tp_text *t, const char *name, int width) {
-  char plain[128];
-  tp_plain_text(plain, sizeof plain, name);
-  tp_text_add(t, "%-*s", width, plain);
-}
-
-static void add_more(tp_text *t, size_t rows) {
-  if (rows > MOST_ROWS) tp_text_add(t, "  and %zu more: see --json\n", rows - MOST_ROWS);
-}
-
 static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   size_t row = 0;
   tp_text_add(t, "  %-*s  %-19s  %10s  %10s  %12s\n", width, "block", "in the collapse", "speed x",
               "speed y", "turns rad/m");
   for (size_t k = 0; k < c->motion_count; k++) {
     const tp_system_motion *m = c->motions + k;
-    if (s->blocks[k].ground || row++ >= MOST_ROWS) continue;
+    if (s->blocks[k].ground || row++ >= TP_SYSTEM_ROWS) continue;
     tp_text_add(t, "  ");
-    add_name(t, s->blocks[k].name, width);
+    tp_text_system_name(t, s->blocks[k].name, width);
     tp_text_add(t, "  %-19s",
                 m->mechanism == TP_STANDS ? "at rest" : tp_mechanism_name(m->mechanism));
     if (m->mechanism != TP_STANDS) {
@@ -154,27 +137,27 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_ca
     }
     tp_text_add(t, "\n");
   }
-  add_more(t, row);
+  tp_text_more_rows(t, row);
 }
 
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
   if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
   tp_text_add(t, "  %10s  %10s\n", "at x", "y");
-  for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) {
+  for (size_t k = 0; k < c->force_count && k < TP_SYSTEM_ROWS; k++) {
     const tp_system_force *f = c->forces + k;
     const tp_system_contact *contact = s->contacts + k;
     tp_text_add(t, "  ");
-    add_name(t, s->blocks[contact->first].name, width);
+    tp_text_system_name(t, s->blocks[contact->first].name, width);
     tp_text_add(t, "  ");
-    add_name(t, s->blocks[contact->second].name, width);
+    tp_text_system_name(t, s->blocks[contact->second].name, width);
     tp_text_add(t, "  %-6s", tp_joint_state_name(f->state));
     if (c->has_forces) {
       tp_text_add(t, "  %10.4g  %10.4g", f->normal_n_m / 1e3, f->shear_n_m / 1e3);
     }
     tp_text_add(t, "  %10.5g  %10.5g\n", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
   }
-  add_more(t, c->force_count);
+  tp_text_more_rows(t, c->force_count);
 }
 
 /* "Towards the left, at a tilt of 20°" */
@@ -198,9 +181,10 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_verdict(t, c);
   add_factor(t, s, c);
   add_limit(t, s, c);
+  tp_text_goodman_bray(t, s, c, width);
   if (c->motion_count == 0) return;
   const bool reduced = c->fos.state == TP_FOS_NUMBER && !c->fos_is_least;
-  add_label(t, "at that limit, all in all");
+  tp_text_system_label(t, "at that limit, all in all");
   tp_text_add(t, "%s\n\n  Collapse %s, by velocities at its beginning:\n",
               tp_mechanism_name(mechanism_of(c)),
               reduced            ? "with strength over the factor"

@@ -5,6 +5,7 @@
  * verdict, factor of safety, and the collapse. */
 
 #include "block_system/collapse.h"
+#include "block_system/goodman_bray.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
 #include "common/host.h"
@@ -160,7 +161,10 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) judge(d);
   if (status == TP_OK) status = set_limit(d, message);
   if (status == TP_OK) status = find_factor(d, message);
-  return status == TP_OK ? set_collapse(d, message) : status;
+  if (status == TP_OK) status = set_collapse(d, message);
+  if (status != TP_OK) return status;
+  return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
+                              tp_system_is_weighed(d->x->system), message);
 }
 
 static tp_status solve_case(const solving *x, bool left, tp_message *message) {
@@ -234,11 +238,17 @@ bool tp_block_system_is_undecided(const tp_block_system *system) {
   return false;
 }
 
+static bool falls_short(const tp_goodman_bray *own, double required) {
+  return own->applies && (!own->has_fos || (own->fos < required && !own->fos_is_least));
+}
+
 /* A factor of limit analysis is above the true one where friction does not dilate: what it does not
- * reach is certainly not met, and what it reaches is met where the blocks certainly stand. */
+ * reach is certainly not met, and what it reaches is met where the blocks certainly stand. Of
+ * columns the factor of the named method is asked for as well. */
 tp_design tp_system_case_meets(const tp_system_case *own, double required) {
   if (own == NULL) return TP_DESIGN_OPEN;
   if (own->verdict == TP_SYSTEM_COLLAPSES) return TP_DESIGN_NOT_MET;
+  if (falls_short(&own->goodman_bray, required)) return TP_DESIGN_NOT_MET;
   if (own->fos.state == TP_FOS_NUMBER && !own->fos_is_least &&
       own->fos.value.value + own->fos.value.error < required) {
     return TP_DESIGN_NOT_MET;

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What Goodman and Bray's method tells of columns in a row, on the page of many blocks. */
+
+#ifndef TP_REPORT_COLUMN_PAGE_H
+#define TP_REPORT_COLUMN_PAGE_H
+
+#include "output/text.h"
+
+/* Its numbers, the assumption and what it costs, and the columns in a table, names in `width`. */
+void tp_text_goodman_bray(tp_text *text, const tp_block_system *system, const tp_system_case *own,
+                          int width);
+
+#endif
