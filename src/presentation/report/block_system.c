@@ -92,12 +92,14 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
 
 static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const char *const met[] = {"met", "NOT MET", "undecided, as a motion is not excluded"};
+  static const double whole = 100; /* from where on digits behind the point tell nothing */
   char n[TP_NUMBER_SIZE], required[TP_NUMBER_SIZE];
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
   tp_text_system_label(t, "factor of safety, strength reduction");
   if (c->fos.state == TP_FOS_NUMBER) {
-    tp_text_add(t, "%s%s\n", c->fos_is_least ? "above " : "",
-                tp_text_fixed(n, c->fos.value, c->fos_is_least ? 0 : 5));
+    tp_text_add(
+        t, "%s%s\n", c->fos_is_least ? "above " : "",
+        tp_text_fixed(n, c->fos.value, c->fos_is_least && c->fos.value.value >= whole ? 0 : 5));
   } else {
     tp_text_add(t, "undecided\n");
   }
