@@ -53,6 +53,22 @@ class Letterhead(unittest.TestCase):
         self.assertEqual((status, err), (0, ""))
         return (self.path / f"r.{kind}").read_bytes()
 
+    def test_without_appendix(self):
+        """Two pages, and on the second what must not be missed of the appendix: cautions and partial factors of cases."""
+        cases = "loads: {seismic: {horizontal: 0.05}}\ncases:\n  - {name: a, required_fos: 1.5, tilt: {towards: left}}\n  - {name: b, partial_factors: DA1-2}\n"
+        whole = self.sheet(cases, "md").decode()
+        brief = self.sheet(cases + "report: {appendix: false}\n", "md").decode()
+        front, found, _ = whole.partition("## Appendix")
+        self.assertTrue(found)
+        self.assertNotIn("## Appendix", brief)
+        self.assertNotIn("## Account", brief)
+        at = brief.index("## Cautions")
+        self.assertGreater(at, brief.index("## Hand check"))
+        self.assertIn("They stand below the hand check", brief[:at])
+        self.assertIn("They stand at the head of the appendix", front)
+        self.assertIn("the earthquake is considered down-dip only", brief[at:])
+        self.assertIn("DA1-2: weight", brief[at:])
+
     def test_texts(self):
         """Each is there as text, the persons also beside their signatures."""
         report = "report:\n" + "".join(f"  {key}: '<b>{key}</b> & [x](y)'\n" for key in KEYS)

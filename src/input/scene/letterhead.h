@@ -33,6 +33,7 @@ typedef struct tp_letterhead {
   tp_place logo_place;
   const tp_language *language; /* NULL: not given */
   tp_decimal_sign decimal;
+  bool brief; /* two pages, without the appendix */
 } tp_letterhead;
 
 /* The key of a text: company, project … */

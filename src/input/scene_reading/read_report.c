@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads the key report of a scene: letterhead, language and decimal sign of its calculation sheet.
- * The logo is looked at here, so that a report is refused before anything is solved. */
+/* Reads the key report of a scene: letterhead, language, decimal sign and extent of its calculation
+ * sheet. The logo is looked at here, so that a report is refused before anything is solved. */
 
 #include "scene_reading/read.h"
 
@@ -87,5 +87,11 @@ tp_status tp_read_report(const tp_reader *reader, const tp_node *node) {
   }
   if (status == TP_OK) status = read_language(reader, tp_node_get(node, "language"));
   if (status == TP_OK) status = read_decimal(reader, tp_node_get(node, "decimal"));
+  const tp_node *appendix = tp_node_get(node, "appendix");
+  if (status == TP_OK && appendix != NULL) {
+    bool whole = true;
+    status = tp_read_bool(reader, &whole, appendix, "appendix");
+    own->brief = !whole;
+  }
   return status == TP_OK ? read_logo(reader, tp_node_get(node, "logo")) : status;
 }

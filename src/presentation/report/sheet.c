@@ -158,6 +158,12 @@ static void add_hand_check(tp_sheet *s) {
   }
 }
 
+/* What must not be missed of an appendix that is left out. */
+static void add_in_brief(tp_sheet *s) {
+  tp_sheet_add_notes(&s->document, &s->solution->notes);
+  tp_sheet_add_load_case_details(s);
+}
+
 static void add_appendix(tp_sheet *s, const tp_sheet_files *files) {
   tp_document *d = &s->document;
   const tp_solution *own = s->solution;
@@ -206,6 +212,10 @@ void tp_sheet_build(tp_document *document, const tp_scene *scene, const tp_solut
   tp_sheet_add_foot(d, files, options);
   add_front(&s, picture);
   add_hand_check(&s);
-  add_appendix(&s, files);
+  if (scene->letterhead.brief) {
+    add_in_brief(&s);
+  } else {
+    add_appendix(&s, files);
+  }
   *document = s.document;
 }

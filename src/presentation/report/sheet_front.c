@@ -237,5 +237,8 @@ void tp_sheet_count_cautions(tp_sheet *s) {
   }
   if (count == 0) return;
   tp_document_add(&s->document, TP_PASSAGE_CAUTION,
-                  "Cautions on the input: %zu. They stand at the head of the appendix.", count);
+                  s->scene->letterhead.brief
+                      ? "Cautions on the input: %zu. They stand below the hand check."
+                      : "Cautions on the input: %zu. They stand at the head of the appendix.",
+                  count);
 }

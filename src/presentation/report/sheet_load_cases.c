@@ -70,8 +70,12 @@ void tp_sheet_add_load_cases(tp_sheet *s) {
   add_table(s, "Load cases, the one that governs first. Utilisation: required over FoS",
             count < ON_FRONT ? count : ON_FRONT);
   if (count > ON_FRONT) {
-    tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                    "Load cases in all: %zu; those that govern less are in the appendix.", count);
+    tp_document_add(
+        &s->document, TP_PASSAGE_PARAGRAPH,
+        s->scene->letterhead.brief
+            ? "Load cases in all: %zu; those that govern less stand below the hand check."
+            : "Load cases in all: %zu; those that govern less are in the appendix.",
+        count);
   }
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "All that follows is of the load case that governs.");
