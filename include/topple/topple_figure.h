@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A solved scene as a drawing: docs/figure.md explains what it shows. Included by topple.h;
- * tp_report_figure is in a separate library, topple-figure, which alone needs Cairo. */
+/* A solved scene as a drawing: docs/figure.md explains what it shows. Included by topple.h; the
+ * calls tp_report_figure… are in a separate library, topple-figure, which alone needs Cairo. */
 
 #ifndef TOPPLE_FIGURE_H
 #define TOPPLE_FIGURE_H
 
-#include "topple_solve.h"
+#include "topple_block_system.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -42,6 +42,17 @@ typedef struct tp_figure_consent {
 TP_MUST_USE tp_status tp_report_figure_if(const char *path, const tp_scene *scene,
                                           const tp_solution *solution, tp_figure_consent consent,
                                           tp_message *message);
+
+/* The same of many blocks, by their result: as .svg, .pdf or .png, the direction that governs, by
+ * collapse, factor of safety, and how much more tilt it bears. Bad input: the result is of another
+ * scene, or of it before it was changed. */
+TP_MUST_USE tp_status tp_report_figure_block_system(const char *path, const tp_scene *scene,
+                                                    const tp_block_system *system,
+                                                    tp_message *message);
+TP_MUST_USE tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *scene,
+                                                       const tp_block_system *system,
+                                                       tp_figure_consent consent,
+                                                       tp_message *message);
 
 #ifdef __cplusplus
 }

@@ -250,9 +250,11 @@ class Scene(Builder):
         """The stability of a scene of many blocks. `strength_reduction`: its factor of safety."""
         options = solve_options(None, None, None, strength_reduction, None, None, None, None)
         receives = ffi.new("tp_block_system **")
-        self._use(lib.tp_solve_block_system, receives, self._c, options)
+        version = self._use(lib.tp_solve_block_system, receives, self._c, options)
         owner = ffi.gc(receives[0], lib.tp_block_system_free)
-        return record(BlockSystem, owner[0], owner)
+        system = record(BlockSystem, owner[0], owner)
+        system.__dict__.update(_scene=self, _version=version)
+        return system
 
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,

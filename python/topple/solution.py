@@ -57,6 +57,20 @@ class BlockSystemMethods:
         """What `topple solve --json` prints."""
         return written(lib.tp_report_block_system_json, struct_of(self))
 
+    def write_figure(self: Any, path: File) -> None:
+        """Draw the blocks as they lie, and how they begin to move, into a file: .svg, .pdf or .png. They
+        are drawn of the scene, which must be as it was when it was solved."""
+        scene: Scene = self.__dict__["_scene"]
+        scene._use(drawing().lib.tp_report_figure_block_system, c_path(path), scene._c, struct_of(self),
+                   of=self.__dict__["_version"])
+
+    def svg(self: Any) -> str:
+        """The figure as SVG."""
+        return drawn(self.write_figure)
+
+    def _repr_svg_(self: Any) -> str:
+        return self.svg()
+
 
 class SystemCaseMethods:
     """What can be asked of one direction."""

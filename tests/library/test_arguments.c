@@ -39,6 +39,34 @@ START_TEST(scenes) {
 }
 END_TEST
 
+START_TEST(figures_of_many_blocks) {
+  const tp_solve_options options = tp_solve_options_default();
+  const tp_figure_consent none = {0};
+  tp_scene *scene = NULL, *plain = example_scene();
+  tp_block_system *own = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, TP_EXAMPLES "/blocks/toppling_slope.yaml", &message),
+                   TP_OK);
+  const tp_status status = tp_solve_block_system(&own, scene, &options, &message);
+  if (status == TP_OK) {
+    REFUSED(tp_report_figure_block_system(NULL, scene, own, &message), "'path'");
+    REFUSED(tp_report_figure_block_system("/tmp/x.svg", NULL, own, &message), "'scene'");
+    REFUSED(tp_report_figure_block_system("/tmp/x.svg", scene, NULL, &message), "'system'");
+    REFUSED(tp_report_figure_block_system_if(NULL, scene, own, none, &message), "'path'");
+    REFUSED(tp_report_figure_block_system_if("/tmp/x.svg", NULL, own, none, &message), "'scene'");
+    REFUSED(tp_report_figure_block_system_if("/tmp/x.svg", scene, NULL, none, &message),
+            "'system'");
+    REFUSED(tp_report_figure_block_system("/tmp/x.svg", plain, own, &message), "of this scene");
+    REFUSED(tp_report_figure_block_system("/tmp/x.dxf", scene, own, &message), ".pdf or .png");
+    REFUSED(tp_report_figure_block_system("/tmp/x.txt", scene, own, &message), ".pdf or .png");
+  } else {
+    ck_assert_int_eq(status, TP_DEPENDENCY_FAILED); /* without CXSparse */
+  }
+  tp_block_system_free(own);
+  tp_scene_free(plain);
+  tp_scene_free(scene);
+}
+END_TEST
+
 START_TEST(solutions) {
   tp_scene *scene = example_scene();
   tp_solution *own = example_solution(scene), *solution = UNTOUCHED(tp_solution);
@@ -264,6 +292,7 @@ SUITE(arguments) {
   tcase_set_timeout(tests, 600);
   tcase_add_test(tests, scenes);
   tcase_add_test(tests, solutions);
+  tcase_add_test(tests, figures_of_many_blocks);
   tcase_add_test(tests, older_options);
   tcase_add_test(tests, defaults);
   tcase_add_test(tests, sizes_of_options);

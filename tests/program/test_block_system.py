@@ -9,59 +9,8 @@ import math
 import random
 
 from governing_case import GoverningCase
-from harness import ROOT, main, rounds, run
-
-EXAMPLE = ROOT / "examples" / "blocks" / "toppling_slope.yaml"
-
-
-def box(left, low, right, high):
-    return [(left, low), (right, low), (right, high), (left, high)]
-
-
-def text_of(points):
-    return "[" + ", ".join(f"[{x}, {y}]" for x, y in points) + "]"
-
-
-class Pile:
-    """Blocks by their names: outlines in rationals, of which those that are ground."""
-
-    def __init__(self):
-        self.blocks, self.joints = [], []
-
-    def add(self, name, points, ground=False):
-        self.blocks.append((name, points, ground))
-        return self
-
-    def moved(self, how):
-        own = Pile()
-        own.joints = self.joints
-        own.blocks = [(name, [how(*p) for p in points], ground) for name, points, ground in self.blocks]
-        return own
-
-    def scene(self, friction, more="tilt: {towards: left}", unit="m", weight=25):
-        lines = ["topple: 1", f"length_unit: {unit}", f"friction_angle_deg: {friction}", more,
-                 f"block: {{unit_weight_kn_m3: {weight}}}", "blocks:"]
-        for name, points, ground in self.blocks:
-            lines.append(f"  - {{name: {name}, {'ground: true, ' if ground else ''}outline: {text_of(points)}}}")
-        if self.joints:
-            lines += ["joints:"] + [f"  - {{between: [{a}, {b}], friction_angle_deg: {phi}}}" for a, b, phi in self.joints]
-        return "\n".join(lines) + "\n"
-
-
-def degrees_of(tangent):
-    """An angle as a decimal of which the tangent is right to 1e-15."""
-    return f"{math.degrees(math.atan(tangent)):.17g}"
-
-
-def wall(courses, bricks):
-    """Ferris and Tin-Loi (2001): bricks 4 × 1.75, half bricks at the ends of each other course, the lowest among them."""
-    own = Pile().add("ground", box(-4, -4, 4 * bricks + 4, 0), True)
-    for c in range(courses):
-        ends = [4 * k - (2 if c % 2 == 0 else 0) for k in range(bricks + (2 if c % 2 == 0 else 1))]
-        for k, (left, right) in enumerate(zip(ends, ends[1:])):
-            low = fractions.Fraction(7 * c, 4)
-            own.add(f"b{c}.{k}", box(max(left, 0), low, min(right, 4 * bricks), low + fractions.Fraction(7, 4)))
-    return own
+from harness import main, rounds, run
+from pile_case import EXAMPLE, Pile, box, degrees_of, text_of, wall
 
 
 class BlockSystem(GoverningCase):

@@ -66,7 +66,7 @@ def disorder(name, parameters):
             return 3
         if re.match(r"const \w+_columns \*", parameter):
             return 0  # where arrays of the caller are, which it fills
-        if parameter == "const char *path" and re.search(r"_(write|write_\w+|figure|figure_if|sheet\w*|\w+_file)$", name) \
+        if parameter == "const char *path" and re.search(r"_(write|write_\w+|figure\w*|sheet\w*|\w+_file)$", name) \
                 and not name.endswith("_of_file"):
             return 1
         return 0 if "*" in parameter and not parameter.startswith("const ") else 2

@@ -54,6 +54,10 @@ class Blocks(unittest.TestCase):
         self.assertEqual(own.cases[0].verdict, topple.SystemVerdict.CAN_HOLD)
         self.assertEqual([own.meets(0.99), own.meets(1.2)], [topple.Design.OPEN, topple.Design.NOT_MET])
         self.assertEqual([c.state.value for c in own.cases[0].goodman_bray.columns[:4]], ["slides"] * 3 + ["topples"])
+        with tempfile.TemporaryDirectory() as folder:
+            figure = pathlib.Path(folder) / "figure.svg"
+            run("solve", "--figure", figure, path)
+            self.assertEqual(own.svg(), figure.read_text(encoding="utf-8"))
         self.assertIsNone(scene.solve_block_system(strength_reduction=False).cases[0].fos.value)
         with self.assertRaisesRegex(topple.BadInput, "many blocks"):
             scene.solve()

@@ -64,6 +64,23 @@ static void say_load_cases(sayings *s) {
   tp_scene_free(scene);
 }
 
+static bool consent(void *context) {
+  ++*(int *)context;
+  return true;
+}
+
+static void say_block_figures(sayings *s, const tp_scene *scene, const tp_block_system *system) {
+  tp_message message = {.text = ""};
+  char path[100];
+  int asked = 0;
+  const tp_figure_consent ask = {consent, &asked};
+  snprintf(path, sizeof path, "%s/blocks.svg", s->folder);
+  SAY(tp_report_figure_block_system(path, scene, system, &message));
+  say_file(s, path);
+  SAY(tp_report_figure_block_system_if(path, scene, system, ask, &message));
+  note_number(s, asked);
+}
+
 /* Many blocks in contact. */
 static void say_block_system(sayings *s) {
   tp_message message = {.text = ""};
@@ -80,6 +97,7 @@ static void say_block_system(sayings *s) {
     note_number(s, tp_system_case_meets(system->cases, 1.25));
     if (tp_report_block_system(next_saying(s), system) != TP_OK) s->count--;
     if (tp_report_block_system_json(next_saying(s), system) != TP_OK) s->count--;
+    say_block_figures(s, scene, system);
   }
   tp_block_system_free(system);
   tp_scene_free(scene);

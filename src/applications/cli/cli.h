@@ -42,6 +42,10 @@ int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int ar
 TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
                                   const tp_solution *solution, tp_figure_consent consent,
                                   tp_message *message);
+/* tp_report_figure_block_system_if, likewise. */
+TP_MUST_USE tp_status tp_cli_draw_system(const char *path, const tp_scene *scene,
+                                         const tp_block_system *system, tp_figure_consent consent,
+                                         tp_message *message);
 
 /* tp_report_sheet and its kin, likewise. */
 TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,

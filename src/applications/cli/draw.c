@@ -155,7 +155,8 @@ static tp_status draw(drawer_call *drawer, const char *name, const void *what,
 typedef struct solved {
   const char *path;
   const tp_scene *scene;
-  const tp_solution *solution;
+  const tp_solution *solution; /* or: */
+  const tp_block_system *system;
   const tp_sheet_options *options;
 } solved;
 
@@ -181,8 +182,23 @@ static tp_status draw_sheet(void *call, const void *what, tp_figure_consent cons
 
 tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
                       tp_figure_consent consent, tp_message *message) {
-  const solved own = {path, scene, solution, NULL};
+  const solved own = {path, scene, solution, NULL, NULL};
   return draw(draw_figure, "tp_report_figure_if", &own, consent, message);
+}
+
+static tp_status draw_blocks(void *call, const void *what, tp_figure_consent consent,
+                             tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_block_system *, tp_figure_consent,
+                        tp_message *) = NULL;
+  const solved *own = what;
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->system, consent, message);
+}
+
+tp_status tp_cli_draw_system(const char *path, const tp_scene *scene, const tp_block_system *system,
+                             tp_figure_consent consent, tp_message *message) {
+  const solved own = {path, scene, NULL, system, NULL};
+  return draw(draw_blocks, "tp_report_figure_block_system_if", &own, consent, message);
 }
 
 static bool agree(void *context) {
@@ -192,7 +208,7 @@ static bool agree(void *context) {
 
 tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_solution *solution,
                              const tp_sheet_options *options, tp_message *message) {
-  const solved own = {path, scene, solution, options};
+  const solved own = {path, scene, solution, NULL, options};
   return draw(draw_sheet, "tp_report_sheet", &own, (tp_figure_consent){agree, NULL}, message);
 }
 

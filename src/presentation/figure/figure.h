@@ -23,6 +23,8 @@ typedef enum tp_ink {
   TP_INK_BLOCK, /* tints */
   TP_INK_PART,
   TP_INK_OTHER_PART,
+  TP_INK_TOPPLES,
+  TP_INK_SLIDES_AND_TOPPLES,
   TP_INK_ORANGE,
   TP_INK_SKY,
   TP_INK_GREEN,
@@ -137,6 +139,10 @@ TP_MUST_USE bool tp_label_room_init(tp_label_room *room, cairo_t *cr, const tp_f
 void tp_label_room_clear(tp_label_room *room);
 void tp_label_room_line(tp_label_room *room, tp_spot from, tp_spot to);
 
+/* How a box lies among the sides of an area (even-odd). */
+typedef enum tp_box_place { TP_BOX_OUTSIDE, TP_BOX_ACROSS, TP_BOX_INSIDE } tp_box_place;
+tp_box_place tp_box_among_sides(const tp_box *box, const tp_spot (*sides)[2], size_t count);
+
 /* Room for a box of the given size beside the anchor, at most `reach` points away, first in the
  * direction (of length 1): off the block, other labels and the lines (where possible, or `strict`).
  * It is kept for the label; false where there is none. */
@@ -215,10 +221,11 @@ TP_MUST_USE bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figu
                                    const tp_state *state, double x, double width);
 
 /* Of a block that is drawn as it lies: its heading, a line that names both sides of the section and
- * ends at the height returned, and the verdict with what comes after it; false where the onset does
- * not tell it. */
+ * ends at the height returned, one of its arrows with its word, and the verdict with what comes
+ * after it; false where the onset does not tell it. */
 void tp_figure_lies_heading(tp_text *text, const tp_figure *figure, const tp_state *state);
 double tp_figure_sides(cairo_t *cr, const tp_figure *figure, double x, double y, double width);
+void tp_figure_side(cairo_t *cr, bool left, const char *text, double x, double y);
 TP_MUST_USE bool tp_figure_lies_verdict(tp_text *verdict, tp_text *more, const tp_figure *figure,
                                         const tp_state *state);
 

@@ -79,17 +79,17 @@ static bool crosses(const tp_spot side[2], const tp_box *box) {
   return begin <= end;
 }
 
-static bool touches_block(const tp_label_room *room, const tp_box *box) {
+tp_box_place tp_box_among_sides(const tp_box *box, const tp_spot (*sides)[2], size_t count) {
   const double x = (box->x0 + box->x1) / 2, y = (box->y0 + box->y1) / 2;
   bool inside = false;
-  for (size_t k = 0; k < room->side_count; k++) {
-    const tp_spot *side = room->sides[k];
-    if (crosses(side, box)) return true;
+  for (size_t k = 0; k < count; k++) {
+    const tp_spot *side = sides[k];
+    if (crosses(side, box)) return TP_BOX_ACROSS;
     if ((side[0].y > y) == (side[1].y > y)) continue;
     const double t = (y - side[0].y) / (side[1].y - side[0].y);
     if (side[0].x + t * (side[1].x - side[0].x) > x) inside = !inside;
   }
-  return inside;
+  return inside ? TP_BOX_INSIDE : TP_BOX_OUTSIDE;
 }
 
 static bool is_free(const tp_label_room *room, const tp_box *box, bool off_lines) {
@@ -104,7 +104,8 @@ static bool is_free(const tp_label_room *room, const tp_box *box, bool off_lines
   for (size_t k = 0; k < room->line_count && off_lines; k++) {
     if (crosses(room->lines[k], box)) return false;
   }
-  return !touches_block(room, box);
+  return tp_box_among_sides(box, (const tp_spot(*)[2])room->sides, room->side_count) ==
+         TP_BOX_OUTSIDE;
 }
 
 bool tp_label_room_find(tp_box *box, tp_label_room *room, tp_spot anchor, tp_spot direction,

@@ -37,21 +37,25 @@ void tp_figure_lies_heading(tp_text *t, const tp_figure *figure, const tp_state 
   }
 }
 
-/* An arrow out of the panel, and beside it what lies there: "left, 135° SE". */
-static void draw_side(cairo_t *cr, const tp_figure *figure, bool left, double x, double y) {
-  const tp_frame_result *f = &figure->solution->frame;
+/* An arrow out of the panel, and beside it what lies there. */
+void tp_figure_side(cairo_t *cr, bool left, const char *text, double x, double y) {
   enum { LENGTH = 12, GAP = 4 };
-  char azimuth[TP_NUMBER_SIZE + 8];
-  tp_text side = {0};
-  tp_text_add(&side, "%s", left ? "left" : "right");
-  if (tp_text_azimuth(azimuth, f, left)) tp_text_add(&side, ", %s", azimuth);
-  tp_figure_tell(figure, &side);
-  const char *text = side.failed ? "" : side.data;
   const double middle = y - 0.36 * TP_BODY_SIZE, to = left ? x : x - LENGTH;
   tp_figure_font(cr, TP_BODY_SIZE, false);
   tp_figure_arrow(cr, (tp_spot){left ? to + LENGTH : to, middle},
                   (tp_spot){left ? to : to + LENGTH, middle}, 0.8);
   tp_figure_text(cr, left ? x + LENGTH + GAP : to - GAP - tp_figure_text_width(cr, text), y, text);
+}
+
+/* "left, 135° SE" */
+static void draw_side(cairo_t *cr, const tp_figure *figure, bool left, double x, double y) {
+  const tp_frame_result *f = &figure->solution->frame;
+  char azimuth[TP_NUMBER_SIZE + 8];
+  tp_text side = {0};
+  tp_text_add(&side, "%s", left ? "left" : "right");
+  if (tp_text_azimuth(azimuth, f, left)) tp_text_add(&side, ", %s", azimuth);
+  tp_figure_tell(figure, &side);
+  tp_figure_side(cr, left, side.failed ? "" : side.data, x, y);
   tp_text_drop(&side);
 }
 

@@ -78,6 +78,8 @@ void tp_figure_ink(cairo_t *cr, tp_ink ink) {
                                       [TP_INK_BLOCK] = {0.84, 0.925, 0.975},
                                       [TP_INK_PART] = {0.985, 0.90, 0.68},
                                       [TP_INK_OTHER_PART] = {0.97, 0.95, .6},
+                                      [TP_INK_TOPPLES] = {0.95, 0.72, 0.58},
+                                      [TP_INK_SLIDES_AND_TOPPLES] = {0.80, 0.66, 0.80},
                                       [TP_INK_ORANGE] = {0.902, 0.624, 0},
                                       [TP_INK_SKY] = {0.337, 0.706, 0.914},
                                       [TP_INK_GREEN] = {0, 0.62, 0.451},

@@ -10,6 +10,7 @@
 #include "report/notes.h"
 #include "report/results.h"
 #include "report/system_page.h"
+#include "report/system_words.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -37,20 +38,6 @@ static void add_head(tp_text *t, const tp_block_system *s) {
 /* ---- the verdict -------------------------------------------------------------------------------
  */
 
-/* All that move do it so. */
-static tp_mechanism mechanism_of(const tp_system_case *c) {
-  bool slides = false, topples = false;
-  for (size_t k = 0; k < c->motion_count; k++) {
-    const tp_mechanism own = c->motions[k].mechanism;
-    slides = slides || own == TP_SLIDES || own == TP_SLIDES_AND_TOPPLES;
-    topples = topples || own == TP_TOPPLES || own == TP_SLIDES_AND_TOPPLES;
-  }
-  return slides && topples ? TP_SLIDES_AND_TOPPLES
-         : slides          ? TP_SLIDES
-         : topples         ? TP_TOPPLES
-                           : TP_STANDS;
-}
-
 static void add_verdict(tp_text *t, const tp_system_case *c) {
   switch (c->verdict) {
   case TP_SYSTEM_STANDS:
@@ -71,19 +58,9 @@ static void add_verdict(tp_text *t, const tp_system_case *c) {
 
 static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   char n[TP_NUMBER_SIZE];
-  tp_text_system_label(t, s->lies_in_place ? "greatest dip that forces can hold"
-                                           : "greatest tilt that forces can hold");
-  switch (c->limit) {
-  case TP_SYSTEM_LIMIT_NUMBER:
-    tp_text_add(t, "%s°\n", tp_text_fixed(n, c->critical_angle_deg, 4));
-    break;
-  case TP_SYSTEM_INTERLOCKED:
-    tp_text_add(t, "none below 90°: interlocked\n");
-    break;
-  case TP_SYSTEM_LIMIT_UNDECIDED:
-    tp_text_add(t, "undecided\n");
-    break;
-  }
+  tp_text_system_label(t, tp_text_system_limit_name(s));
+  tp_text_system_limit(t, c);
+  tp_text_add(t, "\n");
   if (c->has_acceleration) {
     tp_text_system_label(t, "critical horizontal acceleration");
     tp_text_add(t, "%s g\n", tp_text_significant(n, c->critical_acceleration_g, 5));
@@ -92,17 +69,11 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
 
 static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const char *const met[] = {"met", "NOT MET", "undecided, as a motion is not excluded"};
-  static const double whole = 100; /* from where on digits behind the point tell nothing */
-  char n[TP_NUMBER_SIZE], required[TP_NUMBER_SIZE];
+  char required[TP_NUMBER_SIZE];
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
   tp_text_system_label(t, "factor of safety, strength reduction");
-  if (c->fos.state == TP_FOS_NUMBER) {
-    tp_text_add(
-        t, "%s%s\n", c->fos_is_least ? "above " : "",
-        tp_text_fixed(n, c->fos.value, c->fos_is_least && c->fos.value.value >= whole ? 0 : 5));
-  } else {
-    tp_text_add(t, "undecided\n");
-  }
+  tp_text_system_factor(t, c);
+  tp_text_add(t, "\n");
   if (c->has_required_fos) {
     tp_text_system_label(t, "required factor of safety");
     tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),
@@ -162,36 +133,19 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
   tp_text_more_rows(t, c->force_count);
 }
 
-/* "Towards the left, at a tilt of 20°" */
-static void add_stance(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
-  char n[TP_NUMBER_SIZE];
-  const bool away = c->tilt_angle_deg.value < 0;
-  const tp_bounded angle = {fabs(c->tilt_angle_deg.value), c->tilt_angle_deg.error, NULL};
-  tp_text_add(t, "\nTowards the %s", tp_direction_name(c->towards));
-  if (angle.value != 0 || angle.error != 0) {
-    tp_text_add(t, ", %s %s of %s°", away ? "against" : "at", s->lies_in_place ? "a dip" : "a tilt",
-                tp_text_fixed(n, angle, 3));
-  } else {
-    tp_text_add(t, ", as it lies");
-  }
-  tp_text_add(t, "\n");
-}
-
 static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   const int width = name_width(s);
-  add_stance(t, s, c);
+  tp_text_add(t, "\n");
+  tp_text_system_stance(t, s, c);
+  tp_text_add(t, "\n");
   add_verdict(t, c);
   add_factor(t, s, c);
   add_limit(t, s, c);
   tp_text_goodman_bray(t, s, c, width);
   if (c->motion_count == 0) return;
-  const bool reduced = c->fos.state == TP_FOS_NUMBER && !c->fos_is_least;
   tp_text_system_label(t, "at that limit, all in all");
   tp_text_add(t, "%s\n\n  Collapse %s, by velocities at its beginning:\n",
-              tp_mechanism_name(mechanism_of(c)),
-              reduced            ? "with strength over the factor"
-              : s->lies_in_place ? "at the greatest dip"
-                                 : "at the greatest tilt");
+              tp_mechanism_name(tp_system_case_mechanism(c)), tp_text_system_collapse(s, c));
   add_motions(t, s, c, width);
   tp_text_add(t, "\n  Forces that hold the blocks just before it, one distribution of many:\n");
   add_forces(t, s, c, width);

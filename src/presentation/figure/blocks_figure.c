@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solved scene of many blocks as a figure. A result holds no geometry: the blocks are built
+ * again.
+ */
+
+#include "common/host.h"
+#include "common/message.h"
+#include "figure/blocks.h"
+#include "figure/drawn_page.h"
+#include "figure/name.h"
+#include "figure/version.h"
+
+#include <stdlib.h>
+
+static bool draw_page(double *height, cairo_t *cr, const void *what) {
+  return tp_blocks_page(height, cr, what);
+}
+
+static tp_status write_figure(const char *path, const tp_scene *scene,
+                              const tp_blocks_figure *figure, tp_figure_consent consent,
+                              tp_message *message) {
+  const tp_drawn_page page = {tp_blocks_page_width(), draw_page, figure};
+  char *bytes = NULL;
+  size_t length = 0;
+  tp_status status = tp_drawn_page_bytes(&bytes, &length, path, &page, message);
+  if (status == TP_OK) status = tp_figure_keep(path, bytes, length, scene, consent, message);
+  free(bytes);
+  return status;
+}
+
+tp_status tp_report_figure_block_system(const char *path, const tp_scene *scene,
+                                        const tp_block_system *system, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, system);
+  TP_REFUSE_OTHER_VERSION(message);
+  return tp_report_figure_block_system_if(path, scene, system, (tp_figure_consent){0}, message);
+}
+
+tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *scene,
+                                           const tp_block_system *system, tp_figure_consent consent,
+                                           tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, system);
+  TP_REFUSE_OTHER_VERSION(message);
+  const tp_figure_kind kind = tp_figure_kind_of(path);
+  if (kind == TP_FIGURE_UNKNOWN || kind == TP_FIGURE_DXF) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
+                     "the ending of the name of a figure of many blocks is its format: .svg, .pdf "
+                     "or .png");
+  }
+  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "the result is not of this scene: solve the scene, and draw that");
+  }
+  tp_blocks_figure figure = {.system = system};
+  tp_status status = tp_block_shapes_init(&figure.shapes, scene, message);
+  if (status != TP_OK) return status;
+  if (figure.shapes.contact_count != system->contact_count) {
+    status = tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                       "the scene has changed since it was solved: solve it again");
+  } else {
+    tp_blocks_set_up(&figure);
+    status = write_figure(path, scene, &figure, consent, message);
+  }
+  tp_block_shapes_clear(&figure.shapes);
+  return status;
+}

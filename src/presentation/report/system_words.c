@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Words for direction, limit, factor and collapse of many blocks. */
+
+#include "report/system_words.h"
+
+#include "terms/names.h"
+
+#include <math.h>
+
+tp_mechanism tp_system_case_mechanism(const tp_system_case *c) {
+  bool slides = false, topples = false;
+  for (size_t k = 0; k < c->motion_count; k++) {
+    const tp_mechanism own = c->motions[k].mechanism;
+    slides = slides || own == TP_SLIDES || own == TP_SLIDES_AND_TOPPLES;
+    topples = topples || own == TP_TOPPLES || own == TP_SLIDES_AND_TOPPLES;
+  }
+  return slides && topples ? TP_SLIDES_AND_TOPPLES
+         : slides          ? TP_SLIDES
+         : topples         ? TP_TOPPLES
+                           : TP_STANDS;
+}
+
+void tp_text_system_stance(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  const bool away = c->tilt_angle_deg.value < 0;
+  const tp_bounded angle = {fabs(c->tilt_angle_deg.value), c->tilt_angle_deg.error, NULL};
+  tp_text_add(t, "Towards the %s", tp_direction_name(c->towards));
+  if (angle.value != 0 || angle.error != 0) {
+    tp_text_add(t, ", %s %s of %s°", away ? "against" : "at", s->lies_in_place ? "a dip" : "a tilt",
+                tp_text_fixed(n, angle, 3));
+  } else {
+    tp_text_add(t, ", as it lies");
+  }
+}
+
+const char *tp_text_system_limit_name(const tp_block_system *s) {
+  return s->lies_in_place ? "greatest dip that forces can hold"
+                          : "greatest tilt that forces can hold";
+}
+
+void tp_text_system_limit(tp_text *t, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  switch (c->limit) {
+  case TP_SYSTEM_LIMIT_NUMBER:
+    tp_text_add(t, "%s°", tp_text_fixed(n, c->critical_angle_deg, 4));
+    break;
+  case TP_SYSTEM_INTERLOCKED:
+    tp_text_add(t, "none below 90°: interlocked");
+    break;
+  case TP_SYSTEM_LIMIT_UNDECIDED:
+    tp_text_add(t, "undecided");
+    break;
+  }
+}
+
+void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
+  static const double whole = 100; /* from where on digits behind the point tell nothing */
+  char n[TP_NUMBER_SIZE];
+  if (c->fos.state == TP_FOS_NUMBER) {
+    tp_text_add(
+        t, "%s%s", c->fos_is_least ? "above " : "",
+        tp_text_fixed(n, c->fos.value, c->fos_is_least && c->fos.value.value >= whole ? 0 : 5));
+  } else {
+    tp_text_add(t, "undecided");
+  }
+}
+
+const char *tp_text_system_collapse(const tp_block_system *s, const tp_system_case *c) {
+  const bool reduced = c->fos.state == TP_FOS_NUMBER && !c->fos_is_least;
+  return reduced            ? "with strength over the factor"
+         : s->lies_in_place ? "at the greatest dip"
+                            : "at the greatest tilt";
+}

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Figures of many blocks (docs/blocks_in_contact.md): outlines turned as they lie and tinted by how they move, the mechanism by
+the velocities that the report tells, an arrow for each force; the same of mirrored blocks and of blocks far away, and whatever
+blocks are called."""
+
+import json
+import math
+
+import hostile
+from governing_case import GoverningCase
+from harness import ROOT, main, run
+from pile_case import EXAMPLE, Pile, box, wall
+from svg import Drawing, covers
+
+# As src/presentation/figure/view.c has them.
+TINTS = {"at rest": (0.84, 0.925, 0.975), "slides": (0.985, 0.9, 0.68), "topples": (0.95, 0.72, 0.58),
+         "slides and topples": (0.8, 0.66, 0.8)}
+VERMILION, BLUE, ROCK = (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.89, 0.88, 0.86)
+SMALL = Pile().add("g", box(-9, -1, 9, 0), True).add("b", box(0, 0, 9, 4))
+SLOPE = []
+ROUNDED = 0.02  # of a point: Cairo's 1/256, of outlines that are turned and shifted
+
+
+def corners(piece):
+    return [complex(x, -y) for x, y in piece]
+
+
+class FiguresOfBlocks(GoverningCase):
+    def draw(self, scene, kind="svg"):
+        """A figure, and the result that is drawn."""
+        file = self.folder / f"figure.{kind}"
+        status, out, err = run("solve", "--json", "--figure", file, scene)
+        self.assertEqual((status, err), (0, ""))
+        return file.read_bytes(), json.loads(out)
+
+    def drawing(self, scene):
+        data, told = self.draw(scene)
+        return Drawing(data.decode()), told
+
+    def slope(self):
+        """Drawn once for all tests."""
+        if not SLOPE:
+            SLOPE.append(self.drawing(EXAMPLE))
+        return SLOPE[0]
+
+    def outlines(self, drawing):
+        """By tint, without the swatch of the legend, which is drawn last."""
+        return {name: [area[0] for area in drawing.areas.get(tint, [])[:-1]] for name, tint in TINTS.items()}
+
+    def test_slope(self):
+        """Goodman and Bray's slope at a dip of 30°: each column once, in the tint of its motion; the outline of each that moves by
+        more than 0.7 points displaced by the velocities of its corners, times one number; an arrow for each force."""
+        drawing, told = self.slope()
+        case = told["cases"][0]
+        free = [(b, m) for b, m in zip(told["blocks"], case["motions"]) if not b["ground"]]
+        outlines = self.outlines(drawing)
+        for name in TINTS:
+            self.assertEqual(len(outlines[name]), sum((m["mechanism"] if m["mechanism"] != "stands" else "at rest") == name
+                                                      for _, m in free), name)
+        self.assertGreater(sum(map(bool, outlines.values())), 2)
+        self.assertEqual(len(drawing.areas[ROCK]), 2)
+        forces = [math.hypot(f["normal_n_m"], f["shear_n_m"]) for f in case["forces"]]
+        arrows = len(drawing.areas[BLUE]) - 1  # Cairo drops those shorter than it rounds
+        self.assertLessEqual(arrows, sum(f > 1e-6 * max(forces) for f in forces))
+        self.assertGreaterEqual(arrows, sum(f > 1e-3 * max(forces) for f in forces))
+        every = [corners(piece) for pieces in outlines.values() for piece in pieces]
+        width = abs(every[0][1] - every[0][0])  # 10 m
+        for own in every:
+            turned = (own[1] - own[0]) / width
+            self.assertLess(abs(turned - complex(math.cos(math.pi / 6), math.sin(math.pi / 6))), 1e-3)
+        self.magnified(drawing, every, free, width / 10)
+
+    def magnified(self, drawing, every, free, scale):
+        """`scale`: points of a metre. The columns stand in no order of the list but that of x."""
+        every = sorted(every, key=lambda own: own[0].real)
+        moved = [corners(stroke[0]) for stroke in drawing.strokes[VERMILION] if len(stroke) == 1 and len(stroke[0]) == 4]
+        turn = complex(math.cos(math.pi / 6), math.sin(math.pi / 6))
+        expected = []
+        for own, (block, motion) in zip(every, free):
+            velocity = complex(motion["velocity_x"], motion["velocity_y"]) * turn
+            middle = sum(own) / 4
+            expected.append([velocity + 1j * motion["turn_per_m"] * (p - middle) / scale for p in own])
+        speeds = [max(map(abs, own)) for own in expected]
+        self.assertAlmostEqual(max(speeds), 1, delta=1e-4)
+        seen = sorted(sorted(range(len(speeds)), key=lambda k: -speeds[k])[:len(moved)])
+        steps = [(b - a, v) for k, other in zip(seen, moved) for a, b, v in zip(every[k], other, expected[k])]
+        times = sum((step * v.conjugate()).real for step, v in steps) / sum(abs(v) ** 2 for _, v in steps)
+        self.assertLess(max(abs(step - times * v) for step, v in steps), 3 * ROUNDED)
+        self.assertEqual(seen, [k for k, speed in enumerate(speeds) if times * speed > 0.7])
+
+    def test_names_lie_in_their_blocks(self):
+        """Sixteen names, the middle of each in a column of its own."""
+        drawing, _ = self.slope()
+        every = [[piece] for pieces in self.outlines(drawing).values() for piece in pieces]
+        middles = [((x + u) / 2, (y + v) / 2) for x, y, u, v in drawing.texts]
+        inside = [[covers(area, (x - 0.1, y - 0.1, x + 0.1, y + 0.1)) for x, y in middles] for area in every]
+        self.assertEqual([sum(own) for own in inside], [1] * 16)
+
+    def test_mirrored(self):
+        """The mirror image of a wall, tilted to the other side, is the mirror image: of its outlines, by tint, and of the tips of
+        its arrows."""
+        tilt = "tilt: {towards: left, angle_deg: 10}"
+        pile = Pile().add("g", box(-5, -2, 9, 0), True).add("a", box(0, 0, 2, 5)).add("b", box(2, 0, 5, 3)).add("c", box(2, 3, 3, 6))
+        own, _ = self.drawing(self.scene(pile.scene(25, tilt)))
+        other, _ = self.drawing(self.scene(pile.moved(lambda x, y: (-x, y)).scene(25, tilt.replace("left", "right"))))
+        self.assertEqual(own.size, other.size)
+        for name, pieces in self.outlines(own).items():
+            images = self.outlines(other)[name]
+            self.assertEqual(len(pieces), len(images), name)
+            for piece, image in zip(pieces, images):
+                self.same(sorted((own.size[0] - x, y) for x, y in piece), sorted(image))
+
+    def same(self, one, other):
+        self.assertEqual(len(one), len(other))
+        for (x, y), (u, v) in zip(one, other):
+            self.assertLess(max(abs(x - u), abs(y - v)), ROUNDED)
+
+    def test_far_away(self):
+        """A wall 10¹² m from the origin of its scene is drawn as one at it, its arrows as well as doubles tell where they are; so is
+        one on ground that is a million times as large."""
+        tilt = "tilt: {towards: left, angle_deg: 10}"
+        pile = wall(3, 2)
+        own, _ = self.drawing(self.scene(pile.scene(35, tilt)))
+        far, _ = self.drawing(self.scene(pile.moved(lambda x, y: (x + 10 ** 12, y - 10 ** 12)).scene(35, tilt)))
+        vast = Pile().add("ground", box(-10 ** 7, -10 ** 7, 10 ** 7, 0), True)
+        vast.blocks += pile.blocks[1:]
+        large, _ = self.drawing(self.scene(vast.scene(35, tilt)))
+        for other, shifted in ((far, False), (large, True)):
+            for name, pieces in self.outlines(own).items():
+                self.assertEqual(len(pieces), len(self.outlines(other)[name]))
+                for piece, image in zip(pieces, self.outlines(other)[name]):
+                    if shifted:  # more ground is seen: another scale
+                        self.assertEqual(len(piece), len(image))
+                    else:
+                        self.same(piece, image)
+        for piece in large.areas[ROCK][0]:
+            self.assertLess(max(abs(v) for point in piece for v in point), 2000)
+
+    def test_direction_that_governs(self):
+        """A column that leans to the right, tilted to both sides. By 5°: the factor of safety is that of sliding to either, and it
+        topples to the right sooner; by 12°: it falls to the right alone. That is drawn, whichever comes first."""
+        pile = Pile().add("g", box(-9, -1, 9, 0), True).add("a", [(0, 0), (2, 0), (3, 6), (1, 6)])
+        for tilt in (5, 12):
+            for image, side in ((pile, -1), (pile.moved(lambda x, y: (-x, y)), 1)):
+                drawing, told = self.drawing(self.scene(image.scene(40, f"tilt: {{angle_deg: {tilt}}}")))
+                self.assertEqual(len(told["cases"]), 2)
+                (own,) = [piece for pieces in self.outlines(drawing).values() for piece in pieces]
+                left, right = sorted(sorted(corners(own), key=lambda p: p.imag)[:2], key=lambda p: p.real)
+                self.assertEqual(math.copysign(1, (right - left).imag), side)
+
+    def test_holes_and_corners(self):
+        """A block with a hole is one area of two pieces; a corner on an edge, a block without weights and a scene without a title
+        draw too."""
+        text = ("topple: 1\nlength_unit: m\nfriction_angle_deg: 60\ntilt: {towards: left, angle_deg: 5}\nblocks:\n"
+                "  - {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
+                "  - {outline: [[0, 0], [4, 0], [4, 3], [0, 3]], holes: [[[1, 1], [2, 1], [2, 2], [1, 2]]]}\n"
+                "  - {outline: [[2, 3], [3, 5], [1, 5]]}\n  - {outline: [[4, 0], [5, 0], [4.5, 1]]}\n")
+        drawing, told = self.drawing(self.scene(text))
+        pieces = sorted(len(area) for tint in TINTS.values() for area in drawing.areas.get(tint, [])[:-1])
+        self.assertEqual(pieces, [1, 1, 2])
+        self.assertEqual(len(told["blocks"]), 4)
+
+    def test_words_from_outside(self):
+        """Whatever blocks and title are called, a figure is well-formed, and of letters alone."""
+        plain = None
+        for text in hostile.TEXTS[::4]:
+            scene = SMALL.scene(30)
+            name = json.dumps(text if text.strip() else "b")
+            scene = scene.replace("name: b,", f"name: {name},").replace("topple: 1\n", f"topple: 1\ntitle: {json.dumps(text)}\n")
+            path = self.scene(scene)
+            status = run("solve", path)[0]
+            if status:  # no name or no YAML
+                self.assertEqual(status, 3)
+                continue
+            data, _ = self.draw(path)
+            hostile.as_xml(data, self)
+            plain = Drawing(data.decode())
+        self.assertEqual(len(plain.areas[ROCK]), 2)
+
+    def test_kinds(self):
+        """SVG, PDF and PNG, the same bytes on each run; DXF is refused before anything is solved, and leaves no file."""
+        scene = self.scene(SMALL.scene(30))
+        for kind, begins in (("svg", b"<?xml"), ("pdf", b"%PDF-1."), ("png", b"\x89PNG\r\n")):
+            data, _ = self.draw(scene, kind)
+            self.assertTrue(data.startswith(begins))
+            self.assertEqual(data, self.draw(scene, kind)[0])
+        file = self.folder / "drawing.dxf"
+        status, out, err = run("solve", "--figure", file, scene)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn(".svg, .pdf or .png", err)
+        self.assertFalse(file.exists())
+
+    def test_files_in_the_way(self):
+        """Neither the scene, by another name, nor a folder is written over."""
+        scene = self.scene(SMALL.scene(30))
+        link, folder = self.folder / "link.svg", self.folder / "folder.svg"
+        link.symlink_to(scene)
+        folder.mkdir()
+        for file, ended, told in ((link, 3, "scene"), (folder, 5, "cannot be written")):
+            status, out, err = run("solve", "--figure", file, scene)
+            self.assertEqual((status, out), (ended, ""))
+            self.assertIn(told, err)
+        self.assertEqual(scene.read_text(encoding="utf-8"), SMALL.scene(30))
+
+    def test_committed_figure(self):
+        """docs/figures shows what the program draws."""
+        committed = Drawing((ROOT / "docs/figures/toppling_slope.svg").read_text())
+        drawn, _ = self.slope()
+        for tint in (*TINTS.values(), BLUE, ROCK):
+            self.assertEqual(committed.areas[tint], drawn.areas[tint])
+
+
+if __name__ == "__main__":
+    main()
