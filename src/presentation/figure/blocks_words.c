@@ -86,7 +86,7 @@ static void add_drawn(tp_text *t, const tp_blocks_figure *f) {
     all += !f->system->blocks[k].ground;
   }
   if (c->verdict == TP_SYSTEM_CAN_HOLD) {
-    tp_text_add(t, "Forces within the friction of the joints hold all blocks; that no motion "
+    tp_text_add(t, "Forces within the strength of the joints hold all blocks; that no motion "
                    "begins all the same is not excluded. ");
   }
   if (c->motion_count == 0) {
