@@ -246,6 +246,7 @@ static bool falls_short(const tp_goodman_bray *own, double required) {
  * reach is certainly not met, and what it reaches is met where the blocks certainly stand. Of
  * columns the factor of the named method is asked for as well. */
 tp_design tp_system_case_meets(const tp_system_case *own, double required) {
+  TP_GUARD_HOST;
   if (own == NULL) return TP_DESIGN_OPEN;
   if (own->verdict == TP_SYSTEM_COLLAPSES) return TP_DESIGN_NOT_MET;
   if (falls_short(&own->goodman_bray, required)) return TP_DESIGN_NOT_MET;
@@ -257,6 +258,7 @@ tp_design tp_system_case_meets(const tp_system_case *own, double required) {
 }
 
 tp_design tp_block_system_meets(const tp_block_system *system, double required) {
+  TP_GUARD_HOST;
   if (system == NULL) return TP_DESIGN_OPEN;
   tp_design worst = TP_DESIGN_MET;
   for (size_t k = 0; k < system->case_count && worst != TP_DESIGN_NOT_MET; k++) {
