@@ -5,7 +5,7 @@
  * between them can hold, the factor of safety by strength reduction, and how they begin to move
  * beyond. Included by topple.h.
  *
- * Limits are those of limit analysis (Livesley 1978): below them some forces within the friction of
+ * Limits are those of limit analysis (Livesley 1978): below them some forces within the strength of
  * all joints hold every block, above them none do, and collapse is certain; each is proven from
  * both sides. That forces can hold the blocks does not say that they do: friction lets blocks move
  * for which forces in equilibrium exist. The verdict `stands` is given only where that is

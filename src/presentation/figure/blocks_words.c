@@ -5,6 +5,7 @@
 
 #include "figure/blocks.h"
 #include "figure/legend.h"
+#include "report/column_page.h"
 #include "report/page.h"
 #include "report/system_words.h"
 #include "terms/names.h"
@@ -66,7 +67,11 @@ static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
   if (c->fos.state != TP_FOS_NOT_ASKED) {
     tp_text_add(t, " Factor of safety by strength reduction: ");
     tp_text_system_factor(t, c);
-    tp_text_add(t, ".");
+    tp_text_add(t, c->goodman_bray.applies ? "; by Goodman and Bray: " : ".");
+    if (c->goodman_bray.applies) {
+      tp_text_goodman_bray_factor(t, &c->goodman_bray);
+      tp_text_add(t, ".");
+    }
   }
   const char *limit = tp_text_system_limit_name(f->system);
   tp_text_add(t, " %c%s: ", toupper((unsigned char)limit[0]), limit + 1);

@@ -15,16 +15,23 @@ static const tp_bounded *rounded(tp_bounded *number, double value) {
   return number;
 }
 
+void tp_text_goodman_bray_factor(tp_text *t, const tp_goodman_bray *own) {
+  char n[TP_NUMBER_SIZE];
+  tp_bounded number;
+  if (!own->has_fos) {
+    tp_text_add(t, "none: no greater friction is enough");
+  } else {
+    tp_text_add(t, "%s%s", own->fos_is_least ? "above " : "",
+                tp_text_fixed(n, *rounded(&number, own->fos), own->fos_is_least ? 0 : 5));
+  }
+}
+
 static void add_factor(tp_text *t, const tp_goodman_bray *own) {
   char n[TP_NUMBER_SIZE];
   tp_bounded number;
   tp_text_system_label(t, "factor of safety, Goodman and Bray");
-  if (!own->has_fos) {
-    tp_text_add(t, "none: no greater friction is enough\n");
-  } else {
-    tp_text_add(t, "%s%s\n", own->fos_is_least ? "above " : "",
-                tp_text_fixed(n, *rounded(&number, own->fos), own->fos_is_least ? 0 : 5));
-  }
+  tp_text_goodman_bray_factor(t, own);
+  tp_text_add(t, "\n");
   if (own->has_friction_angle) {
     tp_text_system_label(t, "at a friction angle of");
     tp_text_add(t, "%s°\n", tp_text_fixed(n, *rounded(&number, own->friction_angle_deg), 4));

@@ -8,6 +8,9 @@
 
 #include "output/text.h"
 
+/* Its factor, or that there is none. */
+void tp_text_goodman_bray_factor(tp_text *text, const tp_goodman_bray *own);
+
 /* Its numbers, the assumption and what it costs, and the columns in a table, names in `width`. */
 void tp_text_goodman_bray(tp_text *text, const tp_block_system *system, const tp_system_case *own,
                           int width);
