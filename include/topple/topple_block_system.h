@@ -63,7 +63,8 @@ typedef struct tp_system_contact {
 typedef struct tp_system_motion {
   tp_mechanism mechanism;        /* stands (it stays at rest), slides, topples, or both */
   double velocity_x, velocity_y; /* of its centroid, in the scene's axes */
-  double turn_per_m;             /* counter-clockwise, per metre that the fastest corner moves */
+  double turn_per_m; /* counter-clockwise, per metre that the fastest corner moves; 0 of one that
+                        slides */
 } tp_system_motion;
 
 /* What the joint does in a collapse. */
@@ -78,7 +79,7 @@ const char *tp_joint_state_name(tp_joint_state state);
 
 /* The force in a contact at the limit. */
 typedef struct tp_system_force {
-  double normal_n_m;    /* compression, not below 0 */
+  double normal_n_m;    /* compression; below 0 only with tensile strength */
   double shear_n_m;     /* on the first block, above 0 from the first end to the second */
   double x_m, y_m;      /* where it acts; where there is none, the middle */
   tp_joint_state state; /* in the collapse */

@@ -113,6 +113,14 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_ca
   tp_text_more_rows(t, row);
 }
 
+/* In kN; what is less than the search tells of the largest is nothing. */
+static double shown(double newtons, const tp_system_case *c) {
+  static const double share = 1e-6;
+  double most = 0;
+  for (size_t k = 0; k < c->force_count; k++) most = fmax(most, fabs(c->forces[k].normal_n_m));
+  return fabs(newtons) < share * most ? 0 : newtons / 1e3;
+}
+
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
   if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
@@ -126,7 +134,7 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
     tp_text_system_name(t, s->blocks[contact->second].name, width);
     tp_text_add(t, "  %-6s", tp_joint_state_name(f->state));
     if (c->has_forces) {
-      tp_text_add(t, "  %10.4g  %10.4g", f->normal_n_m / 1e3, f->shear_n_m / 1e3);
+      tp_text_add(t, "  %10.4g  %10.4g", shown(f->normal_n_m, c), shown(f->shear_n_m, c));
     }
     tp_text_add(t, "  %10.5g  %10.5g\n", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
   }
@@ -143,9 +151,8 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_limit(t, s, c);
   tp_text_goodman_bray(t, s, c, width);
   if (c->motion_count == 0) return;
-  tp_text_system_label(t, "at that limit, all in all");
-  tp_text_add(t, "%s\n\n  Collapse %s, by velocities at its beginning:\n",
-              tp_mechanism_name(tp_system_case_mechanism(c)), tp_text_system_collapse(s, c));
+  tp_text_add(t, "\n  Collapse %s: %s.\n  Velocities at its beginning:\n",
+              tp_text_system_collapse(s, c), tp_mechanism_name(tp_system_case_mechanism(c)));
   add_motions(t, s, c, width);
   tp_text_add(t, "\n  Forces that hold the blocks just before it, one distribution of many:\n");
   add_forces(t, s, c, width);

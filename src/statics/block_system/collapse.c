@@ -106,8 +106,8 @@ static void describe_block(tp_system_motion *own, const moving *m, long block, b
   const point centre = velocity(m, b, b->arm_x.value, b->arm_y.value);
   own->velocity_x = centre.x / m->fastest;
   own->velocity_y = centre.y / m->fastest;
-  own->turn_per_m = -m->twists[3 * b->number + 2] / m->fastest / metre;
   const bool turns = corner - hypot(centre.x, centre.y) > at_rest * corner;
+  if (turns) own->turn_per_m = -m->twists[3 * b->number + 2] / m->fastest / metre;
   own->mechanism = !turns ? TP_SLIDES : hinged ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;
 }
 
