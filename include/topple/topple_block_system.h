@@ -41,9 +41,9 @@ typedef struct tp_system_block {
   bool ground;             /* it is fixed */
   tp_bounded area_m2;      /* of its section */
   tp_bounded centroid_x_m; /* its centroid, in the scene's axes */
-  tp_bounded centroid_y_m;
-  bool has_weight;       /* the scene gives unit weights: */
-  tp_bounded weight_n_m; /* if has_weight: per metre of thickness */
+  tp_bounded centroid_y_m; /* likewise */
+  bool has_weight;         /* the scene gives unit weights: */
+  tp_bounded weight_n_m;   /* if has_weight: per metre of thickness */
 } tp_system_block;
 
 /* A piece of an edge that two blocks share, or a corner of one within an edge of the other. */
@@ -70,8 +70,8 @@ typedef struct tp_system_motion {
 /* What the joint does in a collapse. */
 typedef enum tp_joint_state {
   TP_JOINT_AT_REST, /* no relative motion */
-  TP_JOINT_SLIPS,
-  TP_JOINT_OPENS, /* at one end or both */
+  TP_JOINT_SLIPS,   /* along the contact */
+  TP_JOINT_OPENS    /* at one end or both */
 } tp_joint_state;
 
 /* In a word: closed, slips, opens. */
@@ -87,16 +87,16 @@ typedef struct tp_system_force {
 
 /* Is there a limit as all is tilted? */
 typedef enum tp_system_limit {
-  TP_SYSTEM_LIMIT_NUMBER,
-  TP_SYSTEM_INTERLOCKED, /* forces hold the blocks up to 90 degrees */
-  TP_SYSTEM_LIMIT_UNDECIDED
+  TP_SYSTEM_LIMIT_NUMBER,   /* a tilt */
+  TP_SYSTEM_INTERLOCKED,    /* forces hold the blocks up to 90 degrees */
+  TP_SYSTEM_LIMIT_UNDECIDED /* at the precision of the proofs */
 } tp_system_limit;
 
 /* What a column does by Goodman and Bray (1976). */
 typedef enum tp_column_state {
-  TP_COLUMN_STABLE, /* it needs nothing of the next one */
-  TP_COLUMN_TOPPLES,
-  TP_COLUMN_SLIDES
+  TP_COLUMN_STABLE,  /* it needs nothing of the next one */
+  TP_COLUMN_TOPPLES, /* on the next one */
+  TP_COLUMN_SLIDES   /* on its base */
 } tp_column_state;
 
 /* In a word: stable, topples, slides. */
@@ -104,8 +104,8 @@ const char *tp_column_state_name(tp_column_state state);
 
 /* One column, with the friction of the joints as the scene has it. */
 typedef struct tp_goodman_bray_column {
-  size_t block; /* its number */
-  tp_column_state state;
+  size_t block;           /* its number */
+  tp_column_state state;  /* what it does */
   double toppling_n_m;    /* P(n-1,t), that it needs against toppling; not above 0: none */
   double sliding_n_m;     /* P(n-1,s), against sliding */
   double push_n_m;        /* P(n-1), the greatest of both and 0: it pushes the next one towards the
@@ -164,20 +164,20 @@ typedef struct tp_system_case {
 
 /* All that is known of the blocks of a scene. */
 typedef struct tp_block_system {
-  size_t size; /* of this struct, as the library has it (TP_HAS_MEMBER) */
-  char *title; /* of the scene; NULL: none */
-  char *scene; /* what its file is called */
-  char *length_unit;
-  double metres_per_unit; /* rounded */
-  bool lies_in_place;     /* on a slope or in the frame of the world: tilts are dips */
-  bool has_required_fos;
-  tp_bounded required_fos;
-  tp_notes notes;
-  tp_settings settings;
-  size_t block_count, contact_count, case_count;
-  tp_system_block *blocks;
-  tp_system_contact *contacts;
-  tp_system_case *cases; /* one for each direction */
+  size_t size;             /* of this struct, as the library has it (TP_HAS_MEMBER) */
+  TP_OUTSIDE char *title;  /* of the scene; NULL: none */
+  TP_OUTSIDE char *scene;  /* what its file is called */
+  char *length_unit;       /* of the scene: mm, cm, m, km, in or ft */
+  double metres_per_unit;  /* rounded */
+  bool lies_in_place;      /* on a slope or in the frame of the world: tilts are dips */
+  bool has_required_fos;   /* the scene requires a factor: */
+  tp_bounded required_fos; /* if has_required_fos: which */
+  tp_notes notes;          /* and cautions beside the answer */
+  tp_settings settings;    /* what was set in the scene */
+  size_t block_count, contact_count, case_count; /* of the lists */
+  tp_system_block *blocks;     /* block_count of them: in the order of the scene */
+  tp_system_contact *contacts; /* contact_count of them: by the numbers of their blocks */
+  tp_system_case *cases;       /* case_count of them: one for each direction */
 } tp_block_system;
 
 /* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of

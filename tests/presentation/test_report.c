@@ -161,7 +161,8 @@ START_TEST(what_was_found) {
                         "    \"solutions\": [{\"value\": 1.5, \"error\": 0.25}, "
                         "{\"value\": 2, \"error\": 0}],\n"
                         "    \"touching\": [],\n"
-                        "    \"intervals\": []}\n"
+                        "    \"intervals\": [],\n"
+                        "    \"at_least\": []}\n"
                         "}\n");
   free(text);
 }

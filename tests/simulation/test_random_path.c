@@ -27,7 +27,8 @@ typedef struct run {
 } run;
 
 /* False where the scene, its problem or its body is refused: laws of friction that the body does
- * not know, contacts without restraint. */
+ * not know, contacts without restraint; and where the solution is of the worst of several
+ * earthquakes, of which the path has one. */
 static bool prepare(run *r, const char *text, tp_direction towards, double ratio) {
   tp_message message;
   tp_scene *scene = NULL;
@@ -47,7 +48,9 @@ static bool prepare(run *r, const char *text, tp_direction towards, double ratio
     tp_solution_free(noted);
   }
   tp_scene_free(scene);
-  if (status != TP_OK || r->body.closed_count == 0) return false;
+  if (status != TP_OK || r->body.closed_count == 0 || r->solution->earthquake_count > 0) {
+    return false;
+  }
   tp_path_settings settings = tp_path_settings_default();
   settings.normal_pa_m = 1e6 * r->body.mass_kg * TP_GRAVITY_M_S2 /
                          (r->body.extent_m * r->body.extent_m * r->body.thickness_m);
