@@ -6,6 +6,7 @@
 
 #include "assemblage/assemblage.h"
 
+#include "block/ring_sums.h"
 #include "common/outside.h"
 #include "number/ball.h"
 
@@ -44,22 +45,13 @@ static tp_status put_on_lattice(tp_assemblage *a, const fmpq_t metres_per_unit,
 
 /* Sums over one ring: twice the area, and six times the first moments. */
 static void add_ring(fmpz sums[3], const tp_lattice *l, long first, long end, const fmpz_t weight) {
-  fmpz_t cross, part;
-  fmpz_init(cross);
-  fmpz_init(part);
-  for (long k = first; k < end; k++) {
-    const long next = k + 1 < end ? k + 1 : first;
-    fmpz_mul(cross, l->x + k, l->y + next);
-    fmpz_submul(cross, l->x + next, l->y + k);
-    fmpz_mul(cross, cross, weight);
-    fmpz_add(sums, sums, cross);
-    fmpz_add(part, l->x + k, l->x + next);
-    fmpz_addmul(sums + 1, part, cross);
-    fmpz_add(part, l->y + k, l->y + next);
-    fmpz_addmul(sums + 2, part, cross);
+  fmpz own[TP_AREA_SUM_COUNT];
+  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) fmpz_init(own + k);
+  tp_ring_sums_exact_first(own, l->x + first, l->y + first, end - first, TP_AREA_SUM_COUNT);
+  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) {
+    fmpz_addmul(sums + k, own + k, weight);
+    fmpz_clear(own + k);
   }
-  fmpz_clear(cross);
-  fmpz_clear(part);
 }
 
 /* The whole number next to sum / (3 area2), and what is left of that. */

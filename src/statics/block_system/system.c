@@ -6,7 +6,9 @@
 
 #include "block_system/system.h"
 
+#include "block/ring_sums.h"
 #include "common/notes.h"
+#include "evaluation/certainty.h"
 #include "number/ball.h"
 #include "scene_varying/settings.h"
 
@@ -67,43 +69,35 @@ static tp_bounded coordinate(const tp_assemblage *a, const fmpz_t origin, const 
   return value;
 }
 
-/* Twice the area of the rings of the block itself, its holes subtracted. */
-static tp_bounded area_of(const tp_section *section, const fmpq_t metres_per_unit) {
-  arb_t area, metres;
-  fmpq_t sum, part;
-  arb_init(area);
-  arb_init(metres);
-  fmpq_init(sum);
-  fmpq_init(part);
-  for (long r = 0; r <= section->hole_count; r++) {
-    const tp_polyline *ring = section->rings + r;
-    for (long k = 0; k < ring->count; k++) {
-      const long next = k + 1 < ring->count ? k + 1 : 0;
-      fmpq_mul(part, ring->x + k, ring->y + next);
-      (r == 0 ? fmpq_add : fmpq_sub)(sum, sum, part);
-      fmpq_mul(part, ring->x + next, ring->y + k);
-      (r == 0 ? fmpq_sub : fmpq_add)(sum, sum, part);
-    }
+/* Of the outline less its holes, which are the first chains of the block. */
+static tp_bounded area_of(const tp_lattice *l, long chain, long hole_count) {
+  fmpz sums[TP_AREA_SUM_COUNT];
+  fmpq_t area;
+  fmpq_init(area);
+  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) fmpz_init(sums + k);
+  for (long r = chain; r <= chain + hole_count; r++) {
+    const long first = l->start[r];
+    tp_ring_sums_exact_first(sums, l->x + first, l->y + first, l->start[r + 1] - first,
+                             TP_AREA_SUM_COUNT);
+    if (r > chain) fmpz_neg(sums, sums);
+    fmpz_add(fmpq_numref(area), fmpq_numref(area), sums);
   }
-  fmpq_mul(sum, sum, metres_per_unit);
-  fmpq_mul(sum, sum, metres_per_unit);
-  fmpq_div_2exp(sum, sum, 1);
-  arb_set_fmpq(area, sum, BITS);
-  const tp_bounded value = tp_ball_bounded(area);
-  arb_clear(area);
-  arb_clear(metres);
-  fmpq_clear(sum);
-  fmpq_clear(part);
+  fmpq_div_2exp(area, area, 1);
+  fmpq_mul(area, area, l->step_m);
+  fmpq_mul(area, area, l->step_m);
+  const tp_bounded value = tp_result_rational(area);
+  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) fmpz_clear(sums + k);
+  fmpq_clear(area);
   return value;
 }
 
-static bool set_block(tp_system_block *own, const tp_built_system *s, long k) {
+static bool set_block(tp_system_block *own, const tp_built_system *s, long k, long chain) {
   const tp_assemblage *a = &s->assemblage;
   const tp_rigid_block *block = a->blocks + k;
   const tp_listed_block *listed = s->scene->many.blocks + k;
   own->name = strdup(listed->name);
   own->ground = listed->fixed;
-  own->area_m2 = area_of(s->sections + k, s->scene->metres_per_unit);
+  own->area_m2 = area_of(&a->lattice, chain, s->sections[k].hole_count);
   own->centroid_x_m = coordinate(a, a->lattice.origin_x, block->x, block->arm_x);
   own->centroid_y_m = coordinate(a, a->lattice.origin_y, block->y, block->arm_y);
   own->has_weight = listed->shape.unit_weight_kn_m3.given;
@@ -113,12 +107,7 @@ static bool set_block(tp_system_block *own, const tp_built_system *s, long k) {
 }
 
 static tp_bounded property_of(const tp_built_system *s, long contact, tp_joint_property property) {
-  arb_t number;
-  arb_init(number);
-  arb_set_fmpq(number, tp_built_system_property(s, contact, property)->value, BITS);
-  const tp_bounded value = tp_ball_bounded(number);
-  arb_clear(number);
-  return value;
+  return tp_result_rational(tp_built_system_property(s, contact, property)->value);
 }
 
 static void set_contact(tp_system_contact *own, const tp_built_system *s, long k) {
@@ -149,22 +138,15 @@ static bool set_lists(tp_block_system *own, const tp_built_system *s) {
   own->contacts = calloc((size_t)a->contact_count + 1, sizeof *own->contacts);
   own->cases = calloc(CASES, sizeof *own->cases);
   bool done = own->blocks != NULL && own->contacts != NULL && own->cases != NULL;
+  long chain = 0;
   for (long k = 0; k < a->count && done; k++) {
-    done = set_block(own->blocks + k, s, k);
+    done = set_block(own->blocks + k, s, k, chain);
+    chain += s->sections[k].ring_count;
     own->block_count++;
   }
   for (long k = 0; k < a->contact_count && done; k++) set_contact(own->contacts + k, s, k);
   own->contact_count = (size_t)a->contact_count;
   return done;
-}
-
-static void set_required(tp_block_system *own, const tp_scene *scene) {
-  arb_t required;
-  arb_init(required);
-  own->has_required_fos = scene->required_fos.given;
-  arb_set_fmpq(required, scene->required_fos.value, BITS);
-  if (own->has_required_fos) own->required_fos = tp_ball_bounded(required);
-  arb_clear(required);
 }
 
 tp_status tp_block_system_describe(tp_block_system **system, const tp_built_system *s,
@@ -178,7 +160,8 @@ tp_status tp_block_system_describe(tp_block_system **system, const tp_built_syst
   own->length_unit = strdup(scene->length_unit);
   own->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
   own->lies_in_place = tp_scene_lies_in_place(scene);
-  set_required(own, scene);
+  own->has_required_fos = scene->required_fos.given;
+  if (own->has_required_fos) own->required_fos = tp_result_rational(scene->required_fos.value);
   const bool done = set_lists(own, s) && own->scene != NULL && own->length_unit != NULL &&
                     (own->title == NULL) == (scene->title == NULL);
   tp_status status = done ? TP_OK : tp_fail_memory(message, "the result");
