@@ -102,6 +102,10 @@ void tp_sheet_add_load_case_details(tp_sheet *sheet);
 void tp_sheet_add_conclusion(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_count_cautions(tp_sheet *sheet);
 
+/* Does the block lie at its place, so that angles from the level are dips; else it is on a table,
+ * or angles count from how it lies. */
+bool tp_sheet_tilts_are_dips(const tp_sheet *sheet);
+
 /* What was set in the scene beside its files: a fact each. */
 void tp_sheet_add_settings(tp_document *document, const tp_settings *settings);
 /* Cells: a factor of safety or what stands for it, of one that is an upper bound "at most 1.2"; and

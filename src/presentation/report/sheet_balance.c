@@ -156,9 +156,13 @@ void tp_sheet_add_balance(tp_sheet *s, const tp_case *c) {
   const force strength = force_of(balance->strength);
   tp_document_heading(d, 3, "Forces at the limit");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "At the tilt α_w = %s° these forces just hold the block, and cancel: H "
-                  "horizontal, to the right, V upwards, M about the centroid of the weight, "
-                  "counter-clockwise.",
+                  tp_sheet_tilts_are_dips(s)
+                      ? "At the dip α_w = %s° these forces just hold the block, and cancel: H "
+                        "horizontal, to the right, V upwards, M about the centroid of the weight, "
+                        "counter-clockwise."
+                      : "At the tilt α_w = %s° these forces just hold the block, and cancel: H "
+                        "horizontal, to the right, V upwards, M about the centroid of the weight, "
+                        "counter-clockwise.",
                   tp_text_fixed(n, c->limit.critical_angle_deg, 3));
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 0xe, "Forces at the limit and their sums");
   add_heads(s, &f);

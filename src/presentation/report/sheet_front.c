@@ -186,7 +186,10 @@ static void add_window(tp_text *t, const tp_sheet *s, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
   if (c->onset.kind == TP_ONSET_AT_ANGLE) {
     tp_text_add(t, " ");
-    tp_text_add(t, tp_document_say(d, "No motion can begin up to a tilt of α_s = %s°."),
+    tp_text_add(t,
+                tp_document_say(d, c->may_steepen
+                                       ? "No motion can begin up to a dip of α_s = %s°."
+                                       : "No motion can begin up to a tilt of α_s = %s°."),
                 tp_text_fixed(n, c->onset.critical_angle_deg, 3));
   }
   if (c->limit.kind == TP_LIMIT_AT_ANGLE) {
@@ -194,7 +197,11 @@ static void add_window(tp_text *t, const tp_sheet *s, const tp_case *c) {
     tp_text_add(t, tp_document_say(d, "Beyond α_w = %s° no forces of the base hold it."),
                 tp_text_fixed(n, c->limit.critical_angle_deg, 3));
   }
-  if (c->has_margin) {
+  if (c->may_steepen) {
+    tp_text_add(t, " ");
+    tp_text_add(t, tp_document_say(d, "It may steepen by %s°."),
+                tp_text_fixed(n, c->steepen_by_deg, 3));
+  } else if (c->has_margin) {
     tp_text_add(t, " ");
     tp_text_add(t, tp_document_say(d, "Margin in tilt: %s°."), tp_text_fixed(n, c->margin_deg, 3));
   }

@@ -199,3 +199,7 @@ tp_sheet_turn tp_sheet_turn_of(const tp_sheet *s, const tp_case *c) {
   snprintf(turn.number, sizeof turn.number, "%s + ", tp_sheet_angle(turn.degrees).text);
   return turn;
 }
+
+bool tp_sheet_tilts_are_dips(const tp_sheet *s) {
+  return s->solution->frame.world && !s->solution->frame.level;
+}
