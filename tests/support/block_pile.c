@@ -5,6 +5,7 @@
 
 #include "suite.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -89,7 +90,8 @@ tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_lef
   }
   ck_assert_int_eq(tp_force_program_init(&program, &p->assemblage, strengths, &loads, &message),
                    TP_OK);
-  ck_assert_int_eq(tp_load_bracket_find(&bracket, &program, share, &message), TP_OK);
+  const tp_bracket_aim aim = {.share = share, .enough = INFINITY};
+  ck_assert_int_eq(tp_load_bracket_find(&bracket, &program, &aim, &message), TP_OK);
   tp_force_program_clear(&program);
   free(strengths);
   return bracket;

@@ -19,7 +19,7 @@ typedef struct proving {
   const tp_ground_tree *tree;
   tp_load_bracket *bracket;
   tp_near *lacks; /* by row: what each block lacks for equilibrium, with all that hangs on it */
-  double share;
+  const tp_bracket_aim *aim;
 } proving;
 
 /* ---- below -------------------------------------------------------------------------------------
@@ -169,7 +169,12 @@ static bool try_forces(proving *s, const tp_interior_iterate *at) {
 
 static bool is_narrow(const proving *s) {
   const tp_load_bracket *b = s->bracket;
-  return b->is_held && b->is_bounded && b->bound - b->held <= s->share * fabs(b->bound);
+  return b->is_held && b->is_bounded && b->bound - b->held <= s->aim->share * fabs(b->bound);
+}
+
+static bool is_enough(const proving *s) {
+  const tp_load_bracket *b = s->bracket;
+  return b->is_held && b->held >= fmin(s->aim->enough, TP_MOST_LOAD);
 }
 
 /* No load that is looked for. */
@@ -191,22 +196,22 @@ static bool watch(void *context, const tp_interior_iterate *at) {
     memcpy(b->twists, at->twists, (size_t)s->p->rows * sizeof *b->twists);
   }
   /* nearer than that roundings follow, and forces are found by the other way */
-  const bool is_near = b->is_bounded && at->gap <= s->share / 8 * fabs(b->bound);
-  return is_near || is_never_held(b) || (b->is_held && b->held > TP_MOST_LOAD) || is_narrow(s);
+  const bool is_near = b->is_bounded && at->gap <= s->aim->share / 8 * fabs(b->bound);
+  return is_near || is_never_held(b) || is_enough(s) || is_narrow(s);
 }
 
 static bool watch_centre(void *context, const tp_interior_iterate *at) {
   return try_forces(context, at);
 }
 
-/* A share below the bound forces are found once more, from the nearest ones; where roundings keep
- * them from that, a little farther away. */
+/* A share below the bound forces are found once more, from the nearest ones, or at the load that is
+ * enough; where roundings keep them from that, a little farther away. */
 static tp_status hold_nearer(proving *s, tp_message *message) {
   static const double farther = 16, farthest = 2;
   tp_load_bracket *b = s->bracket;
   tp_status status = TP_OK;
-  for (double away = s->share / 2; away < farthest && status == TP_OK; away *= farther) {
-    const double load = b->bound - away * fabs(b->bound);
+  for (double away = s->aim->share / 2; away < farthest && status == TP_OK; away *= farther) {
+    const double load = fmin(b->bound - away * fabs(b->bound), s->aim->enough);
     if (load <= TP_LEAST_LOAD || (b->is_held && load <= b->held)) break;
     const bool was_held = b->is_held;
     status = tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
@@ -215,11 +220,11 @@ static tp_status hold_nearer(proving *s, tp_message *message) {
   return status;
 }
 
-tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, double share,
-                               tp_message *message) {
+tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
+                               const tp_bracket_aim *aim, tp_message *message) {
   memset(b, 0, sizeof *b);
   tp_ground_tree tree = {.links = NULL};
-  proving s = {.p = p, .tree = &tree, .bracket = b, .share = share};
+  proving s = {.p = p, .tree = &tree, .bracket = b, .aim = aim};
   b->forces = calloc((size_t)p->count + 1, sizeof *b->forces);
   b->twists = calloc((size_t)p->rows + 1, sizeof *b->twists);
   s.lacks = calloc((size_t)p->rows + 1, sizeof *s.lacks);
@@ -227,7 +232,8 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p, do
       b->forces != NULL && b->twists != NULL && s.lacks != NULL && tp_ground_tree_init(&tree, p);
   tp_status status = made ? tp_interior_point(p, watch, &s, message)
                           : tp_fail_memory(message, "the forces between blocks");
-  if (status == TP_OK && b->is_bounded && !is_narrow(&s) && !is_never_held(b)) {
+  const bool is_done = aim->bound_alone || is_narrow(&s) || is_enough(&s) || is_never_held(b);
+  if (status == TP_OK && b->is_bounded && !is_done) {
     status = hold_nearer(&s, message);
   }
   tp_ground_tree_clear(&tree);

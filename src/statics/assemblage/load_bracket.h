@@ -26,10 +26,17 @@ typedef struct tp_load_bracket {
   double *forces, *twists; /* of these proofs, by column and by row, where there is one */
 } tp_load_bracket;
 
-/* To `share` of itself; where that is not to be had the nearest proofs. On failure cleared. */
+/* How much is to be proven. Forces near the limit cost most of the search. */
+typedef struct tp_bracket_aim {
+  double share;     /* the width of the bracket, over the limit */
+  bool bound_alone; /* forces that hold it are not asked for */
+  double enough;    /* forces that hold so much will do; an infinity: the greatest load */
+} tp_bracket_aim;
+
+/* Where the aim is not to be had, the nearest proofs. On failure cleared. */
 TP_MUST_USE tp_status tp_load_bracket_find(tp_load_bracket *bracket,
-                                           const tp_force_program *program, double share,
-                                           tp_message *message);
+                                           const tp_force_program *program,
+                                           const tp_bracket_aim *aim, tp_message *message);
 void tp_load_bracket_clear(tp_load_bracket *bracket);
 
 #endif

@@ -17,7 +17,6 @@
 #include <string.h>
 
 enum { BITS = 128 };
-static const double limit_share = 1e-6; /* of itself, to which a limit is proven */
 
 void tp_built_system_clear(tp_built_system *s) {
   tp_assemblage_clear(&s->assemblage);
@@ -285,16 +284,5 @@ tp_status tp_built_system_program(tp_force_program *program, const tp_built_syst
   const tp_status status =
       tp_force_program_init(program, &s->assemblage, strengths, loads, message);
   free(strengths);
-  return status;
-}
-
-tp_status tp_built_system_bracket(tp_load_bracket *bracket, const tp_built_system *s,
-                                  const tp_weight_loads *loads, double divisor,
-                                  tp_message *message) {
-  tp_force_program program;
-  tp_status status = tp_built_system_program(&program, s, loads, divisor, message);
-  if (status != TP_OK) return status;
-  status = tp_load_bracket_find(bracket, &program, limit_share, message);
-  tp_force_program_clear(&program);
   return status;
 }

@@ -39,12 +39,8 @@ const tp_quantity *tp_built_system_property(const tp_built_system *system, long 
 tp_contact_strength tp_built_system_strength(const tp_built_system *system, long contact,
                                              double divisor);
 
-/* The program of forces with the strength of all contacts over a number; and its limit. */
+/* The program of forces with the strength of all contacts over a number. */
 TP_MUST_USE tp_status tp_built_system_program(tp_force_program *program,
-                                              const tp_built_system *system,
-                                              const tp_weight_loads *loads, double divisor,
-                                              tp_message *message);
-TP_MUST_USE tp_status tp_built_system_bracket(tp_load_bracket *bracket,
                                               const tp_built_system *system,
                                               const tp_weight_loads *loads, double divisor,
                                               tp_message *message);

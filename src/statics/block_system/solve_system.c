@@ -157,7 +157,7 @@ static tp_status set_collapse(direction *d, tp_message *message) {
 static tp_status solve_direction(direction *d, tp_message *message) {
   const tp_system_state as_it_lies = state_at_strength(&d->resultant, 0);
   d->own->tilt_angle_deg = tp_ball_bounded(d->resultant.tilt_deg);
-  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, message);
+  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, d->resultant.target, message);
   if (status == TP_OK) judge(d);
   if (status == TP_OK) status = set_limit(d, message);
   if (status == TP_OK) status = find_factor(d, message);

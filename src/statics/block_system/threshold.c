@@ -25,19 +25,44 @@ static tp_system_state reversed(const tp_system_state *state) {
   return own;
 }
 
+static const double limit_share = 1e-6; /* of itself, to which a limit is proven */
+
 static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
-                            const tp_system_state *state, tp_message *message) {
-  return tp_built_system_bracket(b, s, &state->loads, state->divisor, message);
+                            const tp_system_state *state, const tp_bracket_aim *aim,
+                            tp_message *message) {
+  tp_force_program program;
+  tp_status status = tp_built_system_program(&program, s, &state->loads, state->divisor, message);
+  if (status != TP_OK) return status;
+  status = tp_load_bracket_find(b, &program, aim, message);
+  tp_force_program_clear(&program);
+  return status;
+}
+
+static const tp_bracket_aim limit_itself = {limit_share, false, INFINITY};
+
+/* Is a load held; is one the other way? */
+static tp_bracket_aim held_to_side(tp_near load) {
+  return (tp_bracket_aim){limit_share, false, load.value + load.error};
+}
+
+static tp_bracket_aim held_to_other(tp_near load) {
+  return held_to_side(tp_near_neg(load));
+}
+
+static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
+                             const tp_bracket_aim *aim, tp_near load, tp_message *message) {
+  const tp_system_state other = reversed(state);
+  const tp_bracket_aim aim_of_other = held_to_other(load);
+  memset(l, 0, sizeof *l);
+  tp_status status = find_limit(&l->side, s, state, aim, message);
+  if (status == TP_OK) status = find_limit(&l->other, s, &other, &aim_of_other, message);
+  if (status != TP_OK) tp_limits_clear(l);
+  return status;
 }
 
 tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
-                         tp_message *message) {
-  const tp_system_state other = reversed(state);
-  memset(l, 0, sizeof *l);
-  tp_status status = find_limit(&l->side, s, state, message);
-  if (status == TP_OK) status = find_limit(&l->other, s, &other, message);
-  if (status != TP_OK) tp_limits_clear(l);
-  return status;
+                         tp_near load, tp_message *message) {
+  return find_limits(l, s, state, &limit_itself, load, message);
 }
 
 /* Forces that hold one load and forces that hold one the other way hold, mixed, all between. */
@@ -70,8 +95,9 @@ static double angle_of(const tp_load_bracket *b) {
 }
 
 static bool add_margin(double *value, searching *x, const tp_system_state *state, double load) {
+  static const tp_bracket_aim bound = {limit_share, true, INFINITY};
   tp_load_bracket bracket;
-  x->status = find_limit(&bracket, x->of->system, state, x->message);
+  x->status = find_limit(&bracket, x->of->system, state, &bound, x->message);
   if (x->status != TP_OK) return false;
   *value = fmin(*value, angle_of(&bracket) - atan(load));
   tp_load_bracket_clear(&bracket);
@@ -110,8 +136,9 @@ static bool bracket_zero(tp_root_end *low, tp_root_end *high, searching *x) {
 
 static bool prove_held(tp_threshold *own, searching *x, double at) {
   const tp_system_state state = x->of->state(x->of->context, at);
+  const tp_bracket_aim aim = held_to_side(x->of->target);
   tp_limits l;
-  x->status = tp_limits_find(&l, x->of->system, &state, x->message);
+  x->status = find_limits(&l, x->of->system, &state, &aim, x->of->target, x->message);
   if (x->status != TP_OK) return false;
   own->is_held = tp_limits_hold(&l, x->of->target);
   own->held = at;
@@ -119,21 +146,21 @@ static bool prove_held(tp_threshold *own, searching *x, double at) {
   return true;
 }
 
-/* The collapse is the one to the side whose limit is exceeded. */
-static bool prove_bound(tp_threshold *own, searching *x, double at) {
-  const tp_system_state state = x->of->state(x->of->context, at);
-  tp_limits l;
-  x->status = tp_limits_find(&l, x->of->system, &state, x->message);
+/* Is the limit exceeded? Then the collapse is the one to that side. */
+static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *state,
+                       tp_near load) {
+  x->status = find_limit(&own->collapse, x->of->system, state, &limit_itself, x->message);
   if (x->status != TP_OK) return false;
-  own->is_bounded = tp_limits_fail(&l, x->of->target);
-  own->bound = at;
-  if (own->is_bounded) {
-    tp_load_bracket *side = exceeds(&l.side, x->of->target) ? &l.side : &l.other;
-    own->collapse = *side;
-    memset(side, 0, sizeof *side);
-  }
-  tp_limits_clear(&l);
+  own->is_bounded = exceeds(&own->collapse, load);
+  if (!own->is_bounded) tp_load_bracket_clear(&own->collapse);
   return true;
+}
+
+static bool prove_bound(tp_threshold *own, searching *x, double at) {
+  const tp_system_state state = x->of->state(x->of->context, at), other = reversed(&state);
+  own->bound = at;
+  if (!take_bound(own, x, &state, x->of->target)) return false;
+  return own->is_bounded || take_bound(own, x, &other, tp_near_neg(x->of->target));
 }
 
 static tp_status prove(tp_threshold *own, searching *x, double zero) {

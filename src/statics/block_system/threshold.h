@@ -37,14 +37,15 @@ TP_MUST_USE tp_status tp_threshold_find(tp_threshold *threshold, const tp_thresh
                                         tp_message *message);
 void tp_threshold_clear(tp_threshold *threshold);
 
-/* Limits to the side of the live load and to the other one. */
+/* Limits to the side of the live load and to the other one, there as far as a load asks for. */
 typedef struct tp_limits {
   tp_load_bracket side, other;
 } tp_limits;
 
 /* On failure cleared. */
 TP_MUST_USE tp_status tp_limits_find(tp_limits *limits, const tp_built_system *system,
-                                     const tp_system_state *state, tp_message *message);
+                                     const tp_system_state *state, tp_near load,
+                                     tp_message *message);
 void tp_limits_clear(tp_limits *limits);
 
 /* Is a load certainly held; certainly not? */
