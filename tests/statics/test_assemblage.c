@@ -4,6 +4,7 @@
 /* Many blocks: where they touch, and the greatest tilt that forces between them hold, against
  * closed forms, published walls and slopes, and the mirror image. */
 
+#include "assemblage/limit_change.h"
 #include "block_pile.h"
 #include "random_numbers.h"
 #include "suite.h"
@@ -116,6 +117,32 @@ START_TEST(slope_of_columns) {
                 strong.held);
   tp_load_bracket_clear(&weak);
   tp_load_bracket_clear(&strong);
+  pile_clear(&p);
+}
+END_TEST
+
+/* What the mechanism says that a little more friction is worth, against what it is: by the mean of
+ * both ends, off by the third power of the step, within what the limits are proven to. */
+START_TEST(worth_of_friction) {
+  static const double tangents[] = {0.7, 0.71}, within = 2e-6;
+  tp_load_bracket limits[2];
+  tp_force_program programs[2];
+  block_pile p = {.count = 0};
+  add_slope(&p);
+  assemble(&p);
+  for (int k = 0; k < 2; k++) {
+    limits[k] = pile_limit(&p, tangents[k], true, share);
+    pile_program(programs + k, &p, tangents[k], true);
+  }
+  const double there = tp_limit_change(limits, programs, programs + 1);
+  const double back = tp_limit_change(limits + 1, programs + 1, programs);
+  const double truth = limits[1].bound - limits[0].bound;
+  ck_assert_double_gt(truth, 100 * within);
+  ck_assert_msg(fabs((there - back) / 2 - truth) <= within, "%.9f, %.9f: %.9f", there, back, truth);
+  for (int k = 0; k < 2; k++) {
+    tp_load_bracket_clear(limits + k);
+    tp_force_program_clear(programs + k);
+  }
   pile_clear(&p);
 }
 END_TEST
@@ -263,6 +290,7 @@ SUITE(assemblage) {
   tcase_add_test(tests, one_block);
   tcase_add_test(tests, published_walls);
   tcase_add_test(tests, slope_of_columns);
+  tcase_add_test(tests, worth_of_friction);
   tcase_add_test(tests, stack_of_bricks);
   tcase_add_test(tests, large_wall);
   tcase_add_test(tests, images_of_random_piles);

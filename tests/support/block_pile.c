@@ -77,10 +77,9 @@ void pile_clear(block_pile *p) {
   *p = (block_pile){.count = 0};
 }
 
-tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_left, double share) {
+void pile_program(tp_force_program *program, const block_pile *p, double tangent,
+                  bool towards_left) {
   tp_message message = {.text = ""};
-  tp_force_program program;
-  tp_load_bracket bracket;
   const tp_weight_loads loads = tp_weight_loads_tilted(towards_left);
   tp_contact_strength *strengths =
       calloc((size_t)p->assemblage.contact_count + 1, sizeof *strengths);
@@ -88,11 +87,18 @@ tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_lef
   for (long k = 0; k < p->assemblage.contact_count; k++) {
     strengths[k] = (tp_contact_strength){.tangent = {tangent, 0}};
   }
-  ck_assert_int_eq(tp_force_program_init(&program, &p->assemblage, strengths, &loads, &message),
+  ck_assert_int_eq(tp_force_program_init(program, &p->assemblage, strengths, &loads, &message),
                    TP_OK);
+  free(strengths);
+}
+
+tp_load_bracket pile_limit(const block_pile *p, double tangent, bool towards_left, double share) {
+  tp_message message = {.text = ""};
+  tp_force_program program;
+  tp_load_bracket bracket;
+  pile_program(&program, p, tangent, towards_left);
   const tp_bracket_aim aim = {.share = share, .enough = INFINITY};
   ck_assert_int_eq(tp_load_bracket_find(&bracket, &program, &aim, &message), TP_OK);
   tp_force_program_clear(&program);
-  free(strengths);
   return bracket;
 }

@@ -28,6 +28,10 @@ void pile_add_box(block_pile *pile, long left, long low, long right, long high, 
 tp_status pile_assemble(block_pile *pile, tp_message *message);
 void pile_clear(block_pile *pile);
 
+/* With one tan(phi) for all contacts, tilted to a side. */
+void pile_program(tp_force_program *program, const block_pile *pile, double tangent,
+                  bool towards_left);
+
 /* The greatest tan(tilt) to a side, or coefficient of acceleration, with one tan(phi) for all
  * contacts: between two proofs. */
 tp_load_bracket pile_limit(const block_pile *pile, double tangent, bool towards_left, double share);

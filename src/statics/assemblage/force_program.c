@@ -161,3 +161,12 @@ tp_status tp_force_program_init(tp_force_program *p, const tp_assemblage *a,
   p->first[a->contact_count] = p->count;
   return TP_OK;
 }
+
+double tp_force_column_work(const tp_force_column *c, const double *twists) {
+  double sum = 0;
+  for (int k = 0; k < 2; k++) {
+    if (c->row[k] < 0) continue;
+    for (int e = 0; e < 3; e++) sum += c->entry[k][e].value * twists[c->row[k] + e];
+  }
+  return sum;
+}

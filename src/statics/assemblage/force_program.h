@@ -55,4 +55,7 @@ TP_MUST_USE tp_status tp_force_program_init(tp_force_program *program,
                                             const tp_weight_loads *loads, tp_message *message);
 void tp_force_program_clear(tp_force_program *program);
 
+/* The work of the force of one column on twists by row, in doubles. */
+double tp_force_column_work(const tp_force_column *column, const double *twists);
+
 #endif

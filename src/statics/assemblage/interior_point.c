@@ -35,16 +35,6 @@ static double dot(const double *a, const double *b, long count) {
   return sum;
 }
 
-/* A^T y of one column. */
-static double power_of(const tp_force_column *c, const double *y) {
-  double sum = 0;
-  for (int k = 0; k < 2; k++) {
-    if (c->row[k] < 0) continue;
-    for (int e = 0; e < 3; e++) sum += c->entry[k][e].value * y[c->row[k] + e];
-  }
-  return sum;
-}
-
 static void add_column(double *rows, const tp_force_column *c, double force) {
   for (int k = 0; k < 2; k++) {
     if (c->row[k] < 0) continue;
@@ -72,7 +62,7 @@ static void find_residuals(interior *s) {
     s->rp[r] = -p->dead[r].value - (s->x[s->n] + TP_LEAST_LOAD) * s->live[r];
   for (long k = 0; k < s->n; k++) {
     add_column(s->rp, p->columns + k, -s->x[k]);
-    s->rd[k] = -power_of(p->columns + k, s->y) - s->z[k] + s->w[k];
+    s->rd[k] = -tp_force_column_work(p->columns + k, s->y) - s->z[k] + s->w[k];
   }
   s->rd[s->n] = -1 - dot(s->live, s->y, p->rows) - s->z[s->n];
   s->mu = (dot(s->x, s->z, s->n + 1) + bounded_products(s, 0, 0)) / (double)(s->n + 1 + s->bounded);
@@ -91,7 +81,7 @@ static void multiply(double *product, const interior *s, const double *v) {
   const double share = s->d[s->n] * dot(s->live, v, rows);
   for (long r = 0; r < rows; r++) product[r] = share * s->live[r];
   for (long k = 0; k < s->n; k++) {
-    add_column(product, s->p->columns + k, s->d[k] * power_of(s->p->columns + k, v));
+    add_column(product, s->p->columns + k, s->d[k] * tp_force_column_work(s->p->columns + k, v));
   }
 }
 
@@ -140,7 +130,8 @@ static void find_step(interior *s) {
   for (long r = 0; r < p->rows; r++) s->rhs[r] += own * s->live[r];
   solve(s);
   for (long k = 0; k <= s->n; k++) {
-    const double power = k < s->n ? power_of(p->columns + k, s->dy) : dot(s->live, s->dy, p->rows);
+    const double power =
+        k < s->n ? tp_force_column_work(p->columns + k, s->dy) : dot(s->live, s->dy, p->rows);
     if (is_bounded(s, k)) {
       s->dx[k] = s->d[k] * (power - s->rd[k] + pull_of(s, k));
       s->dz[k] = (s->centre[k] - s->z[k] * s->dx[k]) / s->x[k];
@@ -213,7 +204,8 @@ static void restore(interior *s) {
     find_residuals(s);
     memcpy(s->rhs, s->rp, (size_t)s->p->rows * sizeof *s->rhs);
     solve(s);
-    for (long k = 0; k < s->n; k++) s->dx[k] = s->d[k] * power_of(s->p->columns + k, s->dy);
+    for (long k = 0; k < s->n; k++)
+      s->dx[k] = s->d[k] * tp_force_column_work(s->p->columns + k, s->dy);
     s->dx[s->n] = 0;
     const double share = reach_of_x(s, damping);
     for (long k = 0; k < s->n; k++) s->x[k] += share * s->dx[k];
@@ -330,7 +322,7 @@ static bool recentre(interior *s) {
   }
   solve(s);
   for (long k = 0; k < s->n; k++) {
-    s->dx[k] = -s->d[k] * (gradient_of(s, k) + power_of(p->columns + k, s->dy));
+    s->dx[k] = -s->d[k] * (gradient_of(s, k) + tp_force_column_work(p->columns + k, s->dy));
   }
   s->dx[s->n] = 0;
   const double share = reach_of_x(s, damping);

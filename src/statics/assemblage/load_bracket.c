@@ -158,12 +158,16 @@ static bool find_bound(double *bound, const tp_force_program *p, const double *t
   return isfinite(*bound);
 }
 
+static void keep_forces(proving *s, const tp_interior_iterate *at) {
+  memcpy(s->bracket->forces, at->forces, (size_t)s->p->count * sizeof *at->forces);
+}
+
 static bool try_forces(proving *s, const tp_interior_iterate *at) {
   tp_load_bracket *b = s->bracket;
   if ((b->is_held && at->load <= b->held) || !is_held(s, at->forces, at->load)) return false;
   b->is_held = true;
   b->held = at->load;
-  memcpy(b->forces, at->forces, (size_t)s->p->count * sizeof *b->forces);
+  keep_forces(s, at);
   return true;
 }
 
@@ -187,13 +191,12 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   proving *s = context;
   tp_load_bracket *b = s->bracket;
   double bound = 0;
-  if (!try_forces(s, at) && !b->is_held) {
-    memcpy(b->forces, at->forces, (size_t)s->p->count * sizeof *b->forces);
-  }
+  if (!try_forces(s, at) && !b->is_held && !s->aim->bound_alone) keep_forces(s, at);
   if (find_bound(&bound, s->p, at->twists) && (!b->is_bounded || bound < b->bound)) {
     b->is_bounded = true;
     b->bound = bound;
     memcpy(b->twists, at->twists, (size_t)s->p->rows * sizeof *b->twists);
+    if (s->aim->bound_alone) keep_forces(s, at);
   }
   /* nearer than that roundings follow, and forces are found by the other way */
   const bool is_near = b->is_bounded && at->gap <= s->aim->share / 8 * fabs(b->bound);

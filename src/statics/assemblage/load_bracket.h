@@ -29,7 +29,7 @@ typedef struct tp_load_bracket {
 /* How much is to be proven. Forces near the limit cost most of the search. */
 typedef struct tp_bracket_aim {
   double share;     /* the width of the bracket, over the limit */
-  bool bound_alone; /* forces that hold it are not asked for */
+  bool bound_alone; /* forces that hold it are not asked for: they are those nearest to the bound */
   double enough;    /* forces that hold so much will do; an infinity: the greatest load */
 } tp_bracket_aim;
 

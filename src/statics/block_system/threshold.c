@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The margin between the load and the limit falls with x: its zero is searched by Brent's method,
+/* The margin between the load and the limit falls with x: its zero is searched by Newton's method,
  * and then proven on both sides, at a distance that grows until both proofs are there. */
 
 #include "block_system/threshold.h"
 
-#include "number/root.h"
+#include "assemblage/limit_change.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,12 +26,18 @@ static tp_system_state reversed(const tp_system_state *state) {
 }
 
 static const double limit_share = 1e-6; /* of itself, to which a limit is proven */
+static const double small_step = 1e-6;  /* of x, over which a slope is taken */
+
+static tp_status find_program(tp_force_program *program, const tp_built_system *s,
+                              const tp_system_state *state, tp_message *message) {
+  return tp_built_system_program(program, s, &state->loads, state->divisor, message);
+}
 
 static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
                             const tp_system_state *state, const tp_bracket_aim *aim,
                             tp_message *message) {
   tp_force_program program;
-  tp_status status = tp_built_system_program(&program, s, &state->loads, state->divisor, message);
+  tp_status status = find_program(&program, s, state, message);
   if (status != TP_OK) return status;
   status = tp_load_bracket_find(b, &program, aim, message);
   tp_force_program_clear(&program);
@@ -89,46 +95,100 @@ typedef struct searching {
   tp_message *message;
 } searching;
 
-/* An angle near the limit. */
-static double angle_of(const tp_load_bracket *b) {
-  return atan(b->is_bounded ? b->bound : b->is_held ? b->held : -INFINITY);
+/* How far the limit is above the load, as angles, and by what that changes with x. */
+typedef struct margin {
+  double value, slope; /* without a bound an infinity and no number */
+} margin;
+
+static margin margin_of(const tp_load_bracket *b, double change, double load) {
+  if (!b->is_bounded) return (margin){b->is_held ? atan(b->held) - atan(load) : -INFINITY, NAN};
+  return (margin){atan(b->bound) - atan(load), change / (1 + b->bound * b->bound)};
 }
 
-static bool add_margin(double *value, searching *x, const tp_system_state *state, double load) {
-  static const tp_bracket_aim bound = {limit_share, true, INFINITY};
-  tp_load_bracket bracket;
-  x->status = find_limit(&bracket, x->of->system, state, &bound, x->message);
-  if (x->status != TP_OK) return false;
-  *value = fmin(*value, angle_of(&bracket) - atan(load));
-  tp_load_bracket_clear(&bracket);
-  return true;
-}
-
-static bool margin(double *value, void *context, double at) {
-  searching *x = context;
-  const double load = x->of->target.value;
-  const tp_system_state state = x->of->state(x->of->context, at), other = reversed(&state);
-  *value = INFINITY;
-  return add_margin(value, x, &state, load) &&
-         (!x->sees_other || add_margin(value, x, &other, -load));
-}
-
-/* By steps to where the margin has the other sign; false: not within reach. */
-static bool bracket_zero(tp_root_end *low, tp_root_end *high, searching *x) {
-  const tp_threshold_search *of = x->of;
-  tp_root_end end = {of->from, 0};
-  if (!margin(&end.value, x, end.x)) return false;
-  *low = *high = end;
-  const bool rises = end.value >= 0;
-  const double last = of->from + (rises ? of->most : -of->most);
-  while (end.x != last) {
-    end.x = rises ? fmin(last, end.x + of->step) : fmax(last, end.x - of->step);
-    if (!margin(&end.value, x, end.x)) return false;
-    *(rises ? high : low) = end;
-    if ((end.value >= 0) != rises) return true;
-    *(rises ? low : high) = end;
+/* The limit's slope at x, from the program a little farther. */
+static tp_status find_slope(double *slope, const searching *x, const tp_load_bracket *b,
+                            const tp_system_state *state, const tp_system_state *farther) {
+  tp_force_program own, to;
+  tp_status status = find_program(&own, x->of->system, state, x->message);
+  if (status != TP_OK) return status;
+  status = find_program(&to, x->of->system, farther, x->message);
+  if (status == TP_OK) {
+    *slope = tp_limit_change(b, &own, &to) / small_step;
+    tp_force_program_clear(&to);
   }
-  return false;
+  tp_force_program_clear(&own);
+  return status;
+}
+
+static bool add_margin(margin *least, searching *x, double at, double share, bool to_side) {
+  const tp_bracket_aim bound = {share, true, INFINITY};
+  tp_system_state state = x->of->state(x->of->context, at);
+  tp_system_state farther = x->of->state(x->of->context, at + small_step);
+  if (!to_side) {
+    state = reversed(&state);
+    farther = reversed(&farther);
+  }
+  tp_load_bracket b;
+  double slope = NAN;
+  x->status = find_limit(&b, x->of->system, &state, &bound, x->message);
+  if (x->status != TP_OK) return false;
+  if (b.is_bounded) x->status = find_slope(&slope, x, &b, &state, &farther);
+  const margin own = margin_of(&b, slope, to_side ? x->of->target.value : -x->of->target.value);
+  if (own.value < least->value) *least = own;
+  tp_load_bracket_clear(&b);
+  return x->status == TP_OK;
+}
+
+static bool find_margin(margin *own, searching *x, double at, double share) {
+  *own = (margin){INFINITY, NAN};
+  return add_margin(own, x, at, share, true) &&
+         (!x->sees_other || add_margin(own, x, at, share, false));
+}
+
+/* Where margins of either sign were found. */
+typedef struct stretch {
+  double held, fails;
+} stretch;
+
+/* By Newton's method; where that leads out of the stretch, halving it or a step onwards. */
+static double next_of(const tp_threshold_search *of, const stretch *s, double at, const margin *m,
+                      bool halves) {
+  const double newton = at - m->value / m->slope;
+  if (!halves && newton > s->held && newton < s->fails) {
+    return fmin(of->from + of->most, fmax(of->from - of->most, newton));
+  }
+  if (isfinite(s->held) && isfinite(s->fails)) return s->held + (s->fails - s->held) / 2;
+  return m->value >= 0 ? fmin(of->from + of->most, at + of->step)
+                       : fmax(of->from - of->most, at - of->step);
+}
+
+typedef enum search_end {
+  SEARCH_FOUND,
+  SEARCH_HELD, /* up to the most */
+  SEARCH_ENDED
+} search_end;
+
+/* Far from the zero limits are found to less. */
+static search_end find_zero(double *zero, searching *x) {
+  enum { MOST = 60, NEWTON = 12 };
+  static const double width = 2e-7, near = 1e-3; /* the first: a fifth of what is proven */
+  const tp_threshold_search *of = x->of;
+  stretch s = {-INFINITY, INFINITY};
+  double at = of->from, share = near;
+  for (int k = 0; k < MOST; k++) {
+    margin m;
+    if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
+    if (m.value > share) s.held = fmax(s.held, at);
+    if (m.value < -share) s.fails = fmin(s.fails, at);
+    if (m.value >= 0 && at >= of->from + of->most) return SEARCH_HELD;
+    if (m.value < 0 && at <= of->from - of->most) return SEARCH_ENDED;
+    *zero = next_of(of, &s, at, &m, k >= NEWTON);
+    const double move = fabs(*zero - at);
+    if ((move < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
+    share = move < near ? limit_share : near;
+    at = *zero;
+  }
+  return SEARCH_ENDED;
 }
 
 /* ---- proofs ------------------------------------------------------------------------------------
@@ -174,17 +234,11 @@ static tp_status prove(tp_threshold *own, searching *x, double zero) {
 }
 
 static tp_status search(tp_threshold *own, searching *x) {
-  enum { MOST = 60 };
-  static const double width = 2e-7, flat = 1e-7; /* a tenth of what is proven */
-  const tp_root_search of = {margin, x, flat, width, MOST};
-  tp_root_end low, high;
-  tp_root root;
-  if (!bracket_zero(&low, &high, x)) {
-    if (x->status == TP_OK && low.value >= 0) (void)prove_held(own, x, low.x);
-    return x->status;
-  }
-  if (!tp_root_find(&root, &of, low, high)) return x->status;
-  return prove(own, x, root.low + (root.high - root.low) / 2);
+  double zero = x->of->from;
+  const search_end end = find_zero(&zero, x);
+  if (end == SEARCH_FOUND) return prove(own, x, zero);
+  if (end == SEARCH_HELD) (void)prove_held(own, x, zero);
+  return x->status;
 }
 
 tp_status tp_threshold_find(tp_threshold *own, const tp_threshold_search *of, tp_message *message) {
