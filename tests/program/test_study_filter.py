@@ -141,6 +141,20 @@ class Filter(StudyCase):
                    "  loads.anchors.1.force_kn: {uniform: {low: 2, high: 14}}\n"
                    "  loads.seismic.horizontal: {normal: {mean: 0.05, deviation: 0.05}}\n", [0, 6, 18, 30], samples=400, step=40)
 
+    def test_cohesion_and_bonds(self):
+        """On a valley, in metres and in feet, and of a block whose outline varies, too."""
+        vary = ("  friction_angle_deg: {normal: {mean: 34, deviation: 3}}\n"
+                "  loads.cohesion_kpa: {uniform: {low: 1, high: 8}}\n"
+                "  loads.bond_kpa: {uniform: {low: 0.5, high: 6}}\n")
+        for towards, unit in (("left", "m"), ("right", "ft")):
+            glued = BLOCK.replace("TOWARDS", towards).replace("length_unit: m", f"length_unit: {unit}")
+            glued = glued.replace("base:", "  unit_weight_kn_m3: 26\nbase:")
+            glued += "loads: {cohesion_kpa: 4, bond_kpa: 3, seismic: {horizontal: 0.03}}\n"
+            self.check(glued, vary + "  loads.seismic.horizontal: {uniform: {low: 0, high: 0.1}}\n", [0, 8, 19], samples=300,
+                       step=50, least=0.8)
+            self.check(glued, vary + "  parameters.top: {uniform: {low: 3.1, high: 3.3}}\n", [0, 12], samples=200, step=50,
+                       least=0.8)
+
     def test_loads_that_stay_on_a_slope(self):
         """Not those that another dip or thickness changes: a bolt that dips, one without a spacing, water of a level."""
         on_slope = ANCHORED.replace("tilt: {towards: left, angle_deg: 12}\n", "slope: {dip_deg: 15, towards: left}\n")

@@ -244,7 +244,27 @@ static void draw_site(char *text, size_t size, random_numbers *state, double hei
            uplifts[draw_below(state, 3)], drawn(state, 10, 10));
 }
 
-typedef enum load_draw { NO_LOADS, LOADS_THAT_TURN, LOADS_THAT_STAY, WATER_OF_A_SITE } load_draw;
+/* Cohesion, a bond, or both, with or without loads that stay. */
+static void draw_strength(char *text, size_t size, random_numbers *state, bool stays, double end) {
+  if (stays) draw_staying(text, size, state, end);
+  const bool bonds = draw_once_in(state, 2), shears = !bonds || draw_once_in(state, 2);
+  size_t used = strlen(text);
+  if (used == 0) used += (size_t)snprintf(text, size, "loads:\n");
+  if (shears) {
+    used += (size_t)snprintf(text + used, size - used, "  cohesion_kpa: %.17g\n",
+                             drawn(state, 4, 3.75));
+  }
+  if (bonds) snprintf(text + used, size - used, "  bond_kpa: %.17g\n", drawn(state, 4, 3.75));
+}
+
+typedef enum load_draw {
+  NO_LOADS,
+  LOADS_THAT_TURN,
+  LOADS_THAT_STAY,
+  WATER_OF_A_SITE,
+  STRENGTH,
+  STRENGTH_AND_LOADS
+} load_draw;
 
 /* A block on one facet, on a valley or on a peak, whose top corners and middle vary; in one of two
  * units, with loads or without. */
@@ -258,6 +278,9 @@ static void set_block(stage *s, random_numbers *state, bool varies, load_draw lo
   if (loaded == LOADS_THAT_TURN) draw_loads(loads, sizeof loads, state, !varies, height);
   if (loaded == LOADS_THAT_STAY) draw_staying(loads, sizeof loads, state, end);
   if (loaded == WATER_OF_A_SITE) draw_site(loads, sizeof loads, state, height);
+  if (loaded >= STRENGTH) {
+    draw_strength(loads, sizeof loads, state, loaded == STRENGTH_AND_LOADS && !varies, end);
+  }
   snprintf(
       text, sizeof text,
       "topple: 1\nlength_unit: %s\n"
@@ -280,8 +303,8 @@ static void set_block(stage *s, random_numbers *state, bool varies, load_draw lo
  * that stand level nearly all are told. */
 START_TEST(blocks_of_six) {
   enum { SAMPLES = 40 };
-  const bool varies = _i % 2 == 1 && _i < 4;
-  const load_draw loaded = (load_draw)(_i < 4 ? _i / 2 : _i - 2);
+  const bool varies = (_i % 2 == 1 && _i < 4) || _i == 8;
+  const load_draw loaded = (load_draw)(_i < 4 ? _i / 2 : _i < 8 ? _i - 2 : STRENGTH);
   long told = 0, blocks = 0;
   for (long k = 0; k < random_scenes_or(loaded < LOADS_THAT_STAY ? 60 : 20); k++) {
     random_numbers state = random_numbers_from(random_seed() + (uint64_t)k);
@@ -386,7 +409,7 @@ SUITE(case_filter) {
   Suite *suite = suite_create("case_filter");
   TCase *tests = tcase_create("case_filter");
   tcase_set_timeout(tests, 0);
-  tcase_add_loop_test(tests, blocks_of_six, 0, 6);
+  tcase_add_loop_test(tests, blocks_of_six, 0, 9);
   tcase_add_loop_test(tests, teeth, 0, 4);
   tcase_add_test(tests, a_tie_is_not_told);
   tcase_add_test(tests, a_contact_that_may_change_is_not_told);

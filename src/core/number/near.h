@@ -79,6 +79,12 @@ static inline tp_near tp_near_minus(tp_near a, tp_near b) {
   return tp_near_plus(a, tp_near_neg(b));
 }
 
+/* sqrt(a^2 + b^2) */
+static inline tp_near tp_near_length(tp_near a, tp_near b) {
+  if (tp_near_is_zero(b)) return (tp_near){fabs(a.value), a.error};
+  return tp_near_sqrt(tp_near_plus(tp_near_times(a, a), tp_near_times(b, b)));
+}
+
 /* The lesser of two numbers lies between the lesser of their lower and of their upper bounds. */
 static inline tp_near tp_near_lesser(tp_near a, tp_near b) {
   if (!(isfinite(a.error) && isfinite(b.error))) return (tp_near){0, INFINITY};

@@ -227,6 +227,7 @@ bool tp_block_filter_init(tp_case_filter *f, const tp_block_underside *u, tp_dir
   f->shape.gyration = u->gyration;
   f->varies = false;
   f->loads = (tp_load_plan){.called_for = false};
+  f->capacities.acts = false;
   f->rest.count = 0;
   if (facets > FEW) return find_few(f, u, towards, friction);
   if (!set_points(&f->shape, u, towards) || !set_plan(&f->plan, &f->shape, facets)) return false;

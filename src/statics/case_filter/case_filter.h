@@ -4,9 +4,9 @@
 /* What a row of a study tells of a case, in doubles with proven bounds (number/near.h), where these
  * decide all of it: the governing pivot and its critical angle by moments, both limits, the
  * mechanism and the governing factor of safety at any tilts. For a block on a contact with one
- * friction angle, under its weight and loads that turn with the tilt as that does or stay with the
- * block (filter_loads.h), that stands on level ground; for others, and where a double is too short,
- * it tells nothing, and the ladder does.
+ * friction angle, cohesion and bonds (capacities.h), under its weight and loads that turn with the
+ * tilt as that does or stay with the block (filter_loads.h), that stands on level ground; for
+ * others, and where a double is too short, it tells nothing, and the ladder does.
  *
  * What scenes share is prepared once (contact_plan.h), by any number of threads read at once. */
 
@@ -36,6 +36,7 @@ typedef struct tp_case_filter {
   tp_case_shape shape;  /* of the scene as it is */
   tp_contact_rest rest; /* points that the plan leaves out */
   tp_load_plan loads;
+  tp_capacity_plan capacities;
   bool varies; /* the block does, by this map: */
   tp_outline_map map;
   int pivot_count, facet_count;
@@ -64,6 +65,7 @@ typedef struct tp_case_told {
   tp_filter_case of; /* the filter's shape, or this: */
   tp_case_shape own;
   tp_filter_loads loads;
+  tp_filter_capacities capacities;
   tp_near pivot_x_m, pivot_y_m;
   tp_near moments_deg, limit_deg, limit_tangent, onset_deg;
   const tp_filter_pivot *pivot; /* that governs, */

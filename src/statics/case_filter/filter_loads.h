@@ -25,6 +25,8 @@ typedef enum tp_load_number {
   TP_NUMBER_WATER_WEIGHT, /* kN/m3 */
   TP_NUMBER_UNIT_WEIGHT,  /* of the block */
   TP_NUMBER_BOLT_FORCE,   /* of the first anchor, kN */
+  TP_NUMBER_COHESION,     /* kPa */
+  TP_NUMBER_BOND,
   TP_LOAD_NUMBERS
 } tp_load_number;
 
@@ -88,6 +90,7 @@ typedef struct tp_filter_case {
   const tp_case_shape *shape;
   const tp_contact_rest *rest; /* what the plan leaves out */
   const tp_filter_loads *loads;
+  const struct tp_filter_capacities *capacities;
   tp_near friction; /* tan(phi) */
 } tp_filter_case;
 

@@ -13,88 +13,24 @@
 
 #include "case_filter/limit_filter.h"
 
-void tp_edge_set_init(tp_edge_set *set, const tp_filter_case *of) {
-  set->plan = of->plan;
-  set->shape = of->shape;
-  set->rest = of->rest;
-  set->loads = of->loads;
-  set->friction = of->friction;
-  for (int k = 0; k < set->plan->edge_count; k++) {
-    tp_shape_edge(set->of[k], set->shape, set->plan->edges[k], of->friction);
-  }
-}
-
-/* ---- faces -------------------------------------------------------------------------------------
- */
-
-static bool share_site(const tp_contact_plan *plan, int i, int j) {
-  return plan->points[plan->edges[i].point].site == plan->points[plan->edges[j].point].site;
-}
-
-static bool are_parallel(const tp_contact_plan *plan, int i, int j) {
-  const tp_plan_point *a = plan->points + plan->edges[i].point;
-  const tp_plan_point *b = plan->points + plan->edges[j].point;
-  return a->axis == b->axis && a->along == b->along &&
-         plan->edges[i].against == plan->edges[j].against;
-}
-
-static tp_mechanism mechanism_of(const tp_contact_plan *plan, int i, int j) {
-  return share_site(plan, i, j)     ? TP_TOPPLES
-         : are_parallel(plan, i, j) ? TP_SLIDES
-                                    : TP_SLIDES_AND_TOPPLES;
-}
-
-static bool is_tight(const tp_contact_plan *plan, int i, int j, int k) {
-  if (k == i || k == j) return true;
-  if (share_site(plan, i, j)) return share_site(plan, i, k);
-  return are_parallel(plan, i, j) && are_parallel(plan, i, k);
-}
-
-static void set_twist(tp_near v[3], const tp_edge_set *set, int i, int j) {
-  static const tp_near zero = {0, 0};
-  if (share_site(set->plan, i, j)) {
-    const tp_shape_point *p = set->shape->points + set->plan->edges[i].point;
-    tp_sparse_turn(v, &p->x, &p->y);
-  } else if (are_parallel(set->plan, i, j)) {
-    v[0] = set->of[i][1];
-    v[1] = tp_near_neg(set->of[i][0]);
-    v[2] = zero;
-  } else {
-    tp_sparse_cross(v, set->of[i], set->of[j]);
-  }
-}
+#include "case_filter/strong_limit.h"
 
 /* By values alone: what this rules out is not looked at with bounds. */
 static bool may_span(const tp_near v[3], const tp_edge_set *set, int i, int j) {
   for (int k = 0; k < set->plan->edge_count; k++) {
     const tp_near *e = set->of[k];
     const double work = v[0].value * e[0].value + v[1].value * e[1].value + v[2].value * e[2].value;
-    if (work <= 0 && !is_tight(set->plan, i, j, k)) return false;
+    if (work <= 0 && !tp_edges_hold_third(set, i, j, k)) return false;
   }
   return true;
 }
 
 static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
   for (int k = 0; k < set->plan->edge_count; k++) {
-    if (is_tight(set->plan, i, j, k)) continue;
+    if (tp_edges_hold_third(set, i, j, k)) continue;
     if (tp_near_sign(tp_sparse_dot(v, set->of[k])) <= 0) return false;
   }
   return tp_contact_rest_yields(set->rest, v, set->friction);
-}
-
-/* b = f_i e_i + f_j e_j: from the largest component of e_i x e_j. */
-static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
-  tp_near b[3], c[3], of_i[3], of_j[3];
-  tp_filter_loads_at(b, set->loads, tangent);
-  tp_sparse_cross(c, set->of[i], set->of[j]);
-  tp_sparse_cross(of_i, b, set->of[j]);
-  tp_sparse_cross(of_j, set->of[i], b);
-  int m = 0;
-  for (int e = 1; e < 3; e++) {
-    if (fabs(c[e].value) > fabs(c[m].value)) m = e;
-  }
-  const int sign = tp_near_sign(c[m]);
-  return sign != 0 && tp_near_sign(of_i[m]) == sign && tp_near_sign(of_j[m]) == sign;
 }
 
 /* ---- the limit ---------------------------------------------------------------------------------
@@ -115,10 +51,16 @@ static bool falls_once(tp_near *tangent, const tp_tilt_form *power) {
   return true;
 }
 
+static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
+  tp_near b[3];
+  tp_filter_loads_at(b, set->loads, tangent);
+  return tp_edges_press(set->of[i], set->of[j], b);
+}
+
 static bool is_limit(tp_near *tangent, const tp_edge_set *set, int i, int j) {
   tp_near v[3];
   tp_tilt_form power;
-  set_twist(v, set, i, j);
+  tp_edges_twist(v, set, i, j);
   tp_filter_loads_power(&power, set->loads, v);
   const bool stays = set->loads->stays;
   const double level = power.level.value + power.fixed.value;
@@ -132,11 +74,12 @@ static bool is_limit(tp_near *tangent, const tp_edge_set *set, int i, int j) {
 }
 
 bool tp_limit_filter_find(tp_limit_filter *found, const tp_edge_set *set) {
+  if (set->capacities->acts) return tp_strong_limit_find(&found->value, &found->mechanism, set);
   const int count = set->plan->edge_count;
   for (int i = 0; i < count; i++) {
     for (int j = i + 1; j < count; j++) {
       if (!is_limit(&found->value, set, i, j)) continue;
-      found->mechanism = mechanism_of(set->plan, i, j);
+      found->mechanism = tp_edges_mechanism(set, i, j);
       return true;
     }
   }
@@ -146,43 +89,24 @@ bool tp_limit_filter_find(tp_limit_filter *found, const tp_edge_set *set) {
 /* ---- held, or lost -----------------------------------------------------------------------------
  */
 
-/* b = f_i e_i + f_j e_j + f_k e_k. */
-static bool bears(const tp_edge_set *set, const int of[3], const tp_near b[3]) {
-  int whole = 0;
-  for (int k = 0; k < 3; k++) {
-    tp_near c[3];
-    tp_sparse_cross(c, set->of[of[(k + 1) % 3]], set->of[of[(k + 2) % 3]]);
-    if (k == 0) whole = tp_near_sign(tp_sparse_dot(c, set->of[of[0]]));
-    if (whole == 0 || tp_near_sign(tp_sparse_dot(c, b)) != whole) return false;
-  }
-  return true;
-}
-
-/* Some three edges bear it. */
-static bool are_borne(const tp_edge_set *set, const tp_near b[3]) {
-  const int count = set->plan->edge_count;
-  for (int i = 0; i < count; i++) {
-    for (int j = i + 1; j < count; j++) {
-      for (int k = j + 1; k < count; k++) {
-        if (bears(set, (int[3]){i, j, k}, b)) return true;
-      }
-    }
-  }
-  return false;
+/* `scale`: of what cohesion and bonds bear beside the edges. */
+static bool are_borne(const tp_edge_set *set, const tp_near b[3], tp_near scale) {
+  return set->capacities->acts ? tp_strong_limit_bears(set, b, scale) : tp_edges_bear(set, b);
 }
 
 static bool holds(const tp_edge_set *set, tp_near tangent) {
   tp_near b[3];
   tp_filter_loads_at(b, set->loads, tangent);
-  return are_borne(set, b);
+  return are_borne(set, b, tp_tilt_secant(tangent));
 }
 
 /* The tilts between two that hold. */
 static bool holds_between(const tp_edge_set *set, tp_near low, tp_near high, int halvings) {
+  static const tp_near one = {1, 0};
   tp_near apex[3];
   if (!set->loads->stays) return true;
   tp_filter_loads_apex(apex, set->loads, low, high);
-  if (are_borne(set, apex)) return true;
+  if (are_borne(set, apex, one)) return true;
   const tp_near middle = {low.value + (high.value - low.value) / 2, 0};
   return halvings > 0 && holds(set, middle) && holds_between(set, low, middle, halvings - 1) &&
          holds_between(set, middle, high, halvings - 1);

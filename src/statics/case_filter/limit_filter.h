@@ -8,19 +8,7 @@
 #ifndef TP_CASE_FILTER_LIMIT_FILTER_H
 #define TP_CASE_FILTER_LIMIT_FILTER_H
 
-#include "case_filter/filter_loads.h"
-
-/* The edges of the plan with a friction. */
-typedef struct tp_edge_set {
-  const tp_contact_plan *plan;
-  const tp_case_shape *shape;
-  const tp_contact_rest *rest;
-  const tp_filter_loads *loads;
-  tp_near friction;
-  tp_near of[2 * TP_PLAN_POINTS][3];
-} tp_edge_set;
-
-void tp_edge_set_init(tp_edge_set *set, const tp_filter_case *of);
+#include "case_filter/edge_faces.h"
 
 typedef struct tp_limit_filter {
   tp_near value; /* the tangent of the limit */

@@ -69,6 +69,10 @@ static tp_near scaled(tp_near number, const tp_load_plan *plan,
   return tp_near_div(tp_near_mul(number, numbers[with]), plan->numbers[with]);
 }
 
+tp_near tp_load_plan_weight(const tp_load_plan *plan, const tp_near numbers[TP_LOAD_NUMBERS]) {
+  return scaled(plan->weight_kn_m, plan, numbers, TP_NUMBER_UNIT_WEIGHT);
+}
+
 /* Over the weight of the sample, with the number that it is in proportion to. */
 static bool add_staying(tp_filter_loads *loads, const tp_load_plan *plan,
                         const tp_staying_load *own, const tp_near numbers[TP_LOAD_NUMBERS]) {
@@ -96,7 +100,7 @@ bool tp_load_plan_evaluate(tp_filter_loads *loads, const tp_load_plan *plan,
   }
   if (!tp_load_plan_knows_outline(plan)) return true;
   if (plan->staying.has_capacity && !is_given(plan, numbers, TP_NUMBER_BOLT_FORCE)) return false;
-  const tp_near weight = scaled(plan->weight_kn_m, plan, numbers, TP_NUMBER_UNIT_WEIGHT);
+  const tp_near weight = tp_load_plan_weight(plan, numbers);
   if (tp_near_sign(weight) <= 0) return false;
   if (plan->has_water && !add_water(loads, plan, numbers, weight)) return false;
   for (int k = 0; k < plan->surcharge_count; k++) {

@@ -19,8 +19,10 @@ static const tp_near zero = {0, 0};
 
 const char *tp_load_number_key(tp_load_number number) {
   static const char *const keys[TP_LOAD_NUMBERS] = {
-      "loads.seismic.horizontal",      "loads.seismic.vertical",  "loads.water.height",
-      "loads.water.unit_weight_kn_m3", "block.unit_weight_kn_m3", "loads.anchors.1.force_kn"};
+      "loads.seismic.horizontal", "loads.seismic.vertical",
+      "loads.water.height",       "loads.water.unit_weight_kn_m3",
+      "block.unit_weight_kn_m3",  "loads.anchors.1.force_kn",
+      "loads.cohesion_kpa",       "loads.bond_kpa"};
   return keys[number];
 }
 
@@ -34,7 +36,7 @@ static bool water_fits(const tp_water_description *water) {
 
 bool tp_load_plan_fits(const tp_scene *scene) {
   const tp_loads_description *loads = &scene->loads;
-  return water_fits(&loads->water) && !loads->bond_kpa.given && !loads->cohesion_kpa.given &&
+  return water_fits(&loads->water) &&
          (!loads->direction_given || loads->direction == TP_SEISMIC_DOWN_DIP) &&
          scene->base.beyond_cosine == NULL;
 }
@@ -171,7 +173,9 @@ static void plan_numbers(tp_load_plan *plan, const tp_scene *scene) {
                                          loads->water.unit_weight_kn_m3.value,
                                          scene->block.unit_weight_kn_m3.value,
                                          loads->anchor_count > 0 ? loads->anchors[0].force_kn.value
-                                                                 : NULL};
+                                                                 : NULL,
+                                         loads->cohesion_kpa.value,
+                                         loads->bond_kpa.value};
   for (int k = 0; k < TP_LOAD_NUMBERS; k++) {
     plan->numbers[k] = values[k] != NULL ? near_of(values[k]) : zero;
   }

@@ -40,6 +40,9 @@ bool tp_load_plan_init(tp_load_plan *plan, const tp_evaluation *evaluation,
 /* Do they depend on the outline of the block, other than by its weight? */
 bool tp_load_plan_knows_outline(const tp_load_plan *plan);
 
+/* The weight of a sample whose block has the scene's outline, kN a metre of thickness. */
+tp_near tp_load_plan_weight(const tp_load_plan *plan, const tp_near numbers[TP_LOAD_NUMBERS]);
+
 /* Those of a sample; false where its numbers are none that every such scene takes. */
 TP_MUST_USE bool tp_load_plan_evaluate(tp_filter_loads *loads, const tp_load_plan *plan,
                                        const tp_near numbers[TP_LOAD_NUMBERS]);

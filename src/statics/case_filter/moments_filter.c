@@ -8,10 +8,17 @@
 
 #include "case_filter/moments_filter.h"
 
+/* What a bond holds. */
+static tp_near bond_of(const tp_filter_case *of, const tp_filter_pivot *pivot) {
+  if (!of->capacities->acts || !of->capacities->bonds) return (tp_near){0, 0};
+  return tp_capacities_bond_moment(of->capacities, of->plan, of->shape, pivot->point);
+}
+
 static void moment_of_all(tp_tilt_form *moment, const tp_filter_case *of,
                           const tp_filter_pivot *pivot) {
   const tp_shape_point *p = of->shape->points + pivot->point;
   tp_filter_load_moment(moment, &of->loads->sum, p->x, p->y);
+  moment->fixed = tp_near_plus(moment->fixed, bond_of(of, pivot));
 }
 
 bool tp_filter_turns(tp_filter_turning *turning, const tp_filter_case *of,
@@ -72,8 +79,9 @@ static bool weigh(balance *b, tp_near holds, bool active) {
   return sign != 0 || tp_near_is_zero(holds);
 }
 
-static bool weigh_all(balance *b, const tp_filter_case *of, const tp_shape_point *p,
+static bool weigh_all(balance *b, const tp_filter_case *of, const tp_filter_pivot *pivot,
                       tp_near tangent) {
+  const tp_shape_point *p = of->shape->points + pivot->point;
   const tp_near secant = tp_tilt_secant(tangent);
   for (int k = 0; k < of->loads->count; k++) {
     const tp_filter_load *own = of->loads->items + k;
@@ -84,14 +92,15 @@ static bool weigh_all(balance *b, const tp_filter_case *of, const tp_shape_point
                : weigh(b, tp_tilt_form_at(&m, tangent, secant), own->active);
     if (!told) return false;
   }
+  b->stabilising = tp_near_plus(b->stabilising, tp_near_times(secant, bond_of(of, pivot)));
   return true;
 }
 
-/* The weight by its two components, then each load (evaluation/loaded_balance.c). */
-static bool balance_of(tp_fos_told *fos, const tp_filter_case *of, const tp_shape_point *p,
+/* The weight by its two components, then each load, then the bond (evaluation/loaded_balance.c). */
+static bool balance_of(tp_fos_told *fos, const tp_filter_case *of, const tp_filter_pivot *pivot,
                        tp_near tangent) {
   balance b = {{0, 0}, {0, 0}};
-  if (!weigh_all(&b, of, p, tangent)) return false;
+  if (!weigh_all(&b, of, pivot, tangent)) return false;
   const int sign = tp_near_sign(b.overturning);
   *fos = (tp_fos_told){.state = sign > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING};
   if (sign > 0) fos->value = tp_near_div(b.stabilising, b.overturning);
@@ -119,6 +128,5 @@ bool tp_moments_filter(tp_filter_way *way, const tp_case_told *told, const tp_fi
                          .begins = begins,
                          .definition = TP_FOS_BY_MOMENTS,
                          .mechanism = begins ? turn : TP_TOPPLES};
-  return !told->of.loads->called_for ||
-         balance_of(&way->fos, &told->of, told->of.shape->points + pivot->point, s->tangent);
+  return !told->of.loads->called_for || balance_of(&way->fos, &told->of, pivot, s->tangent);
 }

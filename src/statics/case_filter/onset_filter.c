@@ -12,59 +12,9 @@
 
 #include "case_filter/onset_filter.h"
 
+#include "case_filter/strong_modes.h"
+
 enum { GENERATORS = 2 + TP_PLAN_EDGES };
-
-static void keep_up_to(tp_near_interval *own, tp_near end) {
-  own->high = own->has_high ? tp_near_lesser(own->high, end) : end;
-  own->has_high = true;
-}
-
-static void keep_from(tp_near_interval *own, tp_near end) {
-  own->low = own->has_low ? tp_near_larger(own->low, end) : end;
-  own->has_low = true;
-}
-
-/* Keep where rise t <= level, both times `sign`. False where open. */
-static bool keep(tp_near_interval *own, tp_near rise, tp_near level, int sign) {
-  if (tp_near_is_zero(rise)) {
-    const int side = sign * tp_near_sign(level);
-    own->empty = own->empty || side < 0;
-    return side != 0;
-  }
-  const int side = sign * tp_near_sign(rise);
-  if (side == 0) return false;
-  const tp_near end = tp_near_div(level, rise);
-  if (side > 0) {
-    keep_up_to(own, end);
-  } else {
-    keep_from(own, end);
-  }
-  return true;
-}
-
-/* Likewise where the power of loads of which some stay with the block is below zero, times `sign`.
- */
-static bool keep_below(tp_near_interval *own, const tp_tilt_form *power, int sign) {
-  tp_tilt_change change;
-  if (!tp_tilt_form_change(&change, power)) return false;
-  if (change.level == change.upright) {
-    own->empty = own->empty || sign * change.level > 0;
-  } else if (sign * change.level < 0) {
-    keep_up_to(own, change.tangent);
-  } else {
-    keep_from(own, change.tangent);
-  }
-  return true;
-}
-
-/* Two planes that share a generator meet the loads at one tilt where these lie along it: weight
- * along a facet that slides. */
-static void settle(tp_near_interval *own) {
-  if (own->empty || !own->has_low || !own->has_high) return;
-  const int order = tp_near_sign(tp_near_sub(own->high, own->low));
-  own->empty = order < 0;
-  own->perhaps = order == 0;
-}
 
 /* What spans the cone of a mode: rays, then edges turned round. */
 typedef struct cone {
@@ -107,8 +57,7 @@ static bool keep_loads(tp_near_interval *own, const tp_near h[3], const tp_filte
                        int sign) {
   tp_tilt_form power;
   tp_filter_loads_power(&power, loads, h);
-  return loads->stays ? keep_below(own, &power, sign)
-                      : keep(own, power.rise, tp_near_neg(power.level), sign);
+  return tp_near_interval_keep(own, &power, sign, loads->stays);
 }
 
 /* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two. */
@@ -120,43 +69,8 @@ static bool span_triple(tp_near_interval *own, const cone *c, const signed char 
     const int sign = tp_near_sign(tp_sparse_dot(h, c->of[of[k]]));
     if (sign == 0 || !keep_loads(own, h, c->loads, sign)) return false;
   }
-  settle(own);
+  tp_near_interval_settle(own);
   return true;
-}
-
-static void unite(tp_near_interval *sum, const tp_near_interval *own) {
-  if (own->empty) return;
-  if (sum->empty) {
-    *sum = *own;
-    return;
-  }
-  sum->has_low = sum->has_low && own->has_low;
-  sum->has_high = sum->has_high && own->has_high;
-  if (sum->has_low) sum->low = tp_near_lesser(sum->low, own->low);
-  if (sum->has_high) sum->high = tp_near_larger(sum->high, own->high);
-}
-
-/* An end that may be another one as well. */
-static tp_near or_else(tp_near own, tp_near other) {
-  const double low = fmin(own.value - own.error, other.value - other.error);
-  const double high = fmax(own.value + own.error, other.value + other.error);
-  const double value = low + (high - low) / 2;
-  return tp_near_of(value, (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
-}
-
-/* All of a mode: an interval, of which what may be in it or not is no more than an end. */
-static void add_perhaps(tp_near_interval *sum, const tp_near_interval *perhaps) {
-  if (perhaps->empty) return;
-  if (sum->empty) {
-    *sum = *perhaps;
-    return;
-  }
-  if (sum->has_low && tp_near_sign(tp_near_sub(perhaps->low, sum->low)) <= 0) {
-    sum->low = or_else(sum->low, perhaps->low);
-  }
-  if (sum->has_high && tp_near_sign(tp_near_sub(sum->high, perhaps->high)) <= 0) {
-    sum->high = or_else(sum->high, perhaps->high);
-  }
 }
 
 static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_filter_case *of,
@@ -165,16 +79,16 @@ static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_
   set_cone(&c, mode, of, edges);
   const tp_near_interval none = {.empty = true};
   tp_near_interval perhaps = none, perhaps_with_rays = none;
-  own->all = own->with_rays = none;
+  own->all = own->with_rays = own->pulled = none;
   for (int k = 0; k < mode->triple_count; k++) {
     tp_near_interval triple;
     if (!span_triple(&triple, &c, mode->triples[k].of)) return false;
-    unite(triple.perhaps ? &perhaps : &own->all, &triple);
+    tp_near_interval_unite(triple.perhaps ? &perhaps : &own->all, &triple);
     if (!mode->triples[k].all_rays) continue;
-    unite(triple.perhaps ? &perhaps_with_rays : &own->with_rays, &triple);
+    tp_near_interval_unite(triple.perhaps ? &perhaps_with_rays : &own->with_rays, &triple);
   }
-  add_perhaps(&own->all, &perhaps);
-  add_perhaps(&own->with_rays, &perhaps_with_rays);
+  tp_near_interval_add_perhaps(&own->all, &perhaps);
+  tp_near_interval_add_perhaps(&own->with_rays, &perhaps_with_rays);
   return true;
 }
 
@@ -202,7 +116,7 @@ static bool find_leaving(tp_near_interval *own, const tp_filter_case *of) {
     tp_shape_response(response, of->shape, k);
     if (!keep_loads(own, response, of->loads, 1)) return false;
   }
-  settle(own);
+  tp_near_interval_settle(own);
   return true;
 }
 
@@ -223,18 +137,23 @@ static bool take(tp_onset_filter *found, const tp_near_interval *own) {
 
 bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of) {
   const tp_contact_plan *plan = of->plan;
+  const bool strong = of->capacities->acts;
   tp_near edges[TP_PLAN_POINTS][2][3];
-  for (long k = 0; k < plan->point_count; k++) {
+  for (long k = 0; k < plan->point_count && !strong; k++) {
     tp_shape_edge(edges[k][0], of->shape, (tp_cone_edge){k, false}, of->friction);
     tp_shape_edge(edges[k][1], of->shape, (tp_cone_edge){k, true}, of->friction);
   }
   found->plan = plan;
   found->never = true;
   found->has_perhaps = false;
-  if (!find_leaving(&found->leaves, of) || !take(found, &found->leaves)) return false;
+  bool told =
+      strong ? tp_strong_leaving_find(&found->leaves, of) : find_leaving(&found->leaves, of);
+  if (!told || !take(found, &found->leaves)) return false;
   for (int k = 0; k < plan->mode_count; k++) {
     tp_mode_interval *own = found->modes + k;
-    if (!find_mode(own, plan->modes + k, of, edges) || !take(found, &own->all)) return false;
+    told = strong ? tp_strong_mode_find(own, plan->modes + k, of)
+                  : find_mode(own, plan->modes + k, of, edges);
+    if (!told || !take(found, &own->all)) return false;
   }
   return !found->has_perhaps ||
          (!found->never && tp_near_sign(tp_near_sub(found->perhaps, found->tangent)) > 0);
@@ -257,8 +176,10 @@ bool tp_onset_filter_look(bool *moves, unsigned *beginnings, const tp_onset_filt
   bool told = leaves != 0;
   for (int k = 0; k < found->plan->mode_count && told; k++) {
     const int side = side_of(&found->modes[k].all, tangent);
-    const int start = side > 0 ? side_of(&found->modes[k].with_rays, tangent) : -1;
-    told = side != 0 && start != 0;
+    const tp_mode_interval *own = found->modes + k;
+    const int start = side > 0 ? side_of(&own->with_rays, tangent) : -1;
+    const bool perhaps = side > 0 && start <= 0 && side_of(&own->pulled, tangent) >= 0;
+    told = side != 0 && start != 0 && !perhaps;
     *moves = *moves || side > 0;
     if (start > 0) *beginnings |= 1U << found->plan->modes[k].mechanism;
   }

@@ -6,20 +6,8 @@
 #ifndef TP_CASE_FILTER_ONSET_FILTER_H
 #define TP_CASE_FILTER_ONSET_FILTER_H
 
-#include "case_filter/filter_loads.h"
-
-/* Of a set of tangents t of the tilt, an interval; or none. One whose ends are not told apart is a
- * single tilt at most, or none: `perhaps`. */
-typedef struct tp_near_interval {
-  bool empty, perhaps, has_low, has_high;
-  tp_near low, high;
-} tp_near_interval;
-
-/* Where the loads lie in the mode's cone, and where its motion takes part with all of its rays:
- * both sets are convex. */
-typedef struct tp_mode_interval {
-  tp_near_interval all, with_rays;
-} tp_mode_interval;
+#include "case_filter/mode_capacities.h"
+#include "case_filter/near_interval.h"
 
 typedef struct tp_onset_filter {
   const tp_contact_plan *plan;

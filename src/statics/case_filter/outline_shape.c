@@ -74,19 +74,21 @@ static void set_sums(tp_near sums[TP_XY24], const tp_near_outline *o, int count)
   near_sums(sums, x, y, count, TP_XY24);
 }
 
-/* The centroid from the first vertex, and the square of the radius of gyration about it. */
-static bool set_centroid(tp_near *x, tp_near *y, tp_near *gyration, const tp_near_outline *o,
+/* The centroid from the first vertex, the area, and the square of the radius of gyration about it.
+ */
+static bool set_centroid(tp_near *x, tp_near *y, tp_case_shape *shape, const tp_near_outline *o,
                          int count) {
   tp_near sums[TP_XY24];
   set_sums(sums, o, count);
   if (tp_near_sign(sums[TP_A2]) <= 0) return false;
   const tp_near thrice = tp_near_mul(sums[TP_A2], (tp_near){3, 0});
+  shape->area = tp_near_mul(sums[TP_A2], (tp_near){0.5, 0});
   *x = tp_near_div(sums[TP_X6], thrice);
   *y = tp_near_div(sums[TP_Y6], thrice);
   const tp_near polar =
       tp_near_div(tp_near_add(sums[TP_XX12], sums[TP_YY12]), tp_near_mul(thrice, (tp_near){2, 0}));
-  *gyration = tp_near_sub(polar, tp_near_add(tp_near_mul(*x, *x), tp_near_mul(*y, *y)));
-  return tp_near_sign(*gyration) > 0;
+  shape->gyration = tp_near_sub(polar, tp_near_add(tp_near_mul(*x, *x), tp_near_mul(*y, *y)));
+  return tp_near_sign(shape->gyration) > 0;
 }
 
 static void set_point(tp_shape_point *p, const tp_mapped_point *own, const tp_near_outline *o,
@@ -111,7 +113,7 @@ bool tp_outline_map_shape(tp_case_shape *shape, tp_near_outline *o, const tp_out
     if (tp_near_sign(signed_value(o, map->signs + k)) != map->signs[k].sign) return false;
   }
   tp_near x, y;
-  if (!set_centroid(&x, &y, &shape->gyration, o, map->vertex_count)) return false;
+  if (!set_centroid(&x, &y, shape, o, map->vertex_count)) return false;
   for (int k = 0; k < plan->point_count; k++) {
     set_point(shape->points + k, map->points + k, o, x, y, map->towards);
   }

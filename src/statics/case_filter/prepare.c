@@ -127,12 +127,13 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
   tp_onset_asked asked;
   if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
   set_shape(&f->shape, &asked);
-  *fits = tp_load_plan_init(&f->loads, e, &asked, towards);
+  f->varies = count > 0;
+  *fits = tp_load_plan_init(&f->loads, e, &asked, towards) &&
+          tp_capacity_plan_init(&f->capacities, e, &asked, &f->plan, f->varies);
   tp_onset_asked_clear(&asked);
   set_pivots(f, e, towards);
   set_facets(f, problem, towards);
   *fits = *fits && is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);
-  f->varies = count > 0;
   if (f->varies && tp_load_plan_knows_outline(&f->loads)) *fits = false;
   if (!*fits || !f->varies) return TP_OK;
   return tp_outline_map_init(&f->map, fits, problem, towards, &f->plan, keys, count, message);

@@ -17,6 +17,7 @@ typedef struct tp_shape_point {
 } tp_shape_point;
 
 typedef struct tp_case_shape {
+  tp_near area;     /* of a block that varies */
   tp_near gyration; /* square of its radius */
   tp_shape_point points[TP_PLAN_POINTS];
   tp_near inertia[TP_PLAN_RAYS][3]; /* M r = (v_x, v_y, k^2 omega) of each ray */

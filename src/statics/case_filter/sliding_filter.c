@@ -109,11 +109,18 @@ static tp_near excess(const tp_case_told *told, const tp_near borne[3], const tp
   return tp_near_minus(along, tp_near_times(told->of.friction, against));
 }
 
+/* Of the whole contact, times the length of t. */
+static tp_near cohesion_of(const tp_case_told *told, const tp_shape_point *p) {
+  const tp_near own = told->capacities.cohesion;
+  if (!told->capacities.acts || tp_near_is_zero(own)) return (tp_near){0, 0};
+  return tp_near_times(own, tp_near_length(p->tx, p->ty));
+}
+
 /* It begins to slide where the excess rises through zero above level ground. */
 static bool find_start(tp_sliding_told *s, const tp_case_told *told, const tp_shape_point *p) {
   const tp_filter_load *sum = &told->of.loads->sum;
   const tp_tilt_form over = {excess(told, sum->at, p), excess(told, sum->rise, p),
-                             excess(told, sum->fixed, p)};
+                             tp_near_minus(excess(told, sum->fixed, p), cohesion_of(told, p))};
   tp_tilt_change change = {.level = tp_near_sign(over.level), .upright = tp_near_sign(over.rise)};
   if (told->of.loads->stays ? !tp_tilt_form_change(&change, &over) : change.upright == 0) {
     return false;
@@ -157,8 +164,22 @@ static bool by_forces(tp_sliding_told *s, const tp_case_told *told, int facet, t
   s->rough = TP_FOS_NO_OVERTURNING;
   s->shear = drives > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
   if (drives <= 0) return true;
-  const tp_near resists = tp_near_plus(tp_near_times(told->of.friction, against), held);
+  const tp_near cohesion = tp_near_times(tp_tilt_secant(tangent), cohesion_of(told, p));
+  const tp_near resists =
+      tp_near_plus(tp_near_times(told->of.friction, against), tp_near_plus(held, cohesion));
   s->by_shear = tp_near_div(resists, along);
+  return true;
+}
+
+bool tp_sliding_filter_start(bool *starts, tp_near *critical, const tp_case_told *told) {
+  tp_sliding_told s;
+  const int facet = find_facet(told);
+  if (facet < 0 ||
+      !find_start(&s, told, told->of.shape->points + told->filter->facets[facet].point)) {
+    return false;
+  }
+  *starts = s.has_critical;
+  *critical = s.critical;
   return true;
 }
 

@@ -18,6 +18,10 @@ typedef struct tp_sliding_told {
   tp_near critical;  /* that */
 } tp_sliding_told;
 
+/* The tangent of the tilt at which it begins to slide along that facet under loads, if it does.
+ * False where doubles do not tell. */
+TP_MUST_USE bool tp_sliding_filter_start(bool *starts, tp_near *critical, const tp_case_told *told);
+
 /* False where doubles do not tell, or where no friction would do. */
 bool tp_sliding_filter(tp_sliding_told *sliding, const tp_case_told *told, tp_near tilt_tangent);
 

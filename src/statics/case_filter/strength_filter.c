@@ -7,6 +7,7 @@
 
 #include "case_filter/strength_filter.h"
 
+#include "case_filter/mode_capacities.h"
 #include "motion/mode_shares.h"
 #include "motion/strength_change.h"
 
@@ -29,6 +30,38 @@ static void set_loads(tp_share_mode *mode, const tp_filter_loads *loads, tp_near
   mode->loads = (tp_share_line){.site = 0};
   for (int e = 0; e < 3; e++) mode->loads.at[e] = tp_near_neg(borne[e]);
   mode->free_count = 0;
+}
+
+/* A force that is there whatever the share, or grows with it. */
+static void add_line(tp_share_mode *mode, const tp_near of[3], tp_near times, bool grows,
+                     long site) {
+  tp_share_line *own = mode->of + mode->count + mode->free_count;
+  *own = (tp_share_line){.site = site + 1};
+  for (int e = 0; e < 3; e++) (grows ? own->rise : own->at)[e] = tp_near_times(times, of[e]);
+  *(grows ? &mode->free_count : &mode->count) += 1;
+}
+
+/* Over the weight and cos(tilt), too. */
+static void set_fixed(tp_share_mode *mode, const tp_near fixed[3], tp_near secant) {
+  for (int e = 0; e < 3; e++) mode->loads.rise[e] = tp_near_times(secant, fixed[e]);
+}
+
+/* What cohesion and bonds do; false where that is open. */
+static bool add_capacities(tp_share_mode *mode, const tp_filter_case *of, const tp_plan_mode *own,
+                           tp_near tangent) {
+  static const tp_near one = {1, 0};
+  const tp_near secant = tp_tilt_secant(tangent);
+  tp_mode_capacities held;
+  if (!of->capacities->acts) return true;
+  if (!tp_mode_capacities_find(&held, of, own)) return false;
+  set_fixed(mode, held.fixed, secant);
+  for (int k = 0; k < held.pull_count; k++) {
+    add_line(mode, held.pulls[k], one, false, held.pull_site[k]);
+  }
+  for (int k = 0; k < held.free_count; k++) {
+    add_line(mode, held.free[k], secant, true, held.free_site[k]);
+  }
+  return true;
 }
 
 static void set_mode(tp_share_mode *mode, const tp_filter_case *of, const tp_plan_mode *own) {
@@ -70,15 +103,20 @@ static int count_of(const modes *m) {
   return m->of->plan->mode_count + (m->of->plan->opens_all ? 1 : 0);
 }
 
-static void read_mode(tp_share_mode *mode, const modes *m, int k) {
+static bool read_mode(tp_share_mode *mode, const modes *m, int k) {
   mode->sum = NULL;
   mode->bits = 0;
   set_loads(mode, m->of->loads, m->tangent);
   if (k < m->of->plan->mode_count) {
     set_mode(mode, m->of, m->of->plan->modes + k);
-  } else {
-    set_interior(mode, m->of);
+    return add_capacities(mode, m->of, m->of->plan->modes + k, m->tangent);
   }
+  set_interior(mode, m->of);
+  if (!m->of->capacities->acts) return true;
+  tp_near bonds[3];
+  tp_bonds_of_all(bonds, m->of->capacities);
+  set_fixed(mode, bonds, tp_tilt_secant(m->tangent));
+  return true;
 }
 
 /* Can a motion begin with the share? 1, or -1: no, and forces hold it; 0 where that is open. */
@@ -86,13 +124,17 @@ static int side_of(const modes *m, double share) {
   tp_share_mode mode;
   int any = -1;
   for (int k = 0; k < count_of(m); k++) {
-    read_mode(&mode, m, k);
-    const int side = tp_share_mode_side(&mode, share);
+    const int side = read_mode(&mode, m, k) ? tp_share_mode_side(&mode, share) : 0;
     if (side > 0) return 1;
     if (side == 0) any = 0;
   }
   tp_edge_set edges;
   tp_filter_case reduced = *m->of;
+  tp_filter_capacities capacities;
+  if (reduced.capacities->acts) {
+    tp_capacities_scale(&capacities, m->of->capacities, share);
+    reduced.capacities = &capacities;
+  }
   reduced.friction = tp_near_mul(reduced.friction, (tp_near){share, 0});
   tp_edge_set_init(&edges, &reduced);
   return any < 0 && tp_limit_filter_holds(&edges, m->tangent) ? -1 : 0;
@@ -116,8 +158,7 @@ static bool find_change(tp_share_change *change, const modes *m, bool moves) {
   tp_share_spans spans = {.count = 0};
   bool done = true;
   for (int k = 0; k < count_of(m) && done; k++) {
-    read_mode(&mode, m, k);
-    done = tp_share_spans_add(&spans, &mode);
+    done = read_mode(&mode, m, k) && tp_share_spans_add(&spans, &mode);
   }
   *change = tp_share_spans_change(&spans, moves);
   tp_share_spans_clear(&spans);

@@ -6,6 +6,7 @@
 
 #include "case_filter/factor_filter.h"
 #include "case_filter/moments_filter.h"
+#include "case_filter/sliding_filter.h"
 
 #include "number/near_angle.h"
 
@@ -42,6 +43,28 @@ static bool find_pivot(tp_case_told *told) {
   return told->pivot != NULL;
 }
 
+/* ---- cohesion and bonds ------------------------------------------------------------------------
+ */
+
+/* Under these modes may begin beyond the limit alone, which then is the onset
+ * (onset/onset_limit.c). */
+static bool begins_beyond(const tp_case_told *told, tp_near limit) {
+  return told->capacities.acts &&
+         (told->onset.never || tp_near_sign(tp_near_sub(told->onset.tangent, limit)) > 0);
+}
+
+/* May it slide along its facet before a bond that pulls and presses would let it
+ * (stability/mechanism.c)? */
+static bool may_slide_sooner(const tp_case_told *told, tp_near limit) {
+  bool starts = false;
+  tp_near critical;
+  if (!told->capacities.acts || !told->capacities.bonds || !told->filter->capacities.slips) {
+    return false;
+  }
+  return !tp_sliding_filter_start(&starts, &critical, told) ||
+         (starts && tp_near_sign(tp_near_sub(critical, limit)) <= 0);
+}
+
 /* ---- at any tilt -------------------------------------------------------------------------------
  */
 
@@ -51,6 +74,17 @@ static bool take_shape(tp_case_told *told, tp_near_outline *outline, const tp_ne
   told->of.shape = f->varies ? &told->own : &f->shape;
   return !f->varies || (tp_outline_map_shape(&told->own, outline, &f->map, &f->plan, variables) &&
                         tp_shape_complete(&told->own, &f->plan));
+}
+
+/* Cohesion and bonds, which stay with the block. */
+static bool take_capacities(tp_case_told *told, const tp_near numbers[TP_LOAD_NUMBERS]) {
+  const tp_case_filter *f = told->filter;
+  if (!tp_capacities_evaluate(&told->capacities, &f->capacities, &f->loads, &f->plan,
+                              told->of.shape, f->map.metres_per_unit, numbers)) {
+    return false;
+  }
+  if (told->capacities.acts) told->loads.stays = told->loads.turns = true;
+  return true;
 }
 
 static tp_near coordinate(const tp_case_filter *f, tp_near own, bool varies, tp_bounded given) {
@@ -76,9 +110,11 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   told->of.plan = &f->plan;
   told->of.rest = &f->rest;
   told->of.loads = &told->loads;
+  told->of.capacities = &told->capacities;
   told->of.friction = tangent_of(sample->friction_deg);
   if (tp_near_sign(told->of.friction) <= 0 || !take_shape(told, &outline, sample->variables) ||
-      !tp_load_plan_evaluate(&told->loads, &f->loads, sample->numbers) || !find_pivot(told)) {
+      !tp_load_plan_evaluate(&told->loads, &f->loads, sample->numbers) ||
+      !take_capacities(told, sample->numbers) || !find_pivot(told)) {
     return false;
   }
   place_pivot(told, &outline);
@@ -86,7 +122,8 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   tp_limit_filter limit;
   tp_edge_set_init(&edges, &told->of);
   if (!tp_limit_filter_find(&limit, &edges) || !tp_limit_filter_holds_to(&edges, limit.value) ||
-      !tp_onset_filter_find(&told->onset, &told->of)) {
+      !tp_onset_filter_find(&told->onset, &told->of) || begins_beyond(told, limit.value) ||
+      may_slide_sooner(told, limit.value)) {
     return false;
   }
   told->limit = limit.mechanism;
