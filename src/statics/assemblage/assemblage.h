@@ -31,9 +31,9 @@ typedef struct tp_rigid_block {
   tp_near arm_x, arm_y; /* from that point to the centroid */
 } tp_rigid_block;
 
-/* Where two blocks share a piece of an edge; or a corner of one lies within an edge of the other,
- * then both ends are that corner. Along the direction `from` … `to`, two points of the lattice, the
- * first block is on the left. */
+/* Where two blocks share a piece of an edge; or a corner of one lies on an edge of the other,
+ * within it or in a notch at its end, then both ends are that corner. Along the direction `from` …
+ * `to`, two points of the lattice, the first block is on the left. */
 typedef struct tp_block_contact {
   long block[2], ends[2], from, to;
 } tp_block_contact;

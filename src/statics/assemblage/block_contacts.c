@@ -3,9 +3,9 @@
 
 /* Contacts of edges: sorted by the line that they lie on, in whole numbers, and along it; those
  * that overlap against each other touch. Corners within edges, and overlaps, among edges whose
- * boxes meet (assemblage/edge_pairs.h), by signs of cross products in whole numbers. Two blocks
- * that meet in a corner of both have no normal there and exert no force: that is on the safe side,
- * since forces are what holds. */
+ * boxes meet (assemblage/edge_pairs.h), by signs of cross products in whole numbers. A corner in a
+ * notch of another block touches both of its flanks, as in statics of one block. Two blocks that
+ * meet with salient corners of both have no normal there and exert no force. */
 
 #define _GNU_SOURCE /* qsort_r */
 #include "assemblage/assemblage.h"
@@ -157,6 +157,39 @@ static bool lies_within(const tp_lattice *l, long p, long from, long to) {
   return tp_lattice_dot(l, from, to, from, p) > 0 && tp_lattice_dot(l, to, from, to, p) > 0;
 }
 
+static tp_status add_corner(tp_assemblage *a, const tp_edge_of_block *e, long other, long from,
+                            long to, tp_message *message) {
+  if (a->blocks[e->block].number < 0 && a->blocks[other].number < 0) return TP_OK;
+  const long point = e->corner.point;
+  return add_contact(
+      a,
+      (tp_block_contact){
+          .block = {other, e->block}, .ends = {point, point}, .from = from, .to = to},
+      message);
+}
+
+static bool is_same_way(const tp_lattice *l, long at, long p, long q) {
+  return tp_lattice_cross(l, at, p, at, q) == 0 && tp_lattice_dot(l, at, p, at, q) > 0;
+}
+
+/* A corner in a notch of another block, or at a vertex on a straight edge of it: against each flank
+ * along which the blocks share no piece. */
+static tp_status touch_flanks(tp_assemblage *a, const tp_edge_of_block *e,
+                              const tp_edge_of_block *f, tp_message *message) {
+  const tp_lattice *l = &a->lattice;
+  const tp_block_corner *c = &e->corner, *notch = &f->corner;
+  const int turn = tp_lattice_cross(l, notch->before, notch->point, notch->point, notch->next);
+  const bool shares_next = is_same_way(l, notch->point, notch->next, c->before);
+  const bool shares_before = is_same_way(l, notch->point, notch->before, c->next);
+  if (turn > 0 || (turn == 0 && (shares_next || shares_before))) return TP_OK;
+  tp_status status = TP_OK;
+  if (!shares_next) status = add_corner(a, e, f->block, notch->point, notch->next, message);
+  if (status == TP_OK && turn < 0 && !shares_before) {
+    status = add_corner(a, e, f->block, notch->before, notch->point, message);
+  }
+  return status;
+}
+
 /* The corner e->from of one block against the edge f of another. */
 static tp_status try_corner(tp_assemblage *a, const tp_edge_of_block *e, const tp_edge_of_block *f,
                             tp_message *message) {
@@ -166,7 +199,7 @@ static tp_status try_corner(tp_assemblage *a, const tp_edge_of_block *e, const t
   if (tp_lattice_same_point(l, c->point, from)) { /* a corner of both */
     const bool overlap = leads_inside(l, &f->corner, c->next) ||
                          leads_inside(l, &f->corner, c->before) || leads_inside(l, c, to);
-    return overlap ? fail_overlap(a, e->block, f->block, message) : TP_OK;
+    return overlap ? fail_overlap(a, e->block, f->block, message) : touch_flanks(a, e, f, message);
   }
   if (tp_lattice_cross(l, from, to, from, c->point) != 0 || !lies_within(l, c->point, from, to)) {
     return TP_OK;
@@ -175,12 +208,7 @@ static tp_status try_corner(tp_assemblage *a, const tp_edge_of_block *e, const t
   const int before = tp_lattice_cross(l, from, to, c->point, c->before);
   if (next > 0 || before > 0) return fail_overlap(a, e->block, f->block, message);
   if (next == 0 || before == 0) return TP_OK; /* edges share a piece of the line */
-  if (a->blocks[e->block].number < 0 && a->blocks[f->block].number < 0) return TP_OK;
-  return add_contact(
-      a,
-      (tp_block_contact){
-          .block = {f->block, e->block}, .ends = {c->point, c->point}, .from = from, .to = to},
-      message);
+  return add_corner(a, e, f->block, from, to, message);
 }
 
 static bool crosses(const tp_lattice *l, long p, long q, long r, long s) {
