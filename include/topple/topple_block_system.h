@@ -79,11 +79,56 @@ const char *tp_joint_state_name(tp_joint_state state);
 
 /* The force in a contact at the limit. */
 typedef struct tp_system_force {
-  double normal_n_m;    /* compression; below 0 only with tensile strength */
+  double normal_n_m;    /* compression, without what water bears; below 0 only with tensile strength
+                         */
   double shear_n_m;     /* on the first block, above 0 from the first end to the second */
   double x_m, y_m;      /* where it acts; where there is none, the middle */
+  tp_bounded water_n_m; /* by which water in it pushes the two blocks apart, besides */
   tp_joint_state state; /* in the collapse */
 } tp_system_force;
+
+/* What acts on a block besides its weight and an earthquake. */
+typedef enum tp_system_load_kind {
+  TP_SYSTEM_LOAD_WATER_IN_JOINTS,
+  TP_SYSTEM_LOAD_WATER_ON_FACES,
+  TP_SYSTEM_LOAD_PRESSURE,
+  TP_SYSTEM_LOAD_SURCHARGE,
+  TP_SYSTEM_LOAD_SUPPORT_PRESSURE,
+  TP_SYSTEM_LOAD_ANCHOR, /* of a bolt there are two where both ends hold in free blocks */
+  TP_SYSTEM_LOAD_FORCE
+} tp_system_load_kind;
+
+/* In words: water in joints, water on faces, pressure, surcharge, support pressure, anchor, force.
+ */
+const char *tp_system_load_kind_name(tp_system_load_kind kind);
+
+/* One such load on one block, at the tilt of the case; water on it is one load in joints and one on
+ * faces. */
+typedef struct tp_system_load {
+  tp_system_load_kind kind;            /* what it is */
+  size_t block;                        /* the number of the block */
+  tp_bounded force_x_n_m, force_y_n_m; /* per metre of thickness, in the scene's axes */
+  tp_bounded moment_n; /* about the block's centroid, in N m per metre, counter-clockwise */
+} tp_system_load;
+
+/* Is there a support that holds the blocks? */
+typedef enum tp_system_support_state {
+  TP_SYSTEM_SUPPORT_NUMBER,     /* a force, and no less */
+  TP_SYSTEM_SUPPORT_NOT_NEEDED, /* they are held without */
+  TP_SYSTEM_SUPPORT_NONE,       /* no such force holds them */
+  TP_SYSTEM_SUPPORT_UNDECIDED   /* at the precision of the proofs */
+} tp_system_support_state;
+
+/* The least force at a point of a block with which forces within the strength of all joints over a
+ * factor hold the blocks as they lie. */
+typedef struct tp_system_support {
+  tp_system_support_state state; /* is there one? */
+  size_t block;                  /* the number of the block that it acts on */
+  tp_bounded x_m, y_m;           /* where */
+  tp_bounded direction_deg;      /* of the force, from x towards y */
+  tp_bounded fos;                /* the factor */
+  tp_bounded force_n_m;          /* if state == TP_SYSTEM_SUPPORT_NUMBER: per metre */
+} tp_system_support;
 
 /* Is there a limit as all is tilted? */
 typedef enum tp_system_limit {
@@ -143,7 +188,8 @@ typedef struct tp_system_case {
   tp_system_verdict verdict;     /* what the blocks do there */
   tp_system_limit limit;         /* is there one? */
   tp_bounded critical_angle_deg; /* if limit == TP_SYSTEM_LIMIT_NUMBER: the greatest tilt of all
-                                    that forces can hold, with the earthquake as it is */
+                                    that forces can hold, with earthquake, water and all other loads
+                                    as they are */
   bool has_acceleration;         /* that, and it lies below: */
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt */
@@ -152,13 +198,17 @@ typedef struct tp_system_case {
   bool fos_is_least;        /* that is only proven to be exceeded: the search ended there */
   bool has_required_fos;    /* the scene requires a factor: */
   tp_design meets_required; /* if has_required_fos: is it met? */
-  bool has_forces;          /* the scene gives unit weights, so that forces are known in N */
+  bool has_support;         /* the scene asks for a support: */
+  tp_system_support support; /* if has_support: which */
+  bool has_forces;           /* the scene gives unit weights, so that forces are known in N */
   size_t motion_count, force_count; /* of the lists; 0: no collapse is known */
   tp_system_motion
       *motions; /* motion_count of them: by block, of the collapse, with the strength
                    divided by the factor, or at the critical tilt where there is none */
   tp_system_force
-      *forces; /* force_count of them: by contact, that hold the blocks just before it */
+      *forces;           /* force_count of them: by contact, that hold the blocks just before it */
+  size_t load_count;     /* of the list */
+  tp_system_load *loads; /* load_count of them: what acts besides weights and earthquake */
   tp_goodman_bray goodman_bray; /* beside it, of columns in a row */
 } tp_system_case;
 

@@ -225,7 +225,6 @@ class BlockSystem(GoverningCase):
                 ([ground, block], [("g", "x", 20)], "", "no block is named 'x'"),
                 ([ground, block], [("g", "b", 20), ("b", "g", 30)], "", "given twice"),
                 ([ground, block], [], "base: {mated: true}", "'base' is of a scene of one block"),
-                ([ground, block], [], "loads: {surcharges: []}", "leave out 'surcharges'"),
                 ([ground, ("b", [(0, 0), (2, 4), (2, 0), (0, 4)], False)], [], "", "crosses")):
             own = Pile()
             own.blocks, own.joints = blocks, joints

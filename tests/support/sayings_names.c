@@ -46,6 +46,9 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_JOINT_OPENS + 1; k++) {
     note_text(s, tp_joint_state_name((tp_joint_state)k));
   }
+  for (int k = 0; k <= TP_SYSTEM_LOAD_FORCE + 1; k++) {
+    note_text(s, tp_system_load_kind_name((tp_system_load_kind)k));
+  }
   for (int k = 0; k <= TP_COLUMN_SLIDES + 1; k++) {
     note_text(s, tp_column_state_name((tp_column_state)k));
   }

@@ -26,7 +26,7 @@ TABLE = pathlib.Path(__file__).with_name("keys.csv")
 LISTS = {"block.holes": ("HOLES", "tp_polyline"), "block.parts": ("PARTS", "tp_part"), "block.arcs": ("ARCS", "tp_arc_description"),
          "block.rounded.corners": ("CORNERS", "tp_corner_description"), "loads.pressures": ("PRESSURES", "tp_line_load"),
          "loads.surcharges": ("SURCHARGES", "tp_line_load"), "loads.support_pressures": ("SUPPORTS", "tp_line_load"),
-         "loads.anchors": ("ANCHORS", "tp_anchor_description"),
+         "loads.anchors": ("ANCHORS", "tp_anchor_description"), "loads.forces": ("FORCES", "tp_anchor_description"),
          "friction.facets": ("FRICTIONS", "tp_facet_friction_description"),
          "tilt_test.tractions": ("TRACTIONS", "tp_traction_description")}
 #: Items that are read from files alone: the type of one; and maps that have the keys of another besides their own.

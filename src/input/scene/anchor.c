@@ -99,8 +99,20 @@ bool tp_anchor_is_bolt(const tp_anchor_description *a) {
          a->rows.given;
 }
 
+/* A far end says all. */
+static tp_status check_end(const tp_anchor_description *a, tp_message *message) {
+  if (!a->dip_deg.given && !a->direction_deg.given && !a->length.given &&
+      a->side == TP_BOLT_UP_DIP) {
+    return TP_OK;
+  }
+  return tp_refuse(message, TP_FAULT_KEY, a->place,
+                   "'to' is the far end of the bolt, towards which it pulls: leave out 'dip_deg', "
+                   "'direction_deg', 'length' and 'towards'");
+}
+
 static tp_status check_direction(const tp_scene *scene, const tp_anchor_description *a,
                                  tp_message *message) {
+  if (a->to_x.given) return check_end(a, message);
   if (a->dip_deg.given == a->direction_deg.given) {
     return tp_refuse(message, TP_FAULT_KEY, a->place,
                      "a bolt has its 'dip_deg' below the horizontal, or an anchor its "
@@ -111,8 +123,9 @@ static tp_status check_direction(const tp_scene *scene, const tp_anchor_descript
     return tp_refuse(message, TP_FAULT_KEY, a->place,
                      "'towards' goes with 'dip_deg': 'direction_deg' says already where it pulls");
   }
-  const bool plain = scene->frame == TP_FRAME_SLOPE || scene->frame == TP_FRAME_WORLD ||
-                     scene->towards_left != scene->towards_right;
+  const bool found_later = scene->frame == TP_FRAME_WORLD && scene->many.count == 0;
+  const bool plain =
+      scene->frame == TP_FRAME_SLOPE || found_later || scene->towards_left != scene->towards_right;
   if (!a->dip_deg.given || a->side != TP_BOLT_UP_DIP || plain) return TP_OK;
   return fail_side(a, message);
 }
@@ -139,8 +152,18 @@ static tp_status check_force(const tp_anchor_description *a, tp_message *message
                    force, capacity);
 }
 
-tp_status tp_anchors_check(const tp_scene *scene, tp_message *message) {
+static tp_status check_forces(const tp_scene *scene, tp_message *message) {
   tp_status status = TP_OK;
+  for (long k = 0; k < scene->loads.force_count && status == TP_OK; k++) {
+    const tp_anchor_description *force = scene->loads.forces + k;
+    status = check_direction(scene, force, message);
+    if (status == TP_OK) status = check_force(force, message);
+  }
+  return status;
+}
+
+tp_status tp_anchors_check(const tp_scene *scene, tp_message *message) {
+  tp_status status = check_forces(scene, message);
   for (long k = 0; k < scene->loads.anchor_count && status == TP_OK; k++) {
     const tp_anchor_description *a = scene->loads.anchors + k;
     status = check_direction(scene, a, message);

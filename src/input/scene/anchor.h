@@ -36,7 +36,8 @@ void tp_anchor_row_force(fmpq_t kn, const tp_scene *scene, const tp_anchor_descr
 /* A bolt has more than a direction and a force. */
 bool tp_anchor_is_bolt(const tp_anchor_description *anchor);
 
-/* Refuse bolts of which direction, side or force do not follow, and forces above a capacity. */
+/* Refuse bolts, and forces on many blocks, of which direction, side or force do not follow, and
+ * forces above a capacity. */
 TP_MUST_USE tp_status tp_anchors_check(const tp_scene *scene, tp_message *message);
 
 #endif

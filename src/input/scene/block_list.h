@@ -30,6 +30,15 @@ typedef struct tp_columns_description {
   tp_quantity side_friction_angle_deg; /* given: between columns, instead of the scene's */
 } tp_columns_description;
 
+/* The force on a point of a block that is asked for: what is needed for a factor of safety. */
+typedef struct tp_support_description {
+  tp_place place; /* no file: none is asked for */
+  long block;
+  tp_quantity x, y;
+  tp_quantity direction_deg; /* not given: horizontal, against the side that a case goes to */
+  tp_quantity fos;           /* not given: the scene's required_fos, else 1 */
+} tp_support_description;
+
 /* No blocks: the scene is of one block on its base. */
 typedef struct tp_block_list {
   tp_place place;
@@ -37,6 +46,7 @@ typedef struct tp_block_list {
   tp_listed_block *blocks;
   tp_joint_description *joints;
   tp_columns_description columns;
+  tp_support_description support;
 } tp_block_list;
 
 #endif

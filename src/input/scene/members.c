@@ -56,6 +56,8 @@ const tp_list tp_scene_lists[TP_LISTS] = {
                           .numbers = OFFSETS(of_line_load)},
     [TP_LIST_ANCHORS] = {ITEMS(loads.anchors, loads.anchor_count, tp_anchor_description),
                          .numbers = OFFSETS(of_anchor)},
+    [TP_LIST_FORCES] = {ITEMS(loads.forces, loads.force_count, tp_anchor_description),
+                        .numbers = OFFSETS(of_anchor)},
     [TP_LIST_FRICTIONS] = {ITEMS(friction.facets, friction.facet_count,
                                  tp_facet_friction_description),
                            .numbers = OFFSETS(of_facets)},

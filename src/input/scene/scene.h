@@ -127,6 +127,7 @@ typedef struct tp_line_load {
   tp_quantity x0, y0, x1, y1;
   tp_quantity first_kpa, last_kpa;
   bool passive; /* of a support: counts as resistance; else takes from what overturns */
+  long block;   /* of many: which it acts on */
 } tp_line_load;
 
 /* The side that a bolt runs to: into the slope, or the one that is said. */
@@ -145,6 +146,9 @@ typedef struct tp_anchor_description {
   tp_quantity length, spacing;       /* scene lengths; no spacing: one on the whole thickness */
   tp_quantity rows, step_x, step_y;  /* from the first on; none given: one */
   bool passive;                      /* counts as resistance; else takes from what overturns */
+  tp_quantity to_x, to_y;            /* of many blocks, given: its far end instead of a direction */
+  long block, into; /* of many blocks: which its head holds, and which its far end holds in; -1:
+                       that is not said */
 } tp_anchor_description;
 
 /* Water about the block. To a height over the up-dip end of the base joint it stands behind the
@@ -178,6 +182,8 @@ typedef struct tp_loads_description {
   long pressure_count, surcharge_count, support_count, anchor_count;
   tp_line_load *pressures, *surcharges, *supports;
   tp_anchor_description *anchors;
+  long force_count;                   /* of many blocks: */
+  tp_anchor_description *forces;      /* from outside, on one of them each */
   tp_quantity bond_kpa, cohesion_kpa; /* of the contact */
 } tp_loads_description;
 

@@ -98,6 +98,9 @@ TP_MUST_USE tp_status tp_read_blocks(const tp_reader *reader, const tp_node *roo
 TP_MUST_USE tp_status tp_read_columns(const tp_reader *reader, const tp_node *node,
                                       const tp_quantity *unit_weight);
 TP_MUST_USE tp_status tp_read_column_joints(const tp_reader *reader);
+/* Which of many blocks each load acts on, after the loads; and the key support. Keys of many blocks
+ * are refused where the scene has one. */
+TP_MUST_USE tp_status tp_read_block_loads(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);

@@ -5,7 +5,7 @@
  * that of a scene of one block, and then moved to the list; joints name two of them. */
 
 #include "scene/members.h"
-#include "scene_reading/read.h"
+#include "scene_reading/block_names.h"
 
 #include "common/outside.h"
 
@@ -15,52 +15,6 @@
 
 enum { MOST_NAME = 60 };
 static const long most_blocks = 1000000;
-
-/* ---- names -------------------------------------------------------------------------------------
- */
-
-typedef struct named {
-  const char *name;
-  long number;
-} named;
-
-static int compare_names(const void *first, const void *second) {
-  const named *a = first, *b = second;
-  const int order = strcmp(a->name, b->name);
-  return order != 0 ? order : (a->number > b->number) - (a->number < b->number);
-}
-
-static int compare_name(const void *name, const void *item) {
-  return strcmp(name, ((const named *)item)->name);
-}
-
-static tp_status check_names(const tp_reader *reader, const named *names) {
-  const tp_block_list *many = &reader->scene->many;
-  for (long k = 1; k < many->count; k++) {
-    if (strcmp(names[k - 1].name, names[k].name) != 0) continue;
-    return tp_refuse(reader->message, TP_FAULT_KEY, many->blocks[names[k].number].place,
-                     "two blocks are named '%s', the first in line %d; give each a name of its own",
-                     tp_quote_all(names[k].name).text,
-                     many->blocks[names[k - 1].number].place.line);
-  }
-  return TP_OK;
-}
-
-/* Those of all blocks, sorted, each once. */
-static tp_status sort_names(named **names, const tp_reader *reader) {
-  const tp_block_list *many = &reader->scene->many;
-  named *own = calloc((size_t)many->count + 1, sizeof *own);
-  if (own == NULL) return tp_fail_memory(reader->message, "the blocks");
-  for (long k = 0; k < many->count; k++) own[k] = (named){many->blocks[k].name, k};
-  qsort(own, (size_t)many->count, sizeof *own, compare_names);
-  const tp_status status = check_names(reader, own);
-  if (status == TP_OK) {
-    *names = own;
-  } else {
-    free(own);
-  }
-  return status;
-}
 
 static tp_status read_name(const tp_reader *reader, tp_listed_block *listed, const tp_node *node,
                            long number) {
@@ -167,23 +121,8 @@ static tp_status read_common(const tp_reader *reader, const tp_node *node) {
 /* ---- joints ------------------------------------------------------------------------------------
  */
 
-static tp_status read_end(const tp_reader *reader, long *number, const tp_node *node,
-                          const named *names) {
-  const named *found = NULL;
-  if (node->kind == TP_NODE_SCALAR) {
-    found =
-        bsearch(node->text, names, (size_t)reader->scene->many.count, sizeof *names, compare_name);
-  }
-  if (found == NULL) {
-    return tp_read_fail(reader, TP_FAULT_KEY, node, "no block is named '%s'",
-                        tp_quote_all(node->kind == TP_NODE_SCALAR ? node->text : "").text);
-  }
-  *number = found->number;
-  return TP_OK;
-}
-
 static tp_status read_joint(const tp_reader *reader, tp_joint_description *joint,
-                            const tp_node *node, const named *names) {
+                            const tp_node *node, const tp_block_name *names) {
   const tp_node *between = NULL;
   joint->place = tp_node_place(node, reader->scene->path);
   tp_status status = tp_read_map(reader, joint, node, &tp_key_map_joints, "a joint");
@@ -193,8 +132,10 @@ static tp_status read_joint(const tp_reader *reader, tp_joint_description *joint
   if (status == TP_OK && (between->kind != TP_NODE_SEQUENCE || between->count != 2)) {
     status = tp_read_fail(reader, TP_FAULT_FORMAT, between, "'between' names two blocks: [B1, B2]");
   }
-  if (status == TP_OK) status = read_end(reader, joint->between, between->first, names);
-  if (status == TP_OK) status = read_end(reader, joint->between + 1, between->last, names);
+  if (status == TP_OK) status = tp_block_name_find(reader, joint->between, between->first, names);
+  if (status == TP_OK) {
+    status = tp_block_name_find(reader, joint->between + 1, between->last, names);
+  }
   if (status == TP_OK && joint->between[0] == joint->between[1]) {
     status = tp_read_fail(reader, TP_FAULT_KEY, between, "a joint is between two blocks");
   }
@@ -208,8 +149,8 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
     return tp_read_fail(reader, TP_FAULT_FORMAT, node,
                         "joints are a list of {between: [B1, B2], friction_angle_deg: 25}");
   }
-  named *names = NULL;
-  tp_status status = sort_names(&names, reader);
+  tp_block_name *names = NULL;
+  tp_status status = tp_block_names_sort(&names, reader);
   if (status != TP_OK) return status;
   many->joints = calloc((size_t)node->count + 1, sizeof *many->joints);
   if (many->joints == NULL) status = tp_fail_memory(reader->message, "the joints");
@@ -227,14 +168,6 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
-static bool is_of_many(const char *load) {
-  static const char *const loads[] = {"seismic", "cohesion_kpa", "bond_kpa"};
-  for (size_t k = 0; load != NULL && k < sizeof loads / sizeof loads[0]; k++) {
-    if (strcmp(load, loads[k]) == 0) return true;
-  }
-  return load == NULL; /* no map: its reader says so */
-}
-
 /* Keys that say nothing of many blocks. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"base",      "contact",  "joint",           "drawing",
@@ -246,14 +179,6 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "'%s' is of a scene of one block, and this one has '%s': leave it out",
                         keys[k], tp_node_get(root, "columns") != NULL ? "columns" : "blocks");
-  }
-  const tp_node *loads = tp_node_get(root, "loads");
-  for (const tp_node *n = loads != NULL ? loads->first : NULL; n != NULL; n = n->next) {
-    if (is_of_many(n->key)) continue;
-    return tp_read_fail(reader, TP_FAULT_KEY, n,
-                        "many blocks take 'seismic', and 'cohesion_kpa' and 'bond_kpa' of all "
-                        "joints: leave out '%s'",
-                        tp_quote_all(n->key).text);
   }
   return TP_OK;
 }

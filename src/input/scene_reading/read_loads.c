@@ -96,35 +96,38 @@ static tp_status read_side(const tp_reader *reader, tp_bolt_side *side, const tp
              : tp_read_fail(reader, TP_FAULT_KEY, node, "towards must be left or right");
 }
 
+/* A bolt, or a force from outside. */
 static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anchor,
-                             const tp_node *node) {
+                             const tp_node *node, const tp_key_map *map) {
+  const bool is_force = map == &tp_key_map_loads_forces;
   anchor->place = tp_node_place(node, reader->scene->path);
-  tp_status status = tp_read_map(reader, anchor, node, &tp_key_map_loads_anchors, "an anchor");
+  tp_status status = tp_read_map(reader, anchor, node, map, is_force ? "a force" : "an anchor");
   if (status == TP_OK) {
     status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
   }
   if (status == TP_OK) status = read_side(reader, &anchor->side, tp_node_get(node, "towards"));
-  const tp_node *step = tp_node_get(node, "row_step");
+  const tp_node *step = tp_node_get(node, "row_step"), *to = tp_node_get(node, "to");
   if (status == TP_OK && step != NULL) {
     status = tp_read_point(reader, &anchor->step_x, &anchor->step_y, step, "row_step");
   }
-  return status;
+  if (status != TP_OK || to == NULL) return status;
+  return tp_read_point(reader, &anchor->to_x, &anchor->to_y, to, "to");
 }
 
-static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
-  tp_loads_description *loads = &reader->scene->loads;
+static tp_status read_anchors(const tp_reader *reader, tp_anchor_description **anchors, long *count,
+                              const tp_node *node, const tp_key_map *map) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, TP_FAULT_FORMAT, node,
-                        "anchors are a list of {at: [x, y], dip_deg: 15, force_kn: 50}");
+                        "%s are a list of {at: [x, y], dip_deg: 15, force_kn: 50}", node->key);
   }
-  loads->anchors = calloc((size_t)node->count + 1, sizeof *loads->anchors);
-  if (loads->anchors == NULL) return tp_fail_memory(reader->message, "the loads");
+  *anchors = calloc((size_t)node->count + 1, sizeof **anchors);
+  if (*anchors == NULL) return tp_fail_memory(reader->message, "the loads");
   tp_status status = TP_OK;
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
-    tp_anchor_description *anchor = loads->anchors + loads->anchor_count++;
+    tp_anchor_description *anchor = *anchors + (*count)++;
     tp_anchor_init(anchor);
-    status = read_anchor(reader, anchor, n);
+    status = read_anchor(reader, anchor, n, map);
   }
   return status;
 }
@@ -153,6 +156,13 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
                         tp_node_get(node, "support_pressures"), &tp_key_map_loads_support_pressures,
                         "support_pressures", true);
   }
-  if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
+  if (status == TP_OK) {
+    status = read_anchors(reader, &loads->anchors, &loads->anchor_count,
+                          tp_node_get(node, "anchors"), &tp_key_map_loads_anchors);
+  }
+  if (status == TP_OK) {
+    status = read_anchors(reader, &loads->forces, &loads->force_count, tp_node_get(node, "forces"),
+                          &tp_key_map_loads_forces);
+  }
   return status == TP_OK ? tp_read_values(reader, scene, node, &tp_key_map_loads) : status;
 }

@@ -142,6 +142,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_drawing(reader, tp_node_get(root, "drawing"));
   if (status == TP_OK) status = read_bodies(reader, root);
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
+  if (status == TP_OK) status = tp_read_block_loads(reader, root);
   if (status == TP_OK) status = tp_read_values(reader, scene, root, &tp_key_map_scene);
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) {

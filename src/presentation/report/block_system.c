@@ -122,9 +122,12 @@ static double shown(double newtons, const tp_system_case *c) {
 }
 
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
+  const bool wet = c->has_forces && tp_system_case_is_wet(c);
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
   if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
-  tp_text_add(t, "  %10s  %10s\n", "at x", "y");
+  tp_text_add(t, "  %10s  %10s", "at x", "y");
+  if (wet) tp_text_add(t, "  %10s", "water kN/m");
+  tp_text_add(t, "\n");
   for (size_t k = 0; k < c->force_count && k < TP_SYSTEM_ROWS; k++) {
     const tp_system_force *f = c->forces + k;
     const tp_system_contact *contact = s->contacts + k;
@@ -136,7 +139,9 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
     if (c->has_forces) {
       tp_text_add(t, "  %10.4g  %10.4g", shown(f->normal_n_m, c), shown(f->shear_n_m, c));
     }
-    tp_text_add(t, "  %10.5g  %10.5g\n", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
+    tp_text_add(t, "  %10.5g  %10.5g", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
+    if (wet) tp_text_add(t, "  %10.4g", f->water_n_m.value / 1e3);
+    tp_text_add(t, "\n");
   }
   tp_text_more_rows(t, c->force_count);
 }
@@ -149,6 +154,8 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_verdict(t, c);
   add_factor(t, s, c);
   add_limit(t, s, c);
+  tp_text_system_support(t, s, c);
+  tp_text_system_loads(t, s, c, width);
   tp_text_goodman_bray(t, s, c, width);
   if (c->motion_count == 0) return;
   tp_text_add(t, "\n  Collapse %s: %s.\n  Velocities at its beginning:\n",

@@ -113,6 +113,19 @@ static void add_cohesion(tp_force_program *p, long contact, const frame *f, tp_n
   add_dead(p, column, tp_near_neg(half));
 }
 
+static void set_other_loads(tp_force_program *p, const tp_weight_loads *loads) {
+  for (long r = 0; r < p->rows; r++) {
+    if (loads->push != NULL) p->live[r] = loads->push[r];
+    if (loads->applied == NULL) continue;
+    const tp_applied_load *own = loads->applied + r;
+    tp_near sum = tp_near_plus(p->dead[r], own->steady);
+    for (int axis = 0; axis < 2; axis++) {
+      sum = tp_near_plus(sum, tp_near_times(own->down[axis], loads->down[axis]));
+    }
+    p->dead[r] = sum;
+  }
+}
+
 static void set_loads(tp_force_program *p, const tp_assemblage *a, const tp_weight_loads *loads) {
   for (long k = 0; k < a->count; k++) {
     const tp_rigid_block *b = a->blocks + k;
@@ -126,10 +139,13 @@ static void set_loads(tp_force_program *p, const tp_assemblage *a, const tp_weig
     tp_sparse_moment(dead, &b->arm_x, &b->arm_y);
     tp_sparse_moment(live, &b->arm_x, &b->arm_y);
   }
+  set_other_loads(p, loads);
 }
 
 tp_weight_loads tp_weight_loads_tilted(bool towards_left) {
-  return (tp_weight_loads){.dead = {{0, 0}, {-1, 0}}, .live = {{towards_left ? -1 : 1, 0}, {0, 0}}};
+  return (tp_weight_loads){.dead = {{0, 0}, {-1, 0}},
+                           .live = {{towards_left ? -1 : 1, 0}, {0, 0}},
+                           .down = {{0, 0}, {-1, 0}}};
 }
 
 tp_status tp_force_program_init(tp_force_program *p, const tp_assemblage *a,

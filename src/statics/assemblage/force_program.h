@@ -9,8 +9,8 @@
  * of edges, two a corner: at each end the two edges n + t tan(phi) and n - t tan(phi) of the
  * friction cone, pushing the first block to its left and the second one back. Tensile strength
  * moves the apex of the cone of both ends by half its force, which is part of w0; and cohesion is a
- * column more, along t, from 0 to twice its force, of which w0 has the half back. All entries are
- * enclosed. */
+ * column more, along t, from 0 to twice its force, of which w0 has the half back. Loads other than
+ * weights are part of w0 too. All entries are enclosed. */
 
 #ifndef TP_ASSEMBLAGE_FORCE_PROGRAM_H
 #define TP_ASSEMBLAGE_FORCE_PROGRAM_H
@@ -30,9 +30,18 @@ typedef struct tp_contact_strength {
   tp_near tangent, cohesion, tension;
 } tp_contact_strength;
 
-/* What acts on a weight of one: always, and times s. */
+/* What else acts on a row: always, and times the two parts of the direction of gravity, which turns
+ * as all is tilted. */
+typedef struct tp_applied_load {
+  tp_near steady, down[2];
+} tp_applied_load;
+
+/* What acts on a weight of one: always, and times s; and besides. */
 typedef struct tp_weight_loads {
   tp_near dead[2], live[2];
+  tp_near down[2];                /* the direction of gravity */
+  const tp_applied_load *applied; /* borrowed, by row; NULL: nothing */
+  const tp_near *push;            /* borrowed, by row: times s instead of the weights; NULL: they */
 } tp_weight_loads;
 
 typedef struct tp_force_program {

@@ -25,6 +25,7 @@ void tp_built_system_clear(tp_built_system *s) {
   free(s->given);
   free(s->joints);
   free(s->strengths);
+  for (int left = 0; left < 2; left++) tp_block_loads_clear(s->loads + left);
   tp_notes_clear(&s->notes);
   memset(s, 0, sizeof *s);
 }
@@ -195,19 +196,6 @@ static void set_contacts(tp_built_system *s, const tp_joint_description **sorted
   }
 }
 
-/* A pressure is held against weights in kN. */
-static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
-  for (long k = 0; k < s->count && s->is_cohesive; k++) {
-    const tp_listed_block *own = s->scene->many.blocks + k;
-    if (own->fixed || own->shape.unit_weight_kn_m3.given) continue;
-    return tp_refuse(
-        message, TP_FAULT_KEY, own->place,
-        "cohesion is weighed against the blocks: give 'block: {unit_weight_kn_m3: 25}' "
-        "or that of each");
-  }
-  return TP_OK;
-}
-
 static tp_status set_strengths(tp_built_system *s, tp_message *message) {
   const tp_block_list *many = &s->scene->many;
   const size_t contacts = (size_t)s->assemblage.contact_count + 1;
@@ -224,7 +212,6 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
     qsort(sorted, (size_t)many->joint_count, sizeof *sorted, compare_joints);
     set_contacts(s, sorted, used);
     status = check_joints(s, sorted, used, message);
-    if (status == TP_OK) status = check_weighed(s, message);
   }
   free(sorted);
   free(used);
@@ -247,7 +234,8 @@ static tp_status build(tp_built_system *s, tp_message *message) {
     status =
         tp_assemblage_init(&s->assemblage, s->given, s->count, s->scene->metres_per_unit, message);
   }
-  return status == TP_OK ? set_strengths(s, message) : status;
+  if (status == TP_OK) status = set_strengths(s, message);
+  return status == TP_OK ? tp_built_system_set_loads(s, message) : status;
 }
 
 tp_status tp_built_system_init(tp_built_system *s, const tp_scene *scene, tp_message *message) {

@@ -283,6 +283,10 @@ tp_status tp_goodman_bray_find(tp_goodman_bray *own, const tp_built_system *s,
   if (s->is_cohesive) {
     return refuse(own, "it has no cohesion or tensile strength, and joints here have", message);
   }
+  if (r->applied != NULL) {
+    return refuse(own, "it knows no loads besides weights and an earthquake, and this scene has",
+                  message);
+  }
   tp_status status = tp_column_row_find(&row, s, r->left, message);
   if (status != TP_OK) return status;
   status = find(own, &row, r, message);

@@ -9,13 +9,22 @@
 
 enum { BITS = 128, RIGHT_ANGLE_DEG = 90 };
 
-static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) {
+void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left) {
+  fmpq_zero(degrees);
   if (scene->frame == TP_FRAME_SLOPE) {
-    arb_set_fmpq(r->tilt_deg, scene->slope.dip_deg.value, BITS);
-    if (scene->slope.left != towards_left) arb_neg(r->tilt_deg, r->tilt_deg);
+    fmpq_set(degrees, scene->slope.dip_deg.value);
+    if (scene->slope.left != towards_left) fmpq_neg(degrees, degrees);
   } else if (scene->tilt_angle_deg.given) {
-    arb_set_fmpq(r->tilt_deg, scene->tilt_angle_deg.value, BITS);
+    fmpq_set(degrees, scene->tilt_angle_deg.value);
   }
+}
+
+static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) {
+  fmpq_t degrees;
+  fmpq_init(degrees);
+  tp_scene_side_tilt(degrees, scene, towards_left);
+  arb_set_fmpq(r->tilt_deg, degrees, BITS);
+  fmpq_clear(degrees);
 }
 
 /* k_h and 1 - k_v; the earthquake as an angle. */
@@ -41,7 +50,9 @@ static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, tp_messa
 static tp_weight_loads loads_at(const tp_resultant *r, const arb_t sine, const arb_t cosine) {
   arb_t part;
   arb_init(part);
-  tp_weight_loads own;
+  tp_weight_loads own = {.applied = r->applied};
+  own.down[0] = tp_ball_near(sine);
+  own.down[1] = tp_near_neg(tp_ball_near(cosine));
   arb_mul(part, r->along, sine, BITS);
   own.dead[0] = tp_ball_near(part);
   arb_mul(part, r->along, cosine, BITS);
@@ -51,6 +62,7 @@ static tp_weight_loads loads_at(const tp_resultant *r, const arb_t sine, const a
   if (r->left) {
     own.dead[0] = tp_near_neg(own.dead[0]);
     own.live[0] = tp_near_neg(own.live[0]);
+    own.down[0] = tp_near_neg(own.down[0]);
   }
   arb_clear(part);
   return own;
@@ -107,8 +119,8 @@ static void set_along_base(tp_resultant *r) {
 }
 
 tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, bool towards_left,
-                            bool is_cohesive, tp_message *message) {
-  *r = (tp_resultant){.left = towards_left};
+                            bool is_measured, const tp_applied_load *applied, tp_message *message) {
+  *r = (tp_resultant){.left = towards_left, .applied = applied};
   arb_init(r->tilt_deg);
   arb_init(r->earthquake_deg);
   arb_init(r->along);
@@ -117,7 +129,7 @@ tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, bool towards
   const tp_status status = set_earthquake(r, scene, message);
   if (status != TP_OK) {
     tp_resultant_clear(r);
-  } else if (is_cohesive) {
+  } else if (is_measured) {
     set_as_it_lies(r);
   } else {
     set_along_base(r);

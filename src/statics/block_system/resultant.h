@@ -4,9 +4,9 @@
 /* Weights and earthquake on blocks as they lie, seen from one direction of tilt (section 10 of
  * docs/mechanics.md).
  *
- * Without cohesion a common factor on all loads changes nothing: weights act along the normal and,
- * times s, along the base, and the resultant has s = tan(tilt + atan(k_h / (1 - k_v))). With it
- * weights act as they do at the tilt, and s is the coefficient of an earthquake. A part of the
+ * With weights alone and no cohesion a common factor on all changes nothing: weights act along the
+ * normal and, times s, along the base, and the resultant has s = tan(tilt + atan(k_h / (1 - k_v))).
+ * Else weights act as they do at the tilt, and s is the coefficient of an earthquake. A part of the
  * earthquake upwards counts where it is worse: k_v > 0. */
 
 #ifndef TP_BLOCK_SYSTEM_RESULTANT_H
@@ -17,22 +17,28 @@
 #include "scene/scene.h"
 
 typedef struct tp_resultant {
-  arb_t tilt_deg;        /* of the scene, to the side; below 0: it lies the other way */
-  arb_t earthquake_deg;  /* that the earthquake adds */
-  arb_t along, across;   /* 1 - k_v and k_h */
-  bool left;             /* the side */
-  bool beyond;           /* it is not certainly within 90 degrees of the normal: */
-  tp_weight_loads loads; /* if not beyond: at the scene's tilt */
-  tp_near target;        /* and the load that is there, by s */
-  double along_normal;   /* what a load of one in `loads` is to the weight, rounded */
+  arb_t tilt_deg;                 /* of the scene, to the side; below 0: it lies the other way */
+  arb_t earthquake_deg;           /* that the earthquake adds */
+  arb_t along, across;            /* 1 - k_v and k_h */
+  bool left;                      /* the side */
+  bool beyond;                    /* it is not certainly within 90 degrees of the normal: */
+  tp_weight_loads loads;          /* if not beyond: at the scene's tilt */
+  tp_near target;                 /* and the load that is there, by s */
+  const tp_applied_load *applied; /* borrowed */
+  double along_normal;            /* what a load of one in `loads` is to the weight, rounded */
 } tp_resultant;
 
-/* Refused: an earthquake that lifts all weight. */
+/* How far the scene is tilted to a side; below 0 to the other one. */
+void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left);
+
+/* `is_measured`: weights are held against strength or loads that are given in forces; `applied`,
+ * borrowed, are such loads, or NULL. Refused: an earthquake that lifts all weight. */
 TP_MUST_USE tp_status tp_resultant_init(tp_resultant *resultant, const tp_scene *scene,
-                                        bool towards_left, bool is_cohesive, tp_message *message);
+                                        bool towards_left, bool is_measured,
+                                        const tp_applied_load *applied, tp_message *message);
 void tp_resultant_clear(tp_resultant *resultant);
 
-/* The loads at another tilt, in radians, with cohesion. */
+/* The loads at another tilt, in radians, where they are measured. */
 tp_weight_loads tp_resultant_at(const tp_resultant *resultant, double tilt);
 
 /* The tilt, in degrees, at which the resultant has a tangent between two bounds. */

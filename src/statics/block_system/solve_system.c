@@ -6,6 +6,7 @@
 
 #include "block_system/collapse.h"
 #include "block_system/goodman_bray.h"
+#include "block_system/load_results.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
 #include "common/host.h"
@@ -30,7 +31,7 @@ typedef struct direction {
   tp_resultant resultant;
   tp_limits limits;      /* as the blocks lie */
   tp_threshold strength; /* by the logarithm of the factor */
-  tp_threshold tilt;     /* with cohesion: in radians */
+  tp_threshold tilt;     /* where loads are measured: in radians */
 } direction;
 
 static void judge(direction *d) {
@@ -59,7 +60,7 @@ static tp_system_state state_at_tilt(const void *context, double tilt) {
   return (tp_system_state){tp_resultant_at(context, tilt), 1};
 }
 
-/* With cohesion the tilt is no load of the program. */
+/* Where loads are measured the tilt is no load of the program. */
 static tp_status find_tilt(direction *d, tp_message *message) {
   static const double right_angle = 1.5707963, step = 0.2; /* radians */
   const double from =
@@ -88,7 +89,7 @@ static tp_status set_limit(direction *d, tp_message *message) {
   const tp_load_bracket *b = &d->limits.side;
   tp_system_case *own = d->own;
   const tp_system_limit kind = kind_of(b);
-  if (d->x->s->is_cohesive) {
+  if (tp_built_system_is_measured(d->x->s)) {
     own->has_acceleration = kind == TP_SYSTEM_LIMIT_NUMBER && b->held >= 0;
     if (own->has_acceleration) own->critical_acceleration_g = between(b->held, b->bound);
     return find_tilt(d, message);
@@ -136,18 +137,19 @@ static tp_status find_factor(direction *d, tp_message *message) {
 
 /* With less strength where there is a factor; else at the limit. */
 static tp_status set_collapse(direction *d, tp_message *message) {
-  const bool reduced = d->strength.is_bounded, cohesive = d->x->s->is_cohesive;
+  const bool reduced = d->strength.is_bounded;
+  const bool measured = tp_built_system_is_measured(d->x->s);
   const tp_load_bracket *b = reduced    ? &d->strength.collapse
-                             : cohesive ? &d->tilt.collapse
+                             : measured ? &d->tilt.collapse
                                         : &d->limits.side;
   if (!b->is_held || !b->is_bounded) return TP_OK;
   const tp_system_state state = reduced    ? state_at_strength(&d->resultant, d->strength.bound)
-                                : cohesive ? state_at_tilt(&d->resultant, d->tilt.bound)
+                                : measured ? state_at_tilt(&d->resultant, d->tilt.bound)
                                            : state_at_strength(&d->resultant, 0);
   d->own->has_forces = tp_system_is_weighed(d->x->system);
   d->own->motion_count = d->x->system->block_count;
   d->own->force_count = d->x->system->contact_count;
-  const double scale = reduced || cohesive ? d->resultant.along_normal : cos(atan(b->held));
+  const double scale = reduced || measured ? d->resultant.along_normal : cos(atan(b->held));
   return tp_collapse_describe(d->own, d->x->s, b, &state, scale, message);
 }
 
@@ -162,6 +164,10 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) status = set_limit(d, message);
   if (status == TP_OK) status = find_factor(d, message);
   if (status == TP_OK) status = set_collapse(d, message);
+  if (status == TP_OK) {
+    status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
+  }
+  if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
   if (status != TP_OK) return status;
   return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                               tp_system_is_weighed(d->x->system), message);
@@ -172,7 +178,8 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
   tp_status status = tp_system_case_add(x->system, &d.own, message);
   if (status == TP_OK) {
     d.own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    status = tp_resultant_init(&d.resultant, x->s->scene, left, x->s->is_cohesive, message);
+    status = tp_resultant_init(&d.resultant, x->s->scene, left, tp_built_system_is_measured(x->s),
+                               x->s->loads[left ? 1 : 0].applied, message);
   }
   if (status != TP_OK) return status;
   status = solve_direction(&d, message);

@@ -30,6 +30,7 @@ void tp_block_system_free(tp_block_system *system) {
   for (size_t k = 0; k < system->case_count && system->cases != NULL; k++) {
     free(system->cases[k].motions);
     free(system->cases[k].forces);
+    free(system->cases[k].loads);
     free(system->cases[k].goodman_bray.why_not);
     free(system->cases[k].goodman_bray.columns);
   }

@@ -46,6 +46,11 @@ static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
 
 static const tp_bracket_aim limit_itself = {limit_share, false, INFINITY};
 
+tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *s,
+                              const tp_system_state *state, tp_message *message) {
+  return find_limit(limit, s, state, &limit_itself, message);
+}
+
 /* Is a load held; is one the other way? */
 static tp_bracket_aim held_to_side(tp_near load) {
   return (tp_bracket_aim){limit_share, false, load.value + load.error};
@@ -179,13 +184,13 @@ static search_end find_zero(double *zero, searching *x) {
     margin m;
     if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
     if (m.value > share) s.held = fmax(s.held, at);
-    if (m.value < -share) s.fails = fmin(s.fails, at);
+    if (m.value < 0) s.fails = fmin(s.fails, at); /* as a bound is proven however far it is */
     if (m.value >= 0 && at >= of->from + of->most) return SEARCH_HELD;
     if (m.value < 0 && at <= of->from - of->most) return SEARCH_ENDED;
     *zero = next_of(of, &s, at, &m, k >= NEWTON);
     const double move = fabs(*zero - at);
     if ((move < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
-    share = move < near ? limit_share : near;
+    share = move < near || k >= NEWTON ? limit_share : near;
     at = *zero;
   }
   return SEARCH_ENDED;

@@ -37,6 +37,10 @@ TP_MUST_USE tp_status tp_threshold_find(tp_threshold *threshold, const tp_thresh
                                         tp_message *message);
 void tp_threshold_clear(tp_threshold *threshold);
 
+/* The greatest live load of a state that is held, to 1e-6 of itself. */
+TP_MUST_USE tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *system,
+                                          const tp_system_state *state, tp_message *message);
+
 /* Limits to the side of the live load and to the other one, there as far as a load asks for. */
 typedef struct tp_limits {
   tp_load_bracket side, other;

@@ -9,6 +9,30 @@
 #include "number/ball.h"
 #include "scene/anchor.h"
 
+/* Of its pull, a length of one: as its angle says, or towards its far end. */
+static void set_direction(arb_t fx, arb_t fy, const tp_anchor_description *anchor,
+                          const tp_load_setting *s) {
+  fmpq_t number;
+  arb_t length;
+  fmpq_init(number);
+  arb_init(length);
+  if (anchor->to_x.given) {
+    fmpq_sub(number, anchor->to_x.value, anchor->x.value);
+    arb_set_fmpq(fx, number, s->bits);
+    fmpq_sub(number, anchor->to_y.value, anchor->y.value);
+    arb_set_fmpq(fy, number, s->bits);
+    arb_hypot(length, fx, fy, s->bits);
+    arb_div(fx, fx, length, s->bits);
+    arb_div(fy, fy, length, s->bits);
+  } else {
+    tp_anchor_direction(number, s->scene, anchor);
+    tp_ball_sin_cos_degrees(fy, fx, number, s->bits);
+  }
+  if (s->mirrored) arb_neg(fx, fx);
+  fmpq_clear(number);
+  arb_clear(length);
+}
+
 void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor, long row,
                     const tp_load_setting *s) {
   fmpq_t number;
@@ -23,9 +47,7 @@ void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor, long
   fmpq_init(number);
   fmpq_init(at[0].value);
   fmpq_init(at[1].value);
-  tp_anchor_direction(number, s->scene, anchor);
-  tp_ball_sin_cos_degrees(fy.of + TP_ONE, fx.of + TP_ONE, number, s->bits);
-  if (s->mirrored) arb_neg(fx.of + TP_ONE, fx.of + TP_ONE);
+  set_direction(fx.of + TP_ONE, fy.of + TP_ONE, anchor, s);
   tp_anchor_row_force(number, s->scene, anchor);
   arb_set_fmpq(force, number, s->bits);
   arb_mul_ui(force, force, TP_KILO, s->bits);

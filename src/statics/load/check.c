@@ -97,6 +97,12 @@ static tp_status check_sense(const tp_line_load *loads, long count, const tp_pol
   return TP_OK;
 }
 
+tp_status tp_load_lines_check(const tp_line_load *lines, long count, const tp_polyline *outline,
+                              const char *what, bool push, tp_message *message) {
+  const tp_status status = check_lines(lines, count, outline, what, message);
+  return status == TP_OK && push ? check_sense(lines, count, outline, message) : status;
+}
+
 /* Does a point of the outline stand as high above the heel, normal to the mean plane? */
 static bool reaches(const tp_polyline *ring, long k, const tp_scene *scene, const fmpq_t heel_x,
                     const fmpq_t heel_y) {
@@ -150,15 +156,15 @@ tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_me
   const tp_loads_description *loads = &scene->loads;
   const tp_polyline *ring = section->rings;
   tp_status status =
-      check_lines(loads->pressures, loads->pressure_count, ring, "pressure", message);
-  if (status == TP_OK) status = check_sense(loads->pressures, loads->pressure_count, ring, message);
+      tp_load_lines_check(loads->pressures, loads->pressure_count, ring, "pressure", true, message);
   if (status == TP_OK) {
-    status = check_lines(loads->surcharges, loads->surcharge_count, ring, "surcharge", message);
+    status = tp_load_lines_check(loads->surcharges, loads->surcharge_count, ring, "surcharge",
+                                 false, message);
   }
   if (status == TP_OK) {
-    status = check_lines(loads->supports, loads->support_count, ring, "support pressure", message);
+    status = tp_load_lines_check(loads->supports, loads->support_count, ring, "support pressure",
+                                 true, message);
   }
-  if (status == TP_OK) status = check_sense(loads->supports, loads->support_count, ring, message);
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
     status = tp_bolt_check(scene, loads->anchors + k, ring, message);
   }

@@ -15,6 +15,12 @@
 TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *section,
                                      tp_message *message);
 
+/* Refuse lines that are no part of the outline; and those that would pull, where they push. `what`
+ * they are called. */
+TP_MUST_USE tp_status tp_load_lines_check(const tp_line_load *lines, long count,
+                                          const tp_polyline *outline, const char *what, bool push,
+                                          tp_message *message);
+
 /* Refuse water that stands above the block's top, normal to the mean plane. The heel is the up-dip
  * end of the base joint, in scene lengths; the block goes `towards` a side. */
 TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,

@@ -6,21 +6,7 @@
 
 #include "problem/water_site.h"
 
-#include "number/ball.h"
 #include "plane/direction.h"
-
-/* Down-dip is to the left: up is (sin a, cos a), and mirrored to the right. */
-static void lie_tilted(tp_lie *lie, const fmpq_t degrees, bool left) {
-  arb_t sine, cosine;
-  arb_init(sine);
-  arb_init(cosine);
-  tp_ball_sin_cos_degrees(sine, cosine, degrees, TP_DIRECTION_BITS);
-  arf_get_fmpq(lie->up_x, arb_midref(sine));
-  arf_get_fmpq(lie->up_y, arb_midref(cosine));
-  if (!left) fmpq_neg(lie->up_x, lie->up_x);
-  arb_clear(sine);
-  arb_clear(cosine);
-}
 
 /* What the world turned: the coordinates of the scene about the point that stays. */
 static void lie_turned(tp_lie *lie, const tp_turn *turn) {
@@ -35,23 +21,20 @@ static void find_lies(tp_wetting *q, const tp_water_site *site, bool left) {
   const tp_world *world = site->world;
   const tp_scene *scene = site->scene;
   if (world == NULL) {
-    lie_tilted(&q->block, scene->tilt_angle_deg.value, left);
-    lie_tilted(&q->drawn, scene->tilt_angle_deg.value, left);
+    tp_lie_tilt(&q->block, scene->tilt_angle_deg.value, left);
+    tp_lie_tilt(&q->drawn, scene->tilt_angle_deg.value, left);
   } else if (world->unturned) { /* a slope */
     const fmpq *dip = world->scene.tilt_angle_deg.value;
-    lie_tilted(&q->drawn, dip, world->turn.rises > 0);
-    if (!world->level) lie_tilted(&q->block, dip, world->turn.rises > 0);
+    tp_lie_tilt(&q->drawn, dip, world->turn.rises > 0);
+    if (!world->level) tp_lie_tilt(&q->block, dip, world->turn.rises > 0);
   } else if (!world->level) {
     lie_turned(&q->block, &world->turn);
     if (fmpq_equal(scene->tilt_angle_deg.value, world->turn.dip_deg) == 0) {
-      lie_tilted(&q->block, scene->tilt_angle_deg.value, left); /* tilted by more */
+      tp_lie_tilt(&q->block, scene->tilt_angle_deg.value, left); /* tilted by more */
     }
   }
-  tp_lie *const both[2] = {&q->block, &q->drawn};
-  for (int k = 0; k < 2; k++) {
-    fmpq_mul(both[k]->square, both[k]->up_x, both[k]->up_x);
-    fmpq_addmul(both[k]->square, both[k]->up_y, both[k]->up_y);
-  }
+  tp_lie_measure(&q->block);
+  tp_lie_measure(&q->drawn);
 }
 
 /* The mean plane in the frame of the problem is x, or goes on in a direction of its own. */

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Loads of many blocks besides weights and an earthquake, and the support that is asked for, on
+ * their page. */
+
+#include "report/system_page.h"
+#include "terms/names.h"
+
+#include <stdio.h>
+
+static const double kilo = 1e3;
+
+void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  enum { LABEL = 64 };
+  const tp_system_support *own = &c->support;
+  char label[LABEL], n[TP_NUMBER_SIZE], name[LABEL];
+  if (!c->has_support) return;
+  snprintf(label, sizeof label, "support for a factor of %s", tp_text_significant(n, own->fos, 5));
+  tp_text_system_label(t, label);
+  switch (own->state) {
+  case TP_SYSTEM_SUPPORT_NUMBER:
+    tp_plain_text(name, sizeof name, s->blocks[own->block].name);
+    tp_text_add(t, "%.5g kN/m\n    on '%s' at (%.6g, %.6g), towards %.5g° from x towards y\n",
+                own->force_n_m.value / kilo, name, own->x_m.value / s->metres_per_unit,
+                own->y_m.value / s->metres_per_unit, own->direction_deg.value);
+    break;
+  case TP_SYSTEM_SUPPORT_NOT_NEEDED:
+    tp_text_add(t, "none needed\n");
+    break;
+  case TP_SYSTEM_SUPPORT_NONE:
+    tp_text_add(t, "no such force holds the blocks\n");
+    break;
+  case TP_SYSTEM_SUPPORT_UNDECIDED:
+    tp_text_add(t, "undecided\n");
+    break;
+  }
+}
+
+void tp_text_system_loads(tp_text *t, const tp_block_system *s, const tp_system_case *c,
+                          int width) {
+  enum { KIND = 16 };
+  if (c->load_count == 0) return;
+  tp_text_add(t, "\n  Loads besides weights%s, with moments about centroids:\n",
+              c->tilt_angle_deg.value != 0 ? ", in the axes of the scene" : "");
+  tp_text_add(t, "  %-*s  %-*s  %10s  %10s  %10s\n", KIND, "load", width, "on", "x kN/m", "y kN/m",
+              "M kNm/m");
+  for (size_t k = 0; k < c->load_count && k < TP_SYSTEM_ROWS; k++) {
+    const tp_system_load *own = c->loads + k;
+    tp_text_add(t, "  %-*s  ", KIND, tp_system_load_kind_name(own->kind));
+    tp_text_system_name(t, s->blocks[own->block].name, width);
+    tp_text_add(t, "  %10.4g  %10.4g  %10.4g\n", own->force_x_n_m.value / kilo,
+                own->force_y_n_m.value / kilo, own->moment_n.value / kilo);
+  }
+  tp_text_more_rows(t, c->load_count);
+}
+
+bool tp_system_case_is_wet(const tp_system_case *c) {
+  for (size_t k = 0; k < c->force_count; k++) {
+    if (c->forces[k].water_n_m.value != 0) return true;
+  }
+  return false;
+}

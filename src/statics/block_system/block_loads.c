@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Each load of the scene evaluated by its own file of the room of loads; a bolt acts on two blocks,
+ * one way and the other. Then all of them as rows of the program of forces. */
+
+#include "block_system/block_loads.h"
+
+#include "common/outside.h"
+#include "load/check.h"
+#include "number/ball.h"
+#include "scene/anchor.h"
+
+#include <stdlib.h>
+
+enum { BITS = 256, ROW = 3 };
+
+bool tp_block_loads_are_called_for(const tp_scene *scene) {
+  const tp_loads_description *d = &scene->loads;
+  return d->water.given || d->pressure_count > 0 || d->surcharge_count > 0 ||
+         d->support_count > 0 || d->anchor_count > 0 || d->force_count > 0;
+}
+
+/* ---- those of the scene ------------------------------------------------------------------------
+ */
+
+typedef struct gathering {
+  tp_block_loads *loads;
+  const tp_placed_blocks *blocks;
+  const tp_load_setting *setting;
+  tp_message *message;
+} gathering;
+
+typedef void evaluation(tp_wrench *wrench, const tp_line_load *line,
+                        const tp_load_setting *setting);
+
+static tp_status add_lines(const gathering *g, const tp_line_load *lines, long count,
+                           tp_system_load_kind kind, evaluation *evaluate) {
+  tp_status status = TP_OK;
+  for (long k = 0; k < count && status == TP_OK; k++) {
+    const long block = lines[k].block;
+    tp_wrench wrench;
+    status = tp_load_lines_check(lines + k, 1, g->blocks->sections[block].rings,
+                                 tp_system_load_kind_name(kind), kind != TP_SYSTEM_LOAD_SURCHARGE,
+                                 g->message);
+    if (status != TP_OK) break;
+    tp_wrench_init(&wrench);
+    evaluate(&wrench, lines + k, g->setting);
+    status = tp_block_loads_add(g->loads, g->blocks, kind, block, &wrench, false, g->message);
+    tp_wrench_clear(&wrench);
+  }
+  return status;
+}
+
+static tp_status add_bolt(const gathering *g, const tp_anchor_description *anchor, long row) {
+  long into = -1;
+  tp_wrench wrench;
+  tp_status status = tp_block_bolt_end(&into, g->blocks, anchor, row, g->message);
+  if (status != TP_OK) return status;
+  tp_wrench_init(&wrench);
+  tp_load_anchor(&wrench, anchor, row, g->setting);
+  status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, anchor->block, &wrench,
+                              false, g->message);
+  if (status == TP_OK) {
+    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, into, &wrench, true,
+                                g->message);
+  }
+  tp_wrench_clear(&wrench);
+  return status;
+}
+
+static tp_status add_bolts(const gathering *g) {
+  const tp_loads_description *d = &g->blocks->scene->loads;
+  tp_status status = TP_OK;
+  for (long k = 0; k < d->anchor_count; k++) {
+    const tp_anchor_description *anchor = d->anchors + k;
+    for (long row = 0; row < tp_anchor_rows(anchor) && status == TP_OK; row++) {
+      status = add_bolt(g, anchor, row);
+    }
+  }
+  return status;
+}
+
+static tp_status check_force(const gathering *g, const tp_anchor_description *force) {
+  const tp_placed_blocks *b = g->blocks;
+  const char *name = b->scene->many.blocks[force->block].name;
+  if (b->scene->many.blocks[force->block].fixed) {
+    return tp_refuse(g->message, TP_FAULT_KEY, force->place,
+                     "block '%s' is ground: a force on it does nothing", tp_quote_all(name).text);
+  }
+  if (tp_block_holds(b, force->block, force->x.value, force->y.value)) return TP_OK;
+  return tp_refuse(g->message, TP_FAULT_GEOMETRY, force->place,
+                   "this force does not act on block '%s': 'at' lies outside it",
+                   tp_quote_all(name).text);
+}
+
+static tp_status add_forces(const gathering *g) {
+  const tp_loads_description *d = &g->blocks->scene->loads;
+  tp_status status = TP_OK;
+  for (long k = 0; k < d->force_count && status == TP_OK; k++) {
+    tp_wrench wrench;
+    status = check_force(g, d->forces + k);
+    if (status != TP_OK) break;
+    tp_wrench_init(&wrench);
+    tp_load_anchor(&wrench, d->forces + k, 0, g->setting);
+    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_FORCE, d->forces[k].block,
+                                &wrench, false, g->message);
+    tp_wrench_clear(&wrench);
+  }
+  return status;
+}
+
+static tp_status add_all(const gathering *g) {
+  const tp_loads_description *d = &g->blocks->scene->loads;
+  tp_status status = TP_OK;
+  if (d->water.given) status = tp_block_water_add(g->loads, g->blocks, g->setting, g->message);
+  if (status == TP_OK) {
+    status =
+        add_lines(g, d->pressures, d->pressure_count, TP_SYSTEM_LOAD_PRESSURE, tp_load_pressure);
+  }
+  if (status == TP_OK) {
+    status = add_lines(g, d->surcharges, d->surcharge_count, TP_SYSTEM_LOAD_SURCHARGE,
+                       tp_load_surcharge);
+  }
+  if (status == TP_OK) {
+    status = add_lines(g, d->supports, d->support_count, TP_SYSTEM_LOAD_SUPPORT_PRESSURE,
+                       tp_load_pressure);
+  }
+  if (status == TP_OK) status = add_bolts(g);
+  return status == TP_OK ? add_forces(g) : status;
+}
+
+/* ---- rows of the program -----------------------------------------------------------------------
+ */
+
+/* In units of the assemblage. */
+static tp_near part_of(const arb_t of, const arb_t unit, bool reversed) {
+  arb_t own;
+  arb_init(own);
+  arb_div(own, of, unit, BITS);
+  if (reversed) arb_neg(own, own);
+  const tp_near part = arb_is_zero(own) ? (tp_near){0, 0} : tp_ball_near(own);
+  arb_clear(own);
+  return part;
+}
+
+/* At a tilt a gravity points to (-sin a, -cos a): what has the factor sin a or cos a follows it. */
+static void apply(tp_applied_load *row, const tp_trig *of, const arb_t unit) {
+  row->steady = tp_near_plus(row->steady, part_of(of->of + TP_ONE, unit, false));
+  row->down[0] = tp_near_plus(row->down[0], part_of(of->of + TP_SIN, unit, true));
+  row->down[1] = tp_near_plus(row->down[1], part_of(of->of + TP_COS, unit, true));
+}
+
+static tp_status apply_all(tp_block_loads *loads, const tp_assemblage *a, tp_message *message) {
+  arb_t force, moment;
+  loads->applied = calloc((size_t)a->free_count * ROW + 1, sizeof *loads->applied);
+  if (loads->applied == NULL) return tp_fail_memory(message, "the loads");
+  arb_init(force);
+  arb_init(moment);
+  arb_set_ui(force, TP_KILO);
+  arb_mul_2exp_si(force, force, a->weight_exponent);
+  arb_set_fmpq(moment, a->lattice.step_m, BITS);
+  arb_mul_2exp_si(moment, moment, a->length_exponent);
+  arb_mul(moment, moment, force, BITS);
+  for (long k = 0; k < loads->count; k++) {
+    const tp_block_load *own = loads->items + k;
+    tp_applied_load *row = loads->applied + ROW * a->blocks[own->block].number;
+    apply(row, &own->wrench.x, force);
+    apply(row + 1, &own->wrench.y, force);
+    apply(row + 2, &own->wrench.moment, moment);
+  }
+  arb_clear(force);
+  arb_clear(moment);
+  return TP_OK;
+}
+
+tp_status tp_block_loads_init(tp_block_loads *loads, const tp_placed_blocks *blocks, bool left,
+                              tp_message *message) {
+  *loads = (tp_block_loads){.left = left};
+  if (!tp_block_loads_are_called_for(blocks->scene)) return TP_OK;
+  loads->water = calloc((size_t)blocks->assemblage->contact_count + 1, sizeof *loads->water);
+  if (loads->water == NULL) return tp_fail_memory(message, "the loads");
+  tp_load_setting setting;
+  tp_load_setting_init(&setting, blocks->scene, false, BITS);
+  arb_one(setting.thickness);
+  const gathering g = {loads, blocks, &setting, message};
+  tp_status status = add_all(&g);
+  if (status == TP_OK) status = apply_all(loads, blocks->assemblage, message);
+  tp_load_setting_clear(&setting);
+  if (status != TP_OK) tp_block_loads_clear(loads);
+  return status;
+}

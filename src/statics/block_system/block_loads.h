@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What acts on many blocks besides their weights and an earthquake: water, pressures, surcharges,
+ * bolts and forces, each as a wrench on one block, of the room of loads (load/wrench.h). */
+
+#ifndef TP_BLOCK_SYSTEM_BLOCK_LOADS_H
+#define TP_BLOCK_SYSTEM_BLOCK_LOADS_H
+
+#include "assemblage/force_program.h"
+#include "load/setting.h"
+
+/* One load on one block. */
+typedef struct tp_block_load {
+  tp_system_load_kind kind;
+  long block;
+  tp_wrench wrench; /* about the block's own point, in N and N m per metre of thickness; its tilt is
+                       below zero where the right side is lowered */
+} tp_block_load;
+
+/* All of them, as the blocks are seen in a case that goes to one side. */
+typedef struct tp_block_loads {
+  bool left;  /* the side */
+  bool omits; /* water before faces that it would hold is left out */
+  long count, room;
+  tp_block_load *items;
+  tp_applied_load *applied; /* by row, in units of the assemblage; NULL: there are none */
+  tp_bounded *water;        /* by contact: what the water in it pushes by, in N per metre */
+} tp_block_loads;
+
+/* Blocks at their places, with what they touch. */
+typedef struct tp_placed_blocks {
+  const tp_scene *scene;
+  const tp_assemblage *assemblage;
+  const tp_section *sections;
+} tp_placed_blocks;
+
+/* Does a scene of many blocks call for any? */
+bool tp_block_loads_are_called_for(const tp_scene *scene);
+
+/* Refused: loads that do not act on their blocks, bolts that hold nowhere. On failure cleared. */
+TP_MUST_USE tp_status tp_block_loads_init(tp_block_loads *loads, const tp_placed_blocks *blocks,
+                                          bool left, tp_message *message);
+void tp_block_loads_clear(tp_block_loads *loads);
+
+/* One more on a block that is free, or its opposite; nothing of one that is fixed. The wrench is
+ * about the origin. */
+TP_MUST_USE tp_status tp_block_loads_add(tp_block_loads *loads, const tp_placed_blocks *blocks,
+                                         tp_system_load_kind kind, long block,
+                                         const tp_wrench *wrench, bool reversed,
+                                         tp_message *message);
+
+/* Water in joints and on faces (block_system/block_water.c). */
+TP_MUST_USE tp_status tp_block_water_add(tp_block_loads *loads, const tp_placed_blocks *blocks,
+                                         const tp_load_setting *setting, tp_message *message);
+
+/* Is a point of the scene in a block or on its border? */
+bool tp_block_holds(const tp_placed_blocks *blocks, long block, const fmpq_t x, const fmpq_t y);
+
+/* The block that the far end of a bolt of a row holds in (block_system/block_bolts.c). Refused: it
+ * does not hold the two. */
+TP_MUST_USE tp_status tp_block_bolt_end(long *into, const tp_placed_blocks *blocks,
+                                        const tp_anchor_description *anchor, long row,
+                                        tp_message *message);
+
+#endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Loads of a scene of many blocks, seen from both sides; what they need, and what was taken where
+ * the scene leaves something open. */
+
+#include "block_system/built_system.h"
+#include "common/notes.h"
+
+bool tp_built_system_is_measured(const tp_built_system *s) {
+  return s->is_cohesive || tp_block_loads_are_called_for(s->scene);
+}
+
+/* Forces are held against weights in kN. */
+static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
+  const tp_scene *scene = s->scene;
+  const bool loaded = tp_block_loads_are_called_for(scene);
+  const bool asks = scene->many.support.place.file != NULL;
+  for (long k = 0; k < s->count && (s->is_cohesive || loaded || asks); k++) {
+    const tp_listed_block *own = scene->many.blocks + k;
+    if (own->fixed || own->shape.unit_weight_kn_m3.given) continue;
+    return tp_refuse(message, TP_FAULT_KEY, own->place,
+                     "%s weighed against the blocks: give 'block: {unit_weight_kn_m3: 25}' or that "
+                     "of each",
+                     s->is_cohesive ? "cohesion is"
+                     : loaded       ? "loads are"
+                                    : "a support is");
+  }
+  return TP_OK;
+}
+
+static bool is_wet(const tp_block_loads *loads) {
+  for (long k = 0; k < loads->count; k++) {
+    const tp_system_load_kind kind = loads->items[k].kind;
+    if (kind == TP_SYSTEM_LOAD_WATER_IN_JOINTS || kind == TP_SYSTEM_LOAD_WATER_ON_FACES) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static tp_status note_faces(tp_built_system *s, tp_message *message) {
+  const tp_water_description *water = &s->scene->loads.water;
+  if (water->faces != TP_WATER_FACES_UNSTATED) return TP_OK;
+  if (!s->loads[0].omits && !s->loads[1].omits) return TP_OK;
+  return tp_notes_add(&s->notes, message, TP_CAUTION, water->place,
+                      "whether water stands before faces from where it would hold blocks is not "
+                      "said: it is left out there, which is cautious; say 'faces: both' where it "
+                      "does, and 'faces: behind' where not");
+}
+
+static tp_status note_water(tp_built_system *s, tp_message *message) {
+  const tp_water_description *water = &s->scene->loads.water;
+  if (!water->given) return TP_OK;
+  if (!is_wet(s->loads) && !is_wet(s->loads + 1)) {
+    return tp_notes_add(&s->notes, message, TP_CAUTION, water->place,
+                        "the water lies below all joints and faces of the blocks that it may press "
+                        "on: it acts nowhere");
+  }
+  const tp_status status = note_faces(s, message);
+  if (status != TP_OK || water->shape != TP_WATER_UPLIFT_UNSTATED) return status;
+  return tp_notes_add(&s->notes, message, TP_CAUTION, water->place,
+                      "whether water fills the joints is not said: it does, in all below it and "
+                      "with the pressure of its depth, which is cautious; say 'uplift: full' where "
+                      "that is so, and 'uplift: none' where joints are drained");
+}
+
+tp_status tp_built_system_set_loads(tp_built_system *s, tp_message *message) {
+  const tp_placed_blocks blocks = {
+      .scene = s->scene, .assemblage = &s->assemblage, .sections = s->sections};
+  tp_status status = check_weighed(s, message);
+  for (int left = 0; left < 2 && status == TP_OK; left++) {
+    status = tp_block_loads_init(s->loads + left, &blocks, left == 1, message);
+  }
+  return status == TP_OK ? note_water(s, message) : status;
+}
