@@ -7,24 +7,20 @@
 #include "block_system/built_system.h"
 #include "common/notes.h"
 
-bool tp_built_system_is_measured(const tp_built_system *s) {
-  return s->is_cohesive || tp_block_loads_are_called_for(s->scene);
-}
-
 /* Forces are held against weights in kN. */
 static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
   const tp_scene *scene = s->scene;
   const bool loaded = tp_block_loads_are_called_for(scene);
   const bool asks = scene->many.support.place.file != NULL;
-  for (long k = 0; k < s->count && (s->is_cohesive || loaded || asks); k++) {
+  for (long k = 0; k < s->count && (s->is_measured || asks); k++) {
     const tp_listed_block *own = scene->many.blocks + k;
     if (own->fixed || own->shape.unit_weight_kn_m3.given) continue;
     return tp_refuse(message, TP_FAULT_KEY, own->place,
                      "%s weighed against the blocks: give 'block: {unit_weight_kn_m3: 25}' or that "
                      "of each",
-                     s->is_cohesive ? "cohesion is"
-                     : loaded       ? "loads are"
-                                    : "a support is");
+                     s->has_cohesion ? "cohesion is"
+                     : loaded        ? "loads are"
+                                     : "a support is");
   }
   return TP_OK;
 }
@@ -68,6 +64,7 @@ static tp_status note_water(tp_built_system *s, tp_message *message) {
 tp_status tp_built_system_set_loads(tp_built_system *s, tp_message *message) {
   const tp_placed_blocks blocks = {
       .scene = s->scene, .assemblage = &s->assemblage, .sections = s->sections};
+  s->is_measured = s->has_cohesion || tp_block_loads_are_called_for(s->scene);
   tp_status status = check_weighed(s, message);
   for (int left = 0; left < 2 && status == TP_OK; left++) {
     status = tp_block_loads_init(s->loads + left, &blocks, left == 1, message);

@@ -176,7 +176,7 @@ static void set_strength(tp_built_system *s, long contact) {
   set_pressure(tension, s, tp_built_system_property(s, contact, TP_JOINT_TENSION));
   s->strengths[contact] =
       (tp_contact_strength){near_of(tangent), near_of(cohesion), near_of(tension)};
-  s->is_cohesive = s->is_cohesive || !arb_is_zero(cohesion) || !arb_is_zero(tension);
+  s->has_cohesion = s->has_cohesion || !arb_is_zero(cohesion) || !arb_is_zero(tension);
   arb_clear(tangent);
   arb_clear(cohesion);
   arb_clear(tension);

@@ -17,17 +17,16 @@ typedef struct tp_built_system {
   tp_assemblage assemblage;
   const tp_joint_description **joints; /* by contact; NULL: the scene's strength */
   tp_contact_strength *strengths;      /* by contact */
-  bool is_cohesive;                    /* some of them has cohesion or tension */
-  tp_block_loads loads[2];             /* to the right, and to the left */
-  tp_notes notes;                      /* on what was made of the blocks */
+  bool has_cohesion;                   /* some of them has cohesion or tension */
+  bool is_measured; /* that, or loads that are no weights: a common factor on all weights changes
+                       something */
+  tp_block_loads loads[2]; /* to the right, and to the left */
+  tp_notes notes;          /* on what was made of the blocks */
 } tp_built_system;
 
 /* Each block is checked by itself first. On failure `system` is cleared. */
 TP_MUST_USE tp_status tp_built_system_init(tp_built_system *system, const tp_scene *scene,
                                            tp_message *message);
-/* Are weights held against strength or loads that are given in forces? Then a common factor on all
- * of them changes something. */
-bool tp_built_system_is_measured(const tp_built_system *system);
 /* Its loads besides weights (block_system/built_loads.c), which need all else. */
 TP_MUST_USE tp_status tp_built_system_set_loads(tp_built_system *system, tp_message *message);
 void tp_built_system_clear(tp_built_system *system);

@@ -280,7 +280,7 @@ tp_status tp_goodman_bray_find(tp_goodman_bray *own, const tp_built_system *s,
                                const tp_resultant *r, bool weighed, tp_message *message) {
   tp_column_row row;
   own->has_forces = weighed;
-  if (s->is_cohesive) {
+  if (s->has_cohesion) {
     return refuse(own, "it has no cohesion or tensile strength, and joints here have", message);
   }
   if (r->applied != NULL) {

@@ -89,7 +89,7 @@ static tp_status set_limit(direction *d, tp_message *message) {
   const tp_load_bracket *b = &d->limits.side;
   tp_system_case *own = d->own;
   const tp_system_limit kind = kind_of(b);
-  if (tp_built_system_is_measured(d->x->s)) {
+  if (d->x->s->is_measured) {
     own->has_acceleration = kind == TP_SYSTEM_LIMIT_NUMBER && b->held >= 0;
     if (own->has_acceleration) own->critical_acceleration_g = between(b->held, b->bound);
     return find_tilt(d, message);
@@ -138,7 +138,7 @@ static tp_status find_factor(direction *d, tp_message *message) {
 /* With less strength where there is a factor; else at the limit. */
 static tp_status set_collapse(direction *d, tp_message *message) {
   const bool reduced = d->strength.is_bounded;
-  const bool measured = tp_built_system_is_measured(d->x->s);
+  const bool measured = d->x->s->is_measured;
   const tp_load_bracket *b = reduced    ? &d->strength.collapse
                              : measured ? &d->tilt.collapse
                                         : &d->limits.side;
@@ -178,7 +178,7 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
   tp_status status = tp_system_case_add(x->system, &d.own, message);
   if (status == TP_OK) {
     d.own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    status = tp_resultant_init(&d.resultant, x->s->scene, left, tp_built_system_is_measured(x->s),
+    status = tp_resultant_init(&d.resultant, x->s->scene, left, x->s->is_measured,
                                x->s->loads[left ? 1 : 0].applied, message);
   }
   if (status != TP_OK) return status;
