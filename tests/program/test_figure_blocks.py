@@ -16,7 +16,7 @@ from svg import Drawing, covers
 # As src/presentation/figure/view.c has them.
 TINTS = {"at rest": (0.84, 0.925, 0.975), "slides": (0.985, 0.9, 0.68), "topples": (0.95, 0.72, 0.58),
          "slides and topples": (0.8, 0.66, 0.8)}
-VERMILION, BLUE, ROCK = (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.89, 0.88, 0.86)
+PURPLE, VERMILION, BLUE, ROCK = (0.8, 0.475, 0.655), (0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.89, 0.88, 0.86)
 SMALL = Pile().add("g", box(-9, -1, 9, 0), True).add("b", box(0, 0, 9, 4))
 SLOPE = []
 ROUNDED = 0.02  # of a point: Cairo's 1/256, of outlines that are turned and shifted
@@ -88,6 +88,29 @@ class FiguresOfBlocks(GoverningCase):
         times = sum((step * v.conjugate()).real for step, v in steps) / sum(abs(v) ** 2 for _, v in steps)
         self.assertLess(max(abs(step - times * v) for step, v in steps), 3 * ROUNDED)
         self.assertEqual(seen, [k for k, speed in enumerate(speeds) if times * speed > 0.7])
+
+    def test_loads(self):
+        """Under a tilt water is level and the bar of a bolt reaches from its head to its far end, both to scale; each other load has
+        its arrows, seven of a line."""
+        pile = Pile().add("g", box(-9, -2, 9, 0), True).add("low", box(0, 0, 4, 1)).add("high", box(0, 1, 4, 4))
+        for level, depth in ((2, "level: 2"), (None, "surface: [[-9, 2], [2, 3], [9, 3]]")):
+            drawing, _ = self.drawing(self.scene(pile.scene(
+                35, "tilt: {towards: left, angle_deg: 10}\nloads:\n"
+                f"  water: {{{depth}, faces: both, uplift: full}}\n"
+                "  anchors: [{block: high, at: [1, 3], to: [4, -1], force_kn: 30}]\n"
+                "  surcharges: [{block: high, from: [4, 4], to: [0, 4], kpa: 10}]\n"
+                "  forces: [{block: low, at: [0, 0.5], direction_deg: 0, force_kn: 3}]\n")))
+            low = min((piece for pieces in self.outlines(drawing).values() for piece in pieces),
+                      key=lambda piece: -max(y for _, y in piece))
+            width = max(abs(a - b) for a in corners(low) for b in corners(low)) / math.hypot(4, 1)
+            lines = [corners(stroke[0]) for stroke in drawing.strokes[PURPLE] if len(stroke) == 1 and len(stroke[0]) == 2]
+            self.assertLess(min(abs(abs(a - b) / width - 5) for a, b in lines), 1e-2)
+            self.assertEqual(len(drawing.areas[PURPLE]), 7 + 1 + 1 + 1 + 1)  # a head of a bolt, and the legend's arrow
+            water = [stroke[0] for stroke in drawing.strokes[BLUE] if len(stroke) == 1]
+            if level is not None:
+                flat = [s for s in water if len(s) == 2 and s[0][1] == s[1][1] and abs(s[0][0] - s[1][0]) > 300]
+                toe = max(corners(low), key=lambda p: -p.imag)  # the origin is the lowest corner that is free
+                self.assertAlmostEqual((-flat[0][0][1] - toe.imag) / width, level, delta=1e-2)
 
     def test_names_lie_in_their_blocks(self):
         """Sixteen names, the middle of each in a column of its own."""

@@ -8,12 +8,13 @@
 #define TP_FIGURE_BLOCKS_H
 
 #include "figure/figure.h"
-#include "shape/block_shapes.h"
+#include "shape/load_shapes.h"
 
 typedef struct tp_blocks_figure {
   const tp_block_system *system;
   const tp_system_case *own; /* the case that is drawn */
   tp_block_shapes shapes;
+  tp_load_shapes loads;
   double turn;        /* counter-clockwise, radians */
   double moved;       /* by which the fastest corner is displaced in the mechanism, units */
   double largest_n_m; /* of all forces; 0: none is drawn */
@@ -48,11 +49,15 @@ tp_ink tp_blocks_tint(const tp_blocks_figure *figure, size_t block);
  * to the side of the tilt. False where it is negligible. */
 bool tp_blocks_force(tp_spot *from, tp_spot *to, const tp_blocks_figure *figure, size_t contact);
 
+/* Are there bolts; are there other loads than water? */
+bool tp_blocks_pulled(const tp_blocks_figure *figure, bool by_bolts);
+
 /* Drawing. False when memory is exhausted. */
 TP_MUST_USE bool tp_blocks_draw_ground(const tp_blocks_panel *panel);
 void tp_blocks_draw_free(const tp_blocks_panel *panel);
 TP_MUST_USE bool tp_blocks_draw_mechanism(const tp_blocks_panel *panel);
 TP_MUST_USE bool tp_blocks_draw_forces(tp_blocks_panel *panel);
+void tp_blocks_draw_loads(const tp_blocks_panel *panel);
 TP_MUST_USE bool tp_blocks_draw_names(const tp_blocks_panel *panel);
 
 /* What is said above and below, from *y down to where it moves *y. */

@@ -66,7 +66,10 @@ tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *sce
                        "the scene has changed since it was solved: solve it again");
   } else {
     tp_blocks_set_up(&figure);
-    status = write_figure(path, scene, &figure, consent, message);
+    status = tp_load_shapes_init(&figure.loads, &figure.shapes, scene,
+                                 figure.own->towards == TP_TOWARDS_LEFT, message);
+    if (status == TP_OK) status = write_figure(path, scene, &figure, consent, message);
+    tp_load_shapes_clear(&figure.loads);
   }
   tp_block_shapes_clear(&figure.shapes);
   return status;

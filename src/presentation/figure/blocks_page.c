@@ -11,7 +11,8 @@
 
 #define WIDTH 558.0   /* of the drawing, points */
 #define HIGHEST 400.0 /* of it */
-#define BORDER 10.0   /* around what must be seen */
+#define BORDER 10.0   /* around what must be seen, */
+#define LOADED 24.0   /* and where loads stand on it */
 #define BESIDE 0.1    /* how much of the ground is shown, of the size of what is free */
 
 double tp_blocks_page_width(void) {
@@ -62,6 +63,7 @@ static bool draw_panel(tp_blocks_panel *p) {
   tp_blocks_draw_free(p);
   done = done && tp_blocks_draw_mechanism(p);
   done = done && tp_blocks_draw_forces(p);
+  tp_blocks_draw_loads(p);
   done = done && tp_blocks_draw_names(p);
   cairo_restore(p->cr);
   free(p->arrows);
@@ -90,9 +92,10 @@ bool tp_blocks_page(double *height, cairo_t *cr, const tp_blocks_figure *f) {
   }
   tp_view view = {.cosine = cos(f->turn), .sine = sin(f->turn), .scale = 1};
   const tp_box extent = find_extent(f, &view);
-  view.scale = fmin((WIDTH - 2 * BORDER) / (extent.x1 - extent.x0),
-                    (HIGHEST - 2 * BORDER) / (extent.y1 - extent.y0));
-  const double tall = view.scale * (extent.y1 - extent.y0) + 2 * BORDER;
+  const double border = f->loads.count > 0 ? LOADED : BORDER;
+  view.scale = fmin((WIDTH - 2 * border) / (extent.x1 - extent.x0),
+                    (HIGHEST - 2 * border) / (extent.y1 - extent.y0));
+  const double tall = view.scale * (extent.y1 - extent.y0) + 2 * border;
   view.x = left + WIDTH / 2 - view.scale * (extent.x0 + extent.x1) / 2;
   view.y = y + tall / 2 - view.scale * (extent.y0 + extent.y1) / 2;
   tp_blocks_panel panel = {

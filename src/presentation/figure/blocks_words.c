@@ -164,7 +164,10 @@ double tp_blocks_legend(const tp_blocks_panel *p, double x, double y, double wid
       {parts, TP_SIGN_THIN, TP_INK_GREY, "part of another unit weight"},
       {collapses, TP_SIGN_DASHES, TP_INK_VERMILION, "how they begin to move, magnified"},
       {f->largest_n_m > 0, TP_SIGN_ARROW, TP_INK_BLUE, force},
-      {p->has_thrust, TP_SIGN_DASHES, TP_INK_BLUE, "line of thrust"}};
+      {p->has_thrust, TP_SIGN_DASHES, TP_INK_BLUE, "line of thrust"},
+      {tp_blocks_pulled(f, false), TP_SIGN_ARROW, TP_INK_PURPLE, "load, not to scale"},
+      {tp_blocks_pulled(f, true), TP_SIGN_LINE, TP_INK_PURPLE, "bolt"},
+      {f->loads.water.count > 0, TP_SIGN_LINE, TP_INK_BLUE, "water"}};
   const tp_legend legend = {.points = p->view.scale * s->metres_per_unit / f->shapes.unit_m,
                             .length_unit = s->length_unit,
                             .count = sizeof entries / sizeof entries[0],
