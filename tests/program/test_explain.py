@@ -81,7 +81,7 @@ class Explain(unittest.TestCase):
                 text = "{" + step.replace("[]", "") + ": " + (f"[{text}]" if step.endswith("[]") else text) + "}"
             with self.subTest(row["path"]):
                 top = row["path"].split(".")[0]
-                block = "" if top in ("block", "blocks", "blocks[]", "columns", "joints[]") else "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
+                block = "" if top in ("block", "blocks", "blocks[]", "columns", "jointed_slope", "joints[]") else "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
                 if top == "joints[]":
                     block = "blocks: [{name: a, slab: {width: 1, height: 2}}]\n"
                 scene = f"topple: 1\nlength_unit: m\n{block}{top.replace('[]', '')}: {text}\n"

@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-/* What the numbers are for: of generated profiles, of sampling/ and of statistics/. */
+/* What the numbers are for: of generated profiles, of sampling/, of statistics/ and of joints. */
 typedef enum tp_stream {
   TP_STREAM_TEETH = 1,
   TP_STREAM_WAVES,
@@ -22,7 +22,8 @@ typedef enum tp_stream {
   TP_STREAM_BOOTSTRAP,
   TP_STREAM_IMPORTANCE,
   TP_STREAM_SUBSETS,
-  TP_STREAM_DIRECTIONS
+  TP_STREAM_DIRECTIONS,
+  TP_STREAM_JOINTS
 } tp_stream;
 
 static inline uint64_t tp_random_mix(uint64_t state) {

@@ -14,6 +14,8 @@ typedef struct tp_listed_block {
   bool fixed; /* ground */
   tp_quantity at_x, at_y;
   tp_block_description shape;
+  int *edge_sets; /* of a slope that joints cut, for each edge of the outline: the set that made it,
+                     TP_EDGE_OF_BASE or TP_EDGE_OF_NONE; NULL: none did */
 } tp_listed_block;
 
 /* All contacts between two blocks, by their numbers in the list. */
@@ -39,6 +41,34 @@ typedef struct tp_support_description {
   tp_quantity fos;           /* not given: the scene's required_fos, else 1 */
 } tp_support_description;
 
+/* A set of joints that cut a slope: parallel traces at equal distances, but for their scatter. */
+typedef struct tp_joint_set {
+  tp_place place;
+  TP_OUTSIDE char *name; /* NULL: its number */
+  bool left;             /* the side that it dips towards */
+  tp_quantity dip_deg, spacing, offset, persistence, length, spacing_scatter, dip_scatter_deg;
+  tp_quantity friction_angle_deg, cohesion_kpa, tension_kpa; /* not given: the scene's */
+} tp_joint_set;
+
+enum { TP_EDGE_OF_NONE = -1, TP_EDGE_OF_BASE = -2 };
+
+/* A slope in jointed rock: the key jointed_slope, of which blocks are made as it is read
+ * (jointing/). The face rises from the toe towards the right, or the left; below the base all is
+ * ground. */
+typedef struct tp_jointed_slope {
+  tp_place place; /* no file: there is none */
+  bool right;     /* the face dips to the right */
+  tp_quantity toe_x, toe_y, face_dip_deg, height, upper_dip_deg, front, behind, seed;
+  tp_polyline surface;        /* points from left to right; none: by the numbers of the face */
+  tp_joint_set base;          /* a plane that dips as the face does, and the strength along it */
+  tp_polyline base_line;      /* or points of it */
+  tp_quantity base_x, base_y; /* where the plane begins; not given: in the toe */
+  long stepped_by;           /* a set: the plane is the mean of steps along its joints; -1: plane */
+  tp_quantity tread_dip_deg; /* of those steps; not given: normal to the set */
+  long set_count;
+  tp_joint_set *sets;
+} tp_jointed_slope;
+
 /* No blocks: the scene is of one block on its base. */
 typedef struct tp_block_list {
   tp_place place;
@@ -47,6 +77,11 @@ typedef struct tp_block_list {
   tp_joint_description *joints;
   tp_columns_description columns;
   tp_support_description support;
+  tp_jointed_slope slope;
 } tp_block_list;
+
+/* The set, or the base, that made an edge of a listed block, counted along its outline; NULL: none.
+ */
+const tp_joint_set *tp_block_list_set(const tp_block_list *many, long block, long edge);
 
 #endif

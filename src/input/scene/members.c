@@ -17,10 +17,11 @@
   { array, sizeof(array) / sizeof(array)[0] }
 
 static const size_t numbers[] = {IN_SCENE(metres_per_unit), TP_SCENE_NUMBERS(OFFSET)};
-static const size_t lines[] = {IN_SCENE(block.outline),     IN_SCENE(base.between),
-                               IN_SCENE(base.profile),      IN_SCENE(base.rule.measured),
-                               IN_SCENE(mean_plane),        IN_SCENE(loads.water.surface),
-                               IN_SCENE(shaking[0].record), IN_SCENE(shaking[1].record)};
+static const size_t lines[] = {IN_SCENE(block.outline),      IN_SCENE(base.between),
+                               IN_SCENE(base.profile),       IN_SCENE(base.rule.measured),
+                               IN_SCENE(mean_plane),         IN_SCENE(loads.water.surface),
+                               IN_SCENE(shaking[0].record),  IN_SCENE(shaking[1].record),
+                               IN_SCENE(many.slope.surface), IN_SCENE(many.slope.base_line)};
 
 const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
 
@@ -33,9 +34,11 @@ static const size_t of_facets[] = {TP_NUMBERS_OF_FACET_FRICTION_DESCRIPTION(OFFS
 static const size_t of_traction[] = {TP_NUMBERS_OF_TRACTION_DESCRIPTION(OFFSET)};
 static const size_t of_listed_block[] = {TP_NUMBERS_OF_LISTED_BLOCK(OFFSET)};
 static const size_t of_joint[] = {TP_NUMBERS_OF_JOINT_DESCRIPTION(OFFSET)};
+static const size_t of_joint_set[] = {TP_NUMBERS_OF_JOINT_SET(OFFSET)};
 
 const tp_offsets tp_listed_block_numbers = OFFSETS(of_listed_block);
 const tp_offsets tp_joint_numbers = OFFSETS(of_joint);
+const tp_offsets tp_joint_set_numbers = OFFSETS(of_joint_set);
 
 #define ITEMS(list, number, type)                                                                  \
   .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)

@@ -77,6 +77,12 @@ void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed) {
   }
 }
 
+const tp_joint_set *tp_block_list_set(const tp_block_list *many, long block, long edge) {
+  const int *sets = many->blocks[block].edge_sets;
+  if (sets == NULL || sets[edge] == TP_EDGE_OF_NONE) return NULL;
+  return sets[edge] == TP_EDGE_OF_BASE ? &many->slope.base : many->slope.sets + sets[edge];
+}
+
 /* The members of a scene are known by their offsets in it: each block takes its place once more. */
 static void clear_blocks(tp_scene *scene) {
   tp_block_list *many = &scene->many;
@@ -85,7 +91,13 @@ static void clear_blocks(tp_scene *scene) {
     scene->block = many->blocks[k].shape;
     clear_numbers(many->blocks + k, &tp_listed_block_numbers);
     free(many->blocks[k].name);
+    free(many->blocks[k].edge_sets);
   }
+  for (long k = 0; k < many->slope.set_count; k++) {
+    clear_numbers(many->slope.sets + k, &tp_joint_set_numbers);
+    free(many->slope.sets[k].name);
+  }
+  free(many->slope.sets);
   for (long k = 0; k < many->joint_count; k++) clear_numbers(many->joints + k, &tp_joint_numbers);
   free(many->blocks);
   free(many->joints);

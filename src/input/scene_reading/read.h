@@ -92,8 +92,13 @@ TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node
 /* Its form and what it is made of, whatever other keys stand beside them. */
 TP_MUST_USE tp_status tp_read_block_shape(const tp_reader *reader, const tp_node *node,
                                           const tp_node *drawing);
-/* The keys blocks, joints and block of a scene of many blocks. */
+/* The keys blocks, joints and block of a scene of many blocks; and which one gives it its blocks,
+ * NULL of a scene of one. */
 TP_MUST_USE tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root);
+const tp_node *tp_read_blocks_given(const tp_node *root);
+/* The key jointed_slope. */
+TP_MUST_USE tp_status tp_read_jointed_slope(const tp_reader *reader, const tp_node *node,
+                                            const tp_quantity *unit_weight);
 /* The key columns: the blocks that it makes; and their joints, behind those that were read. */
 TP_MUST_USE tp_status tp_read_columns(const tp_reader *reader, const tp_node *node,
                                       const tp_quantity *unit_weight);

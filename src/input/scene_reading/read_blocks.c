@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads a scene of many blocks: the keys blocks, columns, joints and block. Each block is read as
- * that of a scene of one block, and then moved to the list; joints name two of them. */
+/* Reads a scene of many blocks: the keys blocks, columns, jointed_slope, joints and block. Each
+ * block is read as that of a scene of one block, and then moved to the list; joints name two of
+ * them. */
 
 #include "scene/members.h"
 #include "scene_reading/block_names.h"
@@ -168,6 +169,17 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
+/* The keys that give blocks, of which a scene has one. */
+static const char *const givers[] = {"blocks", "columns", "jointed_slope"};
+
+const tp_node *tp_read_blocks_given(const tp_node *root) {
+  const tp_node *found = NULL;
+  for (size_t k = 0; k < sizeof givers / sizeof givers[0] && found == NULL; k++) {
+    found = tp_node_get(root, givers[k]);
+  }
+  return found;
+}
+
 /* Keys that say nothing of many blocks. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"base",      "contact",  "joint",           "drawing",
@@ -178,21 +190,32 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
     if (node == NULL) continue;
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "'%s' is of a scene of one block, and this one has '%s': leave it out",
-                        keys[k], tp_node_get(root, "columns") != NULL ? "columns" : "blocks");
+                        keys[k], tp_read_blocks_given(root)->key);
+  }
+  const tp_node *slope = tp_node_get(root, "slope");
+  if (slope != NULL && tp_node_get(root, "jointed_slope") != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, slope,
+                        "'slope' turns the axes, and dips of a 'jointed_slope' are below the "
+                        "horizontal: leave it out");
   }
   return TP_OK;
 }
 
-/* Listed, or columns made by rule. */
+/* Listed, or made by a rule. */
 static tp_status read_bodies(const tp_reader *reader, const tp_node *root,
                              const tp_quantity *unit_weight) {
-  const tp_node *blocks = tp_node_get(root, "blocks"), *columns = tp_node_get(root, "columns");
-  const tp_node *node = columns != NULL ? columns : blocks;
+  const tp_node *node = tp_read_blocks_given(root);
   reader->scene->many.place = tp_node_place(node, reader->scene->path);
-  if (columns == NULL) return read_list(reader, blocks, unit_weight);
-  if (blocks == NULL) return tp_read_columns(reader, columns, unit_weight);
-  return tp_read_fail(reader, TP_FAULT_KEY, columns,
-                      "a scene has 'blocks', or 'columns' that make them: leave one out");
+  for (size_t k = 0; k < sizeof givers / sizeof givers[0]; k++) {
+    const tp_node *other = tp_node_get(root, givers[k]);
+    if (other == NULL || other == node) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, other,
+                        "a scene has 'blocks', or 'columns' or a 'jointed_slope' that make them: "
+                        "leave one out");
+  }
+  if (strcmp(node->key, "columns") == 0) return tp_read_columns(reader, node, unit_weight);
+  if (strcmp(node->key, "blocks") == 0) return read_list(reader, node, unit_weight);
+  return tp_read_jointed_slope(reader, node, unit_weight);
 }
 
 tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root) {

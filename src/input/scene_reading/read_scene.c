@@ -113,9 +113,7 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
 /* The block on its base, or the blocks. */
 static tp_status read_bodies(const tp_reader *reader, const tp_node *root) {
   const tp_node *joints = tp_node_get(root, "joints");
-  if (tp_node_get(root, "blocks") != NULL || tp_node_get(root, "columns") != NULL) {
-    return tp_read_blocks(reader, root);
-  }
+  if (tp_read_blocks_given(root) != NULL) return tp_read_blocks(reader, root);
   if (joints != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, joints,
                         "'joints' are between the blocks of 'blocks', which this scene has not");

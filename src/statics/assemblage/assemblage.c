@@ -196,7 +196,9 @@ tp_near tp_assemblage_length(const tp_assemblage *a, const fmpz_t from, const fm
   fmpz_init(difference);
   fmpz_sub(difference, to, from);
   const bool exact = fmpz_bits(difference) <= 53;
-  const double value = ldexp(fmpz_get_d(difference), -(int)a->length_exponent);
+  slong exponent = 0; /* a step of the lattice may be smaller than a double tells */
+  const double head = fmpz_get_d_2exp(&exponent, difference);
+  const double value = ldexp(head, (int)(exponent - a->length_exponent));
   fmpz_clear(difference);
   return (tp_near){value, exact ? 0 : fabs(value) * 2 * DBL_EPSILON};
 }

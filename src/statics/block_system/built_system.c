@@ -134,17 +134,31 @@ static tp_status check_joints(tp_built_system *s, const tp_joint_description **s
   return status;
 }
 
+/* The set that made the edges of a contact; NULL: none did. */
+static const tp_joint_set *set_of(const tp_built_system *s, long contact) {
+  const tp_block_contact *own = s->assemblage.contacts + contact;
+  return tp_block_list_set(&s->scene->many, own->block[0],
+                           own->from - s->assemblage.blocks[own->block[0]].outline);
+}
+
 const tp_quantity *tp_built_system_property(const tp_built_system *s, long contact,
                                             tp_joint_property property) {
   const tp_scene *scene = s->scene;
   const tp_joint_description *joint = s->joints[contact];
+  const tp_joint_set *set = set_of(s, contact);
   const tp_quantity *const of_scene[] = {[TP_JOINT_FRICTION] = &scene->friction_angle_deg,
                                          [TP_JOINT_COHESION] = &scene->loads.cohesion_kpa,
                                          [TP_JOINT_TENSION] = &scene->loads.bond_kpa};
-  if (joint == NULL) return of_scene[property];
-  const tp_quantity *const own[] = {[TP_JOINT_FRICTION] = &joint->friction_angle_deg,
-                                    [TP_JOINT_COHESION] = &joint->cohesion_kpa,
-                                    [TP_JOINT_TENSION] = &joint->tension_kpa};
+  if (joint != NULL) {
+    const tp_quantity *const own[] = {[TP_JOINT_FRICTION] = &joint->friction_angle_deg,
+                                      [TP_JOINT_COHESION] = &joint->cohesion_kpa,
+                                      [TP_JOINT_TENSION] = &joint->tension_kpa};
+    if (own[property]->given) return own[property];
+  }
+  if (set == NULL) return of_scene[property];
+  const tp_quantity *const own[] = {[TP_JOINT_FRICTION] = &set->friction_angle_deg,
+                                    [TP_JOINT_COHESION] = &set->cohesion_kpa,
+                                    [TP_JOINT_TENSION] = &set->tension_kpa};
   return own[property]->given ? own[property] : of_scene[property];
 }
 
@@ -182,18 +196,32 @@ static void set_strength(tp_built_system *s, long contact) {
   arb_clear(tension);
 }
 
-/* Contacts of a joint follow each other rarely: each takes a search. */
+/* Contacts of a joint follow each other rarely: each takes a search. Those of one set do. */
 static void set_contacts(tp_built_system *s, const tp_joint_description **sorted, bool *used) {
   for (long k = 0; k < s->assemblage.contact_count; k++) {
     const long joint = find_joint(sorted, s->scene->many.joint_count, s->assemblage.contacts + k);
     s->joints[k] = joint >= 0 ? sorted[joint] : NULL;
     if (joint >= 0) used[joint] = true;
-    if (k > 0 && s->joints[k] == NULL && s->joints[k - 1] == NULL) {
+    if (k > 0 && s->joints[k] == s->joints[k - 1] && set_of(s, k) == set_of(s, k - 1)) {
       s->strengths[k] = s->strengths[k - 1];
     } else {
       set_strength(s, k);
     }
   }
+}
+
+static tp_status check_friction(const tp_built_system *s, tp_message *message) {
+  for (long k = 0; k < s->assemblage.contact_count && !s->scene->friction_angle_deg.given; k++) {
+    if (tp_built_system_property(s, k, TP_JOINT_FRICTION)->given) continue;
+    const tp_block_contact *own = s->assemblage.contacts + k;
+    return tp_refuse(message, TP_FAULT_KEY, s->scene->many.place,
+                     "the joints between blocks need a friction angle, and that between '%s' and "
+                     "'%s' has none: 'friction_angle_deg: 30' in the scene, and 'joints' where it "
+                     "differs",
+                     tp_quote_all(s->given[own->block[0]].name).text,
+                     tp_quote_all(s->given[own->block[1]].name).text);
+  }
+  return TP_OK;
 }
 
 static tp_status set_strengths(tp_built_system *s, tp_message *message) {
@@ -211,7 +239,8 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
     for (long k = 0; k < many->joint_count; k++) sorted[k] = many->joints + k;
     qsort(sorted, (size_t)many->joint_count, sizeof *sorted, compare_joints);
     set_contacts(s, sorted, used);
-    status = check_joints(s, sorted, used, message);
+    status = check_friction(s, message);
+    if (status == TP_OK) status = check_joints(s, sorted, used, message);
   }
   free(sorted);
   free(used);
@@ -241,11 +270,6 @@ static tp_status build(tp_built_system *s, tp_message *message) {
 tp_status tp_built_system_init(tp_built_system *s, const tp_scene *scene, tp_message *message) {
   memset(s, 0, sizeof *s);
   s->scene = scene;
-  if (!scene->friction_angle_deg.given) {
-    return tp_refuse(message, TP_FAULT_KEY, scene->many.place,
-                     "the joints between blocks need a friction angle: 'friction_angle_deg: 30' in "
-                     "the scene, and 'joints' where it differs");
-  }
   const tp_status status = build(s, message);
   if (status != TP_OK) tp_built_system_clear(s);
   return status;
