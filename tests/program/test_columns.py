@@ -86,6 +86,22 @@ class Columns(GoverningCase):
         for told in ("factor of safety, Goodman and Bray", "38.1512°", "1.191 times", "the cautious one", "4837.0"):
             self.assertIn(told, out)
 
+    def test_transfer_coefficients(self):
+        """Liu, Jaksa and Meyers (2008) write what toppling columns pass on as sums of products: that of column n is
+        Σ w_j Π c_k over those behind it, with their coefficients c = (M − Δx tan φ)/L and w = W (y sin α − Δx cos α) / 2 L. The
+        columns that topple in a row from the thirteenth on have these forces."""
+        width, step, tangent, sine, cosine = 10, 1, math.tan(math.radians(38.15)), 0.5, math.sqrt(0.75)
+        heights = [4 * n for n in range(1, 11)] + [40 - 6 * n for n in range(1, 7)]
+        own = self.method(scene())["columns"]
+        coefficients, weights = {}, {}
+        for n in range(12, 2, -1):
+            low, top = min(heights[n], heights[n - 1] - step), min(heights[n], heights[n + 1] + step)
+            coefficients[n] = (top - width * tangent) / low
+            weights[n] = 25e3 * width * heights[n] * (heights[n] * sine - width * cosine) / (2 * low)
+        for n in range(12, 2, -1):
+            whole = sum(weights[j] * math.prod(coefficients[k] for k in range(n, j)) for j in range(n, 13))
+            self.assertAlmostEqual(own[n]["push_n_m"], whole, delta=1e-8 * whole)  # nine digits are printed
+
     def test_what_columns_make(self):
         """The blocks of the example, which lists them, and so every result; by rule and by heights."""
         told = json.loads(run("solve", "--json", EXAMPLE)[1])
