@@ -171,9 +171,18 @@ static bool try_forces(proving *s, const tp_interior_iterate *at) {
   return true;
 }
 
+double tp_load_width(const tp_load_bracket *b, double share) {
+  static const double least = 1e-3;
+  return share * fmax(fabs(b->bound), least);
+}
+
+static double width_of(const proving *s) {
+  return tp_load_width(s->bracket, s->aim->share);
+}
+
 static bool is_narrow(const proving *s) {
   const tp_load_bracket *b = s->bracket;
-  return b->is_held && b->is_bounded && b->bound - b->held <= s->aim->share * fabs(b->bound);
+  return b->is_held && b->is_bounded && b->bound - b->held <= width_of(s);
 }
 
 static bool is_enough(const proving *s) {
@@ -199,26 +208,33 @@ static bool watch(void *context, const tp_interior_iterate *at) {
     if (s->aim->bound_alone) keep_forces(s, at);
   }
   /* nearer than that roundings follow, and forces are found by the other way */
-  const bool is_near = b->is_bounded && at->gap <= s->aim->share / 8 * fabs(b->bound);
-  return is_near || is_never_held(b) || is_enough(s) || is_narrow(s);
+  const bool is_near = b->is_bounded && at->gap <= width_of(s) / 8;
+  b->is_settled = is_near || is_never_held(b) || is_enough(s) || is_narrow(s);
+  return b->is_settled;
 }
 
 static bool watch_centre(void *context, const tp_interior_iterate *at) {
   return try_forces(context, at);
 }
 
-/* A share below the bound forces are found once more, from the nearest ones, or at the load that is
- * enough; where roundings keep them from that, a little farther away. */
+/* From the nearest forces to ones that hold a load, if there are any. */
+static tp_status hold(proving *s, double load, tp_message *message) {
+  tp_load_bracket *b = s->bracket;
+  if (load <= TP_LEAST_LOAD || load >= b->bound || (b->is_held && load <= b->held)) return TP_OK;
+  return tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
+}
+
+/* A little below the bound forces are found once more; where roundings keep them from that, a
+ * little farther away. */
 static tp_status hold_nearer(proving *s, tp_message *message) {
   static const double farther = 16, farthest = 2;
   tp_load_bracket *b = s->bracket;
   tp_status status = TP_OK;
-  for (double away = s->aim->share / 2; away < farthest && status == TP_OK; away *= farther) {
-    const double load = fmin(b->bound - away * fabs(b->bound), s->aim->enough);
-    if (load <= TP_LEAST_LOAD || (b->is_held && load <= b->held)) break;
+  const double size = fabs(b->bound);
+  for (double away = width_of(s) / 2; away < farthest * size && status == TP_OK; away *= farther) {
     const bool was_held = b->is_held;
-    status = tp_interior_centre(s->p, b->forces, load, watch_centre, s, message);
-    if (b->is_held && !was_held) break;
+    status = hold(s, b->bound - away, message);
+    if (b->is_held && (!was_held || b->held >= b->bound - away)) break;
   }
   return status;
 }
@@ -237,7 +253,7 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
                           : tp_fail_memory(message, "the forces between blocks");
   const bool is_done = aim->bound_alone || is_narrow(&s) || is_enough(&s) || is_never_held(b);
   if (status == TP_OK && b->is_bounded && !is_done) {
-    status = hold_nearer(&s, message);
+    status = isfinite(aim->enough) ? hold(&s, aim->enough, message) : hold_nearer(&s, message);
   }
   tp_ground_tree_clear(&tree);
   free(s.lacks);

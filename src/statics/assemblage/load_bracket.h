@@ -22,13 +22,15 @@ typedef struct tp_load_bracket {
   bool is_held, is_bounded; /* is there a proof below, above? */
   double held;              /* forces hold that load, or one the other way; not looked for
                                beyond TP_MOST_LOAD */
-  double bound; /* none hold more; below zero: none hold it without a load the other way */
+  double bound;    /* none hold more; below zero: none hold it without a load the other way */
+  bool is_settled; /* the search came near the limit, or to what is enough; else a bound may
+                      be far above it */
   double *forces, *twists; /* of these proofs, by column and by row, where there is one */
 } tp_load_bracket;
 
 /* How much is to be proven. Forces near the limit cost most of the search. */
 typedef struct tp_bracket_aim {
-  double share;     /* the width of the bracket, over the limit */
+  double share;     /* the width of the bracket, over the limit or a thousandth if that is more */
   bool bound_alone; /* forces that hold it are not asked for: they are those nearest to the bound */
   double enough;    /* forces that hold so much will do; an infinity: the greatest load */
 } tp_bracket_aim;
@@ -37,6 +39,9 @@ typedef struct tp_bracket_aim {
 TP_MUST_USE tp_status tp_load_bracket_find(tp_load_bracket *bracket,
                                            const tp_force_program *program,
                                            const tp_bracket_aim *aim, tp_message *message);
+/* How near a share of a limit is to it. Nothing is known more closely than a share of a thousandth
+ * of the weights: forces are not solved for to less. */
+double tp_load_width(const tp_load_bracket *bracket, double share);
 void tp_load_bracket_clear(tp_load_bracket *bracket);
 
 #endif

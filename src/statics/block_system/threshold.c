@@ -100,14 +100,17 @@ typedef struct searching {
   tp_message *message;
 } searching;
 
-/* How far the limit is above the load, as angles, and by what that changes with x. */
+/* How far the limit is above the load, as angles, by what that changes with x, and to what it is
+ * known. A search that came to no end is one for what nothing holds. */
 typedef struct margin {
-  double value, slope; /* without a bound an infinity and no number */
+  double value, slope, within;
 } margin;
 
-static margin margin_of(const tp_load_bracket *b, double change, double load) {
-  if (!b->is_bounded) return (margin){b->is_held ? atan(b->held) - atan(load) : -INFINITY, NAN};
-  return (margin){atan(b->bound) - atan(load), change / (1 + b->bound * b->bound)};
+static margin margin_of(const tp_load_bracket *b, double change, double load, double share) {
+  if (!b->is_settled) return (margin){-INFINITY, NAN, 0};
+  if (!b->is_bounded) return (margin){b->is_held ? atan(b->held) - atan(load) : -INFINITY, NAN, 0};
+  const double size = 1 + b->bound * b->bound;
+  return (margin){atan(b->bound) - atan(load), change / size, tp_load_width(b, share) / size};
 }
 
 /* The limit's slope at x, from the program a little farther. */
@@ -138,14 +141,15 @@ static bool add_margin(margin *least, searching *x, double at, double share, boo
   x->status = find_limit(&b, x->of->system, &state, &bound, x->message);
   if (x->status != TP_OK) return false;
   if (b.is_bounded) x->status = find_slope(&slope, x, &b, &state, &farther);
-  const margin own = margin_of(&b, slope, to_side ? x->of->target.value : -x->of->target.value);
+  const margin own =
+      margin_of(&b, slope, to_side ? x->of->target.value : -x->of->target.value, share);
   if (own.value < least->value) *least = own;
   tp_load_bracket_clear(&b);
   return x->status == TP_OK;
 }
 
 static bool find_margin(margin *own, searching *x, double at, double share) {
-  *own = (margin){INFINITY, NAN};
+  *own = (margin){INFINITY, NAN, 0};
   return add_margin(own, x, at, share, true) &&
          (!x->sees_other || add_margin(own, x, at, share, false));
 }
@@ -155,16 +159,20 @@ typedef struct stretch {
   double held, fails;
 } stretch;
 
+/* Away from where it was by a step at most, and within what is looked at. */
+static double onwards(const tp_threshold_search *of, double at, double move) {
+  const double next = at + fmax(-of->step, fmin(of->step, move));
+  return fmin(of->from + of->most, fmax(of->from - of->most, next));
+}
+
 /* By Newton's method; where that leads out of the stretch, halving it or a step onwards. */
 static double next_of(const tp_threshold_search *of, const stretch *s, double at, const margin *m,
                       bool halves) {
-  const double newton = at - m->value / m->slope;
-  if (!halves && newton > s->held && newton < s->fails) {
-    return fmin(of->from + of->most, fmax(of->from - of->most, newton));
-  }
-  if (isfinite(s->held) && isfinite(s->fails)) return s->held + (s->fails - s->held) / 2;
-  return m->value >= 0 ? fmin(of->from + of->most, at + of->step)
-                       : fmax(of->from - of->most, at - of->step);
+  const bool is_within = isfinite(s->held) && isfinite(s->fails);
+  const double move = m->slope < 0 ? -m->value / m->slope : m->value >= 0 ? INFINITY : -INFINITY;
+  const double newton = is_within ? at + move : onwards(of, at, move);
+  if (newton > s->held && newton < s->fails && !(halves && is_within)) return newton;
+  return is_within ? s->held + (s->fails - s->held) / 2 : newton;
 }
 
 typedef enum search_end {
@@ -183,7 +191,11 @@ static search_end find_zero(double *zero, searching *x) {
   for (int k = 0; k < MOST; k++) {
     margin m;
     if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
-    if (m.value > share) s.held = fmax(s.held, at);
+    if (share > limit_share && m.value >= 0 && m.value <= m.within) { /* too near to tell */
+      share = limit_share;
+      continue;
+    }
+    if (m.value >= 0) s.held = fmax(s.held, at);
     if (m.value < 0) s.fails = fmin(s.fails, at); /* as a bound is proven however far it is */
     if (m.value >= 0 && at >= of->from + of->most) return SEARCH_HELD;
     if (m.value < 0 && at <= of->from - of->most) return SEARCH_ENDED;
