@@ -58,3 +58,17 @@ def wall(courses, bricks):
             low = fractions.Fraction(7 * c, 4)
             own.add(f"b{c}.{k}", box(max(left, 0), low, min(right, 4 * bricks), low + fractions.Fraction(7, 4)))
     return own
+
+
+def arch(count, thickness):
+    """A semicircle of voussoirs of mean radius 1 on level ground, from the right springing on; joints are radial."""
+    def corner(radius, k):
+        if k in (0, count):
+            return repr(radius if k == 0 else -radius), "0"
+        return repr(radius * math.cos(math.pi * k / count)), repr(radius * math.sin(math.pi * k / count))
+
+    own = Pile().add("ground", box(-2, -1, 2, 0), True)
+    inner, outer = 1 - thickness / 2, 1 + thickness / 2
+    for k in range(count):
+        own.add(f"v{k}", [corner(inner, k), corner(outer, k), corner(outer, k + 1), corner(inner, k + 1)])
+    return own

@@ -10,7 +10,7 @@ import random
 
 from governing_case import GoverningCase
 from harness import main, rounds, run
-from pile_case import EXAMPLE, Pile, box, degrees_of, text_of, wall
+from pile_case import EXAMPLE, Pile, arch, box, degrees_of, text_of, wall
 
 
 class BlockSystem(GoverningCase):
@@ -80,6 +80,24 @@ class BlockSystem(GoverningCase):
             own = self.json(wall(courses, 5).scene(degrees_of(0.65)))
             self.assertEqual(len(own["contacts"]), contacts)
             self.encloses(own["cases"][0]["critical_angle_deg"], math.degrees(math.atan(known)), 3e-4)
+
+    def test_arches(self):
+        """A semicircular arch of mean radius 1 that stands on its own (section 10 of the mathematics, an exact program of 2026): of 400
+        voussoirs it needs the thickness 0.107478, whatever the friction; of thickness 0.200637 it needs tan φ 0.309215; with 60
+        its hinges are off by up to half a voussoir, which counts squared."""
+        for thickness, verdict in ((0.1074775, "collapses"), (0.1074785, "can be held")):
+            self.assertEqual(self.case(arch(400, thickness).scene(45))["verdict"], verdict)
+        own = self.case(arch(60, 0.200637).scene(degrees_of(0.35)))
+        self.encloses(own["fos"], 0.35 / 0.309215, (math.pi / 60) ** 2)
+
+    def test_pinched_brick(self):
+        """A brick that hangs between two blocks on level ground: μ = 1/√(1 + 2W/w) holds it, by friction that its own thrust makes. That
+        no motion can begin is never said."""
+        pile = Pile().add("ground", box(-9, -1, 9, 0), True).add("left", box(-4, 0, 0, 2)).add("right", box(1, 0, 5, 2))
+        pile.add("brick", box(0, fractions.Fraction(1, 2), 1, fractions.Fraction(3, 2)))
+        own = self.case(pile.scene(degrees_of(0.5)))
+        self.assertEqual(own["verdict"], "can be held")
+        self.encloses(own["fos"], 0.5 * math.sqrt(1 + 2 * 8), 1e-9)
 
     def test_joint_of_its_own(self):
         """A block 2 × 1 below a column 1 × 5, μ 0.6: tan of the limit 0.25517241 = 37/145 with a frictionless joint between them,

@@ -283,6 +283,8 @@ static tp_status make(interior *s, const tp_force_program *p, tp_message *messag
 
 tp_status tp_interior_point(const tp_force_program *p, tp_interior_watch *watch, void *context,
                             tp_message *message) {
+  static const double lost = 1e12; /* roundings lead away from what all came near to */
+  double first = INFINITY;
   interior s = {.p = NULL};
   const tp_status status = make(&s, p, message);
   bool goes_on = status == TP_OK;
@@ -291,7 +293,9 @@ tp_status tp_interior_point(const tp_force_program *p, tp_interior_watch *watch,
     find_residuals(&s);
     const tp_interior_iterate iterate = {s.x, s.x[s.n] + TP_LEAST_LOAD, s.y,
                                          s.mu * (double)(s.n + 1)};
-    goes_on = !watch(context, &iterate) && advance(&s);
+    const double off = dot(s.rd, s.rd, s.n + 1);
+    if (k == 0) first = off;
+    goes_on = !watch(context, &iterate) && off <= lost * first && advance(&s);
   }
   clear(&s);
   return status;

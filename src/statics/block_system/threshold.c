@@ -165,10 +165,12 @@ static double onwards(const tp_threshold_search *of, double at, double move) {
   return fmin(of->from + of->most, fmax(of->from - of->most, next));
 }
 
-/* By Newton's method; where that leads out of the stretch, halving it or a step onwards. */
+/* By Newton's method; where that leads out of the stretch, halving it or a step onwards. Where
+ * nothing tells how far away forces are, it looks first whether there are any at all. */
 static double next_of(const tp_threshold_search *of, const stretch *s, double at, const margin *m,
                       bool halves) {
   const bool is_within = isfinite(s->held) && isfinite(s->fails);
+  if (m->value == -INFINITY && !isfinite(s->held)) return of->from - of->most;
   const double move = m->slope < 0 ? -m->value / m->slope : m->value >= 0 ? INFINITY : -INFINITY;
   const double newton = is_within ? at + move : onwards(of, at, move);
   if (newton > s->held && newton < s->fails && !(halves && is_within)) return newton;
