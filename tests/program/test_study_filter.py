@@ -206,6 +206,27 @@ class Filter(StudyCase):
             told = self.check_slope(vary)
             self.assertTrue(told >= least if least > 0 else told == 0, told)
 
+    def test_a_block_in_the_frame_of_the_world(self):
+        """Turned by a slope of 3 in 16 to either side, with what holds and shakes it; a tilt that is added to the dip is solved."""
+        points = [(0, 0), (0.5, -0.06), (1.2, 0), (1.2, 2.4), (0, 2.4)]
+        for side in (1, -1):
+            turned = [(x - side * y * 3 / 16, y + side * x * 3 / 16) for x, y in points]
+            ends = f"[[{turned[0][0]}, {turned[0][1]}], [{turned[2][0]}, {turned[2][1]}]]"
+            text = ("topple: 1\nlength_unit: m\nframe: world\nblock:\n  outline: "
+                    f"[{', '.join(f'[{x}, {y}]' for x, y in turned)}]\n  unit_weight_kn_m3: 26\n"
+                    f"base: {{mated: true, between: {ends}, beyond: {{left: 0, right: 0}}}}\nloads:\n"
+                    "  seismic: {horizontal: 0.05, direction: down_dip}\n"
+                    f"  anchors: [{{at: [{turned[4][0]}, {turned[4][1]}], direction_deg: {270 - 80 * side}, force_kn: 4}}]\n"
+                    f"  surcharges: [{{from: [{turned[3][0]}, {turned[3][1]}], to: [{turned[4][0]}, {turned[4][1]}], kpa: 3}}]\n"
+                    "  cohesion_kpa: 2\nfriction_angle_deg: 36\n")
+            vary = {"friction_angle_deg": (25, 42), "loads.seismic.horizontal": (0, 0.2), "loads.anchors.1.force_kn": (2, 8),
+                    "loads.cohesion_kpa": (1, 4)}
+            for extra, also, least in (("", {}, 0.9), ("tilt: {angle_deg: 3}\n", {}, 0.9),
+                                       ("tilt: {angle_deg: 3}\n", {"tilt.angle_deg": (1, 9)}, 0)):
+                (self.folder / "scene.yaml").write_text(text + extra)
+                told = self.check_slope(vary | also, samples=200)
+                self.assertTrue(told >= least if least > 0 else told == 0, (extra, also, told))
+
     def test_a_unit_weight_beside_that_of_a_part_moves_the_centroid(self):
         """No row may be that of another unit weight: with a lighter part in it the block has another centroid."""
         (self.folder / "parts.yaml").write_text(

@@ -76,7 +76,7 @@ bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilt
   const tp_keyed_filter *f = study->filter;
   tp_case_told told;
   tp_near tilt_deg;
-  if (f == NULL || (f->on_slope && tilts > 0) ||
+  if (f == NULL || (f->lies_in_place && tilts > 0) ||
       !tp_keyed_filter_tell(&told, &tilt_deg, f, row->values) || !take_case(row, &told) ||
       !take_own(row, &told, tilt_deg, f->has_tilt)) {
     return false;

@@ -35,6 +35,7 @@ typedef struct tp_case_filter {
   tp_contact_plan plan;
   tp_case_shape shape;  /* of the scene as it is */
   tp_contact_rest rest; /* points that the plan leaves out */
+  tp_near tilt_deg;     /* of the scene as it is, its dip included */
   tp_load_plan loads;
   tp_capacity_plan capacities;
   bool varies; /* the block does, by this map: */

@@ -35,7 +35,9 @@ static const char *tilt_key_of(const tp_scene *scene) {
 
 static int part_of(const tp_scene_key *key, const tp_scene *scene) {
   if (is_key(key, scene, "friction_angle_deg")) return TP_KEYED_FRICTION;
-  if (is_key(key, scene, tilt_key_of(scene))) return TP_KEYED_TILT;
+  if (is_key(key, scene, tilt_key_of(scene)) || is_key(key, scene, "tilt.angle_deg")) {
+    return TP_KEYED_TILT;
+  }
   if (is_key(key, scene, "block.thickness")) return TP_KEYED_THICKNESS;
   for (int k = 0; k < TP_LOAD_NUMBERS; k++) {
     if (is_key(key, scene, tp_load_number_key((tp_load_number)k))) return TP_KEYED_LOAD + k;
@@ -68,6 +70,12 @@ static bool keeps_loads(const tp_keyed_filter *own, size_t count, bool further_t
   return keeps;
 }
 
+/* Is the tilt one of the dip and of what is given beside it, of which one alone varies? */
+static bool adds_to_dip(const tp_scene *scene) {
+  return scene->frame == TP_FRAME_WORLD ||
+         (scene->frame == TP_FRAME_SLOPE && scene->tilt_angle_deg.given);
+}
+
 static tp_status find(tp_keyed_filter *own, const tp_scene *scene, const tp_scene_key *keys,
                       bool further_tilts, tp_message *message) {
   tp_scene_key of_block[TP_AFFINE_VARIABLES];
@@ -76,17 +84,16 @@ static tp_status find(tp_keyed_filter *own, const tp_scene *scene, const tp_scen
     own->parts[k] = part_of(keys + k, scene);
     const bool weighs = own->parts[k] == TP_KEYED_LOAD + TP_NUMBER_UNIT_WEIGHT;
     if (weighs && scene->block.part_count > 0) return TP_OK; /* it moves the centroid */
+    if (own->parts[k] == TP_KEYED_TILT && adds_to_dip(scene)) return TP_OK;
     if (own->parts[k] != TP_KEYED_BLOCK) continue;
     if (blocks == TP_AFFINE_VARIABLES) return TP_OK;
     of_block[blocks++] = keys[k];
   }
-  own->on_slope = scene->frame == TP_FRAME_SLOPE;
-  if (own->on_slope && scene->tilt_angle_deg.given) return TP_OK; /* it is added to the dip */
-  own->has_tilt = scene->tilt_angle_deg.given || own->on_slope;
+  own->lies_in_place = tp_scene_lies_in_place(scene);
+  own->has_tilt = scene->tilt_angle_deg.given || own->lies_in_place;
   own->friction_deg = near_of_rational(scene->friction_angle_deg.value);
-  own->tilt_deg =
-      near_of_rational(own->on_slope ? scene->slope.dip_deg.value : scene->tilt_angle_deg.value);
   const tp_status status = tp_case_filter_new(&own->of, scene, of_block, blocks, message);
+  if (own->of != NULL) own->tilt_deg = own->of->tilt_deg;
   if (own->of == NULL || keeps_loads(own, own->count, further_tilts)) return status;
   free(own->of);
   own->of = NULL;

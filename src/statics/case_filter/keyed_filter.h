@@ -2,7 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The case filter of a scene in which the numbers at some keys vary: friction, tilt or the dip of a
- * slope, numbers of its loads, its unit weight and thickness, and vertices as functions of numbers.
+ * slope (not of the world's frame), numbers of its loads, its unit weight and thickness, and
+ * vertices as functions of numbers.
  */
 
 #ifndef TP_CASE_FILTER_KEYED_FILTER_H
@@ -14,8 +15,8 @@ typedef struct tp_keyed_filter {
   tp_case_filter *of;
   size_t count;
   int *parts; /* what each number is */
-  bool has_tilt, on_slope;
-  tp_near friction_deg, tilt_deg; /* of the scene, where they do not vary; on a slope its dip */
+  bool has_tilt, lies_in_place;
+  tp_near friction_deg, tilt_deg; /* of the scene, where they do not vary; with its dip */
 } tp_keyed_filter;
 
 /* `*filter` stays NULL where scenes with these numbers are none for it, or where at `further_tilts`

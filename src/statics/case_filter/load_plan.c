@@ -182,7 +182,7 @@ static void plan_numbers(tp_load_plan *plan, const tp_scene *scene) {
 }
 
 bool tp_load_plan_init(tp_load_plan *plan, const tp_evaluation *e, const tp_onset_asked *asked,
-                       tp_direction towards) {
+                       tp_direction towards, slong unit) {
   const tp_problem *problem = e->problem;
   const tp_scene *scene = problem->scene;
   const tp_loads_description *loads = &scene->loads;
@@ -201,13 +201,18 @@ bool tp_load_plan_init(tp_load_plan *plan, const tp_evaluation *e, const tp_onse
   arb_init(y);
   find_centroid(x, y, e, asked, towards);
   plan->weight_kn_m = weight_of(e);
-  plan->metres_per_unit = near_of(problem->lattice.step_m);
+  arb_t metres;
+  arb_init(metres);
+  arb_set_fmpq(metres, problem->lattice.step_m, BITS);
+  arb_mul_2exp_si(metres, metres, unit);
+  plan->metres_per_unit = tp_ball_near(metres);
   plan->metres_per_length = near_of(scene->metres_per_unit);
   if (plan->has_water) plan_water(plan, problem, x, y, towards);
   for (int k = 0; k < plan->surcharge_count; k++) {
     plan_surcharge(plan->surcharges + k, loads->surcharges + k, scene, x, y, towards);
   }
-  const bool fits = tp_staying_plan_init(&plan->staying, e, towards, x, y);
+  const bool fits = tp_staying_plan_init(&plan->staying, e, towards, x, y, metres);
+  arb_clear(metres);
   arb_clear(x);
   arb_clear(y);
   return fits;

@@ -33,9 +33,10 @@ typedef struct tp_load_plan {
 /* Do all loads of a scene turn with the tilt as the weight does, or stay with the block? */
 bool tp_load_plan_fits(const tp_scene *scene);
 
-/* Of a case of such a scene; false where there is no room for all of them. */
+/* Of a case of such a scene, the shape's unit being 2^unit lattice steps; false where there is no
+ * room for all of them. */
 bool tp_load_plan_init(tp_load_plan *plan, const tp_evaluation *evaluation,
-                       const tp_onset_asked *asked, tp_direction towards);
+                       const tp_onset_asked *asked, tp_direction towards, slong unit);
 
 /* Do they depend on the outline of the block, other than by its weight? */
 bool tp_load_plan_knows_outline(const tp_load_plan *plan);

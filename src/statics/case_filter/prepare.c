@@ -12,18 +12,18 @@
 #include "onset/onset_question.h"
 #include "stability/solution.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Balls of the preparation; what they tell is rounded to doubles. */
 enum { BITS = 256 };
 
-/* Which way it lets go is known: on a table by its tilt, on a slope by the dip, under an earthquake
- * that acts down-dip alone (stability/earthquakes.c). */
+/* Which way it lets go is known: on a table by its tilt, of a block that lies on a slope by the
+ * dip, under an earthquake that acts down-dip alone (stability/earthquakes.c). */
 static bool goes_one_way(const tp_scene *scene) {
   const tp_loads_description *loads = &scene->loads;
   if (!tp_scene_lies_in_place(scene)) return scene->towards_left != scene->towards_right;
-  return scene->frame == TP_FRAME_SLOPE && !loads->vertical.given &&
-         (!loads->horizontal.given || loads->direction_given);
+  return !loads->vertical.given && (!loads->horizontal.given || loads->direction_given);
 }
 
 /* Under loads that turn with the tilt, with one friction angle, on the tilt as it is given. */
@@ -37,32 +37,59 @@ static tp_near near_of(const arb_t ball) {
   return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
 }
 
-/* Lattice units over the question's scale, from the centroid. */
-static tp_near from_centroid(const arb_t own, const arb_t scale, const arb_t centroid) {
+/* The shape's unit of length is 2^this lattice steps: about the size of the contact, as a lattice
+ * that was turned has steps of no size. */
+static slong unit_of(const tp_cones *cones) {
+  double most = 0;
+  for (long k = 1; k < cones->count; k++) {
+    arb_t apart;
+    arb_init(apart);
+    arb_sub(apart, cones->x + k, cones->x, BITS);
+    most = fmax(most, tp_ball_log2_above(apart));
+    arb_clear(apart);
+  }
+  return (slong)most;
+}
+
+/* Lattice steps over the question's scale, from the centroid, in units. */
+static tp_near from_centroid(const arb_t own, const arb_t scale, const arb_t centroid, slong unit) {
   arb_t rest;
   arb_init(rest);
   arb_div(rest, centroid, scale, BITS);
   arb_sub(rest, own, rest, BITS);
+  arb_mul_2exp_si(rest, rest, -unit);
   const tp_near near = near_of(rest);
   arb_clear(rest);
   return near;
 }
 
-static void set_shape(tp_case_shape *shape, const tp_onset_asked *asked) {
+/* Along a facet, of any length. */
+static void set_direction(tp_shape_point *p, const fmpz_t tx, const fmpz_t ty) {
+  const slong along = (slong)fmpz_bits(tx), up = (slong)fmpz_bits(ty);
+  arb_t part;
+  arb_init(part);
+  arb_set_fmpz(part, tx);
+  arb_mul_2exp_si(part, part, along > up ? -along : -up);
+  p->tx = near_of(part);
+  arb_set_fmpz(part, ty);
+  arb_mul_2exp_si(part, part, along > up ? -along : -up);
+  p->ty = near_of(part);
+  arb_clear(part);
+}
+
+static void set_shape(tp_case_shape *shape, const tp_onset_asked *asked, slong unit) {
   const tp_motion_question *q = &asked->question;
   arb_t square;
   arb_init(square);
   arb_div(square, q->gyration, q->scale, BITS);
   arb_div(square, square, q->scale, BITS);
+  arb_mul_2exp_si(square, square, -2 * unit);
   shape->gyration = near_of(square);
   for (long k = 0; k < asked->cones.count; k++) {
     tp_shape_point *p = shape->points + k;
-    p->x = from_centroid(asked->cones.x + k, q->scale, q->x);
-    p->y = from_centroid(asked->cones.y + k, q->scale, q->y);
-    arb_set_fmpz(square, asked->cones.tx + k);
-    p->tx = near_of(square);
-    arb_set_fmpz(square, asked->cones.ty + k);
-    p->ty = near_of(square);
+    p->x = from_centroid(asked->cones.x + k, q->scale, q->x, unit);
+    p->y = from_centroid(asked->cones.y + k, q->scale, q->y, unit);
+    set_direction(p, asked->cones.tx + k, asked->cones.ty + k);
   }
   arb_clear(square);
 }
@@ -126,11 +153,14 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
   if (status != TP_OK || !*fits) return status;
   tp_onset_asked asked;
   if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
-  set_shape(&f->shape, &asked);
+  const slong unit = unit_of(&asked.cones);
+  set_shape(&f->shape, &asked, unit);
   f->varies = count > 0;
-  *fits = tp_load_plan_init(&f->loads, e, &asked, towards) &&
+  *fits = tp_load_plan_init(&f->loads, e, &asked, towards, unit) &&
           tp_capacity_plan_init(&f->capacities, e, &asked, &f->plan, f->varies);
   tp_onset_asked_clear(&asked);
+  const tp_bounded tilt = tp_result_rational(problem->scene->tilt_angle_deg.value);
+  f->tilt_deg = (tp_near){tilt.value, tilt.error};
   set_pivots(f, e, towards);
   set_facets(f, problem, towards);
   *fits = *fits && is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);

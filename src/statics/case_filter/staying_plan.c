@@ -82,17 +82,15 @@ static void plan_dependences(tp_staying_plan *plan, const tp_scene *scene) {
 }
 
 bool tp_staying_plan_init(tp_staying_plan *plan, const tp_evaluation *e, tp_direction towards,
-                          const arb_t centroid_x, const arb_t centroid_y) {
+                          const arb_t centroid_x, const arb_t centroid_y, const arb_t unit) {
   const tp_scene *scene = e->problem->scene;
   tp_loaded loaded;
-  arb_t weight, unit;
+  arb_t weight;
   *plan = (tp_staying_plan){.count = 0};
   plan_dependences(plan, scene);
   if (!tp_loaded_init(&loaded, e, towards)) return false;
   arb_init(weight);
-  arb_init(unit);
   tp_evaluation_weight(weight, e);
-  arb_set_fmpq(unit, e->problem->lattice.step_m, BITS);
   bool fits = true;
   for (long k = 0; k < loaded.count && fits; k++) {
     if (!stays(loaded.items + k, &scene->loads)) continue;
@@ -101,7 +99,6 @@ bool tp_staying_plan_init(tp_staying_plan *plan, const tp_evaluation *e, tp_dire
                      centroid_y, weight, unit);
   }
   arb_clear(weight);
-  arb_clear(unit);
   tp_loaded_clear(&loaded);
   return fits;
 }

@@ -22,9 +22,10 @@ typedef struct tp_staying_plan {
   tp_staying_load items[TP_FILTER_LOADS];
 } tp_staying_plan;
 
-/* Of a case, its centroid in metres, x mirrored towards the right. False where memory is exhausted,
- * there is no room for all of them, or one turns with the tilt after all. */
+/* Of a case, its centroid and the shape's unit in metres, x mirrored towards the right. False where
+ * memory is exhausted, there is no room for all of them, or one turns with the tilt after all. */
 bool tp_staying_plan_init(tp_staying_plan *plan, const tp_evaluation *evaluation,
-                          tp_direction towards, const arb_t centroid_x, const arb_t centroid_y);
+                          tp_direction towards, const arb_t centroid_x, const arb_t centroid_y,
+                          const arb_t unit);
 
 #endif
