@@ -137,14 +137,22 @@ static bool find_beginning(tp_mechanism *mechanism, const tp_case_told *told) {
   return beginnings == 1U << first;
 }
 
+/* Of the factor by the tilt less what governs: the sign, 0 where doubles do not tell the two apart.
+ */
+static int order_of_tilt(const least *l, const tp_case_told *told, const tp_filter_state *s) {
+  if (told->never || tp_near_is_zero(s->tangent)) return 1;
+  const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
+  return l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : -1;
+}
+
 /* Of a block that stands whatever its strength: by the tilt, if that is less than what governs by
  * then. */
 static bool take_tilt(least *l, const tp_case_told *told, const tp_filter_state *s) {
-  if (told->never || tp_near_is_zero(s->tangent)) return true;
+  const int order = order_of_tilt(l, told, s);
+  if (order > 0) return true;
   const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
-  const int order = l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : -1;
   if (order == 0) l->fos = tp_near_lesser(l->fos, fos);
-  if (order >= 0) return true;
+  if (order == 0) return true;
   tp_mechanism mechanism = TP_MECHANISM_UNDECIDED;
   return find_beginning(&mechanism, told) && take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_TILT, mechanism);
 }
@@ -184,6 +192,15 @@ static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state
          take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_TILT, s->mover);
 }
 
+/* What governs may be that number as well, from which it is not told apart. */
+static void widen(least *l, tp_near fos) {
+  const tp_near lower = tp_near_lesser(l->fos, fos), own = l->fos;
+  const double low = fmin(lower.value - lower.error, own.value - own.error);
+  const double high = fmax(lower.value + lower.error, own.value + own.error);
+  l->fos =
+      tp_near_of(low + (high - low) / 2, (high - low) / 2 + (fabs(low) + fabs(high)) * DBL_EPSILON);
+}
+
 /* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
  * else would, the tilt. */
 static bool take_strength(least *l, const tp_case_told *told, const tp_filter_state *s) {
@@ -191,7 +208,13 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
   const double most =
       l->number && !s->moves ? (l->fos.value + l->fos.error) * (1 + 0x1p-30) : INFINITY;
   if (!tp_strength_filter_find(&own, &told->of, s->tangent, s->moves, most)) return false;
-  if (own.found && own.farther) return true;
+  if (own.farther) {
+    const int order = order_of_tilt(l, told, s);
+    if (order == 0) widen(l, tp_near_div(told->onset.tangent, s->tangent));
+    if (order >= 0 || tp_strength_filter_needs_some(&told->of, s->tangent)) return true;
+    if (!tp_strength_filter_find(&own, &told->of, s->tangent, false, INFINITY)) return false;
+    if (own.found) return true;
+  }
   if (!own.found && s->moves) return l->number || take_onset(l, told, s);
   if (!own.found) return take_tilt(l, told, s);
   const bool raised = own.share.value > 1;

@@ -95,9 +95,10 @@ static bool are_borne(const tp_edge_set *set, const tp_near b[3], tp_near scale)
 }
 
 static bool holds(const tp_edge_set *set, tp_near tangent) {
+  static const tp_near one = {1, 0};
   tp_near b[3];
   tp_filter_loads_at(b, set->loads, tangent);
-  return are_borne(set, b, tp_tilt_secant(tangent));
+  return are_borne(set, b, set->capacities->acts ? tp_tilt_secant(tangent) : one);
 }
 
 /* The tilts between two that hold. */

@@ -14,7 +14,15 @@
 
 #include "case_filter/strong_modes.h"
 
+#include <string.h>
+
 enum { GENERATORS = 2 + TP_PLAN_EDGES };
+
+/* The normal of the plane of two generators, and the loads' power on it. */
+typedef struct plane {
+  tp_near h[3];
+  tp_tilt_form power;
+} plane;
 
 /* What spans the cone of a mode: rays, then edges turned round. */
 typedef struct cone {
@@ -22,13 +30,17 @@ typedef struct cone {
   const tp_filter_loads *loads;
   tp_near of[GENERATORS][3];
   tp_near across[3]; /* to both rays: M^-1 h of their normal line, times k^2 */
+  bool known[GENERATORS][GENERATORS];
+  plane planes[GENERATORS][GENERATORS]; /* of each two, the lesser first, that were asked for */
 } cone;
 
 static void set_cone(cone *c, const tp_plan_mode *mode, const tp_filter_case *of,
                      tp_near edges[][2][3]) {
   const tp_case_shape *shape = of->shape;
+  const int count = mode->ray_count + mode->edge_count;
   c->mode = mode;
   c->loads = of->loads;
+  for (int k = 0; k < count; k++) memset(c->known[k], 0, (size_t)count);
   for (int k = 0; k < mode->ray_count; k++) {
     for (int e = 0; e < 3; e++) c->of[k][e] = shape->inertia[mode->rays[k]][e];
   }
@@ -42,14 +54,22 @@ static void set_cone(cone *c, const tp_plan_mode *mode, const tp_filter_case *of
   tp_shape_response(c->across, shape, mode->line);
 }
 
-/* The normal of the plane of two generators; of two rays from their normal line, which is exact
- * where its facet is level. */
-static void set_plane(tp_near plane[3], const cone *c, int i, int j) {
-  if (c->mode->ray_count == 2 && i + j == 1) {
-    for (int e = 0; e < 3; e++) plane[e] = c->across[e];
+static bool is_across(const cone *c, int i, int j) {
+  return c->mode->ray_count == 2 && i + j == 1;
+}
+
+/* Of i < j; of two rays from their normal line, which is exact where its facet is level. */
+static const plane *plane_of(cone *c, int i, int j) {
+  plane *own = &c->planes[i][j];
+  if (c->known[i][j]) return own;
+  c->known[i][j] = true;
+  if (is_across(c, i, j)) {
+    for (int e = 0; e < 3; e++) own->h[e] = c->across[e];
   } else {
-    tp_sparse_cross(plane, c->of[i], c->of[j]);
+    tp_sparse_cross(own->h, c->of[i], c->of[j]);
   }
+  tp_filter_loads_power(&own->power, c->loads, own->h);
+  return own;
 }
 
 /* Where the loads have h . w >= 0, times `sign`. False where open. */
@@ -60,14 +80,19 @@ static bool keep_loads(tp_near_interval *own, const tp_near h[3], const tp_filte
   return tp_near_interval_keep(own, &power, sign, loads->stays);
 }
 
-/* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two. */
-static bool span_triple(tp_near_interval *own, const cone *c, const signed char of[3]) {
+/* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two; all h . g are the one
+ * determinant, for i < j < k that of h across i and k turned round. */
+static bool span_triple(tp_near_interval *own, cone *c, const signed char of[3]) {
+  const plane *last = plane_of(c, of[1], of[2]);
+  const int turn = tp_near_sign(tp_sparse_dot(last->h, c->of[of[0]]));
   *own = (tp_near_interval){.empty = false};
+  if (turn == 0) return false;
   for (int k = 0; k < 3 && (!own->empty || c->loads->stays); k++) {
-    tp_near h[3];
-    set_plane(h, c, of[(k + 1) % 3], of[(k + 2) % 3]);
-    const int sign = tp_near_sign(tp_sparse_dot(h, c->of[of[k]]));
-    if (sign == 0 || !keep_loads(own, h, c->loads, sign)) return false;
+    const int i = of[k == 0 ? 1 : 0], j = of[k == 2 ? 1 : 2];
+    const plane *p = k == 0 ? last : plane_of(c, i, j);
+    int sign = k == 1 ? -turn : turn;
+    if (is_across(c, i, j)) sign = tp_near_sign(tp_sparse_dot(p->h, c->of[of[k]]));
+    if (sign == 0 || !tp_near_interval_keep(own, &p->power, sign, c->loads->stays)) return false;
   }
   tp_near_interval_settle(own);
   return true;

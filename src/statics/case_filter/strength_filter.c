@@ -20,16 +20,9 @@ static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_c
     own->at[e] = tp_near_neg(p->normal[e]);
     own->rise[e] = tp_near_times(along, p->slip[e]);
   }
+  own->balls = NULL;
   own->site = at->site + 1;
   own->parallel = 1 + 4 * at->axis + 2 * at->along + edge.against;
-}
-
-static void set_loads(tp_share_mode *mode, const tp_filter_loads *loads, tp_near tangent) {
-  tp_near borne[3];
-  tp_filter_loads_at(borne, loads, tangent);
-  mode->loads = (tp_share_line){.site = 0};
-  for (int e = 0; e < 3; e++) mode->loads.at[e] = tp_near_neg(borne[e]);
-  mode->free_count = 0;
 }
 
 /* A force that is there whatever the share, or grows with it. */
@@ -50,9 +43,9 @@ static void set_fixed(tp_share_mode *mode, const tp_near fixed[3], tp_near secan
 static bool add_capacities(tp_share_mode *mode, const tp_filter_case *of, const tp_plan_mode *own,
                            tp_near tangent) {
   static const tp_near one = {1, 0};
-  const tp_near secant = tp_tilt_secant(tangent);
   tp_mode_capacities held;
   if (!of->capacities->acts) return true;
+  const tp_near secant = tp_tilt_secant(tangent);
   if (!tp_mode_capacities_find(&held, of, own)) return false;
   set_fixed(mode, held.fixed, secant);
   for (int k = 0; k < held.pull_count; k++) {
@@ -62,22 +55,6 @@ static bool add_capacities(tp_share_mode *mode, const tp_filter_case *of, const 
     add_line(mode, held.free[k], secant, true, held.free_site[k]);
   }
   return true;
-}
-
-static void set_mode(tp_share_mode *mode, const tp_filter_case *of, const tp_plan_mode *own) {
-  mode->mechanism = own->mechanism;
-  mode->interior = false;
-  mode->ray_count = own->ray_count;
-  mode->count = own->ray_count + own->edge_count;
-  for (int k = 0; k < own->ray_count; k++) {
-    mode->of[k] = (tp_share_line){.site = 0};
-    for (int e = 0; e < 3; e++) mode->of[k].at[e] = of->shape->inertia[own->rays[k]][e];
-  }
-  for (int k = 0; k < own->edge_count; k++) {
-    tp_share_line *edge = mode->of + own->ray_count + k;
-    *edge = (tp_share_line){.site = 0};
-    set_edge(edge, of->plan, of->shape, own->edges[k], of->friction);
-  }
 }
 
 /* Where all points open under the loads: no share changes that. */
@@ -97,18 +74,48 @@ static void set_interior(tp_share_mode *mode, const tp_filter_case *of) {
 typedef struct modes {
   const tp_filter_case *of;
   tp_near tangent;
+  tp_near loads[3];                       /* on the block, there */
+  tp_share_line edges[TP_PLAN_POINTS][2]; /* turned round */
 } modes;
+
+static void begin(modes *m, const tp_filter_case *of, tp_near tangent) {
+  m->of = of;
+  m->tangent = tangent;
+  tp_filter_loads_at(m->loads, of->loads, tangent);
+  for (int e = 0; e < 3; e++) m->loads[e] = tp_near_neg(m->loads[e]);
+  for (long k = 0; k < of->plan->point_count; k++) {
+    set_edge(&m->edges[k][0], of->plan, of->shape, (tp_cone_edge){k, false}, of->friction);
+    set_edge(&m->edges[k][1], of->plan, of->shape, (tp_cone_edge){k, true}, of->friction);
+  }
+}
 
 static int count_of(const modes *m) {
   return m->of->plan->mode_count + (m->of->plan->opens_all ? 1 : 0);
 }
 
+static void set_mode(tp_share_mode *mode, const modes *m, const tp_plan_mode *own) {
+  mode->mechanism = own->mechanism;
+  mode->interior = false;
+  mode->ray_count = own->ray_count;
+  mode->count = own->ray_count + own->edge_count;
+  for (int k = 0; k < own->ray_count; k++) {
+    mode->of[k] = (tp_share_line){.site = 0};
+    for (int e = 0; e < 3; e++) mode->of[k].at[e] = m->of->shape->inertia[own->rays[k]][e];
+  }
+  for (int k = 0; k < own->edge_count; k++) {
+    const tp_cone_edge *edge = own->edges + k;
+    mode->of[own->ray_count + k] = m->edges[edge->point][edge->against];
+  }
+}
+
 static bool read_mode(tp_share_mode *mode, const modes *m, int k) {
   mode->sum = NULL;
   mode->bits = 0;
-  set_loads(mode, m->of->loads, m->tangent);
+  mode->loads = (tp_share_line){.site = 0};
+  for (int e = 0; e < 3; e++) mode->loads.at[e] = m->loads[e];
+  mode->free_count = 0;
   if (k < m->of->plan->mode_count) {
-    set_mode(mode, m->of, m->of->plan->modes + k);
+    set_mode(mode, m, m->of->plan->modes + k);
     return add_capacities(mode, m->of, m->of->plan->modes + k, m->tangent);
   }
   set_interior(mode, m->of);
@@ -152,13 +159,14 @@ static bool enclose(tp_near *share, const modes *m, double about) {
   return proven;
 }
 
-/* Where what can begin, or cannot, first changes; false where doubles do not tell. */
-static bool find_change(tp_share_change *change, const modes *m, bool moves) {
+/* Where what can begin, or cannot, first changes, if its ratio is no larger; false where doubles do
+ * not tell. */
+static bool find_change(tp_share_change *change, const modes *m, bool moves, double ratio) {
   tp_share_mode mode;
   tp_share_spans spans = {.count = 0};
   bool done = true;
   for (int k = 0; k < count_of(m) && done; k++) {
-    done = read_mode(&mode, m, k) && tp_share_spans_add(&spans, &mode);
+    done = read_mode(&mode, m, k) && tp_share_spans_add_near(&spans, &mode, ratio);
   }
   *change = tp_share_spans_change(&spans, moves);
   tp_share_spans_clear(&spans);
@@ -167,21 +175,36 @@ static bool find_change(tp_share_change *change, const modes *m, bool moves) {
 
 bool tp_strength_filter_find(tp_strength_told *told, const tp_filter_case *of, tp_near tangent,
                              bool moves, double most) {
-  const modes m = {of, tangent};
+  modes m;
   tp_share_change change;
-  const bool done = find_change(&change, &m, moves);
+  begin(&m, of, tangent);
+  const bool done = find_change(&change, &m, moves, most);
   told->found = change.found;
-  told->farther = change.found && fabs(log(change.share)) > log(most);
+  told->farther = most < INFINITY && (!change.found || fabs(log(change.share)) > log(most));
   if (!done || !change.found || told->farther) return done;
   told->mechanism = change.mechanism;
   return enclose(&told->share, &m, change.share);
 }
 
+bool tp_strength_filter_needs_some(const tp_filter_case *of, tp_near tangent) {
+  static const double hardly_any = 16 * TP_LEAST_SHARE;
+  modes m;
+  tp_share_mode mode;
+  bool begins = false;
+  begin(&m, of, tangent);
+  for (int k = 0; k < count_of(&m) && !begins; k++) {
+    begins = read_mode(&mode, &m, k) && tp_share_mode_side(&mode, hardly_any) > 0;
+  }
+  return begins;
+}
+
 bool tp_strength_filter_moves_onset(const tp_filter_case *of, tp_near onset) {
   static const double beside = TP_BESIDE_END_DEG * M_PI / 180;
   const double t = onset.value;
-  const modes m = {of, {t + beside * (1 + t * t), 0}};
+  modes m;
   tp_share_change change;
-  return find_change(&change, &m, true) && change.found &&
+  const double ratio = 1 + 2 * TP_LITTLE_STRENGTH;
+  begin(&m, of, (tp_near){t + beside * (1 + t * t), 0});
+  return find_change(&change, &m, true, ratio) && change.found &&
          fabs(log(change.share)) < TP_LITTLE_STRENGTH;
 }

@@ -9,6 +9,7 @@
 #include "number/ball.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Three of the generators and of what is free, the rest of that at its bounds. */
 typedef struct choice {
@@ -85,24 +86,60 @@ static bool next_choice(choice *c, const tp_share_mode *m) {
   return true;
 }
 
-static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own) {
+enum { LINES = TP_SHARE_LINES + TP_SHARE_FREE };
+
+/* det(w, g_i, g_j) of two generators, where nothing is free: the same for all choices that have
+ * both. */
+typedef struct pair_parts {
+  bool known[LINES][LINES];
+  tp_share_polynomial of[LINES][LINES];
+} pair_parts;
+
+static tp_share_polynomial part_of(pair_parts *parts, const tp_share_mode *m,
+                                   const tp_share_line *loads, int i, int j) {
+  if (m->free_count > 0) return tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
+  tp_share_polynomial *own = &parts->of[i][j];
+  if (!parts->known[i][j]) *own = tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
+  parts->known[i][j] = true;
+  return *own;
+}
+
+/* The parts of a choice; false where two differ in sign at all shares that matter. */
+static bool find_parts(tp_share_polynomial part[3], pair_parts *parts, const tp_share_mode *m,
+                       const choice *own, double ratio) {
   const tp_share_line loads = loads_of(m, own);
+  const bool rejects = ratio < INFINITY && !is_free(m, own->of[2]);
+  for (int k = 0; k < 3; k++) {
+    part[k] = part_of(parts, m, &loads, own->of[(k + 1) % 3], own->of[(k + 2) % 3]);
+    for (int before = 0; before < k && rejects; before++) {
+      if (tp_share_polynomials_oppose(part + before, part + k, 1 / ratio, ratio)) return false;
+    }
+  }
+  return true;
+}
+
+static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own,
+                       double ratio, pair_parts *parts) {
   const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
+  tp_share_polynomial part[3];
+  if (!find_parts(part, parts, m, own, ratio)) return true;
   const tp_share_polynomial whole = tp_share_determinant(g[0], g[1], g[2], m->bits);
   tp_share_conditions c = {.count = 0};
   if (whole.degree < 0) return true;
   for (int k = 0; k < 3; k++) {
-    const tp_share_polynomial part =
-        tp_share_determinant(&loads, g[(k + 1) % 3], g[(k + 2) % 3], m->bits);
     tp_share_polynomial *to = c.of[c.count++];
-    to[0] = part;
+    to[0] = part[k];
     to[1] = whole;
-    if (!is_free(m, own->of[k])) continue;
-    for (int e = 0; e <= TP_SHARE_DEGREE; e++) { /* from -1 to 1 */
-      to[0].of[e] = whole.of[e] - part.of[e];
-      to[1].of[e] = whole.of[e] + part.of[e];
+    if (!is_free(m, own->of[k])) {
+      if (ratio < INFINITY && tp_share_polynomials_oppose(to, to + 1, 1 / ratio, ratio))
+        return true;
+      continue;
     }
-    to[0].degree = to[1].degree = whole.degree > part.degree ? whole.degree : part.degree;
+    for (int e = 0; e <= TP_SHARE_DEGREE; e++) { /* from -1 to 1 */
+      to[0].of[e] = whole.of[e] - part[k].of[e];
+      to[1].of[e] = whole.of[e] + part[k].of[e];
+    }
+    to[0].degree = to[1].degree = whole.degree > part[k].degree ? whole.degree : part[k].degree;
   }
   return tp_share_spans_where(spans, &c, m->mechanism);
 }
@@ -134,11 +171,17 @@ static bool add_interior(tp_share_spans *spans, const tp_share_mode *m) {
 }
 
 bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *m) {
+  return tp_share_spans_add_near(spans, m, INFINITY);
+}
+
+bool tp_share_spans_add_near(tp_share_spans *spans, const tp_share_mode *m, double ratio) {
   if (m->interior) return add_interior(spans, m);
   if (m->count + m->free_count < 3) return true; /* they span no solid */
   choice c = {.of = {0, 1, 2}};
+  pair_parts parts;
+  for (int k = 0; k < m->count; k++) memset(parts.known[k], 0, (size_t)m->count);
   do {
-    if (!is_flat(m, c.of) && !add_choice(spans, m, &c)) return false;
+    if (!is_flat(m, c.of) && !add_choice(spans, m, &c, ratio, &parts)) return false;
   } while (next_choice(&c, m));
   return true;
 }

@@ -39,6 +39,9 @@ typedef struct tp_share_mode {
 /* Adds the shares at which the mode can begin, as doubles have it; false when memory is exhausted.
  */
 TP_MUST_USE bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *mode);
+/* The same, those left out of which no share lies from 1 / ratio to the ratio: cheaper. */
+TP_MUST_USE bool tp_share_spans_add_near(tp_share_spans *spans, const tp_share_mode *mode,
+                                         double ratio);
 
 /* Can it begin with this share? 1, or -1: no; both proven; 0 where that is open. */
 int tp_share_mode_side(const tp_share_mode *mode, double share);

@@ -88,6 +88,7 @@ static tp_share_polynomial plain_determinant(const tp_share_line *of[3]) {
     set_sized(parts[k], of[k]->at);
     if (has_rise[k]) set_sized(parts[k] + 1, of[k]->rise);
   }
+  const int risers = has_rise[0] + has_rise[1] + has_rise[2];
   for (unsigned ups = 0; ups < 8; ups++) {
     const unsigned up[3] = {ups & 1U, ups >> 1 & 1U, ups >> 2 & 1U};
     if ((up[0] && !has_rise[0]) || (up[1] && !has_rise[1]) || (up[2] && !has_rise[2])) continue;
@@ -98,9 +99,13 @@ static tp_share_polynomial plain_determinant(const tp_share_line *of[3]) {
     errors[power] +=
         (most - permanent(a->size, b->size, c->size)) + roundings * unit * most + DBL_MIN;
   }
-  tp_near near[TP_SHARE_DEGREE + 1];
-  for (int k = 0; k <= TP_SHARE_DEGREE; k++) near[k] = (tp_near){sums[k], errors[k]};
-  return tp_share_polynomial_of(near);
+  tp_share_polynomial p = {.degree = -1};
+  for (int k = 0; k <= risers; k++) {
+    if (!(fabs(sums[k]) > errors[k])) continue;
+    p.of[k] = sums[k];
+    p.degree = k;
+  }
+  return p;
 }
 
 /* What doubles do not tell from zero is asked of balls. */
