@@ -11,6 +11,7 @@
 #include "jointing/slope_base.h"
 #include "jointing/slope_cells.h"
 #include "jointing/traces.h"
+#include "number/grid.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,28 +50,14 @@ static bool is_exact(const tp_slope_cells *cells) {
   return small;
 }
 
-/* To the nearest multiple of 2^exponent. */
+/* By how much it was moved. */
 static double round_to(fmpq_t value, long exponent) {
-  fmpq_t grid, old;
-  fmpq_init(grid);
+  fmpq_t old;
   fmpq_init(old);
   fmpq_set(old, value);
-  fmpq_one(grid);
-  if (exponent >= 0) {
-    fmpq_mul_2exp(grid, grid, (unsigned long)exponent);
-  } else {
-    fmpq_div_2exp(grid, grid, (unsigned long)-exponent);
-  }
-  fmpq_div(value, value, grid);
-  fmpq_mul_2exp(value, value, 1);
-  fmpz_fdiv_q(fmpq_numref(value), fmpq_numref(value), fmpq_denref(value));
-  fmpz_add_ui(fmpq_numref(value), fmpq_numref(value), 1);
-  fmpz_fdiv_q_2exp(fmpq_numref(value), fmpq_numref(value), 1);
-  fmpz_one(fmpq_denref(value));
-  fmpq_mul(value, value, grid);
+  tp_round_to_grid(value, exponent);
   fmpq_sub(old, value, old);
   const double moved = fabs(fmpq_get_d(old));
-  fmpq_clear(grid);
   fmpq_clear(old);
   return moved;
 }

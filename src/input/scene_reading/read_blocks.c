@@ -182,9 +182,9 @@ const tp_node *tp_read_blocks_given(const tp_node *root) {
 
 /* Keys that say nothing of many blocks. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"base",      "contact",  "joint",           "drawing",
-                                     "section",   "friction", "cases",           "report",
-                                     "tilt_test", "shaking",  "partial_factors", NULL};
+  static const char *const keys[] = {"base",     "joint",           "drawing", "section",
+                                     "friction", "cases",           "report",  "tilt_test",
+                                     "shaking",  "partial_factors", NULL};
   for (size_t k = 0; keys[k] != NULL; k++) {
     const tp_node *node = tp_node_get(root, keys[k]);
     if (node == NULL) continue;
@@ -199,6 +199,22 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
                         "horizontal: leave it out");
   }
   return TP_OK;
+}
+
+/* The noise of a survey, where blocks were listed. */
+static tp_status read_contact(const tp_reader *reader, const tp_node *root) {
+  static const char *const keys[] = {"within", NULL};
+  const tp_node *node = tp_node_get(root, "contact");
+  if (node == NULL) return TP_OK;
+  if (tp_node_get(root, "blocks") == NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "'contact' closes gaps of blocks that are listed; those of '%s' touch "
+                        "exactly: leave it out",
+                        tp_read_blocks_given(root)->key);
+  }
+  const tp_status status = tp_node_expect_keys(node, keys, "the contact of many blocks",
+                                               reader->scene->path, reader->message);
+  return status == TP_OK ? tp_read_contact(reader, node) : status;
 }
 
 /* Listed, or made by a rule. */
@@ -223,6 +239,7 @@ tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root) {
   tp_block_description *all = &reader->scene->block;
   fmpq_init(unit_weight.value);
   tp_status status = check_root(reader, root);
+  if (status == TP_OK) status = read_contact(reader, root);
   if (status == TP_OK) status = read_common(reader, tp_node_get(root, "block"));
   if (status == TP_OK) {
     tp_quantity_copy(&unit_weight, &all->unit_weight_kn_m3);

@@ -5,6 +5,7 @@
  * weights and centroids from them with bounds. */
 
 #include "assemblage/assemblage.h"
+#include "assemblage/nearest_block.h"
 
 #include "block/ring_sums.h"
 #include "common/outside.h"
@@ -147,6 +148,18 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
   return TP_OK;
 }
 
+static tp_status fail_floating(const tp_assemblage *a, long block, tp_message *message) {
+  double distance = 0;
+  const long other = tp_nearest_block(&distance, a->given, a->count, block);
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, a->given[block].place,
+      "block '%s' touches no other, and lies %.3g scene lengths from '%s': coordinates that are to "
+      "be the same must be given with the same digits, or 'contact: {within: %.1g}' "
+      "closes gaps of a survey",
+      tp_quote_all(a->given[block].name).text, distance, tp_quote_all(a->given[other].name).text,
+      2 * distance);
+}
+
 static tp_status check_held(const tp_assemblage *a, tp_message *message) {
   const tp_given_block *first = a->given;
   if (a->free_count == 0 || a->free_count == a->count) {
@@ -166,10 +179,7 @@ static tp_status check_held(const tp_assemblage *a, tp_message *message) {
   }
   free(touches);
   if (floating < 0) return TP_OK;
-  return tp_refuse(message, TP_FAULT_GEOMETRY, a->given[floating].place,
-                   "block '%s' touches no other: coordinates that are to be the same must be given "
-                   "with the same digits",
-                   tp_quote_all(a->given[floating].name).text);
+  return fail_floating(a, floating, message);
 }
 
 tp_status tp_assemblage_init(tp_assemblage *a, const tp_given_block *given, long count,

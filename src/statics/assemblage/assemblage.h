@@ -11,17 +11,9 @@
 #ifndef TP_ASSEMBLAGE_ASSEMBLAGE_H
 #define TP_ASSEMBLAGE_ASSEMBLAGE_H
 
-#include "block/section.h"
+#include "assemblage/given_block.h"
 #include "number/near.h"
 #include "plane/lattice.h"
-
-/* Given: borrowed, and all in the same scene lengths. */
-typedef struct tp_given_block {
-  const tp_section *section;
-  TP_OUTSIDE const char *name;
-  tp_place place;
-  bool fixed; /* ground */
-} tp_given_block;
 
 typedef struct tp_rigid_block {
   long outline, end; /* its points of the lattice: outline … end - 1 */

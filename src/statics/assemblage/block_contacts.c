@@ -74,7 +74,7 @@ static int compare_edges(const void *first, const void *second, void *lattice) {
 static tp_status fail_overlap(const tp_assemblage *a, long i, long j, tp_message *message) {
   return tp_refuse(message, TP_FAULT_GEOMETRY, a->given[i > j ? i : j].place,
                    "blocks '%s' and '%s' overlap: move one of them, or cut it off where the other "
-                   "begins",
+                   "begins; 'contact: {within: …}' closes overlaps that are noise of a survey",
                    tp_quote_all(a->given[i < j ? i : j].name).text,
                    tp_quote_all(a->given[i > j ? i : j].name).text);
 }

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Sections shifted to their places and checked; then contacts, and for each the friction of the
- * scene or of the joint between its two blocks. */
+/* Blocks, their contacts, and for each the friction of the scene, of the set that made it or of the
+ * joint between its two blocks. */
 
 #include "block_system/built_system.h"
 
-#include "block/arc_chords.h"
-#include "block/check.h"
 #include "common/notes.h"
 #include "common/outside.h"
 #include "evaluation/friction.h"
@@ -28,66 +26,6 @@ void tp_built_system_clear(tp_built_system *s) {
   for (int left = 0; left < 2; left++) tp_block_loads_clear(s->loads + left);
   tp_notes_clear(&s->notes);
   memset(s, 0, sizeof *s);
-}
-
-/* ---- blocks ------------------------------------------------------------------------------------
- */
-
-static tp_status shift(tp_section *section, const tp_listed_block *listed, tp_message *message) {
-  if (!listed->at_x.given) return TP_OK;
-  for (long r = 0; r < section->ring_count; r++) {
-    tp_polyline *ring = section->rings + r;
-    if (!tp_polyline_separate(ring)) return tp_fail_memory(message, "the blocks");
-    for (long k = 0; k < ring->count; k++) {
-      fmpq_add(ring->x + k, ring->x + k, listed->at_x.value);
-      fmpq_add(ring->y + k, ring->y + k, listed->at_y.value);
-    }
-  }
-  return TP_OK;
-}
-
-/* The block with chords for its arcs. */
-static tp_status set_section(tp_section *section, const tp_listed_block *listed,
-                             tp_message *message) {
-  if (listed->shape.arc_count == 0) return tp_section_init(section, &listed->shape, message);
-  tp_arc_chords chords;
-  const tp_status status = tp_arc_chords_init(&chords, &listed->shape, message);
-  if (status != TP_OK) return status;
-  tp_block_description chorded = listed->shape;
-  chorded.outline = chords.ring;
-  chorded.arcs = NULL;
-  chorded.arc_count = 0;
-  const tp_status made = tp_section_init(section, &chorded, message);
-  tp_arc_chords_clear(&chords);
-  return made;
-}
-
-static tp_status check(const tp_section *section, const fmpq_t metres_per_unit,
-                       tp_message *message) {
-  const tp_polyline **chains = calloc((size_t)section->ring_count + 1, sizeof *chains);
-  if (chains == NULL) return tp_fail_memory(message, "the blocks");
-  for (long r = 0; r < section->ring_count; r++) chains[r] = section->rings + r;
-  tp_lattice lattice;
-  tp_status status =
-      tp_lattice_init(&lattice, chains, section->ring_count, metres_per_unit, message);
-  free(chains);
-  if (status != TP_OK) return status;
-  tp_geom_triangulation triangulation = {0};
-  status = tp_check_section(&triangulation, section, &lattice, message);
-  tp_geom_triangulation_clear(&triangulation);
-  tp_lattice_clear(&lattice);
-  return status;
-}
-
-static tp_status set_block(tp_built_system *s, const tp_listed_block *listed, tp_message *message) {
-  tp_section *section = s->sections + s->count;
-  tp_status status = set_section(section, listed, message);
-  if (status != TP_OK) return status;
-  s->given[s->count++] = (tp_given_block){
-      .section = section, .name = listed->name, .place = listed->place, .fixed = listed->fixed};
-  status = tp_notes_append(&s->notes, &section->notes, message);
-  if (status == TP_OK) status = shift(section, listed, message);
-  return status == TP_OK ? check(section, s->scene->metres_per_unit, message) : status;
 }
 
 /* ---- strength ----------------------------------------------------------------------------------
@@ -251,18 +189,12 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
  */
 
 static tp_status build(tp_built_system *s, tp_message *message) {
-  const tp_block_list *many = &s->scene->many;
-  s->sections = calloc((size_t)many->count, sizeof *s->sections);
-  s->given = calloc((size_t)many->count, sizeof *s->given);
-  if (s->sections == NULL || s->given == NULL) return tp_fail_memory(message, "the blocks");
-  tp_status status = TP_OK;
-  for (long k = 0; k < many->count && status == TP_OK; k++) {
-    status = set_block(s, many->blocks + k, message);
-  }
+  tp_status status = tp_built_system_set_blocks(s, message);
   if (status == TP_OK) {
     status =
         tp_assemblage_init(&s->assemblage, s->given, s->count, s->scene->metres_per_unit, message);
   }
+  if (status == TP_OK) status = tp_built_system_note_gaps(s, message);
   if (status == TP_OK) status = set_strengths(s, message);
   return status == TP_OK ? tp_built_system_set_loads(s, message) : status;
 }

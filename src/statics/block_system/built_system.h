@@ -27,6 +27,10 @@ typedef struct tp_built_system {
 /* Each block is checked by itself first. On failure `system` is cleared. */
 TP_MUST_USE tp_status tp_built_system_init(tp_built_system *system, const tp_scene *scene,
                                            tp_message *message);
+/* Its blocks, at their places, with the gaps closed that the scene asks for; and a caution where
+ * blocks all but touch (block_system/built_blocks.c). */
+TP_MUST_USE tp_status tp_built_system_set_blocks(tp_built_system *system, tp_message *message);
+TP_MUST_USE tp_status tp_built_system_note_gaps(tp_built_system *system, tp_message *message);
 /* Its loads besides weights (block_system/built_loads.c), which need all else. */
 TP_MUST_USE tp_status tp_built_system_set_loads(tp_built_system *system, tp_message *message);
 void tp_built_system_clear(tp_built_system *system);
