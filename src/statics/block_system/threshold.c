@@ -183,18 +183,23 @@ typedef enum search_end {
   SEARCH_ENDED
 } search_end;
 
-/* Far from the zero limits are found to less. */
+/* Far from the zero limits are found to less; and where roundings keep a search from its end. */
 static search_end find_zero(double *zero, searching *x) {
   enum { MOST = 60, NEWTON = 12 };
   static const double width = 2e-7, near = 1e-3; /* the first: a fifth of what is proven */
+  static const double coarser = 32;
   const tp_threshold_search *of = x->of;
   stretch s = {-INFINITY, INFINITY};
-  double at = of->from, share = near;
+  double at = of->from, share = near, finest = limit_share;
   for (int k = 0; k < MOST; k++) {
     margin m;
     if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
-    if (share > limit_share && m.value >= 0 && m.value <= m.within) { /* too near to tell */
-      share = limit_share;
+    if (share > finest && m.value >= 0 && m.value <= m.within) { /* too near to tell */
+      share = finest;
+      continue;
+    }
+    if (m.value == -INFINITY && share < near) { /* too close to come to an end */
+      share = finest = fmin(near, coarser * share);
       continue;
     }
     if (m.value >= 0) s.held = fmax(s.held, at);
@@ -204,7 +209,7 @@ static search_end find_zero(double *zero, searching *x) {
     *zero = next_of(of, &s, at, &m, k >= NEWTON);
     const double move = fabs(*zero - at);
     if ((move < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
-    share = move < near || k >= NEWTON ? limit_share : near;
+    share = move < near || k >= NEWTON ? finest : near;
     at = *zero;
   }
   return SEARCH_ENDED;
