@@ -45,7 +45,7 @@ tp_status tp_role_check(const tp_drawing *chains, const tp_drawing_object *chain
                         tp_drawing_role role, tp_message *message) {
   const char *what = role == TP_DRAWING_BLOCK  ? "the outline of the block"
                      : role == TP_DRAWING_HOLE ? "a hole"
-                                               : "a part";
+                                               : "this outline";
   if (chain->problem != NULL) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, tp_drawing_place(chain), "this %s %s", chain->kind,
                      chain->problem);

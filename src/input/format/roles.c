@@ -23,6 +23,7 @@ typedef struct choosing {
 } choosing;
 
 static bool are(const char *layer, const char *name, const char *word) {
+  if (word == NULL) return false;
   return strcasecmp(layer, word) == 0 || strcasecmp(name, word) == 0;
 }
 
@@ -204,16 +205,17 @@ static tp_status add_role(choosing *c, tp_drawing_role role, long part) {
 static tp_status choose(choosing *c) {
   tp_status status = TP_OK;
   give_roles(c);
-  if (count_role(c, TP_DRAWING_BLOCK) == 0) {
+  const bool of_block = c->words->block != NULL;
+  if (of_block && count_role(c, TP_DRAWING_BLOCK) == 0) {
     status = c->words->block_chosen || count_role(c, TP_DRAWING_BASE) > 0 ||
                      count_role(c, TP_DRAWING_HOLE) > 0
                  ? fail_no_block(c)
                  : choose_only(c);
   }
   if (status == TP_OK) status = add_role(c, TP_DRAWING_BLOCK, -1);
-  if (status == TP_OK) status = check_only(c, TP_DRAWING_BLOCK);
+  if (status == TP_OK && of_block) status = check_only(c, TP_DRAWING_BLOCK);
   if (status == TP_OK) status = add_role(c, TP_DRAWING_BASE, -1);
-  if (status == TP_OK) status = check_only(c, TP_DRAWING_BASE);
+  if (status == TP_OK && of_block) status = check_only(c, TP_DRAWING_BASE);
   if (status == TP_OK) status = add_role(c, TP_DRAWING_HOLE, -1);
   for (long k = 0; k < c->words->part_count && status == TP_OK; k++) {
     status = add_role(c, TP_DRAWING_PART, k);

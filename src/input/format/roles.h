@@ -15,7 +15,7 @@
 
 /* The words of the roles. */
 typedef struct tp_drawing_words {
-  TP_OUTSIDE const char *block, *base, *hole;
+  TP_OUTSIDE const char *block, *base, *hole;  /* NULL, all of them: it has parts alone */
   bool block_chosen, base_chosen, hole_chosen; /* by the scene; else by default */
   long part_count;
   TP_OUTSIDE const char *const *parts; /* layers of parts of the block */

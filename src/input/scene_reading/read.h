@@ -96,6 +96,13 @@ TP_MUST_USE tp_status tp_read_block_shape(const tp_reader *reader, const tp_node
  * NULL of a scene of one. */
 TP_MUST_USE tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root);
 const tp_node *tp_read_blocks_given(const tp_node *root);
+/* Layers of a drawing of many blocks: how many a key of it names, `blocks` or `ground`, and all of
+ * them in this order; and the blocks that stand there. */
+long tp_drawn_layer_count(const tp_node *drawing, const char *key);
+TP_MUST_USE tp_status tp_read_drawn_layers(const tp_reader *reader, const char **layers,
+                                           const tp_node *drawing);
+TP_MUST_USE tp_status tp_read_drawn_blocks(const tp_reader *reader, const tp_node *drawing,
+                                           const tp_quantity *unit_weight);
 /* The key jointed_slope. */
 TP_MUST_USE tp_status tp_read_jointed_slope(const tp_reader *reader, const tp_node *node,
                                             const tp_quantity *unit_weight);

@@ -169,7 +169,7 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
-/* The keys that give blocks, of which a scene has one. */
+/* The keys that give blocks, of which a scene has one, or a drawing of them. */
 static const char *const givers[] = {"blocks", "columns", "jointed_slope"};
 
 const tp_node *tp_read_blocks_given(const tp_node *root) {
@@ -177,7 +177,10 @@ const tp_node *tp_read_blocks_given(const tp_node *root) {
   for (size_t k = 0; k < sizeof givers / sizeof givers[0] && found == NULL; k++) {
     found = tp_node_get(root, givers[k]);
   }
-  return found;
+  const tp_node *drawing = tp_node_get(root, "drawing");
+  const bool of_blocks = drawing != NULL && (tp_node_get(drawing, "blocks") != NULL ||
+                                             tp_node_get(drawing, "ground") != NULL);
+  return found == NULL && of_blocks ? drawing : found;
 }
 
 /* Keys that say nothing of many blocks. */
@@ -187,7 +190,7 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
                                      "shaking",  "partial_factors", NULL};
   for (size_t k = 0; keys[k] != NULL; k++) {
     const tp_node *node = tp_node_get(root, keys[k]);
-    if (node == NULL) continue;
+    if (node == NULL || node == tp_read_blocks_given(root)) continue;
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "'%s' is of a scene of one block, and this one has '%s': leave it out",
                         keys[k], tp_read_blocks_given(root)->key);
@@ -206,11 +209,12 @@ static tp_status read_contact(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"within", NULL};
   const tp_node *node = tp_node_get(root, "contact");
   if (node == NULL) return TP_OK;
-  if (tp_node_get(root, "blocks") == NULL) {
-    return tp_read_fail(reader, TP_FAULT_KEY, node,
-                        "'contact' closes gaps of blocks that are listed; those of '%s' touch "
-                        "exactly: leave it out",
-                        tp_read_blocks_given(root)->key);
+  if (tp_node_get(root, "columns") != NULL || tp_node_get(root, "jointed_slope") != NULL) {
+    return tp_read_fail(
+        reader, TP_FAULT_KEY, node,
+        "'contact' closes gaps of blocks that are listed or drawn; those of '%s' touch "
+        "exactly: leave it out",
+        tp_read_blocks_given(root)->key);
   }
   const tp_status status = tp_node_expect_keys(node, keys, "the contact of many blocks",
                                                reader->scene->path, reader->message);
@@ -231,6 +235,7 @@ static tp_status read_bodies(const tp_reader *reader, const tp_node *root,
   }
   if (strcmp(node->key, "columns") == 0) return tp_read_columns(reader, node, unit_weight);
   if (strcmp(node->key, "blocks") == 0) return read_list(reader, node, unit_weight);
+  if (strcmp(node->key, "drawing") == 0) return tp_read_drawn_blocks(reader, node, unit_weight);
   return tp_read_jointed_slope(reader, node, unit_weight);
 }
 

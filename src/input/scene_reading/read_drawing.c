@@ -21,7 +21,8 @@ typedef struct drawing_keys {
   const tp_node *file, *unit, *parts;
   const char **part_layers;
   const char *path;
-  bool varies; /* a number among them does */
+  bool varies;    /* a number among them does */
+  bool of_blocks; /* many of them */
 } drawing_keys;
 
 static tp_status read_word(const tp_reader *reader, const char **word, const tp_node *node,
@@ -77,6 +78,17 @@ static tp_status read_part_layers(const tp_reader *reader, drawing_keys *k) {
   return status;
 }
 
+/* Layers of many blocks, and then those of ground: parts, and nothing else. */
+static tp_status read_block_layers(const tp_reader *reader, drawing_keys *k, const tp_node *node) {
+  const long count = tp_drawn_layer_count(node, "blocks") + tp_drawn_layer_count(node, "ground");
+  k->words.block = k->words.base = k->words.hole = NULL;
+  k->part_layers = calloc((size_t)count + 1, sizeof *k->part_layers);
+  if (k->part_layers == NULL) return tp_fail_memory(reader->message, "the blocks");
+  k->words.parts = k->part_layers;
+  k->words.part_count = count;
+  return tp_read_drawn_layers(reader, k->part_layers, node);
+}
+
 static tp_status read_words(const tp_reader *reader, drawing_keys *k, const tp_node *node) {
   const tp_node *block = tp_node_get(node, "block"), *base = tp_node_get(node, "base");
   const tp_node *hole = tp_node_get(node, "hole");
@@ -93,18 +105,21 @@ static tp_status read_words(const tp_reader *reader, drawing_keys *k, const tp_n
 }
 
 static tp_status read_keys(const tp_reader *reader, drawing_keys *k, const tp_node *node) {
-  static const char *const keys[] = {"file", "unit", "block",     "base",      "hole",
-                                     "part", "gap",  "tolerance", "reference", NULL};
+  static const char *const keys[] = {"file", "unit",   "block",  "base",      "hole",      "part",
+                                     "gap",  "blocks", "ground", "tolerance", "reference", NULL};
+  k->of_blocks = tp_node_get(node, "blocks") != NULL || tp_node_get(node, "ground") != NULL;
   const tp_node *reference = tp_node_get(node, "reference");
   tp_status status =
       tp_node_expect_keys(node, keys, "the drawing", reader->scene->path, reader->message);
   if (status == TP_OK)
     status = tp_read_required(reader, &k->file, node, "file", "drawing: {file: section.dxf}");
   if (status == TP_OK) status = read_word(reader, &k->path, k->file, "file");
-  if (status == TP_OK) status = read_words(reader, k, node);
+  if (status == TP_OK && !k->of_blocks) status = read_words(reader, k, node);
   k->unit = tp_node_get(node, "unit");
   k->parts = tp_node_get(node, "part");
-  if (status == TP_OK) status = read_part_layers(reader, k);
+  if (status == TP_OK) {
+    status = k->of_blocks ? read_block_layers(reader, k, node) : read_part_layers(reader, k);
+  }
   reader->reading->varies = false;
   if (status == TP_OK)
     status =
@@ -193,7 +208,7 @@ static tp_status use_drawing_unit(const tp_reader *reader, const char *unit, con
 /* Objects on the layer of parts, which need a weight. */
 static tp_status check_part_layer(const tp_reader *reader, const drawing_keys *k,
                                   const tp_drawing *drawing) {
-  for (long i = 0; i < drawing->count && k->parts == NULL; i++) {
+  for (long i = 0; i < drawing->count && k->parts == NULL && !k->of_blocks; i++) {
     const tp_drawing_object *object = drawing->objects + i;
     if (strcasecmp(object->layer, "PART") != 0) continue;
     return tp_refuse(
