@@ -56,6 +56,7 @@
 #include "topple_profile.h"
 #include "topple_scene.h"
 #include "topple_sheet.h"
+#include "topple_solid.h"
 #include "topple_solve.h"
 #include "topple_study.h"
 #include "topple_sweep.h"

@@ -41,6 +41,7 @@ from .record import Bounded
 from .records import *  # noqa: F403
 from .running import Interrupted
 from .scene import Scene
+from .solid import solid_of_file
 from .solution import csv, table
 from .study import study, study_text
 from .sweep import Sweep, sweep, write_sweep
@@ -60,7 +61,7 @@ __all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution"
            "accuracy_of_scene", "accuracy_sweep", "batch", "batch_text", "chart_fos", "chart_map", "chart_mechanisms",
            "chart_overturning", "chart_ranges", "chart_study", "chart_study_scatter", "chart_tilt_phase",
            "chart_tilt_reactions", "critical_angles", "csv", "derive", "derive_family", "explain", "find",
-           "moments", "outline_moments", "profile_of_file", "profile_of_points", "profile_of_scene", "study",
+           "moments", "outline_moments", "profile_of_file", "profile_of_points", "profile_of_scene", "solid_of_file", "study",
            "study_text", "sweep", "table", "terms", "tilt_converge", "tilt_test", "verdicts", "verify",
            "verify_text", "write_sweep"]
 __all__ += _records.__all__ + _words.__all__

@@ -54,6 +54,20 @@ class BatchMethods:
         checked(drawing().lib.tp_report_figures_batch, c_path(folder), c_text(ending), struct_of(self))
 
 
+class SolidMethods:
+    def report(self) -> str:
+        """The report, as `topple solid` prints it."""
+        return written(lib.tp_report_solid, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/json.md)."""
+        return written(lib.tp_report_solid_json, struct_of(self))
+
+    def csv(self) -> str:
+        """A row for every azimuth of every band."""
+        return written(lib.tp_report_solid_csv, struct_of(self))
+
+
 class FoundMethods:
     def report(self) -> str:
         """What was found, as `topple solve --find` prints it."""

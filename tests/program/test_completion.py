@@ -13,7 +13,7 @@ import unittest
 from harness import PROGRAM, ROOT, main, run
 
 FOLDER = ROOT / "docs" / "packaging" / "completion"
-COMMANDS = ("solve", "sweep", "derive", "verify", "accuracy", "chart", "profile", "tilt", "study", "trace", "new",
+COMMANDS = ("solve", "sweep", "derive", "verify", "accuracy", "chart", "profile", "tilt", "solid", "study", "trace", "new",
             "examples", "explain")
 # The function that `complete -F` names, called as bash calls it.
 ASK = r"""
@@ -47,7 +47,7 @@ class Bash(unittest.TestCase):
         subprocess.run(["bash", "-n", FOLDER / "topple.bash"], check=True)
 
     def test_commands(self):
-        self.assertEqual(self.ask("so"), ["solve"])
+        self.assertEqual(sorted(self.ask("so")), ["solid", "solve"])
         self.assertEqual(self.ask("--v"), ["--version"])
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

@@ -35,7 +35,8 @@ class ExampleReports(unittest.TestCase):
             self.assertTrue(row["reason"], row)
             self.assertTrue(row["command"] or row["file"].endswith((".c", ".py")), f"{row['file']}: only programs have none")
             command = row["command"].split()
-            self.assertTrue(not command or "{out}" in command or command[0] == "verify" or row["reason"] == "many blocks", row)
+            self.assertTrue(not command or "{out}" in command or command[0] == "verify" or row["reason"] == "many blocks"
+                            or row["reason"].startswith("a solid:"), row)
             self.assertTrue(not command or row["file"] in command or row["reason"] not in ("a scene", "a study", "a tilt test"), row)
 
     def run_row(self, row):
@@ -89,6 +90,10 @@ class ExampleReports(unittest.TestCase):
                     if row["reason"] == "many blocks":  # which have a page for a terminal and a figure
                         self.assertEqual((status, err), (0, ""))
                         self.assertIn("factor of safety", text)
+                        continue
+                    if row["reason"].startswith("a solid:"):
+                        self.assertEqual((status, err), (0, ""))
+                        self.assertIn("poses in which it can rest", text)
                         continue
                     if row["reason"] == "a survey":  # of a page, not of a sheet; a block of it does not hold
                         self.assertEqual(status, 1)

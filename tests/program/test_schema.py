@@ -112,7 +112,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "batch", "block_system", "chart", "converge", "derive", "family", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "batch", "block_system", "chart", "converge", "derive", "family", "profile", "solid", "solve", "study", "sweep", "tilt", "trace", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -294,6 +294,10 @@ class Schema(unittest.TestCase):
                 status, out, err = run("tilt", "--converge", "--json", "scene.yaml", folder=folder)
                 self.assertIn(status, (0, 4), err)
                 self.fits("converge", out)
+
+    def test_2_solid(self):
+        self.prints("solid", "--json", "--unit-weight=26", "--friction=30", "--band=0,0.1", ROOT / "examples" / "meshes" / "scanned_boulder.obj",
+                    "--object=boulder")
 
     @unittest.skipUnless(TRACES, "topple trace was not built")
     def test_2_trace(self):

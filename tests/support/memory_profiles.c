@@ -99,3 +99,22 @@ void build_profiles(void) {
   tp_scene_free(varied);
   tp_scene_free(scene);
 }
+
+void solve_solid(void) {
+  tp_solid *solid = NULL;
+  tp_message message = {.text = ""};
+  tp_solid_options options = tp_solid_options_default();
+  options.friction_angle_deg = 30;
+  tp_status status =
+      tp_solid_of_file(&solid, EXAMPLE("meshes/balanced_rock.obj"), &options, &message);
+  if (done(status, solid, &message)) {
+    char *text = NULL, *json = NULL, *csv = NULL;
+    status = tp_report_solid(&text, solid);
+    expect_report(status, text);
+    status = tp_report_solid_json(&json, solid);
+    expect_report(status, json);
+    status = tp_report_solid_csv(&csv, solid);
+    expect_report(status, csv);
+  }
+  tp_solid_free(solid);
+}

@@ -7,6 +7,7 @@
 #define TP_TEST_MEMORY_PROFILES_H
 
 void measure_profile(void);
+void solve_solid(void);
 void make_profiles(void);
 void build_profiles(void);
 void measure_base(void);

@@ -62,6 +62,7 @@ void say_studies(sayings *s);
 void say_tilts(sayings *s);
 /* Roughness. */
 void say_profiles(sayings *s);
+void say_solids(sayings *s);
 /* Names of enumerations, and calls on texts. */
 void say_names(sayings *s);
 

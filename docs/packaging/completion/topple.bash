@@ -93,9 +93,10 @@ _topple() {
   [[ -z $command || -z $commands ]] && _topple_how filenames
   mapfile -t COMPREPLY < <(
     compgen -W "$commands" -- "$word"
-    [[ -z $command || -z $commands && $command != examples && $command != new ]] && _topple_files "$word" yaml yml
+    [[ -z $command || -z $commands && $command != @(examples|new|solid) ]] && _topple_files "$word" yaml yml
     [[ $command == examples ]] && compgen -W "$("$program" examples 2>/dev/null | grep -x '[a-z0-9_/]*')" -- "$word"
     [[ $command == new ]] && compgen -f -X '!*.csv' -- "$word"
+    [[ $command == solid ]] && _topple_files "$word" stl ply obj
     [[ $command == profile ]] && compgen -f -X '!*.csv' -- "$word"
   )
 }

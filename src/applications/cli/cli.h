@@ -22,6 +22,7 @@ int tp_cli_examples(int argc, char **argv);
 int tp_cli_new(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
 int tp_cli_profile(int argc, char **argv);
+int tp_cli_solid(int argc, char **argv);
 int tp_cli_study(int argc, char **argv);
 int tp_cli_sweep(int argc, char **argv);
 int tp_cli_tilt(int argc, char **argv);

@@ -28,6 +28,7 @@ static const struct command {
      tp_cli_profile},
     {"tilt", "Simulate a tilt test, or the shaking of the base", tp_cli_tilt},
     {"trace", "Trace the outline of a block in a photograph into a scene", tp_cli_trace},
+    {"solid", "Poses and tilts of a solid rock, from its mesh", tp_cli_solid},
     {"study", "The probability of each verdict, where numbers of a scene vary", tp_cli_study},
     {"new", "Begin a scene: by five questions, or from options", tp_cli_new},
     {"examples", "List the example scenes, or write one", tp_cli_examples},

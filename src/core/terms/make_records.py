@@ -28,7 +28,7 @@ NAMES = {"tp_load_result": "LoadResult", "tp_claim_result": "ClaimResult", "tp_s
          "tp_tilt_convergence": "Convergence", "tp_tilt_convergence_case": "ConvergenceCase"}
 #: What the calls return, of which all others are part.
 ROOTS = ("tp_solution", "tp_batch", "tp_found", "tp_accuracy", "tp_derivation", "tp_family", "tp_profile", "tp_study_result",
-         "tp_tilt_test", "tp_verification", "tp_load_cases", "tp_block_system")
+         "tp_tilt_test", "tp_verification", "tp_load_cases", "tp_block_system", "tp_solid")
 #: Members of these kinds are read by Python's own code.
 BY_HAND = ("tp_profile_options", "tp_study_column")
 

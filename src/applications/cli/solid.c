@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple solid FILE: the mesh of a rock. */
+
+#include "cli/cli.h"
+
+#include <argp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct arguments {
+  const char *file;
+  bool json, csv;
+  tp_solid_options options;
+  double bands[TP_SOLID_BANDS];
+} arguments;
+
+enum {
+  KEY_UNIT = 256,
+  KEY_OBJECT,
+  KEY_WEIGHT,
+  KEY_FRICTION,
+  KEY_UP,
+  KEY_BAND,
+  KEY_AZIMUTHS,
+  KEY_CSV
+};
+
+static const struct argp_option options[] = {
+    {"unit", KEY_UNIT, "UNIT", 0, "Unit of the lengths of the mesh: mm, cm, m, km, in or ft", 0},
+    {"object", KEY_OBJECT, "NAME", 0, "One solid, o or g of the file; default: all of it", 0},
+    {"unit-weight", KEY_WEIGHT, "KN_M3", 0, "Unit weight, for the weight", 0},
+    {"friction", KEY_FRICTION, "DEG", 0, "Friction angle on the base", 0},
+    {"up", KEY_UP, "X,Y,Z", 0, "Upwards, across the base; default 0,0,1", 0},
+    {"band", KEY_BAND, "LENGTH[,...]", 0,
+     "Take all for touching that is no higher than this over the lowest point, in lengths of the "
+     "mesh: the noise of the survey",
+     0},
+    {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
+    {"json", 'j', NULL, 0, "Print the numbers as JSON", 0},
+    {"csv", KEY_CSV, NULL, 0, "Print the tilt towards each azimuth as CSV", 0},
+    {0}};
+
+/* Numbers between commas, at most so many; how many there are. */
+static size_t read_numbers(double *numbers, size_t most, const char *name, const char *text,
+                           struct argp_state *state) {
+  size_t count = 0;
+  for (const char *at = text;; at++) {
+    char *end = NULL;
+    const double value = strtod(at, &end);
+    if (end == at || (*end != '\0' && *end != ',') || !isfinite(value)) {
+      tp_cli_refuse(state, "--%s takes numbers with commas between, not '%s'", name, text);
+    }
+    if (count == most) tp_cli_refuse(state, "--%s takes at most %zu numbers", name, most);
+    numbers[count++] = value;
+    at = end;
+    if (*at == '\0') return count;
+  }
+}
+
+static double read_number(const char *name, const char *text, struct argp_state *state) {
+  char *end = NULL;
+  const double value = strtod(text, &end);
+  if (end == text || *end != '\0' || !isfinite(value) || value < 0) {
+    tp_cli_refuse(state, "--%s takes a number of 0 or more, not '%s'", name, text);
+  }
+  return value;
+}
+
+static void read_bands(arguments *a, const char *text, struct argp_state *state) {
+  a->options.bands = a->bands;
+  a->options.band_count = read_numbers(a->bands, TP_SOLID_BANDS, "band", text, state);
+  for (size_t k = 0; k < a->options.band_count; k++) {
+    if (a->bands[k] < 0) tp_cli_refuse(state, "--band takes lengths of 0 or more, not '%s'", text);
+  }
+}
+
+static void read_azimuths(arguments *a, const char *text, struct argp_state *state) {
+  const double count = read_number("azimuths", text, state);
+  if (count < 1 || count > TP_SOLID_AZIMUTHS || count != floor(count)) {
+    tp_cli_refuse(state, "--azimuths takes a count from 1 to %d, not '%s'", TP_SOLID_AZIMUTHS,
+                  text);
+  }
+  a->options.azimuths = (size_t)count;
+}
+
+/* What the solid is. */
+static error_t parse_solid(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case KEY_UNIT:
+    a->options.length_unit = argument;
+    return 0;
+  case KEY_OBJECT:
+    a->options.object = argument;
+    return 0;
+  case KEY_WEIGHT:
+    a->options.unit_weight_kn_m3 = read_number("unit-weight", argument, state);
+    return 0;
+  case KEY_FRICTION:
+    a->options.friction_angle_deg = read_number("friction", argument, state);
+    return 0;
+  case KEY_UP:
+    if (read_numbers(a->options.up, 3, "up", argument, state) != 3) {
+      tp_cli_refuse(state, "--up takes three numbers, x,y,z, not '%s'", argument);
+    }
+    return 0;
+  case KEY_BAND:
+    read_bands(a, argument, state);
+    return 0;
+  case KEY_AZIMUTHS:
+    read_azimuths(a, argument, state);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case 'j':
+    a->json = true;
+    return 0;
+  case KEY_CSV:
+    a->csv = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    tp_cli_take_file(&a->file, argument, "file", state);
+    return 0;
+  case ARGP_KEY_END:
+    if (a->file == NULL) {
+      tp_cli_refuse(state, "give a mesh, for example examples/meshes/boulder.stl");
+    }
+    if (a->json && a->csv) tp_cli_refuse(state, "one of --json and --csv");
+    return 0;
+  default:
+    return parse_solid(key, argument, state);
+  }
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "FILE",
+    .doc = "How a solid rock can rest on a plane, and the tilt at which it topples or slides in "
+           "each direction\v"
+           "FILE is a closed mesh: STL, PLY or OBJ. Azimuths run clockwise from y (north) to x "
+           "(east). docs/solids.md explains each number."};
+
+static tp_status solve_and_tell(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  tp_solid *solid = NULL;
+  char *text = NULL;
+  tp_status status = tp_solid_of_file(&solid, a->file, &a->options, message);
+  if (status == TP_OK) {
+    status = a->json  ? tp_report_solid_json(&text, solid)
+             : a->csv ? tp_report_solid_csv(&text, solid)
+                      : tp_report_solid(&text, solid);
+    status = tp_cli_print_report(status, text, ended);
+  }
+  tp_solid_free(solid);
+  return status;
+}
+
+int tp_cli_solid(int argc, char **argv) {
+  arguments a = {.options = tp_solid_options_default()};
+  return tp_cli_run(&parser, &a, solve_and_tell, argc, argv);
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The centroid of a solid over a plane that it rests on, and about the edges of its support: what
+ * poses and tilts are made of, in doubles with bounds where these do, else in whole numbers.
+ *
+ * A plane is given by a vector `up` across it, of whole numbers and any length, and by a vertex
+ * that lies on it. With G = M / (4 V6), the centroid of the sums V6 and M = (X24, Y24, Z24), height
+ * H = up . (G - p) / |up|, arm      about an edge from q to r  a = ((r - q) x (G - q)) . up / |(r -
+ * q) x up|: how far the foot of the centroid lies inside of the edge, where the support lies to its
+ * left seen from above. The block tilts about it at tan alpha = a / H. */
+
+#ifndef TP_SOLID_CENTRE_H
+#define TP_SOLID_CENTRE_H
+
+#include "solid/solid_sums.h"
+#include "topple.h"
+
+typedef struct tp_centre {
+  const tp_surface *surface;
+  tp_level level;  /* of the sums: double or exact */
+  tp_near near[3]; /* G, as the surface's `near` */
+  tp_near volume6; /* V6, likewise */
+  fmpz_t weight4;  /* 4 V6 and M, at the level exact */
+  fmpz moment[3];
+} tp_centre;
+
+/* Of the sums of doubles; of exact sums. */
+void tp_centre_of_near(tp_centre *centre, const tp_surface *surface, const tp_near *sums);
+void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz *sums);
+void tp_centre_clear(tp_centre *centre);
+
+typedef struct tp_rest_plane {
+  fmpz up[3];
+  tp_near near_up[3]; /* times a power of two */
+  long vertex;        /* on it */
+} tp_rest_plane;
+
+/* Across the plane of three vertices, seen counter-clockwise from below; up is at least one
+ * whole number that is not zero. To be cleared. */
+void tp_rest_plane_below(tp_rest_plane *plane, const tp_surface *surface, const int corners[3]);
+void tp_rest_plane_across(tp_rest_plane *plane, const fmpz up[3], long vertex);
+void tp_rest_plane_clear(tp_rest_plane *plane);
+
+/* A number to be told to `accuracy` of itself where that is above 0, else its sign alone: an error
+ * of more says that the level does not tell. Both times |up|, the arm times |(r - q) x up|. */
+tp_near tp_centre_height(const tp_centre *centre, const tp_rest_plane *plane, double accuracy);
+tp_near tp_centre_arm(const tp_centre *centre, const tp_rest_plane *plane, long from, long to,
+                      double accuracy);
+
+/* (to - from) x up, in the plane across the edge and out of the support. */
+void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
+                           const tp_rest_plane *plane, long from, long to);
+
+/* |v| */
+tp_near tp_near_norm(const tp_near v[3]);
+
+/* Does a number tell what was asked for? */
+static inline bool tp_near_tells(tp_near number, double accuracy) {
+  if (accuracy > 0) return number.error <= accuracy * fabs(number.value);
+  return tp_near_sign(number) != 0 || tp_near_is_zero(number);
+}
+
+#endif

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Signs of determinants of coordinate differences, by doubles with bounds before whole numbers. */
+
+#include "solid/turns.h"
+
+/* (b - a) x (c - a) */
+static void near_turn(tp_near turn[3], const tp_surface *surface, int a, int b, int c) {
+  tp_near one[3], other[3];
+  for (int k = 0; k < 3; k++) {
+    const tp_near own = tp_surface_near(surface, a, k);
+    one[k] = tp_near_sub(tp_surface_near(surface, b, k), own);
+    other[k] = tp_near_sub(tp_surface_near(surface, c, k), own);
+  }
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    turn[k] = tp_near_sub(tp_near_mul(one[i], other[j]), tp_near_mul(one[j], other[i]));
+  }
+}
+
+/* `turn` is initialised. */
+static void exact_turn(fmpz *turn, const tp_surface *surface, int a, int b, int c) {
+  const fmpz *own = surface->whole + 3L * a, *one = surface->whole + 3L * b;
+  const fmpz *other = surface->whole + 3L * c;
+  fmpz sides[6];
+  for (int k = 0; k < 3; k++) {
+    fmpz_init(sides + k);
+    fmpz_init(sides + k + 3);
+    fmpz_sub(sides + k, one + k, own + k);
+    fmpz_sub(sides + k + 3, other + k, own + k);
+  }
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    fmpz_mul(turn + k, sides + i, sides + 3 + j);
+    fmpz_submul(turn + k, sides + j, sides + 3 + i);
+  }
+  for (int k = 0; k < 6; k++) fmpz_clear(sides + k);
+}
+
+bool tp_surface_is_straight(const tp_surface *surface, int a, int b, int c) {
+  tp_near near[3];
+  near_turn(near, surface, a, b, c);
+  for (int k = 0; k < 3; k++) {
+    if (tp_near_sign(near[k]) != 0) return false;
+  }
+  fmpz turn[3];
+  for (int k = 0; k < 3; k++) fmpz_init(turn + k);
+  exact_turn(turn, surface, a, b, c);
+  const bool straight = fmpz_is_zero(turn) && fmpz_is_zero(turn + 1) && fmpz_is_zero(turn + 2);
+  for (int k = 0; k < 3; k++) fmpz_clear(turn + k);
+  return straight;
+}
+
+int tp_surface_side(const tp_surface *surface, const int corners[3], int vertex) {
+  tp_near near[3], sum = {0, 0};
+  near_turn(near, surface, corners[0], corners[1], corners[2]);
+  for (int k = 0; k < 3; k++) {
+    const tp_near way =
+        tp_near_sub(tp_surface_near(surface, vertex, k), tp_surface_near(surface, corners[0], k));
+    sum = tp_near_add(sum, tp_near_mul(near[k], way));
+  }
+  if (tp_near_sign(sum) != 0) return tp_near_sign(sum);
+  fmpz turn[3], way, total;
+  for (int k = 0; k < 3; k++) fmpz_init(turn + k);
+  fmpz_init(&way);
+  fmpz_init(&total);
+  exact_turn(turn, surface, corners[0], corners[1], corners[2]);
+  for (int k = 0; k < 3; k++) {
+    fmpz_sub(&way, surface->whole + 3L * vertex + k, surface->whole + 3L * corners[0] + k);
+    fmpz_addmul(&total, turn + k, &way);
+  }
+  const int side = fmpz_sgn(&total);
+  for (int k = 0; k < 3; k++) fmpz_clear(turn + k);
+  fmpz_clear(&way);
+  fmpz_clear(&total);
+  return side;
+}

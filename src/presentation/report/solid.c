@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solid as text, with the bounds of its numbers, as JSON, and its roses as CSV
+ * (docs/solids.md). */
+
+#include "common/host.h"
+#include "number/shortest.h"
+#include "output/encode.h"
+#include "report/notes.h"
+#include "report/results.h"
+#include "terms/names.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { DIGITS = 9, TILT = 8, LABEL = 18, POSES = 12 };
+
+static void add_bounded(tp_text *t, const char *label, tp_bounded number, const char *unit) {
+  char n[TP_NUMBER_SIZE];
+  if (fabs(number.value) <= number.error) {
+    tp_text_add(t, "  %-*s 0 ± %.1e %s\n", LABEL, label, fabs(number.value) + number.error, unit);
+    return;
+  }
+  tp_text_add(t, "  %-*s %s %s  ± %.1e\n", LABEL, label, tp_text_significant(n, number, DIGITS),
+              unit, number.error);
+}
+
+static void add_body(tp_text *t, const tp_solid *s) {
+  static const char *const axes[] = {"x", "y", "z"};
+  static const char *const pairs[] = {"xx", "yy", "zz", "yz", "zx", "xy"};
+  char label[32];
+  tp_encode_plain(t, s->file);
+  tp_text_add(t, "\n\nSolid of %zu triangles, %zu points; lengths of the mesh in %s\n",
+              s->triangles, s->vertices, s->length_unit);
+  add_bounded(t, "volume", s->volume_m3, "m³");
+  if (s->has_weight) add_bounded(t, "weight", s->weight_n, "N");
+  for (int k = 0; k < 3; k++) {
+    snprintf(label, sizeof label, "centroid %s", axes[k]);
+    add_bounded(t, label, s->centroid_m[k], "m");
+  }
+  for (int k = 0; k < 6; k++) {
+    snprintf(label, sizeof label, "inertia %s", pairs[k]);
+    add_bounded(t, label, s->inertia_m5[k], "m⁵");
+  }
+  tp_text_add(t, "  %-*s %s\n", LABEL, "moments summed in",
+              s->level == TP_LEVEL_EXACT ? "whole numbers" : "doubles with bounds");
+}
+
+/* ---- as it lies --------------------------------------------------------------------------------
+ */
+
+static void add_point(tp_text *t, const double point[3]) {
+  char n[3][TP_SHORTEST_SIZE];
+  tp_text_add(t, "(%s, %s, %s)", tp_shortest(n[0], point[0]), tp_shortest(n[1], point[1]),
+              tp_shortest(n[2], point[2]));
+}
+
+/* About which edge, once for bands in a row that have the same. */
+static void add_edges(tp_text *t, const tp_solid *s) {
+  const tp_solid_tilt *last = NULL;
+  for (size_t k = 0; k < s->band_count; k++) {
+    const tp_solid_band *b = s->bands + k;
+    const tp_solid_tilt *own = &b->least;
+    if (!b->stands) continue;
+    const bool same = last != NULL &&
+                      memcmp(own->edge_from, last->edge_from, sizeof own->edge_from) == 0 &&
+                      memcmp(own->edge_to, last->edge_to, sizeof own->edge_to) == 0;
+    last = own;
+    if (same) continue;
+    tp_text_add(t, "  band %.6g: about the edge from ", b->band);
+    add_point(t, own->edge_from);
+    tp_text_add(t, " to ");
+    add_point(t, own->edge_to);
+    tp_text_add(t, ", ± %.1e°\n", own->tilt_deg.error);
+  }
+}
+
+static void add_band(tp_text *t, const tp_solid *s, const tp_solid_band *b) {
+  char tilt[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE], critical[TP_NUMBER_SIZE];
+  tp_text_add(t, "  %10.6g %9zu %9zu", b->band, b->touching, b->corner_count);
+  if (!b->stands) {
+    tp_text_add(t, "  %s\n",
+                b->corner_count < 3 ? "does not stand: a point or a line touches"
+                                    : "does not stand: the centroid is beyond the support");
+    return;
+  }
+  tp_text_add(t, "  %11s° %9s°", tp_text_significant(tilt, b->least.tilt_deg, TILT),
+              tp_text_fixed(azimuth, b->least.azimuth_deg, 3));
+  if (s->has_friction) {
+    tp_text_add(t, "  %11s°  %s", tp_text_significant(critical, b->critical_deg, TILT),
+                tp_mechanism_name(b->mechanism));
+  }
+  tp_text_add(t, "\n");
+}
+
+/* How the least tilt goes with the band, which decides more than any digit of it. */
+static void add_range(tp_text *t, const tp_solid *s) {
+  double least = INFINITY, most = -INFINITY;
+  bool falls = false;
+  for (size_t k = 0; k < s->band_count; k++) {
+    const tp_solid_band *b = s->bands + k;
+    falls = falls || !b->stands;
+    if (!b->stands) continue;
+    least = fmin(least, b->least.tilt_deg.value);
+    most = fmax(most, b->least.tilt_deg.value);
+  }
+  if (s->band_count > 1 && (falls || most > least)) {
+    tp_text_add(t,
+                "  What is said depends on which points are taken to touch: the band is to be that "
+                "of the\n  survey's noise, and the least of its range counts.\n");
+  }
+}
+
+static void add_bands(tp_text *t, const tp_solid *s) {
+  tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on a plane base", s->up[0], s->up[1],
+              s->up[2]);
+  if (s->has_friction) tp_text_add(t, ", friction angle %.6g°", s->friction_angle_deg);
+  tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", "band", "touching", "corners", "least tilt",
+              "azimuth", s->has_friction ? "         moves" : "");
+  for (size_t k = 0; k < s->band_count; k++) add_band(t, s, s->bands + k);
+  add_edges(t, s);
+  add_range(t, s);
+}
+
+/* The least tilt towards each of eight azimuths, or all where they are fewer. */
+static void add_rose(tp_text *t, const tp_solid *s) {
+  enum { COLUMNS = 8 };
+  const tp_solid_band *b = s->bands;
+  while (b < s->bands + s->band_count && !b->stands) b++;
+  if (b == s->bands + s->band_count) return;
+  const size_t step = (b->rose_count + COLUMNS - 1) / COLUMNS;
+  tp_text_add(t, "\nTilt at which it %s towards an azimuth; --csv and --json have all %zu\n  %10s",
+              s->has_friction ? "moves" : "topples", b->rose_count, "band");
+  for (size_t k = 0; k < b->rose_count; k += step) {
+    tp_text_add(t, " %8.4g°", b->rose[k].azimuth_deg);
+  }
+  tp_text_add(t, "\n");
+  for (size_t n = 0; n < s->band_count; n++) {
+    b = s->bands + n;
+    if (!b->stands) continue;
+    tp_text_add(t, "  %10.6g", b->band);
+    for (size_t k = 0; k < b->rose_count; k += step) {
+      char n_text[TP_NUMBER_SIZE];
+      tp_text_add(t, " %8s°", tp_text_fixed(n_text, b->rose[k].critical_deg, 3));
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+/* ---- poses -------------------------------------------------------------------------------------
+ */
+
+static void add_poses(tp_text *t, const tp_solid *s) {
+  tp_text_add(t,
+              "\n%zu pose%s in which it can rest on a plane by itself, of %zu facets of its convex "
+              "hull\n",
+              s->pose_count, s->pose_count == 1 ? "" : "s", s->facets);
+  tp_text_add(t, "  %9s %9s  %-27s %12s %10s\n", "share", "facet", "down", "least tilt", "azimuth");
+  for (size_t k = 0; k < s->pose_count && k < POSES; k++) {
+    const tp_solid_pose *p = s->poses + k;
+    char share[TP_NUMBER_SIZE], own[TP_NUMBER_SIZE], tilt[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE];
+    char down[64];
+    snprintf(down, sizeof down, "(%.4f, %.4f, %.4f)", p->down[0], p->down[1], p->down[2]);
+    tp_text_add(t, "  %9s %9s  %-27s %11s° %9s°\n", tp_text_fixed(share, p->share, 6),
+                tp_text_fixed(own, p->facet_share, 6), down,
+                tp_text_significant(tilt, p->least.tilt_deg, TILT),
+                tp_text_fixed(azimuth, p->least.azimuth_deg, 3));
+  }
+  if (s->pose_count > POSES) {
+    tp_text_add(t, "  and %zu more of smaller shares, which --json has\n", s->pose_count - POSES);
+  }
+}
+
+tp_status tp_report_solid(char **text, const tp_solid *solid) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solid);
+  tp_text t = {0};
+  add_body(&t, solid);
+  add_bands(&t, solid);
+  add_rose(&t, solid);
+  add_poses(&t, solid);
+  if (solid->notes.count > 0) tp_text_add(&t, "\n");
+  tp_text_notes(&t, &solid->notes);
+  return tp_text_finish(&t, text);
+}
+
+/* ---- for programs ------------------------------------------------------------------------------
+ */
+
+tp_status tp_report_solid_json(char **text, const tp_solid *solid) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solid);
+  tp_json_subject x = {.s = NULL};
+  return tp_json_document_of_solid(text, solid, &x);
+}
+
+tp_status tp_report_solid_csv(char **text, const tp_solid *solid) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solid);
+  tp_text t = {0};
+  tp_text_add(&t, "band,azimuth_deg,toppling_deg,toppling_error,critical_deg,critical_error,"
+                  "mechanism\n");
+  for (size_t n = 0; n < solid->band_count; n++) {
+    const tp_solid_band *b = solid->bands + n;
+    for (size_t k = 0; k < b->rose_count; k++) {
+      const tp_solid_azimuth *a = b->rose + k;
+      tp_text_add(&t, "%.17g,%.17g,%.17g,%.3g,%.17g,%.3g,%s\n", b->band, a->azimuth_deg,
+                  a->toppling_deg.value, a->toppling_deg.error, a->critical_deg.value,
+                  a->critical_deg.error, tp_mechanism_name(a->mechanism));
+    }
+  }
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the options of a solid give, checked and in exact numbers. */
+
+#ifndef TP_SOLID_TILT_SOLID_GIVEN_H
+#define TP_SOLID_TILT_SOLID_GIVEN_H
+
+#include "solid/surface.h"
+
+typedef struct tp_solid_given {
+  const char *length_unit; /* static */
+  bool has_unit;           /* else it is taken for metres */
+  fmpq_t metres_per_unit, unit_weight;
+  fmpz up[3];
+  size_t band_count;
+  fmpq *bands; /* NULL where none are given */
+} tp_solid_given;
+
+/* To be cleared, also on failure. */
+TP_MUST_USE tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *options,
+                                          tp_message *message);
+void tp_solid_given_clear(tp_solid_given *given);
+
+/* 0 and the three powers of ten from a ten-thousandth to a hundredth of a height. */
+TP_MUST_USE tp_status tp_solid_given_bands(tp_solid_given *given, double height,
+                                           tp_message *message);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The moments of a solid at one level, doubles first, and as results have them. */
+
+#ifndef TP_SOLID_TILT_SOLID_MOMENTS_H
+#define TP_SOLID_TILT_SOLID_MOMENTS_H
+
+#include "solid/centre.h"
+
+#include <arb.h>
+
+typedef struct tp_solid_moments {
+  const tp_surface *surface;
+  tp_level level;
+  tp_centre centre;
+  tp_near near[TP_SOLID_SUM_COUNT];
+  fmpz exact[TP_SOLID_SUM_COUNT]; /* at the level exact */
+} tp_solid_moments;
+
+void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface);
+void tp_solid_moments_climb(tp_solid_moments *moments); /* to the level exact */
+void tp_solid_moments_clear(tp_solid_moments *moments);
+
+/* Refuses a surface that encloses no volume, or that is oriented inwards, which exact sums tell
+ * where doubles do not. */
+TP_MUST_USE tp_status tp_solid_moments_check(tp_solid_moments *moments, tp_message *message);
+
+/* Are volume, centroid and inertia certain to ten digits, of the size of the solid? */
+bool tp_solid_moments_told(const tp_solid_moments *moments);
+
+void tp_solid_moments_tell(tp_solid *solid, const tp_solid_moments *moments,
+                           const fmpq_t metres_per_unit, const fmpq_t unit_weight);
+
+#endif
