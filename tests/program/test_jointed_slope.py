@@ -250,7 +250,7 @@ class JointedSlope(GoverningCase):
         rock = [(0, 0), (12, 4), (20, 12), (24, 20), (crest, 20)]
         self.assertAlmostEqual(math.fsum(self.areas(line).values()), area(rock), delta=1e-9)
         short = self.system(scene(joints, base="{dip_deg: 5}", behind=21, top="friction_angle_deg: 50\n"))
-        self.assertIn("1 of what joints cut off reach an end", short["notes"][0]["text"])
+        self.assertIn("where the rock goes on: 1;", short["notes"][0]["text"])
 
     def test_refusals(self):
         """Every slip is told with its place and what to do, before any block is cut."""

@@ -262,8 +262,8 @@ static tp_status tell(const tp_reader *reader, const tp_cut_blocks *blocks) {
   }
   if (status != TP_OK || blocks->cut_off == 0) return status;
   return tp_notes_add(notes, reader->message, TP_NOTE, place,
-                      "%ld of what joints cut off reach an end of the section, and are ground: if "
-                      "they were to move, give a longer section",
+                      "blocks taken as ground because they reach an end of the section, where the "
+                      "rock goes on: %ld; if they are to move, give a longer section",
                       blocks->cut_off);
 }
 
