@@ -210,6 +210,28 @@ class BlockLoads(GoverningCase):
             for key in ("critical_angle_deg", "critical_acceleration_g"):
                 self.same(own[key], cut[key], (bolted, key))
 
+    def test_found_by_place(self):
+        """Loads without the names of blocks act on those that they lie on: the same result; a pressure along two blocks is shared by
+        them, as it is at its ends. A millionth of a block aside of its face is on it, more is not."""
+        pile = Pile().add("g", box(-9, -3, 19, 0), True).add("low", box(0, 0, 3, 2)).add("high", box(0, 2, 3, 7))
+        named = ("  pressures: [{block: low, from: [3, 0], to: [3, 2], kpa: [7, 5]}, {block: high, from: [3, 2], to: [3, 7], kpa: [5, 0]}]\n"
+                 "  surcharges: [{block: high, from: [0, 7], to: [3, 7], kpa: 9}]\n"
+                 "  forces: [{block: low, at: [0, 1], direction_deg: 0, force_kn: 2}]\n"
+                 "  anchors: [{block: high, at: [0, 5], to: [5, -1], force_kn: 20}]\n")
+        found = ("  pressures: [{from: [3, 0], to: [3, 7], kpa: [7, 0]}]\n  surcharges: [{from: [0, 7], to: [3, 7], kpa: 9}]\n"
+                 "  forces: [{at: [0, 1], direction_deg: 0, force_kn: 2}]\n  anchors: [{at: [-1e-7, 5], to: [5, -1], force_kn: 20}]\n")
+        found, named = found.replace("[7, 0]", "[7, 7]"), named.replace("[7, 5]", "[7, 7]").replace("[5, 0]", "[7, 7]")
+        one, other = (self.case(pile.scene(35, f"{LEVEL}loads:\n{loads}")) for loads in (named, found))
+        self.assertEqual([load["block"] for load in one["loads"]], [load["block"] for load in other["loads"]])
+        for a, b in zip(one["loads"], other["loads"]):
+            for key in ("force_x_n_m", "force_y_n_m", "moment_n"):
+                self.assertAlmostEqual(a[key]["value"], b[key]["value"], delta=1e-2)
+        sloping = self.case(pile.scene(35, f"{LEVEL}loads: {{pressures: [{{from: [3, 0], to: [3, 7], kpa: [7, 0]}}]}}"))["loads"]
+        self.assertEqual([force_of(load) for load in sloping], [(-12000, 0), (-12500, 0)])  # 7 to 5 over 2 m, 5 to 0 over 5 m
+        for aside, status in (("3.0000001", 0), ("3.001", 3)):
+            text = pile.scene(35, f"{LEVEL}loads: {{pressures: [{{block: high, from: [{aside}, 2], to: [{aside}, 7], kpa: 5}}]}}")
+            self.assertEqual(run("solve", self.scene(text))[0], status)
+
     def test_images(self):
         """Mirrored, in millimetres and in a mine's coordinates, blocks under all loads have one limit, one factor, one support."""
         pile = Pile().add("g", box(-9, -3, 19, 0), True).add("low", box(0, 0, 3, 2)).add("high", box(0, 2, 2, 7))
@@ -265,7 +287,10 @@ class BlockLoads(GoverningCase):
         bolt = "loads: {{anchors: [{{block: high, at: [1, 3], force_kn: 5, {}}}]}}"
         for more, told in (
                 ("loads: {pressures: [{block: hig, from: [2, 2], to: [2, 4], kpa: 3}]}", "no block is named 'hig'; did you mean 'high'?"),
-                ("loads: {pressures: [{from: [2, 2], to: [2, 4], kpa: 3}]}", "'block' is missing"),
+                ("loads: {pressures: [{from: [2, 2], to: [2, 5], kpa: 3}]}", "lies on no straight face"),
+                ("loads: {pressures: [{from: [2, 4], to: [2, 2], kpa: 3}]}", "lies on no straight face"),
+                ("loads: {forces: [{at: [1, 2], direction_deg: 0, force_kn: 3}]}", "on the border of 'low' and 'high'"),
+                ("loads: {forces: [{at: [1, 7], direction_deg: 0, force_kn: 3}]}", "lies in no block"),
                 ("loads: {pressures: [{block: low, from: [2, 2], to: [2, 4], kpa: 3}]}", "does not act on an edge"),
                 ("loads: {pressures: [{block: high, from: [2, 4], to: [2, 2], kpa: 3}]}", "would pull"),
                 ("loads: {surcharges: [{block: high, from: [0, 3], to: [2, 3], kpa: 3}]}", "does not act on an edge"),

@@ -54,12 +54,20 @@ static tp_status read_name(const tp_reader *reader, long *number, const tp_node 
   return status == TP_OK ? tp_block_name_find(reader, number, node, names) : status;
 }
 
+/* Where it is not named it is found by where the load lies. */
+static tp_status read_block(const tp_reader *reader, long *number, const tp_node *parent,
+                            const tp_block_name *names) {
+  const tp_node *node = tp_node_get(parent, "block");
+  *number = -1;
+  return node != NULL ? tp_block_name_find(reader, number, node, names) : TP_OK;
+}
+
 static tp_status read_lines(const tp_reader *reader, tp_line_load *lines, const tp_node *list,
                             const tp_block_name *names) {
   tp_status status = TP_OK;
   for (const tp_node *n = list != NULL ? list->first : NULL; n != NULL && status == TP_OK;
        n = n->next) {
-    status = read_name(reader, &(lines++)->block, n, "block", names);
+    status = read_block(reader, &(lines++)->block, n, names);
   }
   return status;
 }
@@ -73,7 +81,7 @@ static tp_status read_anchors(const tp_reader *reader, tp_anchor_description *an
     const tp_node *into = tp_node_get(n, "into");
     tp_anchor_description *own = anchors++;
     own->into = -1;
-    status = read_name(reader, &own->block, n, "block", names);
+    status = read_block(reader, &own->block, n, names);
     if (status == TP_OK && into != NULL) {
       status = tp_block_name_find(reader, &own->into, into, names);
     }

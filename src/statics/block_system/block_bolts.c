@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Where the far end of a bolt holds: in the block that contains its end, or in the one that is
- * named, which its line then meets. Points are rationals; the end of a bolt of a length at an angle
- * is rounded to 256 binary digits. */
+/* Which block the head of a bolt holds, and where its far end does: in the block that contains its
+ * end, or in the one that is named, which its line then meets. Points are rationals; the end of a
+ * bolt of a length at an angle is rounded to 256 binary digits. */
 
 #include "block_system/block_loads.h"
 
@@ -19,6 +19,7 @@ typedef struct bolt {
   const tp_anchor_description *anchor;
   fmpq_t x, y, end_x, end_y; /* of its row; the end where it is known */
   bool ends;                 /* it is */
+  long head;                 /* the block that its head holds */
   tp_message *message;
 } bolt;
 
@@ -55,16 +56,20 @@ static void set_end(bolt *b, long row) {
   }
 }
 
-static tp_status check_head(const bolt *b) {
-  if (tp_block_holds(b->blocks, b->anchor->block, b->x, b->y)) return TP_OK;
+static tp_status find_head(bolt *b) {
+  b->head = b->anchor->block;
+  if (b->head < 0) {
+    return tp_block_find_at(&b->head, b->blocks, b->x, b->y, "bolt", b->anchor->place, b->message);
+  }
+  if (tp_block_is_near(b->blocks, b->head, b->x, b->y)) return TP_OK;
   return tp_refuse(b->message, TP_FAULT_GEOMETRY, b->anchor->place,
                    "this bolt does not hold block '%s': its head lies outside it",
-                   tp_quote_all(name_of(b, b->anchor->block)).text);
+                   tp_quote_all(name_of(b, b->head)).text);
 }
 
 /* The only block but its own in which it ends. */
 static tp_status find_end(long *into, const bolt *b) {
-  const long own = b->anchor->block, count = b->blocks->scene->many.count;
+  const long own = b->head, count = b->blocks->scene->many.count;
   long first = -1, second = -1;
   if (tp_block_holds(b->blocks, own, b->end_x, b->end_y)) {
     return tp_refuse(b->message, TP_FAULT_GEOMETRY, b->anchor->place,
@@ -98,7 +103,7 @@ static tp_status find_end(long *into, const bolt *b) {
 static tp_status check_named(const bolt *b) {
   const tp_anchor_description *a = b->anchor;
   const char *name = name_of(b, a->into);
-  if (a->into == a->block) {
+  if (a->into == b->head) {
     return tp_refuse(b->message, TP_FAULT_KEY, a->place,
                      "this bolt holds in '%s' with both ends, which pull against each other and "
                      "do nothing: 'into' is another block, or ground",
@@ -126,24 +131,25 @@ static tp_status check_named(const bolt *b) {
                    tp_quote_all(name).text);
 }
 
-static tp_status find(long *into, const bolt *b) {
+static tp_status find(long *into, bolt *b) {
   const tp_listed_block *all = b->blocks->scene->many.blocks;
   const tp_anchor_description *a = b->anchor;
-  tp_status status = check_head(b);
+  tp_status status = find_head(b);
   *into = a->into;
   if (status == TP_OK) status = a->into < 0 ? find_end(into, b) : check_named(b);
-  if (status != TP_OK || !all[a->block].fixed || !all[*into].fixed) return status;
+  if (status != TP_OK || !all[b->head].fixed || !all[*into].fixed) return status;
   return tp_refuse(b->message, TP_FAULT_KEY, a->place,
                    "both ends of this bolt hold in ground, which it cannot move");
 }
 
-tp_status tp_block_bolt_end(long *into, const tp_placed_blocks *blocks,
-                            const tp_anchor_description *anchor, long row, tp_message *message) {
+tp_status tp_block_bolt_ends(long *head, long *into, const tp_placed_blocks *blocks,
+                             const tp_anchor_description *anchor, long row, tp_message *message) {
   bolt b = {.blocks = blocks, .anchor = anchor, .message = message};
   fmpq *const all[] = {b.x, b.y, b.end_x, b.end_y};
   for (int k = 0; k < 4; k++) fmpq_init(all[k]);
   set_end(&b, row);
   const tp_status status = find(into, &b);
+  *head = b.head;
   for (int k = 0; k < 4; k++) fmpq_clear(all[k]);
   return status;
 }

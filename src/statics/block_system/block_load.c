@@ -2,11 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A load about the origin moved to the own point of the block that it acts on, in balls of so many
- * bits that far-off origins cost nothing; and whether a point is in a block, in rationals. */
+ * bits that far-off origins cost nothing. */
 
 #include "block_system/block_loads.h"
-
-#include "load/outline.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -71,18 +69,4 @@ tp_status tp_block_loads_add(tp_block_loads *loads, const tp_placed_blocks *bloc
   negate(&own->wrench.y);
   negate(&own->wrench.moment);
   return TP_OK;
-}
-
-bool tp_block_holds(const tp_placed_blocks *blocks, long block, const fmpq_t x, const fmpq_t y) {
-  const tp_section *section = blocks->sections + block;
-  if (!tp_loads_in_outline(section->rings, x, y)) return false;
-  for (long h = 1; h <= section->hole_count; h++) {
-    const tp_polyline *hole = section->rings + h;
-    bool on_border = false;
-    for (long k = 0; k < hole->count && !on_border; k++) {
-      on_border = tp_loads_on_edge(hole, k, x, y);
-    }
-    if (!on_border && tp_loads_in_outline(hole, x, y)) return false;
-  }
-  return true;
 }

@@ -6,6 +6,7 @@
 
 #include "block_system/block_loads.h"
 
+#include "block_system/resultant.h"
 #include "common/outside.h"
 #include "load/check.h"
 #include "number/ball.h"
@@ -28,39 +29,80 @@ typedef struct gathering {
   tp_block_loads *loads;
   const tp_placed_blocks *blocks;
   const tp_load_setting *setting;
+  const fmpq *up; /* in the scene's axes */
   tp_message *message;
 } gathering;
 
 typedef void evaluation(tp_wrench *wrench, const tp_line_load *line,
                         const tp_load_setting *setting);
 
+/* On one block. */
+static tp_status add_line(const gathering *g, const tp_line_load *line, long block,
+                          tp_system_load_kind kind, evaluation *evaluate) {
+  tp_wrench wrench;
+  tp_wrench_init(&wrench);
+  evaluate(&wrench, line, g->setting);
+  const tp_status status =
+      tp_block_loads_add(g->loads, g->blocks, kind, block, &wrench, false, g->message);
+  tp_wrench_clear(&wrench);
+  return status;
+}
+
+static tp_status refuse_line(const gathering *g, const tp_line_load *line,
+                             tp_system_load_kind kind) {
+  const char *what = tp_system_load_kind_name(kind);
+  const bool pushes = kind != TP_SYSTEM_LOAD_SURCHARGE;
+  if (line->block >= 0) {
+    return tp_load_lines_check(line, 1, g->blocks->sections[line->block].rings, what, pushes,
+                               g->message);
+  }
+  return tp_refuse(g->message, TP_FAULT_GEOMETRY, line->place,
+                   "this %s lies on no straight face of the blocks from end to end%s: give its "
+                   "points on them, or name its 'block'",
+                   what, pushes ? ", which runs counter-clockwise round them" : " that looks up");
+}
+
+/* All of it on the block that is named, or each stretch on the one that it lies on. */
+static tp_status add_stretches(const gathering *g, const tp_line_load *line,
+                               tp_system_load_kind kind, evaluation *evaluate) {
+  const bool weighs = kind == TP_SYSTEM_LOAD_SURCHARGE;
+  tp_line_stretches found;
+  bool covered = false;
+  if (!tp_line_stretches_find(&found, &covered, g->blocks, line, line->block,
+                              weighs ? g->up : NULL)) {
+    tp_line_stretches_clear(&found);
+    return tp_fail_memory(g->message, "the loads");
+  }
+  tp_status status = covered ? TP_OK : refuse_line(g, line, kind);
+  if (line->block >= 0) {
+    if (status == TP_OK) status = add_line(g, line, line->block, kind, evaluate);
+  } else {
+    for (long k = 0; k < found.count && status == TP_OK; k++) {
+      status = add_line(g, &found.items[k].line, found.items[k].block, kind, evaluate);
+    }
+  }
+  tp_line_stretches_clear(&found);
+  return status;
+}
+
 static tp_status add_lines(const gathering *g, const tp_line_load *lines, long count,
                            tp_system_load_kind kind, evaluation *evaluate) {
   tp_status status = TP_OK;
   for (long k = 0; k < count && status == TP_OK; k++) {
-    const long block = lines[k].block;
-    tp_wrench wrench;
-    status = tp_load_lines_check(lines + k, 1, g->blocks->sections[block].rings,
-                                 tp_system_load_kind_name(kind), kind != TP_SYSTEM_LOAD_SURCHARGE,
-                                 g->message);
-    if (status != TP_OK) break;
-    tp_wrench_init(&wrench);
-    evaluate(&wrench, lines + k, g->setting);
-    status = tp_block_loads_add(g->loads, g->blocks, kind, block, &wrench, false, g->message);
-    tp_wrench_clear(&wrench);
+    status = add_stretches(g, lines + k, kind, evaluate);
   }
   return status;
 }
 
 static tp_status add_bolt(const gathering *g, const tp_anchor_description *anchor, long row) {
-  long into = -1;
+  long head = -1, into = -1;
   tp_wrench wrench;
-  tp_status status = tp_block_bolt_end(&into, g->blocks, anchor, row, g->message);
+  tp_status status = tp_block_bolt_ends(&head, &into, g->blocks, anchor, row, g->message);
   if (status != TP_OK) return status;
   tp_wrench_init(&wrench);
   tp_load_anchor(&wrench, anchor, row, g->setting);
-  status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, anchor->block, &wrench,
-                              false, g->message);
+  status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, head, &wrench, false,
+                              g->message);
   if (status == TP_OK) {
     status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, into, &wrench, true,
                                 g->message);
@@ -81,14 +123,21 @@ static tp_status add_bolts(const gathering *g) {
   return status;
 }
 
-static tp_status check_force(const gathering *g, const tp_anchor_description *force) {
+/* The block that it acts on. */
+static tp_status find_pushed(long *block, const gathering *g, const tp_anchor_description *force) {
   const tp_placed_blocks *b = g->blocks;
-  const char *name = b->scene->many.blocks[force->block].name;
-  if (b->scene->many.blocks[force->block].fixed) {
+  *block = force->block;
+  if (*block < 0) {
+    const tp_status status = tp_block_find_at(block, b, force->x.value, force->y.value, "force",
+                                              force->place, g->message);
+    if (status != TP_OK) return status;
+  }
+  const char *name = b->scene->many.blocks[*block].name;
+  if (b->scene->many.blocks[*block].fixed) {
     return tp_refuse(g->message, TP_FAULT_KEY, force->place,
                      "block '%s' is ground: a force on it does nothing", tp_quote_all(name).text);
   }
-  if (tp_block_holds(b, force->block, force->x.value, force->y.value)) return TP_OK;
+  if (tp_block_is_near(b, *block, force->x.value, force->y.value)) return TP_OK;
   return tp_refuse(g->message, TP_FAULT_GEOMETRY, force->place,
                    "this force does not act on block '%s': 'at' lies outside it",
                    tp_quote_all(name).text);
@@ -98,13 +147,14 @@ static tp_status add_forces(const gathering *g) {
   const tp_loads_description *d = &g->blocks->scene->loads;
   tp_status status = TP_OK;
   for (long k = 0; k < d->force_count && status == TP_OK; k++) {
+    long block = -1;
     tp_wrench wrench;
-    status = check_force(g, d->forces + k);
+    status = find_pushed(&block, g, d->forces + k);
     if (status != TP_OK) break;
     tp_wrench_init(&wrench);
     tp_load_anchor(&wrench, d->forces + k, 0, g->setting);
-    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_FORCE, d->forces[k].block,
-                                &wrench, false, g->message);
+    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_FORCE, block, &wrench, false,
+                                g->message);
     tp_wrench_clear(&wrench);
   }
   return status;
@@ -183,9 +233,14 @@ tp_status tp_block_loads_init(tp_block_loads *loads, const tp_placed_blocks *blo
   tp_load_setting setting;
   tp_load_setting_init(&setting, blocks->scene, false, BITS);
   arb_one(setting.thickness);
-  const gathering g = {loads, blocks, &setting, message};
+  tp_lie lie;
+  tp_lie_init(&lie);
+  tp_scene_lie(&lie, blocks->scene, left);
+  const fmpq up[2] = {*lie.up_x, *lie.up_y};
+  const gathering g = {loads, blocks, &setting, up, message};
   tp_status status = add_all(&g);
   if (status == TP_OK) status = apply_all(loads, blocks->assemblage, message);
+  tp_lie_clear(&lie);
   tp_load_setting_clear(&setting);
   if (status != TP_OK) tp_block_loads_clear(loads);
   return status;

@@ -8,6 +8,7 @@
 #define TP_BLOCK_SYSTEM_BLOCK_LOADS_H
 
 #include "assemblage/force_program.h"
+#include "block_system/block_faces.h"
 #include "load/setting.h"
 
 /* One load on one block. */
@@ -28,13 +29,6 @@ typedef struct tp_block_loads {
   tp_bounded *water;        /* by contact: what the water in it pushes by, in N per metre */
 } tp_block_loads;
 
-/* Blocks at their places, with what they touch. */
-typedef struct tp_placed_blocks {
-  const tp_scene *scene;
-  const tp_assemblage *assemblage;
-  const tp_section *sections;
-} tp_placed_blocks;
-
 /* Does a scene of many blocks call for any? */
 bool tp_block_loads_are_called_for(const tp_scene *scene);
 
@@ -54,13 +48,10 @@ TP_MUST_USE tp_status tp_block_loads_add(tp_block_loads *loads, const tp_placed_
 TP_MUST_USE tp_status tp_block_water_add(tp_block_loads *loads, const tp_placed_blocks *blocks,
                                          const tp_load_setting *setting, tp_message *message);
 
-/* Is a point of the scene in a block or on its border? */
-bool tp_block_holds(const tp_placed_blocks *blocks, long block, const fmpq_t x, const fmpq_t y);
-
-/* The block that the far end of a bolt of a row holds in (block_system/block_bolts.c). Refused: it
- * does not hold the two. */
-TP_MUST_USE tp_status tp_block_bolt_end(long *into, const tp_placed_blocks *blocks,
-                                        const tp_anchor_description *anchor, long row,
-                                        tp_message *message);
+/* The blocks that the head of a bolt of a row and its far end hold in
+ * (block_system/block_bolts.c). Refused: it does not hold the two. */
+TP_MUST_USE tp_status tp_block_bolt_ends(long *head, long *into, const tp_placed_blocks *blocks,
+                                         const tp_anchor_description *anchor, long row,
+                                         tp_message *message);
 
 #endif

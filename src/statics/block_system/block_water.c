@@ -75,12 +75,7 @@ static tp_status lay_surface(wetting *w, tp_message *message) {
 static tp_status find_stand(wetting *w, tp_message *message) {
   const tp_scene *scene = w->blocks->scene;
   const tp_water_description *water = &scene->loads.water;
-  fmpq_t degrees;
-  fmpq_init(degrees);
-  tp_scene_side_tilt(degrees, scene, w->left);
-  tp_lie_tilt(&w->lie, degrees, w->left);
-  tp_lie_measure(&w->lie);
-  fmpq_clear(degrees);
+  tp_scene_lie(&w->lie, scene, w->left);
   fmpq_mul(w->unit_kpa, water->unit_weight_kn_m3.value, scene->metres_per_unit);
   fmpq_set(w->stand.level, water->level.value);
   if (water->surface.count == 0) return TP_OK;

@@ -19,6 +19,15 @@ void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left
   }
 }
 
+void tp_scene_lie(tp_lie *lie, const tp_scene *scene, bool towards_left) {
+  fmpq_t degrees;
+  fmpq_init(degrees);
+  tp_scene_side_tilt(degrees, scene, towards_left);
+  tp_lie_tilt(lie, degrees, towards_left);
+  tp_lie_measure(lie);
+  fmpq_clear(degrees);
+}
+
 static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) {
   fmpq_t degrees;
   fmpq_init(degrees);

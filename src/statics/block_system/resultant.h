@@ -13,6 +13,7 @@
 #define TP_BLOCK_SYSTEM_RESULTANT_H
 
 #include "assemblage/force_program.h"
+#include "load/lie.h"
 #include "number/ball.h"
 #include "scene/scene.h"
 
@@ -30,6 +31,9 @@ typedef struct tp_resultant {
 
 /* How far the scene is tilted to a side; below 0 to the other one. */
 void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left);
+
+/* How its axes lie then. */
+void tp_scene_lie(tp_lie *lie, const tp_scene *scene, bool towards_left);
 
 /* `is_measured`: weights are held against strength or loads that are given in forces; `applied`,
  * borrowed, are such loads, or NULL. Refused: an earthquake that lifts all weight. */

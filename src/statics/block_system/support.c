@@ -15,6 +15,7 @@
 
 #include "block_system/load_results.h"
 
+#include "block_system/block_faces.h"
 #include "block_system/threshold.h"
 #include "common/outside.h"
 #include "evaluation/certainty.h"
@@ -108,7 +109,7 @@ static tp_status check(const supporting *x, tp_message *message) {
                      "block '%s' is ground, which needs no support: name one that is free",
                      tp_quote_all(name).text);
   }
-  if (tp_block_holds(&blocks, d->block, d->x.value, d->y.value)) return TP_OK;
+  if (tp_block_is_near(&blocks, d->block, d->x.value, d->y.value)) return TP_OK;
   return tp_refuse(message, TP_FAULT_GEOMETRY, d->place,
                    "the support does not act on block '%s': 'at' lies outside it",
                    tp_quote_all(name).text);
