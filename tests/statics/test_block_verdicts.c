@@ -160,7 +160,7 @@ static size_t draw_stone(double xy[2 * STONE], random_numbers *state, bool has_m
   const size_t edges = has_many ? 1 + FEW_EDGES + draw_below(state, MOST_EDGES - FEW_EDGES)
                                 : 1 + draw_below(state, FEW_EDGES);
   const size_t count = edges + 3, turned = draw_below(state, count);
-  const long kind = has_many ? 3 * draw_below(state, 2) : draw_below(state, 4);
+  const long kind = draw_below(state, 4);
   const double unit = draw_once_in(state, 2) ? 1 : 0.3048, height = 0.3 + 3 * draw_part(state);
   const bool clockwise = draw_once_in(state, 2), even = kind > 0 || draw_once_in(state, 2);
   for (size_t k = 0; k < count; k++) {

@@ -9,10 +9,7 @@
 #include "case_filter/near_plan.h"
 #include "case_filter/thin_contact.h"
 
-/* a - b */
-static tp_near difference(double a, double b) {
-  return a == b ? (tp_near){0, 0} : tp_near_sub((tp_near){a, 0}, (tp_near){b, 0});
-}
+#include <math.h>
 
 /* The k-th, from the centroid; towards the right x is mirrored, and up-dip is the other way along.
  * Only facets that run up-dip. */
@@ -20,8 +17,7 @@ static bool set_point(tp_shape_point *p, const tp_block_underside *u, int k, tp_
   const int facet = k / 2, vertex = facet + k % 2;
   p->x = tp_near_sub((tp_near){u->x[vertex], 0}, u->centroid_x);
   p->y = tp_near_sub((tp_near){u->y[vertex], 0}, u->centroid_y);
-  p->tx = difference(u->x[facet + 1], u->x[facet]);
-  p->ty = difference(u->y[facet + 1], u->y[facet]);
+  tp_facet_direction(p, u, facet);
   if (tp_near_sign(p->tx) <= 0) return false;
   if (towards == TP_TOWARDS_LEFT) return true;
   p->x = tp_near_neg(p->x);
@@ -37,16 +33,11 @@ static bool set_points(tp_case_shape *shape, const tp_block_underside *u, tp_dir
   return done;
 }
 
-/* Of the directions of their facets. */
-static tp_near cross_of(const tp_shape_point *a, const tp_shape_point *b) {
-  return tp_near_minus(tp_near_times(a->tx, b->ty), tp_near_times(a->ty, b->tx));
-}
-
 /* The first facet in the direction of this one, or this; -1 where that is open. */
 static int axis_of(const tp_case_shape *shape, int facet) {
   const tp_shape_point *own = shape->points + 2 * (size_t)facet;
   for (int other = 0; other < facet; other++) {
-    const tp_near cross = cross_of(own, shape->points + 2 * (size_t)other);
+    const tp_near cross = tp_facets_cross(own, shape->points + 2 * (size_t)other);
     if (tp_near_is_zero(cross)) return other;
     if (tp_near_sign(cross) == 0) return -1;
   }
@@ -109,14 +100,34 @@ static bool set_rest(tp_contact_rest *rest, const tp_block_underside *u, tp_dire
   return long_enough;
 }
 
-/* Keeps of all points those that are none of the few. */
-static void drop_from_rest(tp_contact_rest *rest, const tp_thin_contact *thin) {
+/* May a point's facet be parallel to another of the few? By the slopes of theirs alone. */
+static bool may_be_parallel(int point, double slope, const tp_thin_contact *few,
+                            const double *slopes) {
+  static const double apart = 1e-12;
+  for (int k = 0; k < few->count; k++) {
+    const bool own = few->points[k] / 2 == point / 2;
+    if (!own && fabs(slope - slopes[k]) <= apart * fabs(slope)) return true;
+  }
+  return false;
+}
+
+/* Keeps of all points those that are none of the few, nor add anything to them. */
+static void drop_from_rest(tp_contact_rest *rest, const tp_thin_contact *thin,
+                           const tp_block_underside *u, double friction) {
   const int count = rest->count;
   bool few[TP_REST_POINTS] = {false};
-  for (int k = 0; k < thin->count; k++) few[thin->points[k]] = true;
+  double slopes[TP_PLAN_POINTS];
+  for (int k = 0; k < thin->count; k++) {
+    const int point = thin->points[k];
+    few[point] = true;
+    slopes[k] = rest->ty[point] / rest->tx[point];
+  }
   rest->count = 0;
   for (int k = 0; k < count; k++) {
-    if (few[k]) continue;
+    const bool parallel = may_be_parallel(k, rest->ty[k] / rest->tx[k], thin, slopes);
+    if (few[k] || (parallel && tp_point_lies_between(u, k, thin->points, thin->count, friction))) {
+      continue;
+    }
     rest->x[rest->count] = rest->x[k];
     rest->y[rest->count] = rest->y[k];
     rest->tx[rest->count] = rest->tx[k];
@@ -130,7 +141,7 @@ static bool set_axes(tp_contact_plan *plan, const tp_case_shape *shape) {
     plan->points[k].axis = k;
     for (int before = 0; before < k; before++) {
       const bool same = plan->points[before].facet == plan->points[k].facet;
-      const tp_near cross = cross_of(shape->points + before, shape->points + k);
+      const tp_near cross = tp_facets_cross(shape->points + before, shape->points + k);
       const bool parallel = same || tp_near_is_zero(cross);
       if (!parallel && tp_near_sign(cross) == 0) return false;
       if (!parallel) continue;
@@ -159,8 +170,8 @@ static void set_few_facets(tp_case_filter *f, const tp_block_underside *u,
   }
 }
 
-/* All other facets rise less towards down-dip than one of the few, of which the first lies down-dip
- * of the centroid if any does: that governs in their place, or stands in the way of it. */
+/* All other facets rise no more towards down-dip than one of the few, of which the first lies
+ * down-dip of the centroid if any does: that governs in their place, or stands in the way of it. */
 static bool are_less_steep(const tp_case_filter *f, const tp_block_underside *u,
                            const tp_thin_contact *thin, tp_direction towards) {
   for (int k = 0; k < u->count - 1; k++) {
@@ -173,8 +184,8 @@ static bool are_less_steep(const tp_case_filter *f, const tp_block_underside *u,
     for (int few = 0; few < f->facet_count && side != 0; few++) {
       const tp_filter_facet *other = f->facets + few;
       const bool stands_for = side > 0 || tp_near_sign(f->shape.points[other->down_dip].x) < 0;
-      less =
-          less || (stands_for && tp_near_sign(cross_of(f->shape.points + other->point, &own)) > 0);
+      const tp_near cross = tp_facets_cross(f->shape.points + other->point, &own);
+      less = less || (stands_for && (tp_near_is_zero(cross) || tp_near_sign(cross) > 0));
     }
     if (!less) return false;
   }
@@ -200,7 +211,7 @@ static bool find_few(tp_case_filter *f, const tp_block_underside *u, tp_directio
       !tp_thin_contact_find(&thin, &f->rest, friction, toe, left)) {
     return false;
   }
-  drop_from_rest(&f->rest, &thin);
+  drop_from_rest(&f->rest, &thin, u, friction);
   f->plan.point_count = thin.count;
   for (int k = 0; k < thin.count; k++) {
     const int point = thin.points[k], facet = point / 2;
@@ -221,7 +232,7 @@ static bool find_few(tp_case_filter *f, const tp_block_underside *u, tp_directio
 
 bool tp_block_filter_init(tp_case_filter *f, const tp_block_underside *u, tp_direction towards,
                           double friction) {
-  enum { FEW = 8 };
+  enum { FEW = 4 };
   const int facets = u->count - 1;
   if (facets < 1 || facets > TP_REST_FACETS) return false;
   f->shape.gyration = u->gyration;

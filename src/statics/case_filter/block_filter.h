@@ -8,15 +8,7 @@
 #define TP_CASE_FILTER_BLOCK_FILTER_H
 
 #include "case_filter/case_filter.h"
-
-/* What is known of a block: its underside from its left end to its right one, which runs to the
- * right throughout and may be turned about at the end that is down-dip. */
-typedef struct tp_block_underside {
-  const double *x, *y;
-  int count; /* of vertices */
-  tp_near centroid_x, centroid_y;
-  tp_near gyration; /* square of its radius */
-} tp_block_underside;
+#include "case_filter/parallel_facets.h"
 
 /* Fills in all that tp_case_filter_tell reads; false where doubles do not tell. The tangent of the
  * friction angle tells which of many facets are looked at. */

@@ -114,7 +114,9 @@ static bool add_side(tp_thin_contact *thin, const normals *n, int upper) {
   const double way = upper != 0 ? -1 : 1;
   int at = 0;
   for (int k = 1; k < n->count; k++) {
-    if (way * n->slope[k] < way * n->slope[at]) at = k;
+    const double less = way * (n->slope[k] - n->slope[at]);
+    const bool outer = way * (n->moment[upper][k] - n->moment[upper][at]) < 0;
+    if (less < 0 || (less == 0 && outer)) at = k;
   }
   while (at >= 0) {
     if (thin->ring_count == TP_PLAN_POINTS) return false;
