@@ -47,9 +47,10 @@ static void add_arm(tp_load_result *own, const tp_evaluation *e, const arb_t for
   arb_clear(arm);
 }
 
-/* `force` is zero of what is a moment alone. */
+/* `force` is zero of what is a moment alone; `told`: the moment where that is not one taken for
+ * zero. */
 static void add_to(balance *b, const char *name, tp_place place, const arb_t force,
-                   const arb_t moment, tp_load_side side) {
+                   const arb_t moment, const arb_t told, tp_load_side side) {
   const long bits = b->evaluation->rung.bits;
   if (arb_contains_zero(moment)) {
     add_to_either(b, moment);
@@ -61,24 +62,33 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t for
   if (b->account == NULL) return;
   tp_load_result *own = b->account->loads + b->account->load_count++;
   *own = (tp_load_result){.name = name, .side = side};
-  own->moment_nm = tp_result_of(b->evaluation, moment);
-  add_arm(own, b->evaluation, force, moment);
+  own->moment_nm = tp_result_of(b->evaluation, told);
+  add_arm(own, b->evaluation, force, told);
   own->called_for_by = tp_place_new(place);
   if (own->called_for_by == NULL) b->failed = true;
 }
 
 /* A load whose line passes through the pivot overturns nothing: asked exactly, and of what is not
- * known so, as arms from rounded corners, by the width of its ball. */
-static void settle_zero(balance *b, arb_t moment, const tp_load *load, tp_load_part part,
-                        const arb_t x, const arb_t y) {
+ * known so, as arms from rounded corners, by the width of its ball: `told` is zero up to that then.
+ */
+static void settle_zero(balance *b, arb_t moment, arb_t told, const tp_load *load,
+                        tp_load_part part, const arb_t x, const arb_t y) {
   const tp_evaluation *e = b->evaluation;
+  arb_set(told, moment);
   if (!arb_contains_zero(moment) || arb_is_zero(moment)) return;
   const double arm = fmax(e->log2_extent, fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
   if (tp_loaded_vanishes(load, part, b->loaded, e, b->pivot)) {
     arb_zero(moment);
+    arb_zero(told);
   } else if (tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
     tp_certainty_take_zero(b->certainty, e);
+    mag_t most;
+    mag_init(most);
+    arb_get_mag(most, moment);
     arb_zero(moment);
+    arb_zero(told);
+    arb_add_error_mag(told, most);
+    mag_clear(most);
   } else {
     b->certainty->open = true;
   }
@@ -88,9 +98,12 @@ static void settle_zero(balance *b, arb_t moment, const tp_load *load, tp_load_p
  * overturns. */
 static void weigh_load(balance *b, const tp_load *load, tp_load_part part, const char *name,
                        const arb_t force, arb_t moment, const arb_t x, const arb_t y) {
-  settle_zero(b, moment, load, part, x, y);
+  arb_t told;
+  arb_init(told);
+  settle_zero(b, moment, told, load, part, x, y);
   const tp_load_side holds = load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
-  add_to(b, name, load->place, force, moment, arb_is_positive(moment) ? TP_OVERTURNS : holds);
+  add_to(b, name, load->place, force, moment, told, arb_is_positive(moment) ? TP_OVERTURNS : holds);
+  arb_clear(told);
 }
 
 /* The size of a force at a tilt. */
@@ -144,7 +157,8 @@ static void weigh(balance *b, const arb_t sine, const arb_t cosine) {
     tp_loaded_bond(moment, b->pivot, false, loaded, e);
     arb_neg(moment, moment);
     arb_zero(force);
-    add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, force, moment, TP_STABILISES);
+    add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, force, moment, moment,
+           TP_STABILISES);
   }
   tp_trig_clear(&about);
   arb_clear(x);
