@@ -211,6 +211,28 @@ class Accuracy(unittest.TestCase):
         self.assertEqual({run.vertices for run in topple.accuracy_sweep(10, 100).runs}, {10, 100})
 
 
+class Solids(unittest.TestCase):
+    ROCK = ROOT / "examples" / "meshes" / "balanced_rock.obj"
+
+    def test_file(self):
+        """What the program prints, and the same numbers in the records."""
+        own = topple.solid_of_file(self.ROCK, length_unit="m", unit_weight_kn_m3=26, friction_angle_deg=32, bands=[0, 0.02], azimuths=8)
+        words = ("--unit=m", "--unit-weight=26", "--friction=32", "--band=0,0.02", "--azimuths=8", self.ROCK)
+        self.assertEqual(own.report(), printed("solid", *words))
+        self.assertEqual(own.to_json(), printed("solid", "--json", *words))
+        self.assertEqual(own.csv(), printed("solid", "--csv", *words))
+        falls, stands = own.bands
+        self.assertEqual((falls.stands, falls.least, falls.rose), (False, None, ()))
+        self.assertEqual(stands.mechanism, topple.Mechanism.TOPPLES)
+        told = json.loads(own.to_json())
+        self.assertEqual(told["bands"][1]["least"]["edge_from"], list(stands.least.edge_from))
+        self.assertEqual([p["share"]["value"] for p in told["poses"]], [p.share.value for p in own.poses])
+        with self.assertWarns(topple.Caution):  # of the unit, which a mesh does not state
+            topple.solid_of_file(self.ROCK)
+        with self.assertRaisesRegex(topple.BadInput, "no object"):
+            topple.solid_of_file(self.ROCK, length_unit="m", object="roof")
+
+
 class Profiles(unittest.TestCase):
     JOINT = ROOT / "examples" / "joint_profile.csv"
 

@@ -6,8 +6,8 @@
  * (solid_sums_in.h).
  *
  * Doubles are added by halves, so that a sum of n terms is off by some log2 n roundings of its
- * partial sums: for a million triangles of a boulder 13 digits are certain, for 0.3 s; whole
- * numbers take 1 s for volume and centroid. */
+ * partial sums: for a million triangles of a boulder 12 digits are certain, for 0.13 s;
+ * whole numbers take 0.8 s. */
 
 #ifndef TP_SOLID_SOLID_SUMS_H
 #define TP_SOLID_SOLID_SUMS_H

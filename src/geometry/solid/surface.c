@@ -99,6 +99,9 @@ static long set_whole(tp_surface *surface) {
   return bits;
 }
 
+/* Products of five differences of coordinates are to stay within the range of doubles. */
+static const long least_shift = -140;
+
 /* The number times 2^-exponent; is it that exactly? */
 static bool set_near(double *near, const fmpz_t whole, long exponent) {
   slong own = 0;
@@ -106,7 +109,7 @@ static bool set_near(double *near, const fmpz_t whole, long exponent) {
   const long shift = own - exponent < -2000 ? -2000 : own - exponent;
   *near = ldexp(mantissa, (int)shift);
   if (fmpz_is_zero(whole)) return true;
-  return shift > -900 && (long)(fmpz_bits(whole) - fmpz_val2(whole)) <= DBL_MANT_DIG;
+  return shift > least_shift && (long)(fmpz_bits(whole) - fmpz_val2(whole)) <= DBL_MANT_DIG;
 }
 
 /* Binary files have doubles, of sizes so unlike at times that their differences are none. */

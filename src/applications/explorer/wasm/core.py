@@ -65,7 +65,7 @@ def targets() -> dict[str, list[str]]:
     """The sources of the targets of the native build that the core is made of."""
     asked = ["meson", "introspect", "--targets", str(NATIVE)]
     told = json.loads(subprocess.run(asked, capture_output=True, text=True, check=True).stdout)
-    libraries = {(name, "static library") for name in ("topple-geom", "topple-events", "topple", "topple-figure")}
+    libraries = {(name, "static library") for name in ("topple-geom", "topple-geom-solid", "topple-events", "topple", "topple-figure")}
     wanted = libraries | {("topple", "executable")}
     sources = {}
     for target in told:
