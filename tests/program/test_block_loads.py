@@ -79,6 +79,10 @@ class BlockLoads(GoverningCase):
         for uplift, truth in (("full", t * (weight - lift) / weight), ("none", t * (weight + down) / weight)):
             own = self.case(pile.scene(30, f"{LEVEL}loads: {{water: {{level: {depth}, faces: both, uplift: {uplift}}}}}", weight=gamma))
             self.encloses(own["critical_acceleration_g"], truth, 1e-9)
+        # A surface that lies as it should on the side that is asked for alone: on the other it would go back.
+        steep = pile.scene(70, "tilt: {towards: left, angle_deg: 60}\nloads: {water: {surface: [[-20, 20], [20, -20]], faces: both}}")
+        self.assertEqual(self.case(steep)["towards"], "left")
+        self.assertIn("goes back", run("solve", self.scene(steep.replace("left", "right")))[2])
         # What is left open is told, and is the cautious reading.
         text = pile.scene(30, f"{LEVEL}loads: {{water: {{level: {depth}}}}}", weight=gamma)
         left_out = self.json(text)

@@ -9,6 +9,15 @@
 
 enum { BITS = 128, RIGHT_ANGLE_DEG = 90 };
 
+bool tp_scene_asks_side(const tp_scene *scene, bool left) {
+  if (scene->frame != TP_FRAME_SLOPE) return left ? scene->towards_left : scene->towards_right;
+  const tp_loads_description *loads = &scene->loads;
+  const bool down_dip = scene->slope.left == left;
+  const bool only = loads->direction_given && loads->direction != TP_SEISMIC_BOTH;
+  if (!loads->horizontal.given) return down_dip;
+  return !only || (loads->direction == TP_SEISMIC_DOWN_DIP) == down_dip;
+}
+
 void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left) {
   fmpq_zero(degrees);
   if (scene->frame == TP_FRAME_SLOPE) {

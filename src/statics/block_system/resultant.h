@@ -29,6 +29,10 @@ typedef struct tp_resultant {
   double along_normal;            /* what a load of one in `loads` is to the weight, rounded */
 } tp_resultant;
 
+/* Has the scene a case that goes to a side? On a slope up-dip too where an earthquake may act that
+ * way. */
+bool tp_scene_asks_side(const tp_scene *scene, bool left);
+
 /* How far the scene is tilted to a side; below 0 to the other one. */
 void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left);
 

@@ -194,21 +194,11 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
   return status;
 }
 
-/* On a slope up-dip too where an earthquake may act that way. */
-static bool is_asked(const tp_scene *scene, bool left) {
-  if (scene->frame != TP_FRAME_SLOPE) return left ? scene->towards_left : scene->towards_right;
-  const tp_loads_description *loads = &scene->loads;
-  const bool down_dip = scene->slope.left == left;
-  const bool only = loads->direction_given && loads->direction != TP_SEISMIC_BOTH;
-  if (!loads->horizontal.given) return down_dip;
-  return !only || (loads->direction == TP_SEISMIC_DOWN_DIP) == down_dip;
-}
-
 static tp_status solve_cases(const solving *x, tp_message *message) {
   const tp_scene *scene = x->s->scene;
   tp_status status = TP_OK;
-  if (is_asked(scene, true)) status = solve_case(x, true, message);
-  if (status == TP_OK && is_asked(scene, false)) status = solve_case(x, false, message);
+  if (tp_scene_asks_side(scene, true)) status = solve_case(x, true, message);
+  if (status == TP_OK && tp_scene_asks_side(scene, false)) status = solve_case(x, false, message);
   return status;
 }
 
