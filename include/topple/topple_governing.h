@@ -55,7 +55,7 @@ const char *tp_factor_standing_name(tp_factor_standing standing);
 typedef struct tp_factor {
   tp_fos_definition definition; /* by which it is defined */
   tp_mechanism mechanism; /* against which; by reduction, what happens at the strength reduced */
-  size_t pivot;           /* if definition == TP_FOS_BY_MOMENTS: of the case's */
+  size_t pivot;           /* if definition == TP_FOS_BY_MOMENTS: the pivot's index */
   bool toe;               /* it is the end of the contact down-dip */
   bool counts;            /* false: it is shown for comparison, as `standing` says */
   tp_fos fos;             /* the factor itself */

@@ -67,7 +67,7 @@ typedef struct tp_motion_contact {
   bool at_right_end;      /* of that facet */
   tp_contact_state state; /* sticks, or slips */
   bool has_pivot;         /* it is one of the contact's points, */
-  size_t pivot;           /* of the case's pivots this one */
+  size_t pivot;           /* this one, by its index */
   bool has_force;         /* false: nothing fixes how the contacts that stay share the load */
   tp_bounded share_x, share_y; /* if has_force: along x and y of the scene */
 } tp_motion_contact;

@@ -30,6 +30,7 @@ typedef enum tp_pivot_kind {
 
 /* A point of the contact about which the block might turn. */
 typedef struct tp_pivot {
+  size_t index;       /* its number along the contact from the left, from 0 */
   tp_pivot_kind kind; /* where it lies */
   bool rounded;       /* the corner is: (x, y) is where the axis then lies */
   bool admissible;    /* to first order: turning about it opens every contact facet */
@@ -132,12 +133,13 @@ typedef enum tp_rolls { TP_ROLLS_NOT, TP_ROLLS_BACK, TP_ROLLS_OVER } tp_rolls;
 /* One direction of tilt. */
 typedef struct tp_case {
   tp_direction towards;    /* which */
-  size_t pivot_count;      /* of the pivots */
-  tp_pivot *pivots;        /* from left to right along the contact */
+  size_t candidate_count;  /* points of the contact: candidate pivots in all */
+  size_t pivot_count;      /* of the pivots in the list */
+  tp_pivot *pivots;        /* those asked for (tp_solve_options.pivots), from left to right */
   bool has_toppling_pivot; /* some pivot is admissible: */
-  size_t toppling_pivot;   /* index of the admissible pivot with the least critical angle */
-  bool toppling_tie;       /* another admissible pivot has the same critical angle: */
-  long toppling_tie_bits;  /* 0: exactly; else so many bits do not distinguish the two */
+  size_t toppling_pivot; /* place in `pivots` of the admissible one with the least critical angle */
+  bool toppling_tie;     /* another admissible pivot has the same critical angle: */
+  long toppling_tie_bits; /* 0: exactly; else so many bits do not distinguish the two */
   tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
   bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest */
   tp_bounded rest_turn_deg; /* if rests: by what it turns on its base */
@@ -166,7 +168,7 @@ typedef struct tp_case {
   bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
   tp_governing_fos governing_fos; /* at the scene's tilt */
   tp_account elements;            /* if elements.account_count > 0: by elements, where asked for */
-  tp_bounded *limits;             /* of all pivots, with loads */
+  tp_bounded *limits;             /* of the pivots listed, with loads */
   size_t load_count;     /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads; /* about the governing pivot */
   bool

@@ -39,13 +39,13 @@ END_TEST
 START_TEST(json_of_pivots) {
   tp_solution s = filled();
   tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .computed = true, .never = true},
-                     {.kind = TP_PIVOT_VALLEY, .computed = true}};
+                     {.index = 1, .kind = TP_PIVOT_VALLEY, .computed = true}};
   for (int k = 0; k < 2; k++) {
     own[k].fos = (tp_fos){.state = TP_FOS_NUMBER, .value = {.value = -2}};
     own[k].fos_elements = (tp_fos){.state = TP_FOS_UNDEFINED};
   }
   own[1].admissible = true;
-  s.cases[0].pivot_count = 2;
+  s.cases[0].candidate_count = s.cases[0].pivot_count = 2;
   s.cases[0].pivots = own;
   json_has(&s, "\"pivot_count\": 2, \"pivots_listed\": \"all\",\n      \"pivots\": [\n        {");
   json_has(&s, "{\"index\": 0, \"kind\": \"peak\", ");

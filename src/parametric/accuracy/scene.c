@@ -38,7 +38,7 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
   }
   const tp_case *own = s->noted->cases;
   s->has_pivot = own->has_toppling_pivot;
-  if (s->has_pivot) s->point = (long)own->toppling_pivot;
+  if (s->has_pivot) s->point = (long)own->pivots[own->toppling_pivot].index;
   return TP_OK;
 }
 

@@ -126,7 +126,7 @@ static void take(tp_map_sample *sample, const tp_solution *solution, bool at_til
   if (sample->has_onset) sample->onset_deg = own->onset.critical_angle_deg;
   sample->has_toppling = own->has_toppling_pivot && !own->pivots[own->toppling_pivot].never &&
                          !own->pivots[own->toppling_pivot].always;
-  sample->governing = own->toppling_pivot;
+  sample->governing = own->has_toppling_pivot ? own->pivots[own->toppling_pivot].index : 0;
   if (sample->has_toppling)
     sample->toppling_deg = own->pivots[own->toppling_pivot].critical_angle_deg;
   sample->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;

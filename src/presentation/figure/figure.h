@@ -112,7 +112,7 @@ bool tp_spot_meet(tp_spot *at, tp_spot p, tp_spot u, tp_spot q, tp_spot v);
 /* Is the point not further from the block than its size? */
 bool tp_figure_in_sight(const tp_figure *figure, tp_spot p);
 
-/* The point's number in the table of pivots, from 1; 0 where it is none. */
+/* The point's place in the list of pivots, from 1; 0 where it is none. */
 size_t tp_state_pivot_at(const tp_figure *figure, const tp_state *state, tp_spot at);
 
 /* The pivots that are numbered and listed, in their order: the governing and the admissible ones,

@@ -37,9 +37,12 @@ static tp_spot joint_spot(const tp_figure *figure, const tp_state *state, int si
   const tp_problem *problem = figure->problem;
   const tp_contact *contact = &problem->contact;
   const tp_base_joint *joint = &problem->joint;
-  if (joint->vertex[side] == tp_contact_extreme(contact, side == 0).point) {
-    return tp_figure_pivot_spot(figure, state->own,
-                                side == 0 ? 0 : (size_t)contact->point_count - 1);
+  const tp_case *own = state->own;
+  const size_t end = side == 0 ? 0 : own->candidate_count - 1;
+  const size_t listed = side == 0 ? 0 : own->pivot_count - 1;
+  if (joint->vertex[side] == tp_contact_extreme(contact, side == 0).point &&
+      own->pivots[listed].index == end) {
+    return tp_figure_pivot_spot(figure, own, listed);
   }
   fmpq_t x, y;
   fmpq_init(x);

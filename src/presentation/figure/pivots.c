@@ -47,7 +47,7 @@ static double reach_of(const tp_panel *p, size_t pivot) {
   for (size_t k = 0; k < p->state->reaction_count; k++) {
     if (tp_state_pivot_at(p->figure, p->state, p->state->reactions[k].at) == pivot + 1) return 30;
   }
-  return own->pivot_count <= FEW ? 24 : NEAR - 1;
+  return own->candidate_count <= FEW ? 24 : NEAR - 1;
 }
 
 /* The number beside the pivot, where there is room. */
@@ -55,7 +55,8 @@ static void draw_number(tp_panel *p, size_t pivot, bool governs) {
   cairo_t *cr = p->cr;
   const tp_spot at = tp_view_spot(&p->view, tp_figure_pivot_spot(p->figure, p->state->own, pivot));
   const tp_spot down = tp_view_direction(&p->view, (tp_spot){0, -1});
-  const double half = disc_half_width(cr, pivot + 1), reach = reach_of(p, pivot);
+  const size_t number = p->state->own->pivots[pivot].index + 1;
+  const double half = disc_half_width(cr, number), reach = reach_of(p, pivot);
   tp_box box;
   if (tp_label_room_find(&box, &p->room, at, down, 2 * half + 1, 2 * DISC_RADIUS + 1, reach,
                          reach < NEAR)) {
@@ -66,7 +67,7 @@ static void draw_number(tp_panel *p, size_t pivot, bool governs) {
     cairo_line_to(cr, centre.x, centre.y);
     cairo_stroke(cr);
     tp_label_room_line(&p->room, at, centre);
-    tp_figure_disc(cr, centre, pivot + 1, governs);
+    tp_figure_disc(cr, centre, number, governs);
   }
 }
 

@@ -38,7 +38,7 @@ static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size
   const tp_pivot *pivot = own->pivots + k;
   char(*cells)[CELL_SIZE] = t->cells[t->rows++];
   char n[TP_NUMBER_SIZE];
-  snprintf(cells[NUMBER], CELL_SIZE, "%zu", k + 1);
+  snprintf(cells[NUMBER], CELL_SIZE, "%zu", pivot->index + 1);
   snprintf(cells[KIND], CELL_SIZE, "%s%s", pivot->rounded ? "rounded " : "",
            tp_pivot_kind_name(pivot->kind));
   snprintf(cells[X], CELL_SIZE, "%s", tp_page_coordinate(&page, n, pivot->x_m));
@@ -117,14 +117,14 @@ double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *sta
     const bool governs = own->has_toppling_pivot && listed[k] == own->toppling_pivot;
     y += pitch;
     const tp_spot disc = {x + t.widths[NUMBER] / 2, y - 0.36 * TP_BODY_SIZE};
-    tp_figure_disc(cr, disc, listed[k] + 1, governs);
+    tp_figure_disc(cr, disc, own->pivots[listed[k]].index + 1, governs);
     draw_row(cr, &t, k + 1, x, y, governs);
   }
   y += 4;
   rule(cr, x, y, width, 0.8);
-  if (count == own->pivot_count) return y;
+  if (count == own->candidate_count) return y;
   char more[96];
   snprintf(more, sizeof more, "and %zu more (--json --pivots=all lists all)",
-           own->pivot_count - count);
+           own->candidate_count - count);
   return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, false, more);
 }

@@ -28,7 +28,9 @@ static void add_limit(tp_text *t, const tp_figure *figure, const tp_state *state
     if (limit->mechanism == TP_TOPPLES && limit->has_centre) {
       const tp_spot at = tp_shape_of_metres(&figure->shape, limit->centre_x_m, limit->centre_y_m);
       const size_t pivot = tp_state_pivot_at(figure, state, at);
-      if (pivot > 0) tp_text_add(t, " about pivot %zu", pivot);
+      if (pivot > 0) {
+        tp_text_add(t, " about pivot %zu", state->own->pivots[pivot - 1].index + 1);
+      }
     }
     if (limit->turns_up_dip) tp_text_add(t, ", turning up-dip,");
     if (limit->tie) tp_text_add(t, ", or %s (a tie),", tp_mechanism_name(limit->tied_with));
@@ -75,7 +77,7 @@ static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *sta
   } else if (pivot->never || angle > 90) {
     tp_text_add(t, "does not topple at any tilt up to 90°.");
   } else {
-    tp_text_add(t, "topples about pivot %zu at %s°.", own->toppling_pivot + 1,
+    tp_text_add(t, "topples about pivot %zu at %s°.", pivot->index + 1,
                 degrees(n, pivot->critical_angle_deg));
   }
 }
@@ -160,7 +162,9 @@ static void add_reactions(tp_text *t, const tp_figure *figure, const tp_state *s
                 : k == 0                   ? "₁"
                                            : "₂",
                 tp_text_fixed(n, r->size, 3));
-    if (pivot > 0) tp_text_add(t, " in pivot\u00a0%zu", pivot);
+    if (pivot > 0) {
+      tp_text_add(t, " in pivot\u00a0%zu", state->own->pivots[pivot - 1].index + 1);
+    }
   }
   tp_text_add(t, ".");
 }

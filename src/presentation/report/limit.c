@@ -58,7 +58,7 @@ static void add_moments(tp_page *p, const tp_case *c) {
   const tp_pivot *pivot = c->pivots + c->toppling_pivot;
   if (pivot->never || pivot->always) {
     tp_text_add(&p->text, "  By moments alone it %s, about pivot %zu.\n",
-                pivot->never ? "never topples" : "topples at every tilt", c->toppling_pivot + 1);
+                pivot->never ? "never topples" : "topples at every tilt", pivot->index + 1);
     return;
   }
   const tp_bounded toppling = pivot->critical_angle_deg;
@@ -69,12 +69,12 @@ static void add_moments(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text,
                 "  Moments alone give %s°, about pivot %zu: friction on the other contacts\n"
                 "  can hold it beyond, if it is mobilised.\n",
-                n, c->toppling_pivot + 1);
+                n, pivot->index + 1);
   } else if (c->toe.known && !c->toe.holds && c->limit.mechanism != TP_SLIDES) {
     tp_text_add(&p->text,
                 "  Moments alone give %s°, where all the weight would act on pivot %zu; but\n"
                 "  friction is exhausted there at ",
-                n, c->toppling_pivot + 1);
+                n, pivot->index + 1);
     add_toe_friction(p, &c->toe);
     tp_text_add(&p->text, ".\n");
   }

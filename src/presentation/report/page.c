@@ -98,7 +98,8 @@ void tp_page_add_centre(tp_page *p, const tp_case *c, tp_bounded x_m, tp_bounded
   for (size_t k = 0; k < c->pivot_count; k++) {
     const tp_pivot *pivot = c->pivots + k;
     if (!overlap(x_m, pivot->x_m) || !overlap(y_m, pivot->y_m)) continue;
-    tp_text_add(&p->text, "pivot %zu, the %s at ", k + 1, tp_pivot_kind_name(pivot->kind));
+    tp_text_add(&p->text, "pivot %zu, the %s at ", pivot->index + 1,
+                tp_pivot_kind_name(pivot->kind));
     break;
   }
   tp_text_add(&p->text, "(%s, %s)", tp_page_coordinate(p, n[0], x_m),

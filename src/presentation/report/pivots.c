@@ -26,7 +26,7 @@ const char *tp_text_turning(const tp_case *c, size_t k) {
 static void add_row(tp_page *p, const tp_case *c, size_t k) {
   const tp_pivot *pivot = c->pivots + k;
   char n[5][TP_NUMBER_SIZE];
-  tp_text_add(&p->text, "%s%3zu %-8s %10s %10s ", governs(c, k) ? ">" : " ", k + 1,
+  tp_text_add(&p->text, "%s%3zu %-8s %10s %10s ", governs(c, k) ? ">" : " ", pivot->index + 1,
               tp_pivot_kind_name(pivot->kind), tp_page_coordinate(p, n[0], pivot->x_m),
               tp_page_coordinate(p, n[1], pivot->y_m));
   if (pivot->never || pivot->always) {
@@ -41,7 +41,12 @@ static void add_row(tp_page *p, const tp_case *c, size_t k) {
   tp_text_add(&p->text, "  %s\n", tp_text_turning(c, k));
 }
 
-/* The admissible ones, and of the others as many as fit, those nearest to the toe. */
+bool tp_pivot_has_row(const tp_case *c, size_t k) {
+  const size_t index = c->pivots[k].index;
+  const size_t from_toe = c->towards == TP_TOWARDS_LEFT ? index : c->candidate_count - 1 - index;
+  return c->pivots[k].admissible || from_toe < TP_PIVOTS_NEAR_TOE;
+}
+
 void tp_page_add_pivots(tp_page *p, const tp_case *c) {
   char x[16], y[16];
   snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
@@ -49,14 +54,11 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  %-11s %10s %10s %11s", "Pivot", x, y, tp_text_topples_at(p->solution));
   if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %9s %9s", "FoS", "elements");
   tp_text_add(&p->text, "  turning\n");
-  size_t left_out = 0;
+  size_t left_out = c->candidate_count;
   for (size_t k = 0; k < c->pivot_count; k++) {
-    const size_t from_toe = c->towards == TP_TOWARDS_LEFT ? k : c->pivot_count - 1 - k;
-    if (c->pivots[k].admissible || from_toe < TP_PIVOTS_NEAR_TOE) {
-      add_row(p, c, k);
-    } else {
-      left_out++;
-    }
+    if (!tp_pivot_has_row(c, k)) continue;
+    add_row(p, c, k);
+    left_out--;
   }
   if (left_out > 0) {
     tp_text_add(&p->text,

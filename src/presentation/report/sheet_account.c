@@ -142,7 +142,7 @@ void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
                   "moments below: of above 0 the first stabilises and the second overturns, of "
                   "below 0 it is the other way round. All: sums of areas, weights and moments, and "
                   "the centroid of the weight.",
-                  c->toppling_pivot + 1, tp_page_degrees(n, a->angle_deg),
+                  c->pivots[c->toppling_pivot].index + 1, tp_page_degrees(n, a->angle_deg),
                   a->at_critical_angle ? tp_document_say(d, ", the critical angle") : "");
   tp_document_add(d, TP_PASSAGE_EQUATION,
                   "M_{1k} = W_k (%s) \\cos α \\\\ M_{2k} = W_k (y_k − y_P) \\sin α \\\\"

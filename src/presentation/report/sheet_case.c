@@ -185,7 +185,7 @@ static void add_pivot(tp_sheet *s, const tp_case *c, size_t k) {
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
   if (c->has_toppling_pivot && k == c->toppling_pivot) tp_document_mark_row(d);
-  tp_document_cell(d, "%zu", k + 1);
+  tp_document_cell(d, "%zu", pivot->index + 1);
   tp_document_word(d, tp_pivot_kind_name(pivot->kind));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, pivot->y_m));
@@ -205,7 +205,7 @@ void tp_sheet_add_pivots(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const bool tilted = s->solution->has_tilt_angle;
   const char *unit = s->solution->length_unit;
-  size_t left_out = 0;
+  size_t left_out = c->candidate_count;
   if (c->pivot_count == 0) return;
   tp_document_heading(d, 3, "Pivots");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, tilted ? 8 : 6, tilted ? 0x7c : 0x1c,
@@ -221,12 +221,9 @@ void tp_sheet_add_pivots(tp_sheet *s, const tp_case *c) {
   }
   tp_document_cell(d, "Turning");
   for (size_t k = 0; k < c->pivot_count; k++) {
-    const size_t from_toe = c->towards == TP_TOWARDS_LEFT ? k : c->pivot_count - 1 - k;
-    if (c->pivots[k].admissible || from_toe < TP_PIVOTS_NEAR_TOE) {
-      add_pivot(s, c, k);
-    } else {
-      left_out++;
-    }
+    if (!tp_pivot_has_row(c, k)) continue;
+    add_pivot(s, c, k);
+    left_out--;
   }
   if (left_out > 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH, "… and %zu more, all of them blocked.", left_out);

@@ -35,7 +35,7 @@ static void add_critical_angle(tp_sheet *s, const tp_case *c) {
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "Critical angle of toppling about pivot %zu, by moments: at it the line of the "
                   "weight passes through the pivot. G is the centroid of the weight, P the pivot.",
-                  c->toppling_pivot + 1);
+                  p->index + 1);
   tp_document_add(&s->document, TP_PASSAGE_EQUATION,
                   "α_c = %s\\arctan \\frac{%s}{y_G − y_P} \\\\"
                   "α_c = %s\\arctan \\frac{%s − %s}{%s − %s} = %s",
@@ -65,7 +65,7 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "Factor of safety against toppling about pivot %zu: the moments in the table of "
                   "loads, stabilising over overturning less those that reduce overturning.",
-                  c->toppling_pivot + 1);
+                  p->index + 1);
   tp_text_add(&equation, "\\text{FoS} = \\frac{");
   for (int under = 0; under < 2; under++) {
     bool any = false;

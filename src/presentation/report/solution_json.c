@@ -14,7 +14,7 @@ static bool are_all_told(const tp_case *c) {
   for (size_t k = 0; k < c->pivot_count; k++) {
     if (!c->pivots[k].computed) return false;
   }
-  return true;
+  return c->pivot_count == c->candidate_count;
 }
 
 void tp_json_enter_load_case(tp_json_subject *x, const tp_load_case *own) {
@@ -22,7 +22,7 @@ void tp_json_enter_load_case(tp_json_subject *x, const tp_load_case *own) {
 }
 
 void tp_json_enter_case(tp_json_subject *x, const tp_case *c) {
-  const bool few = c->pivot_count <= TP_PIVOTS_MANY;
+  const bool few = c->candidate_count <= TP_PIVOTS_MANY;
   x->c = c;
   x->case_index = (size_t)(c - x->s->cases);
   x->all_pivots =

@@ -30,9 +30,10 @@ static tp_status read_off(tp_block_turning *turning, const tp_solution *solution
   const tp_case *own = solution->cases;
   if (!own->has_toppling_pivot) return TP_NO_ANSWER;
   const tp_bounded angle = own->pivots[own->toppling_pivot].critical_angle_deg;
-  *turning = (tp_block_turning){.angle_deg = angle.value,
-                                .error_deg = angle.error,
-                                .pivot = vertex_at(problem, own->toppling_pivot)};
+  *turning =
+      (tp_block_turning){.angle_deg = angle.value,
+                         .error_deg = angle.error,
+                         .pivot = vertex_at(problem, own->pivots[own->toppling_pivot].index)};
   return tp_solution_is_undecided(solution) ? TP_UNDECIDED : TP_OK;
 }
 

@@ -148,7 +148,7 @@ void tp_evaluate_account(const tp_evaluation *e, tp_case *result, const tp_direc
   arb_struct *balls[] = {a.sine, a.cosine, a.metres, a.weight, a.stabilising, a.overturning};
   for (size_t k = 0; k < sizeof balls / sizeof balls[0]; k++) arb_init(balls[k]);
   const tp_elements *elements = &e->problem->elements;
-  const long pivot = e->problem->contact.points[result->toppling_pivot].point;
+  const long pivot = e->problem->contact.points[result->pivots[result->toppling_pivot].index].point;
   set_weight(&a);
   set_tilt(&a, &result->elements, toppling);
   arb_set_fmpq(a.metres, e->problem->lattice.step_m, e->rung.bits);

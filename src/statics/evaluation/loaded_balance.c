@@ -238,7 +238,7 @@ bool tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evalua
   tp_loaded_account_clear(result);
   if (!result->has_toppling_pivot || !e->problem->scene->tilt_angle_deg.given) return true;
   balance b = {.account = result};
-  balance_at(&b, loaded, e, (long)result->toppling_pivot, certainty);
+  balance_at(&b, loaded, e, (long)result->pivots[result->toppling_pivot].index, certainty);
   balance_clear(&b);
   return !b.failed;
 }

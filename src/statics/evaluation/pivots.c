@@ -6,6 +6,7 @@
  */
 
 #include "evaluation/loaded.h"
+#include "evaluation/pivot_list.h"
 #include "evaluation/stages.h"
 #include "problem/bearing.h"
 
@@ -204,47 +205,40 @@ static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivo
 }
 
 /* Its numbers, unless they are settled. */
-static void tell_pivot(const tp_evaluation *e, tp_case *result, size_t k, bool *settled,
+static void tell_pivot(const tp_evaluation *e, tp_direction towards, tp_pivot *pivot, bool *settled,
                        const tp_direction_ball *known, tp_certainty *certainty) {
-  if (settled[k]) return;
+  if (settled[pivot->index]) return;
   tp_certainty own = {0};
-  result->pivots[k].computed = true;
-  evaluate_pivot(e, result->towards, result->pivots + k, (long)k, known, &own);
-  settled[k] = !own.open;
+  pivot->computed = true;
+  evaluate_pivot(e, towards, pivot, (long)pivot->index, known, &own);
+  settled[pivot->index] = !own.open;
   tp_certainty_add(certainty, &own);
-}
-
-static bool tells_all(const tp_evaluation *e, const tp_case *result) {
-  return e->pivots == TP_PIVOTS_ALL ||
-         (e->pivots == TP_PIVOTS_BY_COUNT && result->pivot_count <= TP_PIVOTS_MANY);
 }
 
 void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty) {
-  const bool all = tells_all(e, result), left = result->towards == TP_TOWARDS_LEFT;
-  const tp_governing_pivot governing =
-      tp_evaluate_toppling(e, result->towards, toppling, certainty);
+  const tp_direction towards = result->towards;
+  const tp_governing_pivot governing = tp_evaluate_toppling(e, towards, toppling, certainty);
   for (size_t k = 0; k < result->pivot_count; k++) {
     tp_pivot *pivot = result->pivots + k;
-    const size_t from_toe = left ? k : result->pivot_count - 1 - k;
-    pivot->admissible = e->problem->admissible[result->towards][k];
-    const bool is_rounded = e->problem->contact.points[k].cut != NULL; /* it lies elsewhere */
-    if (all || pivot->admissible || is_rounded || from_toe < TP_PIVOTS_NEAR_TOE) {
-      const bool governs = governing.found && governing.index == k;
-      tell_pivot(e, result, k, settled, governs ? toppling : NULL, certainty);
-    }
+    pivot->admissible = e->problem->admissible[towards][pivot->index];
+    if (!tp_pivots_list_from_start(result, e->problem, e->pivots, pivot->index)) continue;
+    const bool governs = governing.found && governing.index == pivot->index;
+    tell_pivot(e, towards, pivot, settled, governs ? toppling : NULL, certainty);
   }
   result->has_toppling_pivot = governing.found;
-  result->toppling_pivot = governing.index;
+  result->toppling_pivot = governing.found ? tp_pivots_place(result, governing.index) : 0;
   result->toppling_tie = governing.tie;
   result->toppling_tie_bits = governing.tie_bits;
 }
 
-void tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
+bool tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                                 tp_certainty *certainty) {
-  if (tells_all(e, result)) return;
+  if (tp_pivots_list_all(e->pivots, result->candidate_count)) return true;
+  if (!tp_pivots_list_more(result, e->problem)) return false;
   for (size_t k = 0; k < result->pivot_count; k++) {
     if (!tp_pivot_bears(result->pivots + k, &result->limit)) continue;
-    tell_pivot(e, result, k, settled, NULL, certainty);
+    tell_pivot(e, result->towards, result->pivots + k, settled, NULL, certainty);
   }
+  return true;
 }

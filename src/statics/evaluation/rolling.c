@@ -239,7 +239,8 @@ void tp_evaluate_rolling(const tp_evaluation *e, tp_case *result, const tp_direc
   result->rests = false;
   if (!result->has_toppling_pivot || e->loaded != NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
-  const tp_contact_point *toe = problem->contact.points + result->toppling_pivot;
+  const tp_contact_point *toe =
+      problem->contact.points + result->pivots[result->toppling_pivot].index;
   rolling on = {.corner = corner_at(problem, toe, left), .left = left};
   on.toe = tp_contact_on_outline(toe);
   if (on.corner == NULL || !find_plane(&on, problem)) return;

@@ -49,9 +49,10 @@ tp_governing_pivot tp_evaluate_toppling(const tp_evaluation *evaluation, tp_dire
 void tp_evaluate_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty);
 
-/* Likewise the pivots that bear the limit, once that is found. */
-void tp_evaluate_bearing_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
-                                tp_certainty *certainty);
+/* Likewise the pivots that bear the limit, once that is found, which are listed now; and those that
+ * it or the onset turns about, by their places alone. False when memory is exhausted. */
+TP_MUST_USE bool tp_evaluate_bearing_pivots(const tp_evaluation *evaluation, tp_case *result,
+                                            bool *settled, tp_certainty *certainty);
 
 /* Whether a rounded toe rolls back from its critical angle, or goes over. */
 void tp_evaluate_rolling(const tp_evaluation *evaluation, tp_case *result,

@@ -48,7 +48,8 @@ void tp_evaluate_toe(const tp_evaluation *e, tp_case *result, const tp_direction
   result->toe = (tp_toe){0};
   if (!result->has_toppling_pivot || e->loaded != NULL)
     return; /* the reaction is not the weight's */
-  const tp_outline_point toe = tp_contact_on_outline(contact->points + result->toppling_pivot);
+  const tp_outline_point toe =
+      tp_contact_on_outline(contact->points + result->pivots[result->toppling_pivot].index);
   tp_sliding_facet best;
   tp_sliding_facet_init(&best);
   for (long k = 0; k < contact->facet_count; k++) {

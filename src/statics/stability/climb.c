@@ -80,10 +80,10 @@ static bool evaluate_direction(const tp_evaluation *e, tp_case *own, tp_climbing
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
   const bool statics = c->problem->scene->friction_angle_deg.given && c->options->limit;
-  const bool done = evaluate_formulas(e, own, &toppling, &sliding, c, certainty) &&
-                    (!statics || evaluate_statics(e, own, c, certainty));
-  if (statics) {
-    tp_evaluate_bearing_pivots(e, own, c->settled[own->towards].pivots, certainty);
+  bool done = evaluate_formulas(e, own, &toppling, &sliding, c, certainty) &&
+              (!statics || evaluate_statics(e, own, c, certainty));
+  if (statics && done) {
+    done = tp_evaluate_bearing_pivots(e, own, c->settled[own->towards].pivots, certainty);
   }
   tell_mechanism(e, own, &toppling, &sliding, c->settled + own->towards, certainty);
   if (c->options->elements) tp_evaluate_account(e, own, &toppling, certainty);

@@ -125,15 +125,14 @@ static tp_factor_standing standing(const tp_at_scene *at, tp_fos fos, bool has_a
   return has_angle && !begins_at(at, degrees) ? TP_FACTOR_PREVENTED : TP_FACTOR_COUNTS;
 }
 
-static tp_factor by_moments(const tp_at_scene *at, size_t pivot) {
+static tp_factor by_moments(const tp_at_scene *at, const tp_pivot *p) {
   const tp_case *c = at->c;
-  const tp_pivot *p = c->pivots + pivot;
-  const size_t toe = c->towards == TP_TOWARDS_LEFT ? 0 : c->pivot_count - 1;
-  const tp_mechanism turn = turn_about(&c->onset, pivot);
+  const size_t toe = c->towards == TP_TOWARDS_LEFT ? 0 : c->candidate_count - 1;
+  const tp_mechanism turn = turn_about(&c->onset, p->index);
   tp_factor factor = {.definition = TP_FOS_BY_MOMENTS,
                       .mechanism = TP_TOPPLES,
-                      .pivot = pivot,
-                      .toe = pivot == toe,
+                      .pivot = p->index,
+                      .toe = p->index == toe,
                       .fos = p->fos};
   const bool begins = at->moves && turn != TP_MECHANISM_UNDECIDED;
   if (begins) factor.mechanism = turn;
@@ -153,7 +152,7 @@ static void add_moments(tp_governing_fos *g, const tp_at_scene *at) {
   for (size_t step = 0; step <= c->pivot_count; step++) {
     const size_t k = step == 0 ? c->toppling_pivot : step - 1;
     if (step > 0 && (!c->pivots[k].admissible || k == c->toppling_pivot)) continue;
-    const tp_factor own = by_moments(at, k);
+    const tp_factor own = by_moments(at, c->pivots + k);
     if (has[own.counts] && !tp_fos_is_less(own.fos, least[own.counts].fos)) continue;
     least[own.counts] = own;
     has[own.counts] = true;
@@ -270,7 +269,7 @@ static bool formulas_tell(const tp_governing_fos *g, const tp_at_scene *at, tp_b
   for (size_t k = 0; k < c->pivot_count && c->has_toppling_pivot; k++) {
     const tp_pivot *p = c->pivots + k;
     if (!p->admissible || p->never || p->always || !is_at(p->critical_angle_deg, end)) continue;
-    if (by_moments(at, k).counts) return true;
+    if (by_moments(at, p).counts) return true;
   }
   return false;
 }

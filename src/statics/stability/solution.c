@@ -8,6 +8,7 @@
 
 #include "common/notes.h"
 #include "evaluation/loaded.h"
+#include "evaluation/pivot_list.h"
 #include "evaluation/stages.h"
 #include "onset/onset.h"
 #include "problem/effects.h"
@@ -148,40 +149,21 @@ static void describe_teeth(tp_solution *solution, const tp_scene *scene) {
   result->right_end = right_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
 }
 
-/* What is exact about the pivots, once for all rungs and for both directions. */
-static void describe_pivots(tp_case *own, const tp_case *described, const tp_problem *problem) {
-  if (described != NULL) {
-    memcpy(own->pivots, described->pivots, own->pivot_count * sizeof *own->pivots);
-    return;
-  }
-  for (size_t k = 0; k < own->pivot_count; k++) {
-    const tp_contact_point *p = problem->contact.points + k;
-    tp_pivot *pivot = own->pivots + k;
-    *pivot = (tp_pivot){.kind = p->kind};
-    tp_result_lattice_point(&pivot->x_m, &pivot->y_m, problem, p->point);
-  }
-}
-
-static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bool account,
-                            tp_message *message) {
+static tp_status make_cases(tp_solution *solution, const tp_problem *problem,
+                            const tp_solve_options *options, tp_message *message) {
   const bool asked[2] = {problem->scene->towards_left, problem->scene->towards_right};
   for (int d = 0; d < 2; d++) {
     if (!asked[d]) continue;
     tp_case *own = solution->cases + solution->case_count++;
     own->towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    own->pivot_count = (size_t)problem->contact.point_count;
-    own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
-    if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
-    describe_pivots(own, own > solution->cases ? solution->cases : NULL, problem);
+    if (!tp_pivots_list(own, problem, options->pivots)) {
+      return tp_fail_memory(message, "the pivots");
+    }
     if (problem->loaded) {
       own->loads = calloc((size_t)tp_loaded_account_count(problem->scene), sizeof *own->loads);
-      own->limits = calloc(own->pivot_count * TP_ROOTS_MAX, sizeof *own->limits);
-      if (own->loads == NULL || own->limits == NULL) return tp_fail_memory(message, "the loads");
-      for (size_t k = 0; k < own->pivot_count; k++) {
-        own->pivots[k].limits_deg = own->limits + k * TP_ROOTS_MAX;
-      }
+      if (own->loads == NULL) return tp_fail_memory(message, "the loads");
     }
-    if (!account) continue;
+    if (!options->elements) continue;
     own->elements.account =
         calloc((size_t)problem->elements.count + 1, sizeof *own->elements.account);
     if (own->elements.account == NULL) return tp_fail_memory(message, "the elements");
@@ -223,5 +205,5 @@ tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,
     solution->decimals = tp_decimals_new(options->digits);
     if (solution->decimals == NULL) return tp_fail_memory(message, "the digits");
   }
-  return make_cases(solution, problem, options->elements, message);
+  return make_cases(solution, problem, options, message);
 }
