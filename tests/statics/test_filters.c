@@ -209,15 +209,19 @@ static void draw_twist(tp_vector *twist, const tp_cones *cones) {
 static void move(tp_cones *cones) {
   const long exponent = draw_below(&state, 81) - 40, shift = draw_below(&state, 40);
   for (long k = 0; k < cones->count; k++) {
-    arb_ptr at[] = {cones->x + k, cones->y + k};
+    const arb_struct own[] = {tp_cones_x(cones, k), tp_cones_y(cones, k)};
+    arb_t at[2];
     for (int e = 0; e < 2; e++) {
+      arb_init(at[e]);
       fmpz_t away;
       fmpz_init_set_si(away, 1);
       fmpz_mul_2exp(away, away, (ulong)shift);
-      arb_add_fmpz(at[e], at[e], away, EXACT);
+      arb_add_fmpz(at[e], own + e, away, EXACT);
       arb_mul_2exp_si(at[e], at[e], exponent);
       fmpz_clear(away);
     }
+    tp_cones_set_place(cones, k, at[0], at[1]);
+    for (int e = 0; e < 2; e++) arb_clear(at[e]);
   }
 }
 

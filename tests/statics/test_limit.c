@@ -35,11 +35,15 @@ static void scene_init(scene *s) {
     const long dx = 1 + draw_below(&state, 9), dy = draw_below(&state, 13) - 6;
     for (int end = 0; end < 2; end++) {
       const long own = 2 * k + end;
-      arb_set_si(s->cones.x + own, end == 0 ? x : x + dx);
-      arb_set_si(s->cones.y + own, end == 0 ? y : y + dy);
+      fmpz_t at_x, at_y;
+      fmpz_init_set_si(at_x, end == 0 ? x : x + dx);
+      fmpz_init_set_si(at_y, end == 0 ? y : y + dy);
+      tp_cones_set_whole(&s->cones, own, at_x, at_y);
+      fmpz_clear(at_x);
+      fmpz_clear(at_y);
       fmpz_set_si(s->cones.tx + own, dx);
       fmpz_set_si(s->cones.ty + own, dy);
-      s->cones.points[own] = (tp_cone_point){.site = k + end, .facet = k};
+      s->cones.points[own] = (tp_cone_point){.site = (int32_t)k + end, .facet = (int32_t)k};
     }
     x += dx;
     y += dy;

@@ -45,11 +45,15 @@ static inline whole whole_vector(const tp_vector *v) {
 }
 
 static inline void set_point(tp_cones *cones, long k, long x, long y, long tx, long ty) {
-  arb_set_si(cones->x + k, x);
-  arb_set_si(cones->y + k, y);
+  arb_t at[2];
+  for (int e = 0; e < 2; e++) arb_init(at[e]);
+  arb_set_si(at[0], x);
+  arb_set_si(at[1], y);
+  tp_cones_set_place(cones, k, at[0], at[1]);
+  for (int e = 0; e < 2; e++) arb_clear(at[e]);
   fmpz_set_si(cones->tx + k, tx);
   fmpz_set_si(cones->ty + k, ty);
-  cones->points[k] = (tp_cone_point){.site = k, .facet = k};
+  cones->points[k] = (tp_cone_point){.site = (int32_t)k, .facet = (int32_t)k};
 }
 
 #endif

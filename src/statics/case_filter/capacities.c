@@ -19,11 +19,13 @@ static bool begins_facet(const tp_contact_plan *plan, int k) {
 
 /* Do two points on parallel facets lie on one line? In lattice units, exactly. */
 static bool are_in_line(const tp_cones *cones, long a, long b) {
+  const arb_struct ax = tp_cones_x(cones, a), bx = tp_cones_x(cones, b);
+  const arb_struct ay = tp_cones_y(cones, a), by = tp_cones_y(cones, b);
   arb_t across, dx;
   arb_init(across);
   arb_init(dx);
-  arb_sub(dx, cones->x + b, cones->x + a, ARF_PREC_EXACT);
-  arb_sub(across, cones->y + b, cones->y + a, ARF_PREC_EXACT);
+  arb_sub(dx, &bx, &ax, ARF_PREC_EXACT);
+  arb_sub(across, &by, &ay, ARF_PREC_EXACT);
   arb_mul_fmpz(across, across, cones->tx + a, ARF_PREC_EXACT);
   arb_submul_fmpz(across, dx, cones->ty + a, ARF_PREC_EXACT);
   const bool in_line = arb_is_zero(across) != 0;

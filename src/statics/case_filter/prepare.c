@@ -44,7 +44,8 @@ static slong unit_of(const tp_cones *cones) {
   for (long k = 1; k < cones->count; k++) {
     arb_t apart;
     arb_init(apart);
-    arb_sub(apart, cones->x + k, cones->x, BITS);
+    const arb_struct own = tp_cones_x(cones, k), first = tp_cones_x(cones, 0);
+    arb_sub(apart, &own, &first, BITS);
     most = fmax(most, tp_ball_log2_above(apart));
     arb_clear(apart);
   }
@@ -87,8 +88,9 @@ static void set_shape(tp_case_shape *shape, const tp_onset_asked *asked, slong u
   shape->gyration = near_of(square);
   for (long k = 0; k < asked->cones.count; k++) {
     tp_shape_point *p = shape->points + k;
-    p->x = from_centroid(asked->cones.x + k, q->scale, q->x, unit);
-    p->y = from_centroid(asked->cones.y + k, q->scale, q->y, unit);
+    const arb_struct x = tp_cones_x(&asked->cones, k), y = tp_cones_y(&asked->cones, k);
+    p->x = from_centroid(&x, q->scale, q->x, unit);
+    p->y = from_centroid(&y, q->scale, q->y, unit);
     set_direction(p, asked->cones.tx + k, asked->cones.ty + k);
   }
   arb_clear(square);

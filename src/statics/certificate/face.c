@@ -44,8 +44,9 @@ static void turn_about_site(tp_face *face, const tp_cones *cones) {
   long point = 0;
   while (cones->points[point].site != face->site) point++;
   const bool back = arf_sgn(arb_midref(v + 2)) < 0;
-  arb_set(v, cones->y + point);
-  arb_neg(v + 1, cones->x + point);
+  const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
+  arb_set(v, &y);
+  arb_neg(v + 1, &x);
   arb_one(v + 2);
   if (back) tp_vector_neg(&face->twist);
 }
@@ -84,10 +85,11 @@ typedef struct powers {
 static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, long point,
                          long bits) {
   const arb_struct *v = face->twist.of;
+  const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
   p->point = point;
-  arb_mul(p->vx, v + 2, cones->y + point, bits);
+  arb_mul(p->vx, v + 2, &y, bits);
   arb_sub(p->vx, v, p->vx, bits);
-  arb_mul(p->vy, v + 2, cones->x + point, bits);
+  arb_mul(p->vy, v + 2, &x, bits);
   arb_add(p->vy, v + 1, p->vy, bits);
   arb_mul_fmpz(p->normal, p->vy, cones->tx + point, bits);
   arb_submul_fmpz(p->normal, p->vx, cones->ty + point, bits);
@@ -113,8 +115,8 @@ static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
 /* What the velocity of a point is made of: v and omega (-y, x), which may cancel. */
 static double log2_of_velocity(const tp_face *face, const tp_cones *cones, long point) {
   const arb_struct *v = face->twist.of;
-  const double arm =
-      fmax(tp_ball_log2_above(cones->x + point), tp_ball_log2_above(cones->y + point));
+  const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
+  const double arm = fmax(tp_ball_log2_above(&x), tp_ball_log2_above(&y));
   return fmax(fmax(tp_ball_log2_above(v), tp_ball_log2_above(v + 1)),
               tp_ball_log2_above(v + 2) + arm);
 }

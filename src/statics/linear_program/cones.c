@@ -7,16 +7,27 @@
 
 #include "linear_program/cones.h"
 
+#include "number/ball.h"
+#include "number/word.h"
+
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
 bool tp_cones_init(tp_cones *cones, long count) {
   memset(cones, 0, sizeof *cones);
-  cones->points = calloc((size_t)count + 1, sizeof *cones->points);
-  if (cones->points == NULL) return false;
+  const size_t room = (size_t)count + 1;
+  cones->points = calloc(room, sizeof *cones->points);
+  cones->whole_x = calloc(room, sizeof *cones->whole_x);
+  cones->whole_y = calloc(room, sizeof *cones->whole_y);
+  if (cones->points == NULL || cones->whole_x == NULL || cones->whole_y == NULL) {
+    free(cones->points);
+    free(cones->whole_x);
+    free(cones->whole_y);
+    cones->points = NULL;
+    return false;
+  }
   cones->count = count;
-  cones->x = _arb_vec_init(count);
-  cones->y = _arb_vec_init(count);
   cones->tx = _fmpz_vec_init(count);
   cones->ty = _fmpz_vec_init(count);
   arb_init(cones->friction);
@@ -41,8 +52,10 @@ bool tp_cones_allow(tp_cones *cones, long capacity_count) {
 
 void tp_cones_clear(tp_cones *cones) {
   if (cones->points == NULL) return;
-  _arb_vec_clear(cones->x, cones->count);
-  _arb_vec_clear(cones->y, cones->count);
+  if (cones->x != NULL) {
+    _arb_vec_clear(cones->x, cones->count);
+    _arb_vec_clear(cones->y, cones->count);
+  }
   _fmpz_vec_clear(cones->tx, cones->count);
   _fmpz_vec_clear(cones->ty, cones->count);
   arb_clear(cones->friction);
@@ -52,9 +65,99 @@ void tp_cones_clear(tp_cones *cones) {
     arb_clear(cones->capacities[k].pull);
   }
   free(cones->points);
+  free(cones->whole_x);
+  free(cones->whole_y);
   free(cones->capacities);
   memset(cones, 0, sizeof *cones);
 }
+
+/* ---- places ------------------------------------------------------------------------------------
+ */
+
+/* From doubles to balls, once one place is no whole number that a double holds. */
+static void take_balls(tp_cones *cones) {
+  cones->x = _arb_vec_init(cones->count);
+  cones->y = _arb_vec_init(cones->count);
+  for (long k = 0; k < cones->count; k++) {
+    arb_set_d(cones->x + k, cones->whole_x[k]);
+    arb_set_d(cones->y + k, cones->whole_y[k]);
+  }
+  free(cones->whole_x);
+  free(cones->whole_y);
+  cones->whole_x = cones->whole_y = NULL;
+}
+
+static bool is_whole(const arb_t ball) {
+  return arb_is_int(ball) && arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) <= 0;
+}
+
+void tp_cones_set_place(tp_cones *cones, long point, const arb_t x, const arb_t y) {
+  if (cones->x == NULL && is_whole(x) && is_whole(y)) {
+    cones->whole_x[point] = tp_ball_nearest(arb_midref(x));
+    cones->whole_y[point] = tp_ball_nearest(arb_midref(y));
+    return;
+  }
+  if (cones->x == NULL) take_balls(cones);
+  arb_set(cones->x + point, x);
+  arb_set(cones->y + point, y);
+}
+
+void tp_cones_set_whole(tp_cones *cones, long point, const fmpz_t x, const fmpz_t y) {
+  const int64_t most = INT64_C(1) << DBL_MANT_DIG;
+  const bool small = tp_word_is_small(x) && tp_word_is_small(y);
+  if (cones->x == NULL && small && llabs(tp_word_get(x)) <= most && llabs(tp_word_get(y)) <= most) {
+    cones->whole_x[point] = (double)tp_word_get(x);
+    cones->whole_y[point] = (double)tp_word_get(y);
+    return;
+  }
+  if (cones->x == NULL) take_balls(cones);
+  arb_set_fmpz(cones->x + point, x);
+  arb_set_fmpz(cones->y + point, y);
+}
+
+/* Two limbs at most, which a ball has within itself. */
+static arb_struct borrowed(double whole) {
+  arb_t ball;
+  arb_init(ball);
+  arb_set_d(ball, whole);
+  return *ball;
+}
+
+arb_struct tp_cones_x(const tp_cones *cones, long point) {
+  return cones->x != NULL ? cones->x[point] : borrowed(cones->whole_x[point]);
+}
+
+arb_struct tp_cones_y(const tp_cones *cones, long point) {
+  return cones->x != NULL ? cones->y[point] : borrowed(cones->whole_y[point]);
+}
+
+bool tp_cones_to_double(double *value, const arb_t ball) {
+  if (!arb_is_exact(ball) || arf_bits(arb_midref(ball)) > DBL_MANT_DIG ||
+      arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) > 0) {
+    return false;
+  }
+  *value = tp_ball_nearest(arb_midref(ball));
+  return true;
+}
+
+bool tp_cones_in_double(double *x, double *y, const tp_cones *cones, long point) {
+  if (cones->x != NULL) {
+    return tp_cones_to_double(x, cones->x + point) && tp_cones_to_double(y, cones->y + point);
+  }
+  *x = cones->whole_x[point];
+  *y = cones->whole_y[point];
+  return true;
+}
+
+bool tp_cones_places_are_exact(const tp_cones *cones) {
+  for (long k = 0; k < cones->count && cones->x != NULL; k++) {
+    if (!arb_is_exact(cones->x + k) || !arb_is_exact(cones->y + k)) return false;
+  }
+  return true;
+}
+
+/* ---- columns -----------------------------------------------------------------------------------
+ */
 
 long tp_cones_column_count(const tp_cones *cones) {
   return 2 * cones->count + TP_CAPACITY_COLUMNS * cones->capacity_count;
@@ -100,25 +203,28 @@ static void set_capacity(arb_ptr force, const tp_cones *cones, long point, int k
 }
 
 void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits) {
-  arb_add(x, cones->x + point, cones->x + point + 1, bits);
-  arb_add(y, cones->y + point, cones->y + point + 1, bits);
+  const arb_struct x0 = tp_cones_x(cones, point), x1 = tp_cones_x(cones, point + 1);
+  const arb_struct y0 = tp_cones_y(cones, point), y1 = tp_cones_y(cones, point + 1);
+  arb_add(x, &x0, &x1, bits);
+  arb_add(y, &y0, &y1, bits);
   arb_mul_2exp_si(x, x, -1);
   arb_mul_2exp_si(y, y, -1);
 }
 
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
   const long point = tp_cones_point_of(cones, column);
+  const arb_struct at_x = tp_cones_x(cones, point), at_y = tp_cones_y(cones, point);
   if (tp_cones_is_edge(cones, column)) {
     tp_ball_cone_edge(entries, cones->tx + point, cones->ty + point,
                       tp_cones_friction(cones, point), column % 2 == 1, bits);
-    tp_ball_moment(entries, cones->x + point, cones->y + point, bits);
+    tp_ball_moment(entries, &at_x, &at_y, bits);
     return;
   }
   int kind = 0;
   (void)capacity_of(cones, column, &kind);
   set_capacity(entries, cones, point, kind);
   if (kind != PULL) {
-    tp_ball_moment(entries, cones->x + point, cones->y + point, bits);
+    tp_ball_moment(entries, &at_x, &at_y, bits);
     return;
   }
   arb_t x, y;

@@ -18,12 +18,14 @@
 
 #include <flint/fmpz.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 typedef struct tp_cone_point {
-  long site;  /* the same for columns at one point of the plane */
-  long facet; /* the caller's */
-  long line;  /* the straight line of its facet: the same for all on it; needed for capacities */
-  long own;   /* its friction: 0, that of most points; else the one before this of `own_friction` */
+  int32_t site;  /* the same for columns at one point of the plane */
+  int32_t facet; /* the caller's */
+  int32_t line;  /* the straight line of its facet: the same for all on it; needed for capacities */
+  int32_t
+      own; /* its friction: 0, that of most points; else the one before this of `own_friction` */
 } tp_cone_point;
 
 /* An edge of the friction cone of a point: n + t tan(phi), or n - t tan(phi) `against` t. */
@@ -42,10 +44,11 @@ typedef struct tp_capacity {
 typedef struct tp_cones {
   long count;
   tp_cone_point *points;
-  arb_ptr x, y;
-  fmpz *tx, *ty;  /* t in whole numbers of any length */
-  arb_t friction; /* tan(phi) */
-  long own_count; /* no two of these are the same, nor the same as `friction` */
+  double *whole_x, *whole_y; /* where they lie, if all are whole numbers that doubles hold; */
+  arb_ptr x, y;              /* else NULL, and these */
+  fmpz *tx, *ty;             /* t in whole numbers of any length */
+  arb_t friction;            /* tan(phi) */
+  long own_count;            /* no two of these are the same, nor the same as `friction` */
   arb_ptr own_friction;
   long capacity_count;
   tp_capacity *capacities;
@@ -57,6 +60,18 @@ bool tp_cones_init(tp_cones *cones, long count);
 void tp_cones_take_own(tp_cones *cones, long own_count);
 bool tp_cones_allow(tp_cones *cones, long capacity_count);
 void tp_cones_clear(tp_cones *cones);
+
+/* A point's place, which is its own from then on; in whole numbers. */
+void tp_cones_set_place(tp_cones *cones, long point, const arb_t x, const arb_t y);
+void tp_cones_set_whole(tp_cones *cones, long point, const fmpz_t x, const fmpz_t y);
+
+/* It, borrowed: not to be changed or cleared; exactly in doubles, or false; are all known exactly?
+ */
+arb_struct tp_cones_x(const tp_cones *cones, long point);
+arb_struct tp_cones_y(const tp_cones *cones, long point);
+bool tp_cones_in_double(double *x, double *y, const tp_cones *cones, long point);
+bool tp_cones_to_double(double *value, const arb_t coordinate);
+bool tp_cones_places_are_exact(const tp_cones *cones);
 
 /* Columns 2 k and 2 k + 1 are the edges n + t tan(phi) and n - t tan(phi) of point k; after those
  * of all points come three for each capacity: shear along t, shear against it, the pull. */

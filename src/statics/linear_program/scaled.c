@@ -59,15 +59,6 @@ typedef struct doubles {
   double log2_friction;
 } doubles;
 
-static bool to_double(double *value, const arb_t ball) {
-  if (!arb_is_exact(ball) || arf_bits(arb_midref(ball)) > DBL_MANT_DIG ||
-      arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) > 0) {
-    return false;
-  }
-  *value = tp_ball_nearest(arb_midref(ball));
-  return true;
-}
-
 /* Log2 of tan(phi). */
 static double friction_above(arb_srcptr tangent) {
   mag_t friction;
@@ -92,16 +83,14 @@ static void set_friction(doubles *d, arb_srcptr tangent, long own) {
 static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
   doubles d = {.known = false};
   set_friction(&d, cones->friction, 0);
-  d.known = to_double(&d.x, s->x) && to_double(&d.y, s->y) && d.friction_known;
+  d.known = tp_cones_to_double(&d.x, s->x) && tp_cones_to_double(&d.y, s->y) && d.friction_known;
   return d;
 }
 
 /* From where moments are about to a point: each rounded once. */
 static bool away_in_double(double *dx, double *dy, const doubles *d, const tp_cones *cones,
                            long point) {
-  if (!d->known || !to_double(dx, cones->x + point) || !to_double(dy, cones->y + point)) {
-    return false;
-  }
+  if (!d->known || !tp_cones_in_double(dx, dy, cones, point)) return false;
   *dx -= d->x;
   *dy -= d->y;
   return true;
@@ -121,10 +110,11 @@ static long length_exponent(const tp_scaled *s, const tp_cones *cones, const dou
       farthest = tp_larger(tp_larger(farthest, fabs(dx)), fabs(dy));
       continue;
     }
-    arb_sub(away, cones->x + k, s->x, s->bits);
+    const arb_struct x = tp_cones_x(cones, k), y = tp_cones_y(cones, k);
+    arb_sub(away, &x, s->x, s->bits);
     arb_get_mag(own, away);
     mag_max(most, most, own);
-    arb_sub(away, cones->y + k, s->y, s->bits);
+    arb_sub(away, &y, s->y, s->bits);
     arb_get_mag(own, away);
     mag_max(most, most, own);
   }
@@ -229,8 +219,9 @@ bool tp_scaled_init(tp_scaled *scaled, const tp_cones *cones, const tp_vector *s
   arb_init(scaled->y);
   scaled->bits = bits;
   if (cones->count > 0) {
-    arb_get_mid_arb(scaled->x, cones->x);
-    arb_get_mid_arb(scaled->y, cones->y);
+    const arb_struct x = tp_cones_x(cones, 0), y = tp_cones_y(cones, 0);
+    arb_get_mid_arb(scaled->x, &x);
+    arb_get_mid_arb(scaled->y, &y);
   }
   mag_t moment;
   mag_init(moment);

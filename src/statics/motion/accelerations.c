@@ -64,7 +64,8 @@ static tp_motion_outcome turn(tp_starting *s) {
   arb_init(y);
   arb_init(moment);
   arb_init(inertia);
-  tp_newton_arms(x, y, q, q->cones->x + point, q->cones->y + point, bits);
+  const arb_struct at_x = tp_cones_x(q->cones, point), at_y = tp_cones_y(q->cones, point);
+  tp_newton_arms(x, y, q, &at_x, &at_y, bits);
   tp_ball_turn(about.of, x, y, bits);
   tp_vector_dot(moment, &about, &s->loads, bits);
   tp_vector_dot(inertia, &about, s->items, bits);

@@ -48,10 +48,11 @@ bool tp_bound_sharpen(tp_bound *bound, const tp_generators *g, const tp_generato
   if (bound->source.kind != TP_FROM_SITE) return false;
   const tp_cones *cones = g->q->cones;
   const long bits = g->q->judge.precision;
+  const arb_struct at_x = tp_cones_x(cones, a->point), at_y = tp_cones_y(cones, a->point);
   arb_t x, y;
   arb_init(x);
   arb_init(y);
-  tp_newton_arms(x, y, g->q, cones->x + a->point, cones->y + a->point, bits);
+  tp_newton_arms(x, y, g->q, &at_x, &at_y, bits);
   tp_ball_turn(bound->h.of, x, y, bits);
   arb_clear(x);
   arb_clear(y);

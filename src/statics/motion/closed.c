@@ -46,7 +46,8 @@ static void edge_moment(arb_t moment, const tp_normals *n, long point, bool agai
   tp_vector force;
   tp_vector_init(&force);
   tp_normals_edge(&force, n, point, against);
-  tp_ball_moment(force.of, n->cones->x + point, n->cones->y + point, n->judge.bits);
+  const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
+  tp_ball_moment(force.of, &x, &y, n->judge.bits);
   arb_swap(moment, force.of + 2);
   tp_vector_clear(&force);
 }
@@ -55,7 +56,8 @@ static tp_near near_moment(const tp_normals *n, long point, bool against) {
   const tp_cones *cones = n->cones;
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const tp_near friction = tp_ball_near(tp_cones_friction(cones, point));
-  const tp_near x = tp_ball_near(cones->x + point), y = tp_ball_near(cones->y + point);
+  tp_near x, y;
+  tp_normals_place_near(&x, &y, n, point);
   tp_near force[3];
   tp_near_cone_edge(force, &tx, &ty, &friction, against);
   tp_near_moment(force, &x, &y);

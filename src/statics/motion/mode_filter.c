@@ -48,8 +48,10 @@ static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals 
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const bool has_own = n->cones->points[point].own != 0;
   const tp_near friction = has_own ? near_of(tp_cones_friction(n->cones, point)) : f->friction;
-  const tp_near x = tp_near_sub(tp_near_mul(tp_ball_near(n->cones->x + point), f->scale), f->x);
-  const tp_near y = tp_near_sub(tp_near_mul(tp_ball_near(n->cones->y + point), f->scale), f->y);
+  tp_near x, y;
+  tp_normals_place_near(&x, &y, n, point);
+  x = tp_near_sub(tp_near_mul(x, f->scale), f->x);
+  y = tp_near_sub(tp_near_mul(y, f->scale), f->y);
   tp_near_cone_edge(own, &tx, &ty, &friction, against);
   tp_near_moment(own, &x, &y);
   tp_near_reverse(own);

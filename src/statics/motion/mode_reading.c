@@ -136,10 +136,9 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
   arb_neg(line->at.of + 1, line->at.of + 1);
   arb_mul_fmpz(line->rise.of, friction, tx, q->judge.precision);
   arb_mul_fmpz(line->rise.of + 1, friction, ty, q->judge.precision);
-  tp_newton_moment(&line->at, q, q->cones->x + edge->point, q->cones->y + edge->point,
-                   q->judge.precision);
-  tp_newton_moment(&line->rise, q, q->cones->x + edge->point, q->cones->y + edge->point,
-                   q->judge.precision);
+  const arb_struct x = tp_cones_x(q->cones, edge->point), y = tp_cones_y(q->cones, edge->point);
+  tp_newton_moment(&line->at, q, &x, &y, q->judge.precision);
+  tp_newton_moment(&line->rise, q, &x, &y, q->judge.precision);
   if (!edge->against) tp_vector_neg(&line->rise);
   tp_share_line *own = add_generator(to, r);
   own->site = point->site + 1;

@@ -34,7 +34,8 @@ void tp_newton_force(tp_vector *own, const tp_motion_question *q, const tp_norma
                      const tp_cone_edge *edge) {
   const tp_cones *cones = q->cones;
   tp_normals_edge(own, n, edge->point, edge->against);
-  tp_newton_moment(own, q, cones->x + edge->point, cones->y + edge->point, q->judge.precision);
+  const arb_struct x = tp_cones_x(cones, edge->point), y = tp_cones_y(cones, edge->point);
+  tp_newton_moment(own, q, &x, &y, q->judge.precision);
   tp_vector_neg(own);
 }
 

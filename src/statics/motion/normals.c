@@ -44,14 +44,15 @@ void tp_normals_near(double near[3], const tp_vector *vector) {
 
 void tp_normals_set_along(arb_t along, const tp_normals *n, long point) {
   const tp_cones *cones = n->cones;
-  arb_mul_fmpz(along, cones->x + point, n->tx + point, n->judge.precision);
-  arb_addmul_fmpz(along, cones->y + point, n->ty + point, n->judge.precision);
+  const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
+  arb_mul_fmpz(along, &x, n->tx + point, n->judge.precision);
+  arb_addmul_fmpz(along, &y, n->ty + point, n->judge.precision);
 }
 
 void tp_normals_set_h(tp_vector *h, const tp_normals *n, long normal) {
   const long point = n->order[n->items[normal].first];
-  tp_ball_normal_row(h->of, n->cones->x + point, n->cones->y + point, n->tx + point, n->ty + point,
-                     n->judge.precision);
+  const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
+  tp_ball_normal_row(h->of, &x, &y, n->tx + point, n->ty + point, n->judge.precision);
 }
 
 /* In doubles each entry is off by 2^-50 of itself at most, so that products are by 2^-48 and their
@@ -80,8 +81,8 @@ int tp_normal_sign(const tp_normals *n, const tp_normal *normal, const tp_vector
 }
 
 static void set_slip(tp_vector *g, const tp_normals *n, long point) {
-  tp_ball_slip_row(g->of, n->cones->x + point, n->cones->y + point, n->tx + point, n->ty + point,
-                   n->judge.precision);
+  const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
+  tp_ball_slip_row(g->of, &x, &y, n->tx + point, n->ty + point, n->judge.precision);
 }
 
 void tp_normals_slip_ball(arb_t along, const tp_normals *n, long point, const tp_vector *twist) {
@@ -98,12 +99,18 @@ bool tp_normals_set_near(tp_near own[3], const double near[3]) {
   return near[0] != 0 || near[1] != 0 || near[2] != 0;
 }
 
+void tp_normals_place_near(tp_near *x, tp_near *y, const tp_normals *n, long point) {
+  const arb_struct own_x = tp_cones_x(n->cones, point), own_y = tp_cones_y(n->cones, point);
+  *x = tp_ball_near(&own_x);
+  *y = tp_ball_near(&own_y);
+}
+
 static int sign_of_slip(const tp_normals *n, long point, const double near[3]) {
   tp_near a[3];
   if (!tp_normals_set_near(a, near)) return 0;
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
-  const tp_near x = tp_ball_near(n->cones->x + point), y = tp_ball_near(n->cones->y + point);
-  tp_near g[3];
+  tp_near x, y, g[3];
+  tp_normals_place_near(&x, &y, n, point);
   tp_near_slip_row(g, &x, &y, &tx, &ty);
   return tp_near_sign(tp_near_dot(g, a));
 }
@@ -148,16 +155,17 @@ int tp_normals_share_line(const tp_normals *n, long point, long end) {
   if (cones->points[point].facet >= 0 && cones->points[point].facet == cones->points[end].facet) {
     return 1;
   }
+  const arb_struct x0 = tp_cones_x(cones, point), x1 = tp_cones_x(cones, end);
+  const arb_struct y0 = tp_cones_y(cones, point), y1 = tp_cones_y(cones, end);
   const long bits = n->judge.precision;
   arb_t across, part;
   arb_init(across);
   arb_init(part);
-  arb_sub(part, cones->y + end, cones->y + point, bits);
+  arb_sub(part, &y1, &y0, bits);
   arb_mul_fmpz(across, part, n->tx + point, bits);
-  const double log2_scale =
-      fmax(tp_ball_log2_above(cones->y + end), tp_ball_log2_above(cones->x + end)) +
-      (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
-  arb_sub(part, cones->x + end, cones->x + point, bits);
+  const double log2_scale = fmax(tp_ball_log2_above(&y1), tp_ball_log2_above(&x1)) +
+                            (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
+  arb_sub(part, &x1, &x0, bits);
   arb_submul_fmpz(across, part, n->ty + point, bits);
   const int sign = tp_judge_sign(&n->judge, across, log2_scale);
   arb_clear(across);

@@ -60,6 +60,9 @@ TP_MUST_USE tp_motion_outcome tp_normals_init(tp_normals *normals, const tp_cone
                                               const tp_judge *judge);
 void tp_normals_clear(tp_normals *normals);
 
+/* A point's place in doubles. */
+void tp_normals_place_near(tp_near *x, tp_near *y, const tp_normals *normals, long point);
+
 /* t . q of a point; h of a line. */
 void tp_normals_set_along(arb_t along, const tp_normals *normals, long point);
 void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);

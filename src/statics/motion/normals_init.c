@@ -105,18 +105,11 @@ static bool make_room(tp_normals *n, const tp_normals_order *order) {
          n->items != NULL && n->families != NULL;
 }
 
-static bool is_exact(const tp_cones *cones) {
-  for (long k = 0; k < cones->count; k++) {
-    if (!arb_is_exact(cones->x + k) || !arb_is_exact(cones->y + k)) return false;
-  }
-  return true;
-}
-
 tp_motion_outcome tp_normals_init(tp_normals *n, const tp_cones *cones, const tp_judge *judge) {
   memset(n, 0, sizeof *n);
   n->cones = cones;
   n->judge = *judge;
-  n->judge.precision = is_exact(cones) ? ARF_PREC_EXACT : judge->bits;
+  n->judge.precision = tp_cones_places_are_exact(cones) ? ARF_PREC_EXACT : judge->bits;
   n->tx = _fmpz_vec_init(cones->count);
   n->ty = _fmpz_vec_init(cones->count);
   for (long k = 0; k < cones->count; k++) set_direction(n, k);

@@ -57,15 +57,13 @@ static bool is_short(const fmpz *number) {
   return fmpz_bits(number) <= SHORT_BITS;
 }
 
-static bool is_whole_ball(const arb_t ball) {
-  return arb_is_exact(ball) && arf_is_int(arb_midref(ball)) &&
-         arf_cmpabs_2exp_si(arb_midref(ball), WHOLE_BITS) <= 0;
-}
-
 static bool is_whole(const tp_normals *n) {
-  for (long k = 0; k < n->cones->count; k++) {
-    if (!is_short(n->tx + k) || !is_short(n->ty + k) || !is_whole_ball(n->cones->x + k) ||
-        !is_whole_ball(n->cones->y + k)) {
+  static const double most = (double)(INT64_C(1) << WHOLE_BITS);
+  const tp_cones *cones = n->cones;
+  if (cones->whole_x == NULL) return false;
+  for (long k = 0; k < cones->count; k++) {
+    if (!is_short(n->tx + k) || !is_short(n->ty + k) || fabs(cones->whole_x[k]) > most ||
+        fabs(cones->whole_y[k]) > most) {
       return false;
     }
   }
@@ -78,10 +76,6 @@ static int sense_of(const fmpz *tx, const fmpz *ty) {
   return along != 0 ? along : fmpz_sgn(ty);
 }
 
-static int64_t word_of(const arb_t whole) {
-  return (int64_t)tp_ball_nearest(arb_midref(whole));
-}
-
 static long tag_of(long point, bool is_short, bool is_against) {
   return 4 * point + 2 * is_short + is_against;
 }
@@ -92,7 +86,8 @@ static void set_whole(tp_normal_entry *e, const tp_normals *n, long point) {
   const double x = (double)(is_against ? -tx : tx), y = (double)(is_against ? -ty : ty);
   *e = (tp_normal_entry){.slope = tx == 0 ? INFINITY : y / x,
                          .tag = tag_of(point, true, is_against)};
-  e->as.whole.along = word_of(n->cones->x + point) * tx + word_of(n->cones->y + point) * ty;
+  e->as.whole.along =
+      (int64_t)n->cones->whole_x[point] * tx + (int64_t)n->cones->whole_y[point] * ty;
   e->as.whole.site = n->cones->points[point].site;
 }
 

@@ -123,7 +123,8 @@ static void add_slide_pulls(gathering *g) {
       arb_one(one);
       s->pulled[s->pull_count] = point;
       tp_vector *pull = s->pulls + s->pull_count++;
-      set_force(pull, g, n->cones->x + point, n->cones->y + point, one, point, true);
+      const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
+      set_force(pull, g, &x, &y, one, point, true);
       tp_vector_neg(pull);
       arb_clear(one);
     }
@@ -140,7 +141,8 @@ static tp_motion_outcome add_shear(gathering *g, const tp_capacity *own, long cl
   if (arb_is_zero(own->shear)) return TP_MOTION_PROVEN;
   tp_vector force;
   tp_vector_init(&force);
-  set_force(&force, g, cones->x + own->point, cones->y + own->point, own->shear, own->point, false);
+  const arb_struct x = tp_cones_x(cones, own->point), y = tp_cones_y(cones, own->point);
+  set_force(&force, g, &x, &y, own->shear, own->point, false);
   tp_motion_outcome done = TP_MOTION_PROVEN;
   if (slip != 0) {
     add_cohesion(g, &force, slip > 0);

@@ -34,7 +34,8 @@ static tp_ray *next_ray(tp_twists *t) {
 
 /* (y, -x, 1) */
 static void turn_about(tp_vector *twist, const tp_normals *n, long point, int sense) {
-  tp_ball_turn(twist->of, n->cones->x + point, n->cones->y + point, n->judge.precision);
+  const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
+  tp_ball_turn(twist->of, &x, &y, n->judge.precision);
   if (sense < 0) tp_vector_neg(twist);
 }
 

@@ -77,16 +77,44 @@ static long contact_point_of(filling *f, tp_outline_point at) {
   return k;
 }
 
-/* A point of the cones; the direction is left to the caller. */
-static long add_point(filling *f, tp_outline_point at, long site, long facet) {
-  const long own = f->next++;
-  arb_ptr x = f->cones->x + own, y = f->cones->y + own;
+static void set_place(const filling *f, long own, tp_outline_point at) {
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
   tp_evaluation_point(x, y, f->e, at);
   if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
   tp_ball_mirror(x, f->towards);
+  tp_cones_set_place(f->cones, own, x, y);
+  arb_clear(x);
+  arb_clear(y);
+}
+
+/* Of a point of the lattice under the weight alone. */
+static void set_whole_place(const filling *f, long own, long point) {
+  const tp_lattice *l = &f->e->problem->lattice;
+  fmpz_t x;
+  fmpz_init(x);
+  if (f->towards == TP_TOWARDS_RIGHT) {
+    fmpz_neg(x, l->x + point);
+  } else {
+    fmpz_set(x, l->x + point);
+  }
+  tp_cones_set_whole(f->cones, own, x, l->y + point);
+  fmpz_clear(x);
+}
+
+/* A point of the cones; the direction is left to the caller. */
+static long add_point(filling *f, tp_outline_point at, long site, long facet) {
+  const long own = f->next++;
+  if (f->e->loaded == NULL && at.cut == NULL) {
+    set_whole_place(f, own, at.point);
+  } else {
+    set_place(f, own, at);
+  }
   const long *frictions = f->e->problem->friction.of_facet;
+  const long kind = frictions != NULL && facet >= 0 ? frictions[facet] : 0;
   f->cones->points[own] =
-      (tp_cone_point){site, facet, facet, frictions != NULL && facet >= 0 ? frictions[facet] : 0};
+      (tp_cone_point){(int32_t)site, (int32_t)facet, (int32_t)facet, (int32_t)kind};
   return own;
 }
 
@@ -149,8 +177,10 @@ static void add_length(arb_t length, const tp_cones *cones, long point, long bit
   arb_t dx, dy;
   arb_init(dx);
   arb_init(dy);
-  arb_sub(dx, cones->x + point + 1, cones->x + point, bits);
-  arb_sub(dy, cones->y + point + 1, cones->y + point, bits);
+  const arb_struct x0 = tp_cones_x(cones, point), x1 = tp_cones_x(cones, point + 1);
+  const arb_struct y0 = tp_cones_y(cones, point), y1 = tp_cones_y(cones, point + 1);
+  arb_sub(dx, &x1, &x0, bits);
+  arb_sub(dy, &y1, &y0, bits);
   arb_hypot(dx, dx, dy, bits);
   arb_add(length, length, dx, bits);
   arb_clear(dx);
@@ -236,7 +266,7 @@ static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
   bool done = tp_limit_lines_find(lines, e->problem);
   for (long k = 0; k < cones->count && done; k++) {
     tp_cone_point *own = cones->points + k;
-    if (own->facet >= 0) own->line = lines[own->facet];
+    if (own->facet >= 0) own->line = (int32_t)lines[own->facet];
   }
   free(lines);
   done = done && tp_cones_allow(cones, count_capacities(cones, bonded));
@@ -285,8 +315,8 @@ bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction t
 
 static void copy_point(tp_cones *cones, long to, const tp_cones *from, long point) {
   cones->points[to] = from->points[point];
-  arb_set(cones->x + to, from->x + point);
-  arb_set(cones->y + to, from->y + point);
+  const arb_struct x = tp_cones_x(from, point), y = tp_cones_y(from, point);
+  tp_cones_set_place(cones, to, &x, &y);
   fmpz_set(cones->tx + to, from->tx + point);
   fmpz_set(cones->ty + to, from->ty + point);
 }

@@ -70,7 +70,8 @@ static void set_centre(const telling *t) {
   if (face->motion == TP_MOTION_TURN_AT_SITE) {
     long own = 0;
     while (cones->points[own].site != face->site) own++;
-    set_point(&r->centre_x_m, &r->centre_y_m, t, cones->x + own, cones->y + own);
+    const arb_struct x = tp_cones_x(cones, own), y = tp_cones_y(cones, own);
+    set_point(&r->centre_x_m, &r->centre_y_m, t, &x, &y);
     return;
   }
   const arb_struct *v = face->twist.of;
@@ -188,7 +189,8 @@ static void set_reactions(const telling *t) {
     tp_ball_mirror(column.of, t->towards);
     reaction->share_x = tp_result_of(t->e, column.of);
     reaction->share_y = tp_result_of(t->e, column.of + 1);
-    set_point(&reaction->x_m, &reaction->y_m, t, cones->x + point, cones->y + point);
+    const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
+    set_point(&reaction->x_m, &reaction->y_m, t, &x, &y);
   }
   tp_vector_clear(&column);
   arb_clear(weight);
