@@ -123,6 +123,7 @@ bool tp_lattice_is_exact(const tp_lattice *lattice) {
 }
 
 static bool allocate(tp_lattice *lattice, long chain_count, long count) {
+  if (count > INT32_MAX) return false; /* beyond any memory */
   const size_t points = count > 0 ? (size_t)count : 1;
   lattice->chain_count = chain_count;
   lattice->start = calloc((size_t)chain_count + 1, sizeof *lattice->start);

@@ -12,7 +12,7 @@
 #include <string.h>
 
 void tp_contact_clear(tp_contact *contact) {
-  free(contact->facets);
+  tp_facets_clear(&(tp_facets){.count = contact->facet_count, .items = contact->facets});
   free(contact->points);
   memset(contact, 0, sizeof *contact);
 }
@@ -49,8 +49,8 @@ tp_outline_point tp_contact_on_outline(const tp_contact_point *point) {
 }
 
 tp_outline_point tp_contact_end_on_outline(const tp_contact_point *point, bool left) {
-  const bool other = point->also.cut != NULL && point->also.after == left;
-  return other ? point->also : tp_contact_on_outline(point);
+  const bool other = point->also != NULL && point->also->after == left;
+  return other ? *point->also : tp_contact_on_outline(point);
 }
 
 tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left) {
@@ -62,13 +62,16 @@ static tp_contact_point *add_point(tp_contact *contact, const tp_lattice *l, tp_
   for (long k = contact->point_count - 1; k >= 0 && k >= contact->point_count - 2; k--) {
     tp_contact_point *known = contact->points + k;
     if (!tp_outline_point_is_same(l, tp_contact_on_outline(known), at)) continue;
-    if (left >= 0) known->left = left;
-    if (right >= 0) known->right = right;
+    if (left >= 0) known->left = (int32_t)left;
+    if (right >= 0) known->right = (int32_t)right;
     return known;
   }
   tp_contact_point *own = contact->points + contact->point_count++;
-  *own = (tp_contact_point){
-      .point = at.point, .cut = at.cut, .after = at.after, .left = left, .right = right};
+  *own = (tp_contact_point){.point = (int32_t)at.point,
+                            .cut = at.cut,
+                            .after = at.after,
+                            .left = (int32_t)left,
+                            .right = (int32_t)right};
   return own;
 }
 
@@ -101,7 +104,7 @@ static void collect_points(tp_contact *contact, const tp_base *base, const tp_la
     const tp_facet *f = contact->facets + k;
     const bool single = f->q0 == f->q1;
     tp_contact_point *p = add_point(contact, l, tp_facet_begin(f), -1, single ? -1 : k);
-    if (f->also.cut != NULL) p->also = f->also;
+    if (f->rounding != NULL && f->rounding->also.cut != NULL) p->also = &f->rounding->also;
     if (!single) add_point(contact, l, tp_facet_end(f), k, -1);
   }
   for (long k = 0; k < contact->point_count; k++) {
@@ -190,7 +193,9 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   tp_status status = base->mated ? tp_facets_of_mated(&facets, section, base, lattice, message)
                                  : tp_facets_of_profile(&facets, section, base, lattice, message);
   const bool touches = facets.count > 0;
-  tp_facets_cut(&facets, corners, lattice, lattice->start[1]);
+  if (!tp_facets_cut(&facets, corners, lattice, lattice->start[1]) && status == TP_OK) {
+    status = tp_fail_memory(message, "the contact");
+  }
   if (status == TP_OK && facets.count == 0) {
     status = fail_apart(touches, section, base, lattice, message);
   }

@@ -17,12 +17,12 @@
 
 /* A vertex of the contact: candidate pivot. */
 typedef struct tp_contact_point {
-  long point;           /* of the lattice; without rounding, where a corner is cut off */
-  const tp_corner *cut; /* the corner whose tangent point it is, on the edge after it or before */
+  int32_t point;       /* of the lattice; without rounding, where a corner is cut off */
+  int32_t left, right; /* facets of positive length that end, and begin, here; -1 for none */
+  tp_pivot_kind kind : 8;
   bool after;
-  tp_outline_point also; /* where roundings leave it alone of an edge: as of its facet */
-  long left, right;      /* facets of positive length that end, and begin, here; -1 for none */
-  tp_pivot_kind kind;
+  const tp_corner *cut; /* the corner whose tangent point it is, on the edge after it or before */
+  const tp_outline_point *also; /* where roundings leave it alone of an edge: that of its facet */
 } tp_contact_point;
 
 typedef struct tp_contact {

@@ -18,6 +18,21 @@ bool tp_facets_append(tp_facets *facets, tp_facet facet) {
   return true;
 }
 
+void tp_facets_clear(tp_facets *facets) {
+  for (long k = 0; k < facets->count; k++) free(facets->items[k].rounding);
+  free(facets->items);
+  *facets = (tp_facets){.count = 0};
+}
+
+/* A lattice has no more points than an int32_t counts. */
+tp_facet tp_facet_of(long q0, long q1, long t0, long t1, long base_edge) {
+  return (tp_facet){.q0 = (int32_t)q0,
+                    .q1 = (int32_t)q1,
+                    .t0 = (int32_t)t0,
+                    .t1 = (int32_t)t1,
+                    .base_edge = (int32_t)base_edge};
+}
+
 static bool is_on(const tp_lattice *l, long point, long from, long to) {
   return tp_lattice_cross(l, from, to, from, point) == 0 &&
          tp_lattice_dot(l, from, point, from, to) >= 0 &&
@@ -31,12 +46,14 @@ long tp_facet_touch(const tp_lattice *l, long a0, long a1, long b0, long b1) {
 }
 
 tp_outline_point tp_facet_begin(const tp_facet *facet) {
-  return (tp_outline_point){facet->q0, facet->cut0, true};
+  return (tp_outline_point){facet->q0, facet->rounding != NULL ? facet->rounding->cut0 : NULL,
+                            true};
 }
 
 tp_outline_point tp_facet_end(const tp_facet *facet) {
   if (facet->q0 == facet->q1) return tp_facet_begin(facet);
-  return (tp_outline_point){facet->q1, facet->cut1, false};
+  return (tp_outline_point){facet->q1, facet->rounding != NULL ? facet->rounding->cut1 : NULL,
+                            false};
 }
 
 int tp_facet_contacts(tp_outline_point points[2], const tp_facet *facet) {

@@ -11,18 +11,28 @@
 #include "base/profile.h"
 #include "block/tangents.h"
 
-/* Ends and direction by points of the lattice; the block lies on the left of the direction. Where a
- * rounded corner has cut the block off, the facet begins at that corner's tangent point on the edge
- * after it, or ends at the one before it; q0 and q1 are then the ends without rounding. */
-typedef struct tp_facet {
-  long q0, q1;    /* from left to right; equal for a contact in a point */
-  long t0, t1;    /* direction from t0 to t1; equal: restrains nothing */
-  long base_edge; /* of the profile; -1 and edge_count: the upright end faces of the base */
+#include <stdint.h>
+
+/* Where rounded corners have cut a facet off: it begins at the tangent point of the one on the edge
+ * after it, or ends at that of the other on the edge before it. */
+typedef struct tp_facet_rounding {
   const tp_corner *cut0, *cut1; /* NULL where the end is q0, q1; cut1 of a point is NULL */
   /* Of a point that is all that roundings leave of an edge: the same point as the end of the facet
    * that it is not yet, on the other side (`after`: the left one); its cut is NULL otherwise. */
   tp_outline_point also;
+} tp_facet_rounding;
+
+/* Ends and direction by points of the lattice; the block lies on the left of the direction. q0 and
+ * q1 are the ends without rounding. A contact may have millions: what few of them have stands
+ * apart. */
+typedef struct tp_facet {
+  int32_t q0, q1;    /* from left to right; equal for a contact in a point */
+  int32_t t0, t1;    /* direction from t0 to t1; equal: restrains nothing */
+  int32_t base_edge; /* of the profile; -1 and edge_count: the upright end faces of the base */
+  tp_facet_rounding *rounding; /* owned by the list; NULL: none has cut it off */
 } tp_facet;
+
+tp_facet tp_facet_of(long q0, long q1, long t0, long t1, long base_edge);
 
 /* A growing list of facets. */
 typedef struct tp_facets {
@@ -31,10 +41,11 @@ typedef struct tp_facets {
 } tp_facets;
 
 TP_MUST_USE bool tp_facets_append(tp_facets *facets, tp_facet facet);
+void tp_facets_clear(tp_facets *facets);
 
-/* From facets of the sharp outline to those of the rounded one. */
-void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattice *lattice,
-                   long outline_count);
+/* From facets of the sharp outline to those of the rounded one; false when memory is exhausted. */
+TP_MUST_USE bool tp_facets_cut(tp_facets *facets, const tp_corners *corners,
+                               const tp_lattice *lattice, long outline_count);
 
 /* Where a facet begins and ends. */
 tp_outline_point tp_facet_begin(const tp_facet *facet);

@@ -20,6 +20,8 @@
 
 #include "base/facets.h"
 
+#include <stdlib.h>
+
 /* The ends of a facet on the edge from t0 to t1, whose corners may be rounded. */
 typedef struct edge_corners {
   const tp_corner *start, *end;
@@ -33,7 +35,7 @@ static bool keep_point(tp_facet *f, edge_corners c, const tp_lattice *l) {
 
 /* Of a facet along an edge: from the later of q0 and the first tangent point to the earlier of q1
  * and the last one. */
-static bool keep_piece(tp_facet *f, edge_corners c, const tp_lattice *l) {
+static bool keep_piece(tp_facet *f, tp_facet_rounding *r, edge_corners c, const tp_lattice *l) {
   const int first = c.start == NULL ? 1 : tp_tangent_compare(c.start, true, l, f->q0);
   const int last = c.end == NULL ? 1 : tp_tangent_compare(c.end, false, l, f->q1);
   /* the other end of the facet against the tangent point */
@@ -41,31 +43,39 @@ static bool keep_piece(tp_facet *f, edge_corners c, const tp_lattice *l) {
   const int before_last = c.end == NULL ? 1 : tp_tangent_compare(c.end, false, l, f->q0);
   if (after_first < 0 || before_last < 0) return false;
   if (after_first == 0) { /* all but its end is cut off */
-    f->also = (tp_outline_point){f->q0, c.start, true};
+    r->also = (tp_outline_point){f->q0, c.start, true};
     f->q0 = f->q1;
     return true;
   }
   if (before_last == 0) {
-    f->also = (tp_outline_point){f->q1, c.end, false};
+    r->also = (tp_outline_point){f->q1, c.end, false};
     f->q1 = f->q0;
     return true;
   }
-  if (first < 0) f->cut0 = c.start;
-  if (last < 0) f->cut1 = c.end;
-  if (f->cut0 != NULL && f->cut1 != NULL && tp_tangents_room(c.start, c.end, l) == 0) {
-    f->also = tp_facet_end(f); /* the roundings meet: one point is left of the edge */
+  if (first < 0) r->cut0 = c.start;
+  if (last < 0) r->cut1 = c.end;
+  if (r->cut0 != NULL && r->cut1 != NULL && tp_tangents_room(c.start, c.end, l) == 0) {
+    r->also = (tp_outline_point){f->q1, c.end, false}; /* they meet: one point is left of the edge */
     f->q1 = f->q0;
-    f->cut1 = NULL;
+    r->cut1 = NULL;
   }
   return true;
 }
 
-static bool keep(tp_facet *f, const tp_corners *corners, const tp_lattice *l, long outline_count) {
+static bool keep(tp_facet *f, tp_facet_rounding *r, const tp_corners *corners, const tp_lattice *l,
+                 long outline_count) {
   if (f->q0 == f->q1 && f->q0 < outline_count) return tp_corners_at(corners, f->q0) == NULL;
   if (f->t0 >= outline_count)
     return true; /* of the base, pressed by a vertex that is a point too */
   const edge_corners c = {tp_corners_at(corners, f->t0), tp_corners_at(corners, f->t1)};
-  return f->q0 == f->q1 ? keep_point(f, c, l) : keep_piece(f, c, l);
+  return f->q0 == f->q1 ? keep_point(f, c, l) : keep_piece(f, r, c, l);
+}
+
+static bool set_rounding(tp_facet *f, const tp_facet_rounding *r) {
+  if (r->cut0 == NULL && r->cut1 == NULL && r->also.cut == NULL) return true;
+  f->rounding = malloc(sizeof *r);
+  if (f->rounding != NULL) *f->rounding = *r;
+  return f->rounding != NULL;
 }
 
 /* Does a neighbour tell of the contact in a point as well: with the same direction, and a length or
@@ -85,19 +95,28 @@ static bool is_told(const tp_facets *facets, long own, const tp_lattice *l) {
   return false;
 }
 
-void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattice *l,
+bool tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattice *l,
                    long outline_count) {
-  if (corners == NULL || corners->count == 0) return;
+  if (corners == NULL || corners->count == 0) return true;
   long kept = 0;
+  bool done = true;
   for (long k = 0; k < facets->count; k++) {
-    tp_facet *f = facets->items + k;
-    if (keep(f, corners, l, outline_count)) facets->items[kept++] = *f;
+    tp_facet f = facets->items[k];
+    tp_facet_rounding rounding = {.cut0 = NULL};
+    if (!keep(&f, &rounding, corners, l, outline_count)) continue;
+    done = set_rounding(&f, &rounding) && done;
+    facets->items[kept++] = f;
   }
   facets->count = kept;
   kept = 0;
   for (long k = 0; k < facets->count; k++) {
-    const tp_facet *f = facets->items + k;
-    if (f->q0 != f->q1 || !is_told(facets, k, l)) facets->items[kept++] = *f;
+    const tp_facet f = facets->items[k];
+    if (f.q0 != f.q1 || !is_told(facets, k, l)) {
+      facets->items[kept++] = f;
+    } else {
+      free(f.rounding);
+    }
   }
   facets->count = kept;
+  return done;
 }

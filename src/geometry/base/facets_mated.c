@@ -14,25 +14,19 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
   bool done = true;
   if (first > 0 && tp_lattice_cross(lattice, ring + first - 1, ring + first, ring + first,
                                     ring + first + 1) > 0) {
-    done = tp_facets_append(facets, (tp_facet){.q0 = outline + base->outline_first,
-                                               .q1 = outline + base->outline_first,
-                                               .t0 = ring + first - 1,
-                                               .t1 = ring + first,
-                                               .base_edge = first - 1});
+    const long begin = outline + base->outline_first;
+    done = tp_facets_append(
+        facets, tp_facet_of(begin, begin, ring + first - 1, ring + first, first - 1));
   }
   for (long k = 0; k < base->mated_count && done; k++) {
     const long from = outline + (base->outline_first + k) % vertices;
     const long to = outline + (base->outline_first + k + 1) % vertices;
-    done = tp_facets_append(
-        facets, (tp_facet){.q0 = from, .q1 = to, .t0 = from, .t1 = to, .base_edge = first + k});
+    done = tp_facets_append(facets, tp_facet_of(from, to, from, to, first + k));
   }
   if (last < base->edge_count && done &&
       tp_lattice_cross(lattice, ring + last - 1, ring + last, ring + last, ring + last + 1) > 0) {
     const long end = outline + (base->outline_first + base->mated_count) % vertices;
-    done = tp_facets_append(
-        facets,
-        (tp_facet){
-            .q0 = end, .q1 = end, .t0 = ring + last, .t1 = ring + last + 1, .base_edge = last});
+    done = tp_facets_append(facets, tp_facet_of(end, end, ring + last, ring + last + 1, last));
   }
   return done ? TP_OK : tp_fail_memory(message, "the contact");
 }

@@ -54,16 +54,14 @@ static bool add_overlap(search *s, long a0, long a1, long base_edge) {
   if (tp_lattice_dot(l, a0, a1, b0, b1) < 0) return true; /* back to back: the overlap check's */
   const long q0 = tp_lattice_dot(l, a0, b0, a0, a1) > 0 ? b0 : a0;
   const long q1 = tp_lattice_dot(l, a1, b1, a1, a0) > 0 ? b1 : a1;
-  return tp_facets_append(
-      s->facets, (tp_facet){.q0 = q0, .q1 = q1, .t0 = a0, .t1 = a1, .base_edge = base_edge});
+  return tp_facets_append(s->facets, tp_facet_of(q0, q1, a0, a1, base_edge));
 }
 
 static bool add_touch(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long b0 = base_from(s, base_edge), b1 = base_to(s, base_edge);
   const long q = tp_facet_touch(l, a0, a1, b0, b1);
-  return tp_facets_append(&s->touches,
-                          (tp_facet){.q0 = q, .q1 = q, .t0 = a0, .t1 = a1, .base_edge = base_edge});
+  return tp_facets_append(&s->touches, tp_facet_of(q, q, a0, a1, base_edge));
 }
 
 static bool take_meeting(void *context, tp_geom_meeting meeting) {
@@ -171,8 +169,7 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
 
 static bool add_point(search *s, long q, long t0, long t1, long base_edge) {
   if (facet_ends_in(s, q, base_edge, t0, t1)) return true;
-  return tp_facets_append(&s->points,
-                          (tp_facet){.q0 = q, .q1 = q, .t0 = t0, .t1 = t1, .base_edge = base_edge});
+  return tp_facets_append(&s->points, tp_facet_of(q, q, t0, t1, base_edge));
 }
 
 /* A vertex of the outline in a vertex of the profile: a notch of either restrains by both its

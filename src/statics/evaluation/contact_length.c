@@ -71,7 +71,7 @@ static void nominal_length(arb_t length, const tp_evaluation *e, bool of_sole) {
   for (long k = 0; k < problem->contact.facet_count; k++) {
     const tp_facet *f = problem->contact.facets + k;
     if (of_sole && !tp_sole_has(&problem->sole, &problem->lattice, f)) continue;
-    if (f->cut0 != NULL || f->cut1 != NULL) {
+    if (tp_facet_begin(f).cut != NULL || tp_facet_end(f).cut != NULL) {
       tp_evaluation_facet(cut_dx, cut_dy, e, f);
       arb_abs(cut_dx, cut_dx);
       arb_add(cut, cut, cut_dx, e->rung.bits);

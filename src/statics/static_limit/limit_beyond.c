@@ -99,7 +99,7 @@ static bool step(bool *done, tp_limit_beyond *b, const walk *w, long edge, long 
   const bool goes_on =
       straight || (before != NULL && tp_lattice_cross(l, before->t0, before->t1, edge, next) == 0);
   if (!goes_on && !is_sole(l, edge, next)) return false;
-  *done = tp_facets_append(&b->sole, (tp_facet){.q0 = q0, .q1 = q1, .t0 = edge, .t1 = next});
+  *done = tp_facets_append(&b->sole, tp_facet_of(q0, q1, edge, next, 0));
   return *done;
 }
 
@@ -175,13 +175,13 @@ bool tp_limit_beyond_init(tp_limit_beyond *b, const tp_problem *problem, tp_dire
       b->at.cut != NULL ||
       (b->at.point < l->start[1] && tp_corners_at(&problem->corners, b->at.point) != NULL);
   if (last != NULL && !rounded_off) set_flank(b, problem, towards, last);
-  tp_facets_cut(&b->sole, &problem->corners, l, l->start[1]);
+  done = done && tp_facets_cut(&b->sole, &problem->corners, l, l->start[1]);
   if (!done) tp_limit_beyond_clear(b);
   return done;
 }
 
 void tp_limit_beyond_clear(tp_limit_beyond *b) {
-  free(b->sole.items);
+  tp_facets_clear(&b->sole);
   fmpz_clear(b->tx);
   fmpz_clear(b->ty);
 }
