@@ -76,6 +76,15 @@ static void set_weights(tp_section *section, const tp_block_description *block) 
   }
 }
 
+/* The scene's own points, where nothing changes them: a million take 40 MB. */
+static bool set_outline(tp_polyline *outline, const tp_block_description *block) {
+  const tp_polyline *given = &block->outline;
+  const bool changes = block->repair || block->arc_count > 0 || tp_polyline_orientation(given) < 0;
+  if (changes || given->users == NULL) return tp_polyline_copy(outline, given);
+  *outline = tp_polyline_share(given);
+  return true;
+}
+
 static bool set_rings(tp_section *section, const tp_block_description *block) {
   const tp_mark mark = {block->place.line, block->place.column};
   tp_polyline *outline = section->rings;
@@ -85,7 +94,7 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
   switch (block->form) {
   case TP_OUTLINE_VERTICES:
     if (block->ellipse.cosine != NULL) section->ellipse = &block->ellipse; /* turned, by its hull */
-    done = tp_polyline_copy(outline, &block->outline);
+    done = set_outline(outline, block);
     break;
   case TP_OUTLINE_TEETH:
   case TP_OUTLINE_SLAB:

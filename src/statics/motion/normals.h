@@ -24,23 +24,23 @@
 #include "topple.h"
 
 typedef struct tp_normal {
-  long first, count; /* in `order` */
-  long family;
+  int32_t first, count; /* in `order` */
+  int32_t family;
   double near[3]; /* h in doubles (tp_normals_near) */
 } tp_normal;
 
 typedef struct tp_contact_family {
-  long first, count; /* of the normals */
-  long axis;
+  int32_t first, count; /* of the normals */
+  int32_t axis;
   int sense; /* of t along the axis: 1 or -1 */
 } tp_contact_family;
 
 typedef struct tp_normals {
   const tp_cones *cones;
   tp_judge judge;              /* its precision is that of the coordinates */
-  long *order;                 /* all points, line after line */
-  long *normal_of, *family_of; /* by point */
-  long *same;                  /* by point: the first with its site and friction on its line */
+  int32_t *order;                 /* all points, line after line */
+  int32_t *normal_of, *family_of; /* by point */
+  int32_t *same;                  /* by point: the first with its site and friction on its line */
   fmpz *tx, *ty;               /* by point, without common divisor */
   long count;
   tp_normal *items;

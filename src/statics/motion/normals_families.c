@@ -16,10 +16,8 @@ static int compare_whole(const void *left, const void *right) {
   if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
   const bool against = tp_normal_entry_is_against(a);
   if (against != tp_normal_entry_is_against(b)) return against ? -1 : 1;
-  if (a->as.whole.along != b->as.whole.along) {
-    return a->as.whole.along < b->as.whole.along ? -1 : 1;
-  }
-  if (a->as.whole.site != b->as.whole.site) return a->as.whole.site < b->as.whole.site ? -1 : 1;
+  if (a->along.whole != b->along.whole) return a->along.whole < b->along.whole ? -1 : 1;
+  if (a->site != b->site) return a->site < b->site ? -1 : 1;
   return a->tag < b->tag ? -1 : a->tag > b->tag; /* by points */
 }
 

@@ -63,7 +63,7 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
     const tp_normal_entry *e = order->entries + k, *before = k > 0 ? e - 1 : NULL;
     const long point = tp_normal_entry_point(e);
     const bool is_against = tp_normal_entry_is_against(e);
-    n->order[k] = point;
+    n->order[k] = (int32_t)point;
     const bool same_axis = before != NULL && tp_normals_order_same_axis(order, k - 1, k);
     const bool same_family = same_axis && tp_normal_entry_is_against(before) == is_against;
     const int same_line = same_family ? tp_normals_order_same_line(order, k - 1, k, &n->judge) : 0;
@@ -72,8 +72,8 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
       alike = point;
       const long axis = n->family_count == 0 ? 0 : n->families[n->family_count - 1].axis;
       n->families[n->family_count++] =
-          (tp_contact_family){.first = n->count,
-                              .axis = same_axis || before == NULL ? axis : axis + 1,
+          (tp_contact_family){.first = (int32_t)n->count,
+                              .axis = (int32_t)(same_axis || before == NULL ? axis : axis + 1),
                               .sense = is_against ? -1 : 1};
     }
     if (same_line) {
@@ -81,12 +81,13 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
     } else {
       n->families[n->family_count - 1].count++;
       tp_normal *own = n->items + n->count++;
-      *own = (tp_normal){.first = k, .count = 1, .family = n->family_count - 1};
+      *own = (tp_normal){
+          .first = (int32_t)k, .count = 1, .family = (int32_t)n->family_count - 1};
       tp_normals_order_near(own->near, order, k, n, alike);
     }
-    n->family_of[point] = n->family_count - 1;
-    n->normal_of[point] = n->count - 1;
-    n->same[point] = same_line ? first_alike(n, order, k) : point;
+    n->family_of[point] = (int32_t)n->family_count - 1;
+    n->normal_of[point] = (int32_t)n->count - 1;
+    n->same[point] = (int32_t)(same_line ? first_alike(n, order, k) : point);
   }
   return TP_MOTION_PROVEN;
 }

@@ -4,6 +4,7 @@
 /* Contact points sorted by the exact order of t . q within their families: doubles first where they
  * tell two apart, then words where all numbers are whole and short, as on a lattice, or balls. */
 
+#define _GNU_SOURCE /* qsort_r */
 #include "motion/normals_order.h"
 
 #include "number/ball.h"
@@ -20,27 +21,33 @@ static int whole_order(fmpz a, fmpz b) {
   return (a > b) - (a < b);
 }
 
-static int axis_order(const tp_normal_entry *a, const tp_normal_entry *b) {
+static const tp_normal_place *place_of(const tp_normals_order *order, const tp_normal_entry *e) {
+  return order->places + tp_normal_entry_point(e);
+}
+
+static int axis_order(const tp_normals_order *all, const tp_normal_entry *a,
+                      const tp_normal_entry *b) {
   if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
   if (tp_normal_entry_is_short(a) && tp_normal_entry_is_short(b)) return 0;
-  const tp_normal_place *own = a->as.ball.place, *other = b->as.ball.place;
+  const tp_normal_place *own = place_of(all, a), *other = place_of(all, b);
   const int order = whole_order(own->axis_x, other->axis_x);
   return order != 0 ? order : whole_order(own->axis_y, other->axis_y);
 }
 
-static int compare_balls(const void *left, const void *right) {
+static int compare_balls(const void *left, const void *right, void *context) {
   const tp_normal_entry *own = left, *other = right;
-  const int axis = axis_order(own, other);
+  const tp_normals_order *all = context;
+  const int axis = axis_order(all, own, other);
   if (axis != 0) return axis;
   const bool against = tp_normal_entry_is_against(own);
   if (against != tp_normal_entry_is_against(other)) return against ? -1 : 1;
-  if (own->as.ball.along != other->as.ball.along) {
-    return own->as.ball.along < other->as.ball.along ? -1 : 1;
+  if (own->along.rounded != other->along.rounded) {
+    return own->along.rounded < other->along.rounded ? -1 : 1;
   }
-  const tp_normal_place *a = own->as.ball.place, *b = other->as.ball.place;
-  const int along = arf_cmp(arb_midref(a->along), arb_midref(b->along));
+  const int along =
+      arf_cmp(arb_midref(place_of(all, own)->along), arb_midref(place_of(all, other)->along));
   if (along != 0) return along;
-  if (a->site != b->site) return a->site < b->site ? -1 : 1;
+  if (own->site != other->site) return own->site < other->site ? -1 : 1;
   return own->tag < other->tag ? -1 : own->tag > other->tag; /* by points */
 }
 
@@ -76,8 +83,8 @@ static int sense_of(const fmpz *tx, const fmpz *ty) {
   return along != 0 ? along : fmpz_sgn(ty);
 }
 
-static long tag_of(long point, bool is_short, bool is_against) {
-  return 4 * point + 2 * is_short + is_against;
+static uint32_t tag_of(long point, bool is_short, bool is_against) {
+  return 4 * (uint32_t)point + 2 * is_short + is_against;
 }
 
 static void set_whole(tp_normal_entry *e, const tp_normals *n, long point) {
@@ -85,28 +92,28 @@ static void set_whole(tp_normal_entry *e, const tp_normals *n, long point) {
   const bool is_against = tx < 0 || (tx == 0 && ty < 0);
   const double x = (double)(is_against ? -tx : tx), y = (double)(is_against ? -ty : ty);
   *e = (tp_normal_entry){.slope = tx == 0 ? INFINITY : y / x,
+                         .site = n->cones->points[point].site,
                          .tag = tag_of(point, true, is_against)};
-  e->as.whole.along =
+  e->along.whole =
       (int64_t)n->cones->whole_x[point] * tx + (int64_t)n->cones->whole_y[point] * ty;
-  e->as.whole.site = n->cones->points[point].site;
 }
 
 static void set_balls(tp_normal_entry *e, tp_normal_place *p, const tp_normals *n, long point) {
   const fmpz *tx = n->tx + point, *ty = n->ty + point;
   const int sense = sense_of(tx, ty);
-  p->site = n->cones->points[point].site;
   fmpz_mul_si(&p->axis_x, tx, sense);
   fmpz_mul_si(&p->axis_y, ty, sense);
   arb_init(p->along);
   tp_normals_set_along(p->along, n, point);
   *e = (tp_normal_entry){.slope = slope_of(&p->axis_x, &p->axis_y),
+                         .site = n->cones->points[point].site,
                          .tag = tag_of(point, is_short(tx) && is_short(ty), sense < 0)};
-  e->as.ball.along = tp_normals_top(arb_midref(p->along), 0);
-  e->as.ball.place = p;
+  e->along.rounded = tp_normals_top(arb_midref(p->along), 0);
 }
 
 bool tp_normals_order_init(tp_normals_order *order, const tp_normals *n) {
   const long count = n->cones->count;
+  if (count > INT32_MAX / 2) return false; /* a tag has four for each: beyond any memory */
   *order = (tp_normals_order){.is_whole = is_whole(n)};
   order->entries = calloc((size_t)count + 1, sizeof *order->entries);
   if (!order->is_whole) order->places = calloc((size_t)count + 1, sizeof *order->places);
@@ -127,7 +134,7 @@ bool tp_normals_order_init(tp_normals_order *order, const tp_normals *n) {
     tp_normals_order_clear(order);
     return false;
   }
-  qsort(order->entries, (size_t)count, sizeof *order->entries, compare_balls);
+  qsort_r(order->entries, (size_t)count, sizeof *order->entries, compare_balls, order);
   return true;
 }
 
@@ -144,15 +151,15 @@ void tp_normals_order_clear(tp_normals_order *order) {
 
 bool tp_normals_order_same_axis(const tp_normals_order *order, long k, long other) {
   const tp_normal_entry *a = order->entries + k, *b = order->entries + other;
-  return order->is_whole ? a->slope == b->slope : axis_order(a, b) == 0;
+  return order->is_whole ? a->slope == b->slope : axis_order(order, a, b) == 0;
 }
 
 int tp_normals_order_same_line(const tp_normals_order *order, long k, long other,
                                const tp_judge *judge) {
   const tp_normal_entry *one = order->entries + k, *two = order->entries + other;
-  if (order->is_whole) return one->as.whole.along == two->as.whole.along;
-  const tp_normal_place *a = one->as.ball.place, *b = two->as.ball.place;
-  if (a->site == b->site) return 1;
+  if (order->is_whole) return one->along.whole == two->along.whole;
+  const tp_normal_place *a = place_of(order, one), *b = place_of(order, two);
+  if (one->site == two->site) return 1;
   if (arb_is_exact(a->along) && arb_is_exact(b->along)) return arb_equal(a->along, b->along);
   arb_t gap;
   arb_init(gap);
@@ -178,7 +185,7 @@ void tp_normals_order_near(double near[3], const tp_normals_order *order, long k
                            const tp_normals *n, long alike) {
   const tp_normal_entry *e = order->entries + k;
   if (order->is_whole) {
-    set_near(near, (int64_t[3]){-n->ty[alike], n->tx[alike], e->as.whole.along});
+    set_near(near, (int64_t[3]){-n->ty[alike], n->tx[alike], e->along.whole});
     return;
   }
   tp_vector h;
@@ -186,7 +193,7 @@ void tp_normals_order_near(double near[3], const tp_normals_order *order, long k
   arb_set_fmpz(h.of, n->ty + alike);
   arb_neg(h.of, h.of);
   arb_set_fmpz(h.of + 1, n->tx + alike);
-  arb_set(h.of + 2, e->as.ball.place->along);
+  arb_set(h.of + 2, place_of(order, e)->along);
   tp_normals_near(near, &h);
   tp_vector_clear(&h);
 }

@@ -15,29 +15,23 @@
 typedef struct tp_normal_place {
   fmpz axis_x, axis_y; /* t times its sense */
   arb_t along;         /* t . q */
-  long site;
 } tp_normal_place;
 
-/* What is sorted: most comparisons end within it. Four words, which qsort moves and does not point
+/* What is sorted: most comparisons end within it. Three words, which qsort moves and does not point
  * to. Of axes of short numbers, below 2^25, no two slopes are closer than 2^-50 of themselves, so
  * that in doubles one slope is one axis. */
 typedef struct tp_normal_entry {
   double slope; /* of the axis, rounded: another one is another axis */
   union {
-    struct {
-      int64_t along;
-      long site;
-    } whole;
-    struct {
-      double along; /* rounded */
-      const tp_normal_place *place;
-    } ball;
-  } as;
-  long tag; /* 4 point + 2 is_short + is_against */
+    int64_t whole; /* t . q */
+    double rounded;
+  } along;
+  int32_t site;
+  uint32_t tag; /* 4 point + 2 is_short + is_against */
 } tp_normal_entry;
 
 static inline long tp_normal_entry_point(const tp_normal_entry *e) {
-  return e->tag >> 2;
+  return (long)(e->tag >> 2);
 }
 
 static inline bool tp_normal_entry_is_short(const tp_normal_entry *e) {
@@ -53,7 +47,7 @@ typedef struct tp_normals_order {
   long count;
   bool is_whole; /* all t . q are whole numbers within a word, and all t short */
   tp_normal_entry *entries;
-  tp_normal_place *places; /* unless it is whole */
+  tp_normal_place *places; /* by point, unless it is whole */
 } tp_normals_order;
 
 /* The points of `normals`, whose t are set, in order; false when memory is exhausted. */
