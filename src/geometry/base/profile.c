@@ -20,6 +20,10 @@ void tp_base_clear(tp_base *base) {
   memset(base, 0, sizeof *base);
 }
 
+void tp_base_drop_points(tp_base *base) {
+  tp_polyline_clear(&base->ring);
+}
+
 /* Even ground from `from` by `beyond` to the left (-1) or the right (1): along x, or in the
  * direction of the mean plane where the coordinates are not along it. */
 static bool add_even(tp_base *base, const tp_base_description *of, const tp_polyline *outline,

@@ -30,4 +30,7 @@ TP_MUST_USE tp_status tp_base_init(tp_base *base, const tp_scene *scene, const t
                                    tp_message *message);
 void tp_base_clear(tp_base *base);
 
+/* Give back the points of the ring, which the lattice has as well. */
+void tp_base_drop_points(tp_base *base);
+
 #endif

@@ -194,8 +194,8 @@ bool tp_boundary_of_block(tp_boundary *boundary, const tp_local *local) {
 
 bool tp_boundary_of_base(tp_boundary *boundary, const tp_local *local) {
   const tp_problem *problem = local->e.problem;
-  const long start = problem->lattice.start[problem->section.ring_count];
-  const long count = problem->base.ring.count, facets = problem->base.edge_count;
+  const long *starts = problem->lattice.start + problem->section.ring_count;
+  const long start = starts[0], count = starts[1] - start, facets = problem->base.edge_count;
   *boundary = (tp_boundary){.edges = calloc((size_t)count, sizeof *boundary->edges)};
   tp_xy *points = malloc((size_t)count * sizeof *points);
   const bool done = boundary->edges != NULL && points != NULL;

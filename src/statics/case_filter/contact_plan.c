@@ -75,8 +75,8 @@ static bool set_sense(tp_plan_ray *own, const planning *p, const tp_ray *ray) {
   tp_vector_init(&made);
   arb_init(same);
   if (own->kind == TP_RAY_SLIDES) {
-    arb_set_fmpz(made.of, n->tx + own->point);
-    arb_set_fmpz(made.of + 1, n->ty + own->point);
+    arb_set_fmpz(made.of, tp_normals_tx(n, own->point));
+    arb_set_fmpz(made.of + 1, tp_normals_ty(n, own->point));
   } else if (own->kind == TP_RAY_TURNS) {
     arb_one(made.of + 2);
   } else {

@@ -228,18 +228,19 @@ void tp_friction_of_facet(arb_t degrees, const tp_evaluation *e, long facet, con
   }
 }
 
-void tp_friction_take_own(tp_cones *cones, const tp_evaluation *e) {
+bool tp_friction_take_own(tp_cones *cones, const tp_evaluation *e) {
   const tp_facet_friction *f = &e->problem->friction;
-  if (f->count == 0) return;
+  if (f->count == 0) return true;
+  if (!tp_cones_take_own(cones, f->count)) return false;
   arb_t degrees;
   arb_init(degrees);
-  tp_cones_take_own(cones, f->count);
   for (long k = 0; k < f->count; k++) {
     arb_set_fmpq(degrees, f->angles[k], e->rung.bits);
     tp_friction_tangent(cones->own_friction + k, degrees, e->rung.bits);
     divide_tangent(cones->own_friction + k, e);
   }
   arb_clear(degrees);
+  return true;
 }
 
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {

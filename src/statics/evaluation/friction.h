@@ -43,7 +43,7 @@ void tp_friction_of_facet(arb_t degrees, const tp_evaluation *evaluation, long f
 void tp_friction_facet_tangent(arb_t tangent, const tp_evaluation *evaluation, long facet,
                                const arb_t degrees);
 /* tan(phi) of all facets that have their own, into cones as they are initialised. */
-void tp_friction_take_own(tp_cones *cones, const tp_evaluation *evaluation);
+TP_MUST_USE bool tp_friction_take_own(tp_cones *cones, const tp_evaluation *evaluation);
 
 /* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);

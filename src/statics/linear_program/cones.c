@@ -34,9 +34,20 @@ bool tp_cones_init(tp_cones *cones, long count) {
   return true;
 }
 
-void tp_cones_take_own(tp_cones *cones, long own_count) {
+bool tp_cones_take_own(tp_cones *cones, long own_count) {
+  cones->owns = calloc((size_t)cones->count + 1, sizeof *cones->owns);
+  if (cones->owns == NULL) return false;
   cones->own_count = own_count;
   cones->own_friction = _arb_vec_init(own_count);
+  return true;
+}
+
+bool tp_cones_take_lines(tp_cones *cones) {
+  cones->lines = calloc((size_t)cones->count + 1, sizeof *cones->lines);
+  for (long k = 0; k < cones->count && cones->lines != NULL; k++) {
+    cones->lines[k] = cones->points[k].facet;
+  }
+  return cones->lines != NULL;
 }
 
 bool tp_cones_allow(tp_cones *cones, long capacity_count) {
@@ -67,6 +78,8 @@ void tp_cones_clear(tp_cones *cones) {
   free(cones->points);
   free(cones->whole_x);
   free(cones->whole_y);
+  free(cones->owns);
+  free(cones->lines);
   free(cones->capacities);
   memset(cones, 0, sizeof *cones);
 }
@@ -181,8 +194,12 @@ long tp_cones_point_of(const tp_cones *cones, long column) {
   return tp_cones_is_edge(cones, column) ? column / 2 : capacity_of(cones, column, &kind)->point;
 }
 
+long tp_cones_own(const tp_cones *cones, long point) {
+  return cones->owns != NULL ? cones->owns[point] : 0;
+}
+
 arb_srcptr tp_cones_friction(const tp_cones *cones, long point) {
-  const long own = cones->points[point].own;
+  const long own = tp_cones_own(cones, point);
   return own == 0 ? cones->friction : cones->own_friction + own - 1;
 }
 
@@ -259,7 +276,7 @@ static bool faces_are_parallel(const tp_cones *cones, long a, long b) {
 bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
   if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
   const long a = column / 2, b = other / 2;
-  if (cones->points[a].own != cones->points[b].own) return false;
+  if (tp_cones_own(cones, a) != tp_cones_own(cones, b)) return false;
   if (column % 2 != other % 2 && !arb_is_zero(tp_cones_friction(cones, a))) return false;
   return faces_are_parallel(cones, a, b);
 }
@@ -267,7 +284,7 @@ bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
 bool tp_cones_slip_unevenly(const tp_cones *cones, long column, long other) {
   if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
   const long a = column / 2, b = other / 2;
-  if (cones->points[a].own == cones->points[b].own) return false;
+  if (tp_cones_own(cones, a) == tp_cones_own(cones, b)) return false;
   const bool smooth = arb_is_zero(tp_cones_friction(cones, a)) != 0 ||
                       arb_is_zero(tp_cones_friction(cones, b)) != 0;
   return (column % 2 == other % 2 || smooth) && faces_are_parallel(cones, a, b);
@@ -285,10 +302,14 @@ bool tp_cones_is_shear(const tp_cones *cones, long column) {
   return kind != PULL;
 }
 
+static long line_of(const tp_cones *cones, long point) {
+  return cones->lines != NULL ? cones->lines[point] : cones->points[point].facet;
+}
+
 /* Does a sheared line pass through the point? */
 static bool passes(const tp_cones *cones, long line, long site) {
   for (long k = 0; k < cones->count; k++) {
-    if (cones->points[k].line == line && cones->points[k].site == site) return true;
+    if (line_of(cones, k) == line && cones->points[k].site == site) return true;
   }
   return false;
 }
@@ -297,23 +318,25 @@ static bool passes(const tp_cones *cones, long line, long site) {
 static bool lines_meet(long *site, const tp_cones *cones, long line, long other) {
   for (long k = 0; k < cones->count && line != other; k++) {
     *site = cones->points[k].site;
-    if (cones->points[k].line == line && passes(cones, other, *site)) return true;
+    if (line_of(cones, k) == line && passes(cones, other, *site)) return true;
   }
   return false;
 }
 
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other) {
-  const tp_cone_point *own = cones->points + tp_cones_point_of(cones, column);
-  const tp_cone_point *others = cones->points + tp_cones_point_of(cones, other);
+  const long point = tp_cones_point_of(cones, column),
+             other_point = tp_cones_point_of(cones, other);
+  const tp_cone_point *own = cones->points + point, *others = cones->points + other_point;
   const bool shear = tp_cones_is_shear(cones, column),
              other_shear = tp_cones_is_shear(cones, other);
-  if (shear && other_shear) return lines_meet(site, cones, own->line, others->line);
+  if (shear && other_shear)
+    return lines_meet(site, cones, line_of(cones, point), line_of(cones, other_point));
   if (shear && tp_cones_is_edge(cones, other)) {
     *site = others->site;
-    return passes(cones, own->line, *site);
+    return passes(cones, line_of(cones, point), *site);
   }
   if (!tp_cones_is_edge(cones, column)) return false;
   *site = own->site;
-  if (other_shear) return passes(cones, others->line, *site);
+  if (other_shear) return passes(cones, line_of(cones, other_point), *site);
   return tp_cones_is_edge(cones, other) && others->site == *site;
 }

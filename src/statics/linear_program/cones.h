@@ -23,9 +23,6 @@
 typedef struct tp_cone_point {
   int32_t site;  /* the same for columns at one point of the plane */
   int32_t facet; /* the caller's */
-  int32_t line;  /* the straight line of its facet: the same for all on it; needed for capacities */
-  int32_t
-      own; /* its friction: 0, that of most points; else the one before this of `own_friction` */
 } tp_cone_point;
 
 /* An edge of the friction cone of a point: n + t tan(phi), or n - t tan(phi) `against` t. */
@@ -50,6 +47,9 @@ typedef struct tp_cones {
   arb_t friction;            /* tan(phi) */
   long own_count;            /* no two of these are the same, nor the same as `friction` */
   arb_ptr own_friction;
+  int32_t *owns;  /* by point: 0, `friction`; else the one before this of `own_friction`; NULL: 0 */
+  int32_t *lines; /* by point: the straight line of its facet, the same for all on it; NULL: each
+                     facet's own; needed for capacities */
   long capacity_count;
   tp_capacity *capacities;
 } tp_cones;
@@ -57,7 +57,8 @@ typedef struct tp_cones {
 /* Room for `count` points, for frictions of their own and for capacities, zeros all; false when
  * memory is exhausted: without points there is nothing to clear. */
 bool tp_cones_init(tp_cones *cones, long count);
-void tp_cones_take_own(tp_cones *cones, long own_count);
+TP_MUST_USE bool tp_cones_take_own(tp_cones *cones, long own_count);
+TP_MUST_USE bool tp_cones_take_lines(tp_cones *cones);
 bool tp_cones_allow(tp_cones *cones, long capacity_count);
 void tp_cones_clear(tp_cones *cones);
 
@@ -80,7 +81,8 @@ long tp_cones_column_count(const tp_cones *cones);
 bool tp_cones_is_edge(const tp_cones *cones, long column);
 bool tp_cones_is_shear(const tp_cones *cones, long column);
 
-/* tan(phi) at a point. Is it known exactly at all? */
+/* Which friction a point has, and tan(phi) of it. Is that known exactly at all points? */
+long tp_cones_own(const tp_cones *cones, long point);
 arb_srcptr tp_cones_friction(const tp_cones *cones, long point);
 bool tp_cones_are_exact(const tp_cones *cones);
 

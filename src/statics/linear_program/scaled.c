@@ -174,7 +174,7 @@ static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point,
   static const int64_t most = INT64_C(1) << DBL_MANT_DIG;
   const fmpz *x = cones->tx + point, *y = cones->ty + point;
   double dx = 0, dy = 0;
-  const long kind = cones->points[point].own;
+  const long kind = tp_cones_own(cones, point);
   if (!away_in_double(&dx, &dy, d, cones, point)) return false;
   if (d->own != kind) set_friction(d, tp_cones_friction(cones, point), kind);
   if (!d->friction_known) return false;

@@ -30,7 +30,7 @@ static bool forces_are_alike(const tp_starting *s) {
     const tp_cone_edge *own = s->mode->edges + k;
     site = site && points[own->point].site == points[first->point].site;
     direction = direction && n->family_of[own->point] == n->family_of[first->point] &&
-                points[own->point].own == points[first->point].own &&
+                tp_cones_own(n->cones, own->point) == tp_cones_own(n->cones, first->point) &&
                 own->against == first->against;
   }
   return s->mode->ray_count == 1 && (site || direction);

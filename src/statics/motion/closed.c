@@ -54,7 +54,8 @@ static void edge_moment(arb_t moment, const tp_normals *n, long point, bool agai
 
 static tp_near near_moment(const tp_normals *n, long point, bool against) {
   const tp_cones *cones = n->cones;
-  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
+  const tp_near tx = tp_near_whole(tp_normals_tx(n, point)),
+                ty = tp_near_whole(tp_normals_ty(n, point));
   const tp_near friction = tp_ball_near(tp_cones_friction(cones, point));
   tp_near x, y;
   tp_normals_place_near(&x, &y, n, point);
@@ -113,7 +114,7 @@ static tp_motion_outcome add_ends(tp_closed *closed, const tp_normals *n,
     const long point = n->order[k];
     if (n->same[point] != point) continue;
     const tp_motion_outcome done =
-        widen(ends + n->cones->points[point].own, n, point, slips_against(n, point, slip));
+        widen(ends + tp_cones_own(n->cones, point), n, point, slips_against(n, point, slip));
     if (done != TP_MOTION_PROVEN) return done;
   }
   for (long own = 0; own < frictions; own++) {

@@ -53,12 +53,13 @@ static bool add_edge(tp_generators *g, const tp_cone_edge *edge) {
   tp_generator *own = add(g);
   if (own == NULL) return false;
   const tp_cone_point *point = g->n->cones->points + edge->point;
-  describe(own, &(tp_generator){.id = 2 * g->n->same[edge->point] + edge->against,
-                                .axis = axis_of(g->n, edge->point),
-                                .site = point->site,
-                                .point = edge->point,
-                                .against = edge->against,
-                                .edge = 2 * point->own + edge->against});
+  describe(own,
+           &(tp_generator){.id = 2 * g->n->same[edge->point] + edge->against,
+                           .axis = axis_of(g->n, edge->point),
+                           .site = point->site,
+                           .point = edge->point,
+                           .against = edge->against,
+                           .edge = 2 * tp_cones_own(g->n->cones, edge->point) + edge->against});
   g->count++;
   return true;
 }

@@ -45,8 +45,9 @@ static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *r
 /* -e: the force n +- t tan(phi) at its point, turned round. */
 static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals *n, long point,
                       bool against) {
-  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
-  const bool has_own = n->cones->points[point].own != 0;
+  const tp_near tx = tp_near_whole(tp_normals_tx(n, point)),
+                ty = tp_near_whole(tp_normals_ty(n, point));
+  const bool has_own = tp_cones_own(n->cones, point) != 0;
   const tp_near friction = has_own ? near_of(tp_cones_friction(n->cones, point)) : f->friction;
   tp_near x, y;
   tp_normals_place_near(&x, &y, n, point);

@@ -127,7 +127,7 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
   const tp_motion_question *q = r->question;
   const tp_normals *n = &r->motions->normals;
   const tp_cone_point *point = q->cones->points + edge->point;
-  const fmpz *tx = n->tx + edge->point, *ty = n->ty + edge->point;
+  const fmpz *tx = tp_normals_tx(n, edge->point), *ty = tp_normals_ty(n, edge->point);
   arb_srcptr friction = tp_cones_friction(q->cones, edge->point);
   tp_ball_line *line = &r->line;
   clear_line(line);
@@ -143,7 +143,8 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_cone_edge *
   tp_share_line *own = add_generator(to, r);
   own->site = point->site + 1;
   const long family = n->families[n->family_of[edge->point]].axis;
-  own->parallel = 1 + 2 * (family * (q->cones->own_count + 1) + point->own) + edge->against;
+  const long kind = tp_cones_own(q->cones, edge->point);
+  own->parallel = 1 + 2 * (family * (q->cones->own_count + 1) + kind) + edge->against;
 }
 
 static void add_vector(tp_share_mode *to, tp_mode_reading *r, const tp_vector *of) {

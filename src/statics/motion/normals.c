@@ -42,17 +42,19 @@ void tp_normals_near(double near[3], const tp_vector *vector) {
   if (!told) near[0] = near[1] = near[2] = 0;
 }
 
-void tp_normals_set_along(arb_t along, const tp_normals *n, long point) {
-  const tp_cones *cones = n->cones;
-  const arb_struct x = tp_cones_x(cones, point), y = tp_cones_y(cones, point);
-  arb_mul_fmpz(along, &x, n->tx + point, n->judge.precision);
-  arb_addmul_fmpz(along, &y, n->ty + point, n->judge.precision);
+const fmpz *tp_normals_tx(const tp_normals *n, long point) {
+  return &n->families[n->family_of[point]].tx;
+}
+
+const fmpz *tp_normals_ty(const tp_normals *n, long point) {
+  return &n->families[n->family_of[point]].ty;
 }
 
 void tp_normals_set_h(tp_vector *h, const tp_normals *n, long normal) {
   const long point = n->order[n->items[normal].first];
   const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
-  tp_ball_normal_row(h->of, &x, &y, n->tx + point, n->ty + point, n->judge.precision);
+  tp_ball_normal_row(h->of, &x, &y, tp_normals_tx(n, point), tp_normals_ty(n, point),
+                     n->judge.precision);
 }
 
 /* In doubles each entry is off by 2^-50 of itself at most, so that products are by 2^-48 and their
@@ -82,7 +84,8 @@ int tp_normal_sign(const tp_normals *n, const tp_normal *normal, const tp_vector
 
 static void set_slip(tp_vector *g, const tp_normals *n, long point) {
   const arb_struct x = tp_cones_x(n->cones, point), y = tp_cones_y(n->cones, point);
-  tp_ball_slip_row(g->of, &x, &y, n->tx + point, n->ty + point, n->judge.precision);
+  tp_ball_slip_row(g->of, &x, &y, tp_normals_tx(n, point), tp_normals_ty(n, point),
+                   n->judge.precision);
 }
 
 void tp_normals_slip_ball(arb_t along, const tp_normals *n, long point, const tp_vector *twist) {
@@ -108,7 +111,8 @@ void tp_normals_place_near(tp_near *x, tp_near *y, const tp_normals *n, long poi
 static int sign_of_slip(const tp_normals *n, long point, const double near[3]) {
   tp_near a[3];
   if (!tp_normals_set_near(a, near)) return 0;
-  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
+  const tp_near tx = tp_near_whole(tp_normals_tx(n, point)),
+                ty = tp_near_whole(tp_normals_ty(n, point));
   tp_near x, y, g[3];
   tp_normals_place_near(&x, &y, n, point);
   tp_near_slip_row(g, &x, &y, &tx, &ty);
@@ -131,8 +135,8 @@ int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist, con
 }
 
 void tp_normals_edge(tp_vector *force, const tp_normals *n, long point, bool against) {
-  tp_ball_cone_edge(force->of, n->tx + point, n->ty + point, tp_cones_friction(n->cones, point),
-                    against, n->judge.bits);
+  tp_ball_cone_edge(force->of, tp_normals_tx(n, point), tp_normals_ty(n, point),
+                    tp_cones_friction(n->cones, point), against, n->judge.bits);
 }
 
 bool tp_normal_has_site(const tp_normals *n, const tp_normal *normal, long site) {
@@ -162,11 +166,12 @@ int tp_normals_share_line(const tp_normals *n, long point, long end) {
   arb_init(across);
   arb_init(part);
   arb_sub(part, &y1, &y0, bits);
-  arb_mul_fmpz(across, part, n->tx + point, bits);
+  arb_mul_fmpz(across, part, tp_normals_tx(n, point), bits);
   const double log2_scale = fmax(tp_ball_log2_above(&y1), tp_ball_log2_above(&x1)) +
-                            (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
+                            (double)fmpz_bits(tp_normals_tx(n, point)) +
+                            (double)fmpz_bits(tp_normals_ty(n, point));
   arb_sub(part, &x1, &x0, bits);
-  arb_submul_fmpz(across, part, n->ty + point, bits);
+  arb_submul_fmpz(across, part, tp_normals_ty(n, point), bits);
   const int sign = tp_judge_sign(&n->judge, across, log2_scale);
   arb_clear(across);
   arb_clear(part);

@@ -32,16 +32,16 @@ typedef struct tp_normal {
 typedef struct tp_contact_family {
   int32_t first, count; /* of the normals */
   int32_t axis;
-  int sense; /* of t along the axis: 1 or -1 */
+  int sense;   /* of t along the axis: 1 or -1 */
+  fmpz tx, ty; /* t, without common divisor */
 } tp_contact_family;
 
 typedef struct tp_normals {
   const tp_cones *cones;
-  tp_judge judge;              /* its precision is that of the coordinates */
+  tp_judge judge;                 /* its precision is that of the coordinates */
   int32_t *order;                 /* all points, line after line */
   int32_t *normal_of, *family_of; /* by point */
   int32_t *same;                  /* by point: the first with its site and friction on its line */
-  fmpz *tx, *ty;               /* by point, without common divisor */
   long count;
   tp_normal *items;
   long family_count;
@@ -60,11 +60,14 @@ TP_MUST_USE tp_motion_outcome tp_normals_init(tp_normals *normals, const tp_cone
                                               const tp_judge *judge);
 void tp_normals_clear(tp_normals *normals);
 
+/* t of a point, without common divisor. */
+const fmpz *tp_normals_tx(const tp_normals *normals, long point);
+const fmpz *tp_normals_ty(const tp_normals *normals, long point);
+
 /* A point's place in doubles. */
 void tp_normals_place_near(tp_near *x, tp_near *y, const tp_normals *normals, long point);
 
-/* t . q of a point; h of a line. */
-void tp_normals_set_along(arb_t along, const tp_normals *normals, long point);
+/* h of a line. */
 void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);
 
 /* Sign of h . a, by doubles where they tell, or TP_OPEN_SIGN: `near` is a in doubles. A twist about

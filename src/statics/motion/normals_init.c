@@ -9,9 +9,9 @@
 #include <string.h>
 
 void tp_normals_clear(tp_normals *n) {
-  if (n->tx != NULL) {
-    _fmpz_vec_clear(n->tx, n->cones->count);
-    _fmpz_vec_clear(n->ty, n->cones->count);
+  for (long k = 0; k < n->family_count; k++) {
+    fmpz_clear(&n->families[k].tx);
+    fmpz_clear(&n->families[k].ty);
   }
   free(n->items);
   free(n->families);
@@ -20,22 +20,6 @@ void tp_normals_clear(tp_normals *n) {
   free(n->family_of);
   free(n->normal_of);
   memset(n, 0, sizeof *n);
-}
-
-static void set_direction(tp_normals *n, long point) {
-  const tp_cones *cones = n->cones;
-  if (point > 0 && fmpz_equal(cones->tx + point, cones->tx + point - 1) &&
-      fmpz_equal(cones->ty + point, cones->ty + point - 1)) { /* both ends of a facet */
-    fmpz_set(n->tx + point, n->tx + point - 1);
-    fmpz_set(n->ty + point, n->ty + point - 1);
-    return;
-  }
-  fmpz_t common;
-  fmpz_init(common);
-  fmpz_gcd(common, cones->tx + point, cones->ty + point);
-  fmpz_divexact(n->tx + point, cones->tx + point, common);
-  fmpz_divexact(n->ty + point, cones->ty + point, common);
-  fmpz_clear(common);
 }
 
 static bool is_new_family(const tp_normals_order *order, long k) {
@@ -52,13 +36,12 @@ static long first_alike(const tp_normals *n, const tp_normals_order *order, long
   for (long j = k - 1; j >= n->items[n->count - 1].first; j--) {
     const long other = tp_normal_entry_point(order->entries + j);
     if (points[other].site != points[own].site) break;
-    if (points[other].own == points[own].own) return n->same[other];
+    if (tp_cones_own(n->cones, other) == tp_cones_own(n->cones, own)) return n->same[other];
   }
   return own;
 }
 
 static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
-  long alike = 0; /* the first point of the family in hand */
   for (long k = 0; k < order->count; k++) {
     const tp_normal_entry *e = order->entries + k, *before = k > 0 ? e - 1 : NULL;
     const long point = tp_normal_entry_point(e);
@@ -69,21 +52,21 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
     const int same_line = same_family ? tp_normals_order_same_line(order, k - 1, k, &n->judge) : 0;
     if (same_line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (!same_family) {
-      alike = point;
       const long axis = n->family_count == 0 ? 0 : n->families[n->family_count - 1].axis;
       n->families[n->family_count++] =
           (tp_contact_family){.first = (int32_t)n->count,
                               .axis = (int32_t)(same_axis || before == NULL ? axis : axis + 1),
                               .sense = is_against ? -1 : 1};
+      tp_contact_family *family = n->families + n->family_count - 1;
+      tp_normals_order_direction(&family->tx, &family->ty, n->cones, point);
     }
     if (same_line) {
       n->items[n->count - 1].count++;
     } else {
       n->families[n->family_count - 1].count++;
       tp_normal *own = n->items + n->count++;
-      *own = (tp_normal){
-          .first = (int32_t)k, .count = 1, .family = (int32_t)n->family_count - 1};
-      tp_normals_order_near(own->near, order, k, n, alike);
+      *own = (tp_normal){.first = (int32_t)k, .count = 1, .family = (int32_t)n->family_count - 1};
+      tp_normals_order_near(own->near, order, k, n->families + n->family_count - 1);
     }
     n->family_of[point] = (int32_t)n->family_count - 1;
     n->normal_of[point] = (int32_t)n->count - 1;
@@ -111,12 +94,9 @@ tp_motion_outcome tp_normals_init(tp_normals *n, const tp_cones *cones, const tp
   n->cones = cones;
   n->judge = *judge;
   n->judge.precision = tp_cones_places_are_exact(cones) ? ARF_PREC_EXACT : judge->bits;
-  n->tx = _fmpz_vec_init(cones->count);
-  n->ty = _fmpz_vec_init(cones->count);
-  for (long k = 0; k < cones->count; k++) set_direction(n, k);
   tp_motion_outcome outcome = TP_MOTION_OUT_OF_MEMORY;
   tp_normals_order order;
-  if (tp_normals_order_init(&order, n)) {
+  if (tp_normals_order_init(&order, cones, n->judge.precision)) {
     if (make_room(n, &order)) outcome = gather(n, &order);
     tp_normals_order_clear(&order);
   }

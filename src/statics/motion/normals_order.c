@@ -64,12 +64,45 @@ static bool is_short(const fmpz *number) {
   return fmpz_bits(number) <= SHORT_BITS;
 }
 
-static bool is_whole(const tp_normals *n) {
+void tp_normals_order_direction(fmpz *tx, fmpz *ty, const tp_cones *cones, long point) {
+  fmpz_t common;
+  fmpz_init(common);
+  fmpz_gcd(common, cones->tx + point, cones->ty + point);
+  fmpz_divexact(tx, cones->tx + point, common);
+  fmpz_divexact(ty, cones->ty + point, common);
+  fmpz_clear(common);
+}
+
+/* Points with the t of each. */
+typedef struct points {
+  const tp_cones *cones;
+  fmpz *tx, *ty;
+} points;
+
+static void points_init(points *p, const tp_cones *cones) {
+  *p = (points){cones, _fmpz_vec_init(cones->count), _fmpz_vec_init(cones->count)};
+  for (long k = 0; k < cones->count; k++) {
+    if (k > 0 && fmpz_equal(cones->tx + k, cones->tx + k - 1) &&
+        fmpz_equal(cones->ty + k, cones->ty + k - 1)) { /* both ends of a facet */
+      fmpz_set(p->tx + k, p->tx + k - 1);
+      fmpz_set(p->ty + k, p->ty + k - 1);
+    } else {
+      tp_normals_order_direction(p->tx + k, p->ty + k, cones, k);
+    }
+  }
+}
+
+static void points_clear(points *p) {
+  _fmpz_vec_clear(p->tx, p->cones->count);
+  _fmpz_vec_clear(p->ty, p->cones->count);
+}
+
+static bool is_whole(const points *p) {
   static const double most = (double)(INT64_C(1) << WHOLE_BITS);
-  const tp_cones *cones = n->cones;
+  const tp_cones *cones = p->cones;
   if (cones->whole_x == NULL) return false;
   for (long k = 0; k < cones->count; k++) {
-    if (!is_short(n->tx + k) || !is_short(n->ty + k) || fabs(cones->whole_x[k]) > most ||
+    if (!is_short(p->tx + k) || !is_short(p->ty + k) || fabs(cones->whole_x[k]) > most ||
         fabs(cones->whole_y[k]) > most) {
       return false;
     }
@@ -87,55 +120,68 @@ static uint32_t tag_of(long point, bool is_short, bool is_against) {
   return 4 * (uint32_t)point + 2 * is_short + is_against;
 }
 
-static void set_whole(tp_normal_entry *e, const tp_normals *n, long point) {
-  const long tx = n->tx[point], ty = n->ty[point]; /* short */
+static void set_whole(tp_normal_entry *e, const points *p, long point) {
+  const long tx = p->tx[point], ty = p->ty[point]; /* short */
   const bool is_against = tx < 0 || (tx == 0 && ty < 0);
   const double x = (double)(is_against ? -tx : tx), y = (double)(is_against ? -ty : ty);
   *e = (tp_normal_entry){.slope = tx == 0 ? INFINITY : y / x,
-                         .site = n->cones->points[point].site,
+                         .site = p->cones->points[point].site,
                          .tag = tag_of(point, true, is_against)};
-  e->along.whole =
-      (int64_t)n->cones->whole_x[point] * tx + (int64_t)n->cones->whole_y[point] * ty;
+  e->along.whole = (int64_t)p->cones->whole_x[point] * tx + (int64_t)p->cones->whole_y[point] * ty;
 }
 
-static void set_balls(tp_normal_entry *e, tp_normal_place *p, const tp_normals *n, long point) {
-  const fmpz *tx = n->tx + point, *ty = n->ty + point;
+/* t . q */
+static void set_along(arb_t along, const points *p, long point, long precision) {
+  const arb_struct x = tp_cones_x(p->cones, point), y = tp_cones_y(p->cones, point);
+  arb_mul_fmpz(along, &x, p->tx + point, precision);
+  arb_addmul_fmpz(along, &y, p->ty + point, precision);
+}
+
+static void set_balls(tp_normal_entry *e, tp_normal_place *place, const points *p, long point,
+                      long precision) {
+  const fmpz *tx = p->tx + point, *ty = p->ty + point;
   const int sense = sense_of(tx, ty);
-  fmpz_mul_si(&p->axis_x, tx, sense);
-  fmpz_mul_si(&p->axis_y, ty, sense);
-  arb_init(p->along);
-  tp_normals_set_along(p->along, n, point);
-  *e = (tp_normal_entry){.slope = slope_of(&p->axis_x, &p->axis_y),
-                         .site = n->cones->points[point].site,
+  fmpz_mul_si(&place->axis_x, tx, sense);
+  fmpz_mul_si(&place->axis_y, ty, sense);
+  arb_init(place->along);
+  set_along(place->along, p, point, precision);
+  *e = (tp_normal_entry){.slope = slope_of(&place->axis_x, &place->axis_y),
+                         .site = p->cones->points[point].site,
                          .tag = tag_of(point, is_short(tx) && is_short(ty), sense < 0)};
-  e->along.rounded = tp_normals_top(arb_midref(p->along), 0);
+  e->along.rounded = tp_normals_top(arb_midref(place->along), 0);
 }
 
-bool tp_normals_order_init(tp_normals_order *order, const tp_normals *n) {
-  const long count = n->cones->count;
-  if (count > INT32_MAX / 2) return false; /* a tag has four for each: beyond any memory */
-  *order = (tp_normals_order){.is_whole = is_whole(n)};
+static bool fill(tp_normals_order *order, const points *p, long precision) {
+  const long count = p->cones->count;
+  order->is_whole = is_whole(p);
   order->entries = calloc((size_t)count + 1, sizeof *order->entries);
   if (!order->is_whole) order->places = calloc((size_t)count + 1, sizeof *order->places);
-  if (order->entries == NULL || (!order->is_whole && order->places == NULL)) {
-    tp_normals_order_clear(order);
-    return false;
-  }
+  if (order->entries == NULL || (!order->is_whole && order->places == NULL)) return false;
   order->count = count;
   for (long k = 0; k < count; k++) {
     if (order->is_whole) {
-      set_whole(order->entries + k, n, k);
+      set_whole(order->entries + k, p, k);
     } else {
-      set_balls(order->entries + k, order->places + k, n, k);
+      set_balls(order->entries + k, order->places + k, p, k, precision);
     }
   }
-  if (order->is_whole) {
-    if (tp_normals_order_by_families(order)) return true;
-    tp_normals_order_clear(order);
-    return false;
-  }
-  qsort_r(order->entries, (size_t)count, sizeof *order->entries, compare_balls, order);
   return true;
+}
+
+bool tp_normals_order_init(tp_normals_order *order, const tp_cones *cones, long precision) {
+  points p;
+  *order = (tp_normals_order){.count = 0};
+  if (cones->count > INT32_MAX / 2) return false; /* a tag has four for each: beyond any memory */
+  points_init(&p, cones);
+  bool done = fill(order, &p, precision);
+  points_clear(&p);
+  if (done && order->is_whole) {
+    done = tp_normals_order_by_families(order);
+  } else if (done) {
+    qsort_r(order->entries, (size_t)order->count, sizeof *order->entries, compare_balls, order);
+  }
+  if (!done) tp_normals_order_clear(order);
+  return done;
 }
 
 void tp_normals_order_clear(tp_normals_order *order) {
@@ -182,17 +228,17 @@ static void set_near(double near[3], const int64_t h[3]) {
 }
 
 void tp_normals_order_near(double near[3], const tp_normals_order *order, long k,
-                           const tp_normals *n, long alike) {
+                           const tp_contact_family *family) {
   const tp_normal_entry *e = order->entries + k;
   if (order->is_whole) {
-    set_near(near, (int64_t[3]){-n->ty[alike], n->tx[alike], e->along.whole});
+    set_near(near, (int64_t[3]){-family->ty, family->tx, e->along.whole});
     return;
   }
   tp_vector h;
   tp_vector_init(&h);
-  arb_set_fmpz(h.of, n->ty + alike);
+  arb_set_fmpz(h.of, &family->ty);
   arb_neg(h.of, h.of);
-  arb_set_fmpz(h.of + 1, n->tx + alike);
+  arb_set_fmpz(h.of + 1, &family->tx);
   arb_set(h.of + 2, place_of(order, e)->along);
   tp_normals_near(near, &h);
   tp_vector_clear(&h);

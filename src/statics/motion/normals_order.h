@@ -50,8 +50,12 @@ typedef struct tp_normals_order {
   tp_normal_place *places; /* by point, unless it is whole */
 } tp_normals_order;
 
-/* The points of `normals`, whose t are set, in order; false when memory is exhausted. */
-TP_MUST_USE bool tp_normals_order_init(tp_normals_order *order, const tp_normals *normals);
+/* t of a point without common divisor. */
+void tp_normals_order_direction(fmpz *tx, fmpz *ty, const tp_cones *cones, long point);
+
+/* The points of cones in order; false when memory is exhausted. */
+TP_MUST_USE bool tp_normals_order_init(tp_normals_order *order, const tp_cones *cones,
+                                       long precision);
 /* Sorts entries where all is whole; false, with nothing done, when memory is exhausted. */
 TP_MUST_USE bool tp_normals_order_by_families(tp_normals_order *order);
 void tp_normals_order_clear(tp_normals_order *order);
@@ -61,8 +65,8 @@ bool tp_normals_order_same_axis(const tp_normals_order *order, long k, long othe
 int tp_normals_order_same_line(const tp_normals_order *order, long k, long other,
                                const tp_judge *judge);
 
-/* h of an entry in doubles; `alike` is a point of its family. */
+/* h of an entry in doubles. */
 void tp_normals_order_near(double near[3], const tp_normals_order *order, long k,
-                           const tp_normals *normals, long alike);
+                           const tp_contact_family *family);
 
 #endif

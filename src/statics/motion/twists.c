@@ -110,12 +110,12 @@ static tp_motion_outcome finish_ray(tp_ray *ray, const tp_normals *n, long norma
     const long point = n->order[n->items[normal].first];
     arb_t side;
     arb_init(side);
-    arb_mul_fmpz(side, ray->twist.of, n->tx + point, n->judge.precision);
-    arb_addmul_fmpz(side, ray->twist.of + 1, n->ty + point, n->judge.precision);
+    arb_mul_fmpz(side, ray->twist.of, tp_normals_tx(n, point), n->judge.precision);
+    arb_addmul_fmpz(side, ray->twist.of + 1, tp_normals_ty(n, point), n->judge.precision);
     const bool back = arf_sgn(arb_midref(side)) < 0;
     const bool told = !arb_contains_zero(side);
-    arb_set_fmpz(ray->twist.of, n->tx + point);
-    arb_set_fmpz(ray->twist.of + 1, n->ty + point);
+    arb_set_fmpz(ray->twist.of, tp_normals_tx(n, point));
+    arb_set_fmpz(ray->twist.of + 1, tp_normals_ty(n, point));
     arb_zero(ray->twist.of + 2);
     if (back) tp_vector_neg(&ray->twist);
     ray->axis = n->families[n->items[normal].family].axis;
@@ -193,8 +193,8 @@ static bool take_plane(tp_twists *t, const tp_description *d, const tp_normals *
   tp_vector_init(&v);
   const long point = n->order[n->items[d->plane].first];
   tp_normals_set_h(&h, n, d->plane);
-  arb_set_fmpz(u.of, n->tx + point);
-  arb_set_fmpz(u.of + 1, n->ty + point);
+  arb_set_fmpz(u.of, tp_normals_tx(n, point));
+  arb_set_fmpz(u.of + 1, tp_normals_ty(n, point));
   tp_vector_cross(&v, &h, &u, n->judge.precision);
   const bool done = add_ray(t, &u, false) && add_ray(t, &v, false) && add_ray(t, &u, true) &&
                     add_ray(t, &v, true);

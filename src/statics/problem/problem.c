@@ -326,6 +326,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);
   }
+  if (problem->base.mated) tp_base_drop_points(&problem->base); /* they are the block's own */
   return status;
 }
 

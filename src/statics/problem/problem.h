@@ -27,7 +27,7 @@ typedef struct tp_problem {
   tp_chorded *chorded; /* chords stand for its arcs; else NULL */
   tp_on_face *on_face; /* NULL: no load lies beside its face */
   tp_section section;
-  tp_base base;
+  tp_base base;       /* mated: without the points of its ring, which are the block's */
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */
   tp_contact contact;
   tp_facet_friction friction; /* of facets that have their own; else empty */

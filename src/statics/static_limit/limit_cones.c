@@ -111,10 +111,10 @@ static long add_point(filling *f, tp_outline_point at, long site, long facet) {
   } else {
     set_place(f, own, at);
   }
-  const long *frictions = f->e->problem->friction.of_facet;
-  const long kind = frictions != NULL && facet >= 0 ? frictions[facet] : 0;
-  f->cones->points[own] =
-      (tp_cone_point){(int32_t)site, (int32_t)facet, (int32_t)facet, (int32_t)kind};
+  f->cones->points[own] = (tp_cone_point){(int32_t)site, (int32_t)facet};
+  if (f->cones->owns != NULL && facet >= 0) {
+    f->cones->owns[own] = (int32_t)f->e->problem->friction.of_facet[facet];
+  }
   return own;
 }
 
@@ -215,10 +215,13 @@ static bool begins_facet(const tp_cones *cones, long point) {
   return own->facet >= 0 && point + 1 < cones->count && own[1].facet == own->facet;
 }
 
+static bool begins_line(const tp_cones *cones, long point) {
+  return cones->lines[point] == cones->points[point].facet;
+}
+
 /* Where there is no bond, an capacity for each line alone. */
 static bool has_capacity(const tp_cones *cones, long point, bool bonded) {
-  const tp_cone_point *own = cones->points + point;
-  return begins_facet(cones, point) && (bonded || own->line == own->facet);
+  return begins_facet(cones, point) && (bonded || begins_line(cones, point));
 }
 
 static long count_capacities(const tp_cones *cones, bool bonded) {
@@ -233,7 +236,7 @@ static void fill_capacities(tp_cones *cones, const tp_evaluation *e, arb_ptr len
   const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
   const long bits = e->rung.bits;
   for (long k = 0; k < cones->count; k++) {
-    if (begins_facet(cones, k)) add_length(lengths + cones->points[k].line, cones, k, bits);
+    if (begins_facet(cones, k)) add_length(lengths + cones->lines[k], cones, k, bits);
   }
   arb_t length;
   arb_init(length);
@@ -241,10 +244,9 @@ static void fill_capacities(tp_cones *cones, const tp_evaluation *e, arb_ptr len
   for (long k = 0; k < cones->count; k++) {
     if (!has_capacity(cones, k, bonded)) continue;
     tp_capacity *a = cones->capacities + own++;
-    const tp_cone_point *point = cones->points + k;
     a->point = k;
-    if (point->line == point->facet) {
-      set_strength(a->shear, lengths + point->line, &loads->cohesion_kpa, e, cones, k);
+    if (begins_line(cones, k)) {
+      set_strength(a->shear, lengths + cones->lines[k], &loads->cohesion_kpa, e, cones, k);
     }
     if (!bonded) continue;
     arb_zero(length);
@@ -263,10 +265,10 @@ static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
   const long facets = e->problem->contact.facet_count;
   long *lines = calloc((size_t)facets + 1, sizeof *lines);
   if (lines == NULL) return false;
-  bool done = tp_limit_lines_find(lines, e->problem);
+  bool done = tp_limit_lines_find(lines, e->problem) && tp_cones_take_lines(cones);
   for (long k = 0; k < cones->count && done; k++) {
-    tp_cone_point *own = cones->points + k;
-    if (own->facet >= 0) own->line = (int32_t)lines[own->facet];
+    const long facet = cones->points[k].facet;
+    if (facet >= 0) cones->lines[k] = (int32_t)lines[facet];
   }
   free(lines);
   done = done && tp_cones_allow(cones, count_capacities(cones, bonded));
@@ -290,7 +292,10 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
     if (!(ends && lies_beyond(problem, f, towards))) count += tp_facet_contacts(at, f);
   }
   if (!tp_cones_init(cones, count)) return false;
-  tp_friction_take_own(cones, e);
+  if (!tp_friction_take_own(cones, e)) {
+    tp_cones_clear(cones);
+    return false;
+  }
   filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
@@ -315,6 +320,7 @@ bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction t
 
 static void copy_point(tp_cones *cones, long to, const tp_cones *from, long point) {
   cones->points[to] = from->points[point];
+  if (cones->owns != NULL) cones->owns[to] = from->owns[point];
   const arb_struct x = tp_cones_x(from, point), y = tp_cones_y(from, point);
   tp_cones_set_place(cones, to, &x, &y);
   fmpz_set(cones->tx + to, from->tx + point);
@@ -325,12 +331,17 @@ bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *e, tp_direction 
                           const tp_cones *own, const long points[2]) {
   tp_limit_beyond beyond;
   if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
-  const bool done = tp_cones_init(cones, 2 + count_beyond(&beyond));
+  bool done = tp_cones_init(cones, 2 + count_beyond(&beyond));
+  if (done && own->owns != NULL && !tp_cones_take_own(cones, own->own_count)) {
+    tp_cones_clear(cones);
+    done = false;
+  }
   if (done) {
     for (int k = 0; k < 2; k++) copy_point(cones, k, own, points[k]);
     arb_set(cones->friction, own->friction);
-    tp_cones_take_own(cones, own->own_count);
-    _arb_vec_set(cones->own_friction, own->own_friction, own->own_count);
+    if (own->owns != NULL) {
+      _arb_vec_set(cones->own_friction, own->own_friction, own->own_count);
+    }
     filling f = {.cones = cones, .e = e, .towards = towards, .next = 2};
     add_beyond(&f, &beyond);
   }
