@@ -18,7 +18,7 @@ STRUCTS = dict((name, body) for body, name in re.findall(r"typedef struct \w+ \{
 OTHER = {("profile", "from"): "origin", ("find", "from"): "low", ("find", "to"): "high", ("interval", "from"): "low",
          ("interval", "to"): "high", ("overturning_grid", "from"): "least", ("overturning_grid", "to"): "most",
          ("first", "mechanism"): "first", ("first", "critical_angle_deg"): "first_angle_deg", ("hurst", "exponent"): "estimate",
-         ("claim", "computed"): "computed_there"}
+         ("claim", "computed"): "computed_there", ("case", "pivot_count"): "candidate_count"}
 BY_WORD = {"tally", "shaking", "counts"}
 #: A list, a number with its state, a formula with its text: what is within them has no name in JSON.
 WITHIN = r"\.(items|value|formula)$|\[k\]\.density$"

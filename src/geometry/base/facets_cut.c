@@ -55,7 +55,8 @@ static bool keep_piece(tp_facet *f, tp_facet_rounding *r, edge_corners c, const 
   if (first < 0) r->cut0 = c.start;
   if (last < 0) r->cut1 = c.end;
   if (r->cut0 != NULL && r->cut1 != NULL && tp_tangents_room(c.start, c.end, l) == 0) {
-    r->also = (tp_outline_point){f->q1, c.end, false}; /* they meet: one point is left of the edge */
+    r->also =
+        (tp_outline_point){f->q1, c.end, false}; /* they meet: one point is left of the edge */
     f->q1 = f->q0;
     r->cut1 = NULL;
   }

@@ -15,8 +15,8 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
   if (first > 0 && tp_lattice_cross(lattice, ring + first - 1, ring + first, ring + first,
                                     ring + first + 1) > 0) {
     const long begin = outline + base->outline_first;
-    done = tp_facets_append(
-        facets, tp_facet_of(begin, begin, ring + first - 1, ring + first, first - 1));
+    done = tp_facets_append(facets,
+                            tp_facet_of(begin, begin, ring + first - 1, ring + first, first - 1));
   }
   for (long k = 0; k < base->mated_count && done; k++) {
     const long from = outline + (base->outline_first + k) % vertices;
