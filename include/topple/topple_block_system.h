@@ -254,6 +254,9 @@ tp_design tp_block_system_meets(const tp_block_system *system, double required);
 TP_MUST_USE tp_status tp_report_block_system(char **text, const tp_block_system *system);
 TP_MUST_USE tp_status tp_report_block_system_json(char **text, const tp_block_system *system);
 
+/* CSV: a head, and a row for each direction, with what was set before it. */
+TP_MUST_USE tp_status tp_report_block_system_csv(char **text, const tp_block_system *system);
+
 #ifdef __cplusplus
 }
 #endif

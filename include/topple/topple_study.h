@@ -79,16 +79,18 @@ typedef struct tp_study_tilt {
 /* The numbers that a sample has; in rows and columns infinity where it holds at every tilt, or
  * nothing overturns, minus infinity where it holds at none, NaN where there is no number. */
 typedef enum tp_study_quantity {
-  TP_STUDY_MOMENTS_DEG, /* the critical angle of toppling by moments */
-  TP_STUDY_ONSET_DEG,   /* the onset of motion: certain to stand below */
-  TP_STUDY_LIMIT_DEG,   /* the static limit: certain to move beyond */
-  TP_STUDY_FOS          /* the governing factor of safety at the scene's tilt */
+  TP_STUDY_MOMENTS_DEG,      /* the critical angle of toppling by moments */
+  TP_STUDY_ONSET_DEG,        /* the onset of motion: certain to stand below */
+  TP_STUDY_LIMIT_DEG,        /* the static limit: certain to move beyond */
+  TP_STUDY_FOS,              /* the governing factor of safety at the scene's tilt */
+  TP_STUDY_FOS_GOODMAN_BRAY, /* of columns in a row, of a scene of many blocks alone, as the next */
+  TP_STUDY_ACCELERATION_G    /* the critical horizontal acceleration */
 } tp_study_quantity;
 
 /* How many there are, and how many quantiles each has. */
-enum { TP_STUDY_QUANTITIES = TP_STUDY_FOS + 1, TP_STUDY_QUANTILES = 7 };
+enum { TP_STUDY_QUANTITIES = TP_STUDY_ACCELERATION_G + 1, TP_STUDY_QUANTILES = 7 };
 
-/* moments_deg, onset_deg, limit_deg or fos. */
+/* moments_deg, onset_deg, limit_deg, fos, fos_goodman_bray or critical_acceleration_g. */
 const char *tp_study_quantity_name(tp_study_quantity quantity);
 
 /* A quantile, with a range that holds it with 95 % certainty whatever the distribution. */
@@ -273,10 +275,14 @@ typedef struct tp_study_result {
   tp_study_design *design_values; /* as the study lists them */
   size_t convergence_count;       /* of the steps */
   tp_study_step *convergence;     /* at each power of two from 16 on, and at the end */
+  bool of_many_blocks;            /* the scene is of many blocks: */
+  bool has_required_fos;          /* if of_many_blocks: it requires a factor of safety: */
+  tp_study_share below_required;  /* if has_required_fos: samples that certainly lack it */
   size_t invalid_count;           /* of the first invalid samples, 5 at most */
   tp_study_bad *invalid;          /* these */
   size_t column_count;            /* of the columns */
-  tp_study_column *columns;       /* the numbers that vary, the quantities, outcomes at each tilt,
+  tp_study_column *columns;       /* the numbers that vary, the quantities (of one block up to
+                                     TP_STUDY_FOS), outcomes at each tilt,
                                      tp_fos_definition of the governing factor (NaN: none), the factors
                                      by moments and of sliding, and what is measured of the base */
   size_t source_count;            /* of the sources */

@@ -9,13 +9,15 @@
  *     options.y = "b=60,90,120";
  *     status = tp_sweep(&summary, scene, &options, (tp_sweep_sink){take, &own}, &message);
  *
- * A point is what tp_solve says of the scene that tp_scene_with_settings makes of its two settings.
+ * A point is what tp_solve, or of many blocks tp_solve_block_system, says of the scene that
+ * tp_scene_with_settings makes of its two settings.
  * The values are exact: 0:1:0.1 goes by 0.3, which is no double. Points come in their order,
  * whatever the number of threads, x fastest; memory does not grow with their number. */
 
 #ifndef TOPPLE_SWEEP_H
 #define TOPPLE_SWEEP_H
 
+#include "topple_block_system.h"
 #include "topple_solve.h"
 
 #ifdef __cplusplus
@@ -52,8 +54,9 @@ typedef struct tp_sweep_point {
                              order at all points; a value that is not known is NaN */
   tp_status status;       /* TP_OK; TP_UNDECIDED: some is, the rest holds; TP_BAD_INPUT,
                              TP_NO_ANSWER: */
-  const tp_solution *solution; /* is NULL, also where all is undecided, */
-  const char *message;         /* and this is why; plain; else empty */
+  const tp_solution *solution;   /* is NULL, also where all is undecided, */
+  const tp_block_system *system; /* of a scene of many blocks this instead, */
+  const char *message;           /* and this is why; plain; else empty */
 } tp_sweep_point;
 
 /* Who takes the points, one after the other, in the thread that calls: false ends the sweep. */

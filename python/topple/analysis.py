@@ -155,12 +155,13 @@ def _columns(c: Any, owner: Any) -> dict[str, numpy.ndarray[Any, Any]]:
 
     outcomes = numpy.array(list(StudyOutcome), dtype=object)
     definitions = numpy.array([*FosDefinition, None], dtype=object)  # the last where there is none
+    quantities = len(StudyQuantity) if c.of_many_blocks else list(StudyQuantity).index(StudyQuantity.FOS) + 1
     columns = {}
     for k in range(c.column_count if c.kept else 0):
         own = c.columns[k]
         values = numpy.frombuffer(ffi.buffer(own.values, 8 * c.kept), dtype="f8").copy()
         name = ffi.string(own.header).decode("utf-8", "replace")
-        outcome = c.variable_count + len(StudyQuantity)
+        outcome = c.variable_count + quantities
         if outcome <= k <= outcome + c.tilt_count - 1:
             columns[name] = outcomes[values.astype(int)]
         elif k == outcome + c.tilt_count:

@@ -57,6 +57,10 @@ class BlockSystemMethods:
         """What `topple solve --json` prints."""
         return written(lib.tp_report_block_system_json, struct_of(self))
 
+    def to_csv(self: Any) -> str:
+        """What `topple solve --csv` prints: a row for each direction."""
+        return written(lib.tp_report_block_system_csv, struct_of(self))
+
     def write_figure(self: Any, path: File) -> None:
         """Draw the blocks as they lie, and how they begin to move, into a file: .svg, .pdf or .png. They
         are drawn of the scene, which must be as it was when it was solved."""

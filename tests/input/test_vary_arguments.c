@@ -53,6 +53,7 @@ START_TEST(block_systems) {
   REFUSED(tp_solve(&solution, scene, &options, &message), "many blocks");
   ck_assert_int_eq(tp_report_block_system(&text, NULL), TP_BAD_INPUT);
   ck_assert_int_eq(tp_report_block_system_json(&text, NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_block_system_csv(&text, NULL), TP_BAD_INPUT);
   ck_assert_uint_eq(tp_scene_block_count(NULL) + tp_scene_block_count(plain), 0);
   ck_assert_uint_eq(tp_scene_block_count(scene), 17);
   ck_assert(tp_block_system_is_undecided(NULL));

@@ -50,6 +50,10 @@ class Blocks(unittest.TestCase):
         self.assertEqual(own.report(), printed("solve", path))
         told = json.loads(printed("solve", "--json", path))
         self.assertEqual(json.loads(own.to_json()), told)
+        self.assertEqual(own.to_csv(), printed("solve", "--csv", path))
+        swept = topple.sweep(scene, "friction_angle_deg=36,38.15").columns
+        self.assertEqual(list(swept["verdict"]), ["can be held"] * 2)
+        self.assertEqual(swept["fos"][1], told["cases"][0]["fos"]["value"])
         self.assertEqual(own.cases[0].fos.value.value, told["cases"][0]["fos"]["value"])
         self.assertEqual(own.cases[0].verdict, topple.SystemVerdict.CAN_HOLD)
         self.assertEqual([own.meets(0.99), own.meets(1.2)], [topple.Design.OPEN, topple.Design.NOT_MET])
@@ -415,6 +419,21 @@ class Study(unittest.TestCase):
                     else:
                         own = [float(row[name] or "nan") for row in rows]
                         self.assertTrue(numpy.array_equal(values, own, equal_nan=True), name)
+
+    def test_many_blocks(self):
+        """Of columns in a row the quantities of many blocks, which stand in the rows by the same names."""
+        with tempfile.TemporaryDirectory() as folder:
+            study = pathlib.Path(folder) / "study.yaml"
+            slope = (ROOT / "examples" / "blocks" / "toppling_slope.yaml").read_text(encoding="utf-8")
+            (pathlib.Path(folder) / "slope.yaml").write_text(slope + "required_fos: 1\n", encoding="utf-8")
+            study.write_text("topple_study: 1\nscene: slope.yaml\nvary: {friction_angle_deg: {list: [32, 37, 39]}}\n", encoding="utf-8")
+            result = topple.study(study, rows=pathlib.Path(folder) / "rows.csv")
+            with open(pathlib.Path(folder) / "rows.csv", encoding="utf-8", newline="") as text:
+                rows = list(csv.DictReader(text))
+            for name in ("fos", "fos_goodman_bray", "limit_deg", "critical_acceleration_g", "friction_angle_deg"):
+                self.assertEqual(list(result.columns[name]), [float(row[name]) for row in rows])
+            self.assertEqual([own.value for own in result.columns["outcome"]], ["slides and topples", "may move", "may move"])
+            self.assertEqual((result.of_many_blocks, result.below_required.samples), (True, 2))
 
     def test_result(self):
         """The summary and the rows that the program writes; columns as NumPy has them."""

@@ -235,12 +235,17 @@ class Schema(unittest.TestCase):
                             "- {slab: {width: 1, height: 1}}\n", encoding="utf-8")
             row = pathlib.Path(name) / "row.yaml"  # of columns that nothing moves
             row.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nslope: {dip_deg: 0.01, towards: left}\n"
-                           "columns: {width: 1, heights: [1, 1]}\n", encoding="utf-8")
+                           "required_fos: 1\ncolumns: {width: 1, heights: [1, 1]}\n", encoding="utf-8")
             wet = pathlib.Path(name) / "wet.yaml"  # that needs a support
             wet.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 30\nblock: {unit_weight_kn_m3: 25}\nblocks:\n"
                            "- {name: g, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
                            "- {name: b, slab: {width: 2, height: 4}}\ntilt: {towards: left, angle_deg: 33}\n"
                            "support: {block: b, at: [0, 1]}\nloads: {water: {level: 1}}\n", encoding="utf-8")
+            self.prints("sweep", "--json", "--x", "friction_angle_deg=35,95", example, statuses=(3,))
+            study = pathlib.Path(name) / "study.yaml"
+            study.write_text("topple_study: 1\nscene: row.yaml\nvary: {friction_angle_deg: {list: [0, 40]}}\n",
+                             encoding="utf-8")
+            self.prints("study", "--json", study)
             files = ((scene, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")))
             for path, more in ((example, ("--set", "friction_angle_deg=36")), *files):
                 status, out, err = run("solve", "--json", *more, path)

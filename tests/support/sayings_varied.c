@@ -97,6 +97,7 @@ static void say_block_system(sayings *s) {
     note_number(s, tp_system_case_meets(system->cases, 1.25));
     if (tp_report_block_system(next_saying(s), system) != TP_OK) s->count--;
     if (tp_report_block_system_json(next_saying(s), system) != TP_OK) s->count--;
+    if (tp_report_block_system_csv(next_saying(s), system) != TP_OK) s->count--;
     say_block_figures(s, scene, system);
   }
   tp_block_system_free(system);

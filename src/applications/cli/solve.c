@@ -173,8 +173,10 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
   const char **paths = calloc((size_t)a->scene_count, sizeof *paths);
   tp_status status = solved != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
   if (status == TP_OK) status = solve_all(solved, paths, &count, ended, a, message);
-  if (status == TP_OK && count > 0) status = print_rows(a, solved, count, ended);
-  for (size_t k = 0; k < count && status == TP_OK; k++) {
+  const bool of_many = count == 1 && tp_scene_block_count(solved[0].scene) > 0;
+  if (status == TP_OK && of_many) status = tp_cli_solve_system(solved[0].scene, a, ended, message);
+  if (status == TP_OK && count > 0 && !of_many) status = print_rows(a, solved, count, ended);
+  for (size_t k = 0; k < count && status == TP_OK && !of_many; k++) {
     *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
   }
   for (size_t k = 0; solved != NULL && k < count; k++) tp_cli_solved_clear(solved + k);

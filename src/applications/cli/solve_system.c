@@ -11,14 +11,14 @@
 #include <strings.h>
 
 tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, tp_message *message) {
-  const char *option = a->find.key != NULL  ? "--find"
-                       : a->report != NULL  ? "--report"
-                       : a->profile != NULL ? "--profile"
-                       : a->table           ? "--table"
-                       : a->csv             ? "--csv"
-                       : a->outlines        ? "--outlines"
-                       : a->elements        ? "--elements"
-                                            : NULL;
+  const char *option = a->find.key != NULL            ? "--find"
+                       : a->report != NULL            ? "--report"
+                       : a->profile != NULL           ? "--profile"
+                       : a->table                     ? "--table"
+                       : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
+                       : a->outlines                  ? "--outlines"
+                       : a->elements                  ? "--elements"
+                                                      : NULL;
   const char *ending = a->figure != NULL ? strrchr(a->figure, '.') : NULL;
   if (option == NULL && ending != NULL && strcasecmp(ending, ".dxf") == 0) {
     snprintf(message->text, sizeof message->text,
@@ -67,8 +67,9 @@ typedef struct report {
 
 static tp_status print(const report *own) {
   char *text = NULL;
-  const tp_status status = own->words->json ? tp_report_block_system_json(&text, own->system)
-                                            : tp_report_block_system(&text, own->system);
+  const tp_status status = own->words->json  ? tp_report_block_system_json(&text, own->system)
+                           : own->words->csv ? tp_report_block_system_csv(&text, own->system)
+                                             : tp_report_block_system(&text, own->system);
   return tp_cli_print_report(status, text, own->ended);
 }
 

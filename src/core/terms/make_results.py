@@ -153,7 +153,7 @@ class Columns:
         for row in self.records.all_rows(name):
             keys.append(row.key)
             if row.kind in ("bounded", "of case"):
-                keys.append(re.sub(r"_(deg|m)$", "", row.key) + "_error")
+                keys.append(re.sub(r"_(deg|g|m)$", "", row.key) + "_error")
         return "".join(f",{key}" for key in keys)
 
     def field(self, row):
@@ -162,6 +162,8 @@ class Columns:
             return f"tp_csv_{row.kind.replace(' ', '_')}(t, {value}, r);"
         if row.kind == "bounded":
             return f"tp_csv_bounded(t, {known}, {value});"
+        if row.kind == "number":
+            return f"tp_csv_number(t, {known}, {value});"
         if row.kind == "text":
             return f"tp_csv_text(t, {known} ? {value} : NULL);"
         if row.kind == "count":

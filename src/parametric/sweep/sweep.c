@@ -29,6 +29,7 @@ enum { BATCH = 64, CHUNK = 1, AXES = 2 };
 typedef struct outcome {
   tp_status status;
   tp_solution *solution;
+  tp_block_system *system; /* of a scene of many blocks, instead */
   tp_message message;
 } outcome;
 
@@ -59,17 +60,26 @@ static tp_status make_settings(char *settings[AXES], const sweep *s, size_t poin
   return TP_OK;
 }
 
+static tp_status solve_scene(outcome *own, const sweep *s, tp_scene *scene) {
+  if (tp_scene_block_count(scene) > 0) {
+    return tp_solve_block_system(&own->system, scene, &s->solve, &own->message);
+  }
+  scene->base.all_poses = false; /* a row has no place for them */
+  return tp_solve(&own->solution, scene, &s->solve, &own->message);
+}
+
+static bool is_undecided(const outcome *own) {
+  return own->system != NULL ? tp_block_system_is_undecided(own->system)
+                             : tp_solution_is_undecided(own->solution);
+}
+
 static tp_status solve_at(outcome *own, const sweep *s, char *settings[AXES]) {
   tp_scene *scene = NULL;
   tp_status status = tp_scene_set(&scene, s->scene, s->keys, (const char *const *)settings,
                                   s->axis_count, &own->message);
-  if (status == TP_OK) {
-    scene->base.all_poses = false; /* a row has no place for them */
-    status = tp_solve(&own->solution, scene, &s->solve, &own->message);
-  }
+  if (status == TP_OK) status = solve_scene(own, s, scene);
   tp_scene_free(scene);
-  if (status != TP_OK || !tp_solution_is_undecided(own->solution)) return status;
-  return TP_UNDECIDED;
+  return status == TP_OK && is_undecided(own) ? TP_UNDECIDED : status;
 }
 
 static tp_status solve_point(tp_workspace *workspace, const void *task, size_t number,
@@ -95,13 +105,20 @@ static void count_point(tp_sweep_summary *summary, tp_status status) {
   summary->bad += status == TP_BAD_INPUT;
 }
 
+static const tp_settings *settings_of(const outcome *own) {
+  return own->system != NULL     ? &own->system->settings
+         : own->solution != NULL ? &own->solution->settings
+                                 : NULL;
+}
+
 static tp_status hand_over(bool *goes_on, const sweep *s, size_t number, tp_sweep_sink sink,
                            tp_message *message) {
   const outcome *own = s->outcomes + number;
   tp_settings set = {.count = 0};
   char *settings[AXES] = {NULL};
+  const tp_settings *solved = settings_of(own);
   tp_status status = TP_OK;
-  if (own->solution == NULL) {
+  if (solved == NULL) {
     status = make_settings(settings, s, s->first + number, message);
     if (status == TP_OK) {
       status = tp_scene_settings_with(&set, s->scene, s->keys, (const char *const *)settings,
@@ -110,10 +127,11 @@ static tp_status hand_over(bool *goes_on, const sweep *s, size_t number, tp_swee
   }
   if (status == TP_OK) {
     const tp_sweep_point point = {.index = s->first + number,
-                                  .set = own->solution != NULL ? &own->solution->settings : &set,
+                                  .set = solved != NULL ? solved : &set,
                                   .status = own->status,
                                   .solution = own->solution,
-                                  .message = own->solution == NULL ? own->message.text : ""};
+                                  .system = own->system,
+                                  .message = solved == NULL ? own->message.text : ""};
     *goes_on = sink.take(sink.context, &point);
   }
   tp_settings_clear(&set);
@@ -125,13 +143,16 @@ static tp_status run_batch(bool *goes_on, sweep *s, size_t threads, tp_sweep_sum
                            tp_sweep_sink sink, tp_message *message) {
   const size_t left = s->count - s->first, count = left < BATCH ? left : BATCH;
   tp_blocks_summary blocks;
-  for (size_t k = 0; k < count; k++) s->outcomes[k].solution = NULL;
+  for (size_t k = 0; k < count; k++) s->outcomes[k] = (outcome){.status = TP_OK};
   tp_status status = tp_share_out(&blocks, solve_point, s, count, CHUNK, threads, message);
   for (size_t k = 0; k < count && status == TP_OK && *goes_on; k++) {
     count_point(summary, s->outcomes[k].status);
     status = hand_over(goes_on, s, k, sink, message);
   }
-  for (size_t k = 0; k < count; k++) tp_solution_free(s->outcomes[k].solution);
+  for (size_t k = 0; k < count; k++) {
+    tp_solution_free(s->outcomes[k].solution);
+    tp_block_system_free(s->outcomes[k].system);
+  }
   s->first += count;
   return status;
 }

@@ -6,6 +6,8 @@
 
 #include "figure/blocks.h"
 
+#include "block_system/governing_case.h"
+
 #include <math.h>
 
 /* Sizes as shares of the size of all, and of the mean block. */
@@ -16,41 +18,11 @@ static const double negligible = 1e-6; /* of the largest force */
 /* ---- which case, and how large -----------------------------------------------------------------
  */
 
-static double high(tp_bounded number) {
-  return number.value + number.error;
-}
-
-static double low(tp_bounded number) {
-  return number.value - number.error;
-}
-
-/* Does one certainly govern before the other? By collapse, by the factor, and where that is the
- * same by how much more tilt it bears. */
-static bool is_worse(const tp_system_case *one, const tp_system_case *other) {
-  const bool falls = one->verdict == TP_SYSTEM_COLLAPSES;
-  if (falls != (other->verdict == TP_SYSTEM_COLLAPSES)) return falls;
-  const bool told = one->fos.state == TP_FOS_NUMBER, also = other->fos.state == TP_FOS_NUMBER;
-  if (told != also) return told;
-  if (told && high(one->fos.value) < low(other->fos.value)) return true;
-  if (told && low(one->fos.value) > high(other->fos.value)) return false;
-  return one->limit == TP_SYSTEM_LIMIT_NUMBER && other->limit == TP_SYSTEM_LIMIT_NUMBER &&
-         high(one->critical_angle_deg) - low(one->tilt_angle_deg) <
-             low(other->critical_angle_deg) - high(other->tilt_angle_deg);
-}
-
-static const tp_system_case *governing(const tp_block_system *system) {
-  const tp_system_case *least = system->cases;
-  for (size_t k = 1; k < system->case_count; k++) {
-    if (is_worse(system->cases + k, least)) least = system->cases + k;
-  }
-  return least;
-}
-
 bool tp_blocks_governs(const tp_blocks_figure *f) {
   bool governs = true;
   for (size_t k = 0; k < f->system->case_count; k++) {
     const tp_system_case *other = f->system->cases + k;
-    governs = governs && (other == f->own || is_worse(f->own, other));
+    governs = governs && (other == f->own || tp_system_case_is_worse(f->own, other));
   }
   return governs;
 }
@@ -82,7 +54,7 @@ static void set_sizes(tp_blocks_figure *f) {
 
 void tp_blocks_set_up(tp_blocks_figure *f) {
   const double degree = atan(1) / 45;
-  f->own = governing(f->system);
+  f->own = tp_system_governing(f->system);
   const double tilt = f->own->tilt_angle_deg.value * degree;
   f->turn = f->own->towards == TP_TOWARDS_LEFT ? tilt : -tilt;
   set_sizes(f);

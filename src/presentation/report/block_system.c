@@ -9,6 +9,7 @@
 #include "report/column_page.h"
 #include "report/notes.h"
 #include "report/results.h"
+#include "report/settings.h"
 #include "report/system_page.h"
 #include "report/system_words.h"
 #include "report/words.h"
@@ -113,14 +114,6 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_ca
   tp_text_more_rows(t, row);
 }
 
-/* In kN; what is less than the search tells of the largest is nothing. */
-static double shown(double newtons, const tp_system_case *c) {
-  static const double share = 1e-6;
-  double most = 0;
-  for (size_t k = 0; k < c->force_count; k++) most = fmax(most, fabs(c->forces[k].normal_n_m));
-  return fabs(newtons) < share * most ? 0 : newtons / 1e3;
-}
-
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   const bool wet = c->has_forces && tp_system_case_is_wet(c);
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
@@ -137,7 +130,8 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
     tp_text_system_name(t, s->blocks[contact->second].name, width);
     tp_text_add(t, "  %-6s", tp_joint_state_name(f->state));
     if (c->has_forces) {
-      tp_text_add(t, "  %10.4g  %10.4g", shown(f->normal_n_m, c), shown(f->shear_n_m, c));
+      tp_text_add(t, "  %10.4g  %10.4g", tp_text_system_force_kn(f->normal_n_m, c),
+                  tp_text_system_force_kn(f->shear_n_m, c));
     }
     tp_text_add(t, "  %10.5g  %10.5g", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
     if (wet) tp_text_add(t, "  %10.4g", f->water_n_m.value / 1e3);
@@ -172,6 +166,40 @@ tp_status tp_report_block_system(char **text, const tp_block_system *system) {
   tp_text t = {0};
   add_head(&t, system);
   for (size_t k = 0; k < system->case_count; k++) add_case(&t, system, system->cases + k);
+  return tp_text_finish(&t, text);
+}
+
+/* ---- CSV ---------------------------------------------------------------------------------------
+ */
+
+static void add_csv_head(tp_text *t, const tp_settings *set) {
+  for (size_t k = 0; k < set->count; k++) {
+    tp_csv_setting_name(t, set->items[k].key, set->items[k].unit);
+    tp_text_add(t, ",");
+  }
+  tp_text_add(t, "scene");
+  tp_csv_names_of_system_row(t);
+  tp_text_add(t, "\n");
+}
+
+static void add_csv_row(tp_text *t, const tp_block_system *s, const tp_system_case *own) {
+  const tp_json_subject x = {.system = s};
+  for (size_t k = 0; k < s->settings.count; k++) {
+    tp_csv_setting_value(t, s->settings.items + k);
+    tp_text_add(t, ",");
+  }
+  tp_encode_csv(t, s->title != NULL ? s->title : "");
+  tp_csv_fields_of_system_row(t, own, &x);
+  tp_text_add(t, "\n");
+}
+
+tp_status tp_report_block_system_csv(char **text, const tp_block_system *system) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, system);
+  tp_text t = {0};
+  add_csv_head(&t, &system->settings);
+  for (size_t k = 0; k < system->case_count; k++) add_csv_row(&t, system, system->cases + k);
   return tp_text_finish(&t, text);
 }
 

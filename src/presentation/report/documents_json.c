@@ -94,6 +94,10 @@ tp_status tp_report_verification_json(char **text, const tp_verification *verifi
   return tp_json_document_of_verify(text, verification, &x);
 }
 
+size_t tp_json_study_quantities(const tp_study_result *result) {
+  return result->of_many_blocks ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
+}
+
 tp_status tp_report_study_json(char **text, const tp_study_result *result) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);

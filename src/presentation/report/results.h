@@ -7,6 +7,7 @@
 #ifndef TP_REPORT_RESULTS_H
 #define TP_REPORT_RESULTS_H
 
+#include "block_system/governing_case.h"
 #include "report/contact.h"
 #include "report/derived_limit.h"
 #include "report/derived_onset.h"
@@ -51,6 +52,9 @@ typedef struct tp_json_subject {
 /* A profile's spectrum in bands, and its facets. */
 void tp_json_profile_bands(tp_json *json, const char *key, const tp_profile *profile);
 void tp_json_profile_facets(tp_json *json, const char *key, const tp_profile *profile);
+
+/* How many quantities a study lists: of one block the first four. */
+size_t tp_json_study_quantities(const tp_study_result *result);
 
 /* "c = 7.41, b = 100" as {"c": 7.41, "b": 100}. */
 void tp_json_numbers_by_name(tp_json *json, const char *key, const char *text);

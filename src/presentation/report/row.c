@@ -41,6 +41,11 @@ void tp_csv_bounded(tp_text *t, bool known, tp_bounded number) {
   }
 }
 
+void tp_csv_number(tp_text *t, bool known, double number) {
+  tp_text_add(t, ",");
+  if (known) tp_text_add(t, "%.17g", number);
+}
+
 void tp_csv_count(tp_text *t, bool known, size_t count) {
   tp_text_add(t, ",");
   if (known) tp_text_add(t, "%zu", count);

@@ -23,6 +23,7 @@ void tp_json_text_of_case(tp_json *json, const char *key, tp_words_of_case *word
 void tp_csv_of_case(tp_text *text, tp_number_of_case *number, const tp_case *own);
 void tp_csv_text_of_case(tp_text *text, tp_words_of_case *words, const tp_case *own);
 void tp_csv_bounded(tp_text *text, bool known, tp_bounded number);
+void tp_csv_number(tp_text *text, bool known, double number); /* one that has no bound */
 void tp_csv_count(tp_text *text, bool known, size_t count);
 void tp_csv_text(tp_text *text, const char *outside); /* from outside; NULL: no field */
 void tp_csv_words(tp_text *text, const char *words);

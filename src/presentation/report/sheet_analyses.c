@@ -18,8 +18,12 @@ static void add_heads(tp_document *d, const char *const *heads, size_t count) {
 /* For the critical angle by moments, both limits and the factor; not where none is known. */
 static void add_indices(tp_document *d, const tp_study_result *r) {
   static const char *const captions[TP_STUDY_QUANTITIES] = {
-      "Sobol' indices, moments", "Sobol' indices, onset", "Sobol' indices, limit",
-      "Sobol' indices, factor"};
+      "Sobol' indices, moments",
+      "Sobol' indices, onset",
+      "Sobol' indices, limit",
+      "Sobol' indices, factor",
+      "Sobol' indices, factor by Goodman and Bray",
+      "Sobol' indices, acceleration"};
   static const char *const heads[] = {"Key", "First order", "from", "to", "Total", "from", "to"};
   enum { COLUMNS = sizeof heads / sizeof heads[0] };
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
@@ -57,9 +61,9 @@ static void add_rare(tp_document *d, const char *label, const tp_study_rare *own
 
 static void add_state(tp_document *d, const tp_study_reliability *own) {
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
-                    own->quantity == TP_STUDY_FOS ? "First-order reliability: factor not above 1"
-                                                  : "First-order reliability: angle not above the "
-                                                    "tilt");
+                    tp_study_quantity_is_angle(own->quantity)
+                        ? "First-order reliability: angle not above the tilt"
+                        : "First-order reliability: factor not above 1");
   tp_document_word(d, "Of");
   tp_document_word(d, tp_study_quantity_words(own->quantity));
   tp_document_word(d, "Search");
@@ -126,7 +130,8 @@ static void add_then(tp_document *d, const tp_study_design *own) {
   if (isinf(own->quantity_value)) {
     tp_document_word(d, own->quantity_value > 0 ? "always" : "never");
   } else {
-    tp_document_cell(d, own->quantity == TP_STUDY_FOS ? "%.3f" : "%.2f°", own->quantity_value);
+    tp_document_cell(d, tp_study_quantity_is_angle(own->quantity) ? "%.2f°" : "%.3f",
+                     own->quantity_value);
   }
 }
 

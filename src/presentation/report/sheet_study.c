@@ -37,6 +37,11 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
               100 * own->certain_to_move.high, 100 * own->certain_to_stand.share,
               100 * own->certain_to_stand.low, 100 * own->certain_to_stand.high);
   tp_document_tell(d, TP_PASSAGE_ANSWER, 0, &where);
+  if (r->has_required_fos) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH, "Below the factor required: %.2f %% (%.2f to %.2f %%).",
+        100 * r->below_required.share, 100 * r->below_required.low, 100 * r->below_required.high);
+  }
   if (r->samples < r->planned) {
     tp_document_add(d, TP_PASSAGE_CAUTION, "Of %zu samples planned %zu were solved (%s).",
                     r->planned, r->samples, tp_document_say(d, tp_study_end_name(r->end)));
@@ -69,6 +74,7 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
   }
   add_share(d, "certain to stand", &own->certain_to_stand);
   add_share(d, "certain to move", &own->certain_to_move);
+  if (r->has_required_fos) add_share(d, "below the factor required", &r->below_required);
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
       "Outcomes that did not occur are omitted. Intervals are Wilson intervals of 95 %%, "
@@ -131,7 +137,8 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
     if (own->samples == 0) continue;
     tp_document_word(d, tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
-      add_number(d, own->quantiles[k].value, q == TP_STUDY_FOS ? 3 : 2);
+      add_number(d, own->quantiles[k].value,
+                 tp_study_quantity_is_angle((tp_study_quantity)q) ? 2 : 3);
     }
   }
 }
@@ -178,9 +185,18 @@ static void add_price(tp_document *d, const tp_study_result *r) {
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "The verdict of each sample is proven; the probability is an estimate from the "
                   "samples, with its interval.");
+  if (r->of_many_blocks) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "Limits and factors are certain to 1e-6 of themselves; by Goodman and Bray "
+        "they have no bound. Blocks that forces can hold count as those that may move.");
+  }
   if (r->open > 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "Some samples have a number certain to fewer than 9 digits.");
+                    r->of_many_blocks
+                        ? "Some samples have a limit or factor that is open, or only known to be "
+                          "exceeded."
+                        : "Some samples have a number certain to fewer than 9 digits.");
   }
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Samples, and the arithmetic that solved them");
   tp_document_cell(d, "Samples");

@@ -21,7 +21,7 @@ static void add_share(tp_text *t, const char *label, const tp_study_share *share
 }
 
 /* What did not happen is listed where one would look for it. */
-static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
+static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt, bool of_many) {
   if (tilt->as_it_lies) {
     tp_text_add(t, "\nAs it lies");
   } else if (tilt->tilt_varies) {
@@ -36,8 +36,9 @@ static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
     const bool always =
         k <= TP_STUDY_SLIDES_AND_TOPPLES || k == TP_STUDY_MAY_MOVE || k == TP_STUDY_UNDECIDED;
     if (!always && tilt->outcomes[k].samples == 0) continue;
-    const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history dependent"
-                                               : tp_study_outcome_name((tp_study_outcome)k);
+    const char *label = k != TP_STUDY_MAY_MOVE ? tp_study_outcome_name((tp_study_outcome)k)
+                        : of_many              ? "may move: forces can hold"
+                                               : "may move: history dependent";
     add_share(t, label, tilt->outcomes + k);
   }
   add_share(t, "certain to stand", &tilt->certain_to_stand);
@@ -45,7 +46,8 @@ static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
 }
 
 static void add_tilts(tp_text *t, const tp_study_result *r) {
-  add_own_tilt(t, r->tilts);
+  add_own_tilt(t, r->tilts, r->of_many_blocks);
+  if (r->has_required_fos) add_share(t, "below the factor required", &r->below_required);
   if (r->tilt_count == 1) return;
   tp_text_add(t, "\nBy tilt\n  %8s  %-25s %-25s %8s\n", "tilt", "certain to stand",
               "certain to move", "neither");
@@ -68,18 +70,21 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
   if (isinf(value)) {
     tp_text_add(t, " %7s", value > 0 ? "always" : "never");
   } else {
-    tp_text_add(t, " %7s",
-                tp_text_fixed(own, (tp_bounded){value, 0, NULL}, quantity == TP_STUDY_FOS ? 3 : 2));
+    const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
+    tp_text_add(t, " %7s", tp_text_fixed(own, (tp_bounded){value, 0, NULL}, decimals));
   }
 }
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
-  bool infinite = false, any = false;
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->quantities[q].samples > 0;
-  if (!any) return;
+  const tp_study_spread *heads = NULL;
+  bool infinite = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (r->quantities[q].samples > 0) heads = r->quantities + q;
+  }
+  if (heads == NULL) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
-    tp_text_add(t, " %5.0f %%", 100 * r->quantities[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
+    tp_text_add(t, " %5.0f %%", 100 * heads->quantiles[k].probability);
   }
   tp_text_add(t, "\n");
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
@@ -93,7 +98,12 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "\n");
   }
   if (infinite) {
-    tp_text_add(t, "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
+    tp_text_add(
+        t, "%s",
+        r->of_many_blocks
+            ? "always: forces hold the blocks at every tilt; never: no friction, or no\n"
+              "acceleration, is enough or allowed.\n"
+            : "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
   }
 }
 
@@ -127,10 +137,32 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
   }
 }
 
-static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (ranks[q].known) {
-      tp_text_add(t, " %10.3f", ranks[q].value);
+/* With which quantities: of one block, and of many. */
+typedef struct ranked {
+  size_t count;
+  struct {
+    tp_study_quantity quantity;
+    const char *head;
+  } columns[TP_STUDY_FOS + 1];
+} ranked;
+
+static const ranked ranked_of_block = {4,
+                                       {{TP_STUDY_MOMENTS_DEG, "moments"},
+                                        {TP_STUDY_ONSET_DEG, "onset"},
+                                        {TP_STUDY_LIMIT_DEG, "limit"},
+                                        {TP_STUDY_FOS, "factor"}}};
+static const ranked ranked_of_many = {4,
+                                      {{TP_STUDY_LIMIT_DEG, "limit"},
+                                       {TP_STUDY_FOS, "factor"},
+                                       {TP_STUDY_FOS_GOODMAN_BRAY, "FoS, G&B"},
+                                       {TP_STUDY_ACCELERATION_G, "accel."}}};
+
+static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES],
+                         const ranked *with) {
+  for (size_t k = 0; k < with->count; k++) {
+    const tp_study_rank *own = ranks + with->columns[k].quantity;
+    if (own->known) {
+      tp_text_add(t, " %10.3f", own->value);
     } else {
       tp_text_add(t, " %10s", "-");
     }
@@ -146,17 +178,19 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
       any = any || r->variables[k].rank_correlations[q].known;
   }
   if (!any) return;
-  tp_text_add(t, "\n%-*s %10s %10s %10s %10s\n", LABEL + 2, "Rank correlation with", "moments",
-              "onset", "limit", "factor");
+  const ranked *with = r->of_many_blocks ? &ranked_of_many : &ranked_of_block;
+  tp_text_add(t, "\n%-*s", LABEL + 2, "Rank correlation with");
+  for (size_t k = 0; k < with->count; k++) tp_text_add(t, " %10s", with->columns[k].head);
+  tp_text_add(t, "\n");
   for (size_t k = 0; k < r->variable_count; k++) {
     const tp_study_variable *v = r->variables + k;
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
-    add_rank_row(t, v->rank_correlations);
+    add_rank_row(t, v->rank_correlations, with);
   }
   for (size_t k = 0; k + 2 < r->roughness_count; k++) {
     tp_text_add(t, "  %-*s", LABEL, r->roughness[k].name);
-    add_rank_row(t, r->roughness[k].rank_correlations);
+    add_rank_row(t, r->roughness[k].rank_correlations, with);
   }
 }
 
@@ -184,6 +218,7 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
 
 /* What accuracy costs, in bulk. */
 static void add_tellers(tp_text *t, const tp_study_result *r) {
+  if (r->of_many_blocks) tp_text_add(t, "Limits and factors are certain to 1e-6 of themselves.\n");
   if (r->by_doubles == 0) return;
   tp_text_add(t, "%zu samples solved in doubles with proven bounds, %zu in higher precision.\n",
               r->by_doubles, r->samples - r->by_doubles);
@@ -192,7 +227,9 @@ static void add_tellers(tp_text *t, const tp_study_result *r) {
 static void add_foot(tp_text *t, const tp_study_result *r) {
   tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each taken separately.\n");
   if (r->open > 0) {
-    tp_text_add(t, "%zu samples have a number certain to fewer than 9 digits.\n", r->open);
+    tp_text_add(t, "%zu samples have a %s.\n", r->open,
+                r->of_many_blocks ? "limit or factor that is open, or only known to be exceeded"
+                                  : "number certain to fewer than 9 digits");
   }
   add_tellers(t, r);
   if (r->kept < r->samples) {

@@ -12,7 +12,8 @@
 
 /* For the critical angle by moments, and both limits; not where none is known. */
 static void add_indices(tp_text *t, const tp_study_result *r) {
-  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset", "limit", "factor"};
+  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset",    "limit",
+                                                          "factor",  "FoS, G&B", "acceleration"};
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
     if (!r->variables[0].sobol_indices[q].known) continue;
     tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");
@@ -69,7 +70,7 @@ static void add_reliability(tp_text *t, const tp_study_result *r) {
   if (!own->known) return;
   const tp_study_quantity quantity = own->quantity;
   tp_text_add(t, "\nFirst-order reliability: %s not above %s\n", tp_study_quantity_name(quantity),
-              quantity == TP_STUDY_FOS ? "1" : "the tilt");
+              tp_study_quantity_is_angle(quantity) ? "the tilt" : "1");
   tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->scenes);
   if (own->converged) {
     tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
@@ -109,7 +110,7 @@ static void add_quantity(tp_text *t, tp_study_quantity quantity, double value) {
   static const char unit[] = " °";
   char number[TP_NUMBER_SIZE];
   const char *words = tp_study_quantity_words(quantity);
-  const bool angle = quantity != TP_STUDY_FOS;
+  const bool angle = tp_study_quantity_is_angle(quantity);
   const size_t length = strlen(words) - (angle ? sizeof unit - 1 : 0);
   tp_text_add(t, "%.*s ", (int)length, words);
   if (isinf(value)) {

@@ -87,6 +87,10 @@ static void add_answer(tp_text *t, const tp_study_result *r) {
   tp_text_add(t, "certain to move: %.2f %% (%.2f to %.2f %%), to stand: %.2f %%\n",
               100 * own->certain_to_move.share, 100 * own->certain_to_move.low,
               100 * own->certain_to_move.high, 100 * own->certain_to_stand.share);
+  if (!r->has_required_fos) return;
+  tp_text_add(t, "Below the factor required: %.2f %% (%.2f to %.2f %%)\n",
+              100 * r->below_required.share, 100 * r->below_required.low,
+              100 * r->below_required.high);
 }
 
 static const char *method_words(const char *method) {

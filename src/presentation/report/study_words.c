@@ -9,8 +9,13 @@
 
 const char *tp_study_quantity_words(tp_study_quantity quantity) {
   static const char *const words[TP_STUDY_QUANTITIES] = {
-      "critical angle °", "certain to stand to °", "static limit °", "factor of safety"};
+      "critical angle °", "certain to stand to °", "static limit °",
+      "factor of safety", "FoS, Goodman and Bray", "acceleration g"};
   return words[quantity];
+}
+
+bool tp_study_quantity_is_angle(tp_study_quantity quantity) {
+  return quantity <= TP_STUDY_LIMIT_DEG;
 }
 
 void tp_study_add_lines(tp_text *t, const char *words) {

@@ -15,6 +15,9 @@ enum { TP_STUDY_LABEL = 30 };
 /* As on the page: critical angle, and so on. */
 const char *tp_study_quantity_words(tp_study_quantity quantity);
 
+/* Angles have two decimals, factors and accelerations three. */
+bool tp_study_quantity_is_angle(tp_study_quantity quantity);
+
 /* Words between blanks, over lines of a terminal. */
 void tp_study_add_lines(tp_text *text, const char *words);
 

@@ -9,19 +9,6 @@
 
 #include <math.h>
 
-tp_mechanism tp_system_case_mechanism(const tp_system_case *c) {
-  bool slides = false, topples = false;
-  for (size_t k = 0; k < c->motion_count; k++) {
-    const tp_mechanism own = c->motions[k].mechanism;
-    slides = slides || own == TP_SLIDES || own == TP_SLIDES_AND_TOPPLES;
-    topples = topples || own == TP_TOPPLES || own == TP_SLIDES_AND_TOPPLES;
-  }
-  return slides && topples ? TP_SLIDES_AND_TOPPLES
-         : slides          ? TP_SLIDES
-         : topples         ? TP_TOPPLES
-                           : TP_STANDS;
-}
-
 void tp_text_system_stance(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   char n[TP_NUMBER_SIZE];
   const bool away = c->tilt_angle_deg.value < 0;
@@ -65,6 +52,13 @@ void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
   } else {
     tp_text_add(t, "undecided");
   }
+}
+
+double tp_text_system_force_kn(double newtons, const tp_system_case *c) {
+  static const double share = 1e-6;
+  double most = 0;
+  for (size_t k = 0; k < c->force_count; k++) most = fmax(most, fabs(c->forces[k].normal_n_m));
+  return fabs(newtons) < share * most ? 0 : newtons / 1e3;
 }
 
 const char *tp_text_system_collapse(const tp_block_system *s, const tp_system_case *c) {

@@ -6,10 +6,8 @@
 #ifndef TP_REPORT_SYSTEM_WORDS_H
 #define TP_REPORT_SYSTEM_WORDS_H
 
+#include "block_system/governing_case.h"
 #include "output/text.h"
-
-/* How the blocks that move do so, all in all; stands: none does, or no collapse is known. */
-tp_mechanism tp_system_case_mechanism(const tp_system_case *of);
 
 /* "Towards the left, at a tilt of 20°" */
 void tp_text_system_stance(tp_text *text, const tp_block_system *system, const tp_system_case *of);
@@ -20,6 +18,9 @@ void tp_text_system_limit(tp_text *text, const tp_system_case *of);
 
 /* The factor of safety: a number, "above 1000" or "undecided". */
 void tp_text_system_factor(tp_text *text, const tp_system_case *of);
+
+/* A force in kN; what is less than the search tells of the largest is nothing. */
+double tp_text_system_force_kn(double newtons, const tp_system_case *of);
 
 /* Of which state the collapse is: "with strength over the factor", "at the greatest dip". */
 const char *tp_text_system_collapse(const tp_block_system *system, const tp_system_case *of);

@@ -8,6 +8,7 @@
 
 #include "common/outside.h"
 #include "sampling/sobol_points.h"
+#include "study/outcome.h"
 
 #include <string.h>
 
@@ -57,15 +58,20 @@ static tp_status read_sensitivity(const tp_study_reader *reader, const tp_node *
 tp_status tp_study_read_quantity(const tp_study_reader *reader, tp_study_quantity *quantity,
                                  const tp_node *node) {
   const char *known[TP_STUDY_QUANTITIES + 1] = {NULL};
+  size_t count = 0;
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    known[q] = tp_study_quantity_name((tp_study_quantity)q);
-    if (node->kind != TP_NODE_SCALAR || strcmp(node->text, known[q]) != 0) continue;
-    *quantity = (tp_study_quantity)q;
-    return TP_OK;
+    if (!tp_study_has_quantity(reader->study, (tp_study_quantity)q)) continue;
+    known[count] = tp_study_quantity_name((tp_study_quantity)q);
+    if (node->kind == TP_NODE_SCALAR && strcmp(node->text, known[count]) == 0) {
+      *quantity = (tp_study_quantity)q;
+      return TP_OK;
+    }
+    count++;
   }
   const char *nearest = node->kind == TP_NODE_SCALAR ? tp_nearest(node->text, known) : NULL;
-  return tp_study_fail(reader, node, "a quantity is %s, %s, %s or %s%s%s%s", known[0], known[1],
-                       known[2], known[3], nearest != NULL ? "; did you mean '" : "",
+  return tp_study_fail(reader, node, "%sa quantity is %s, %s, %s or %s%s%s%s",
+                       tp_study_is_of_many(reader->study) ? "of many blocks " : "", known[0],
+                       known[1], known[2], known[3], nearest != NULL ? "; did you mean '" : "",
                        nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
 }
 
@@ -112,8 +118,13 @@ static tp_status read_reliability(const tp_study_reader *reader, const tp_node *
                          "{quantity: limit_deg}'");
   }
   if (status == TP_OK) status = tp_study_read_quantity(reader, &study->relied, quantity);
+  if (status == TP_OK && study->relied == TP_STUDY_ACCELERATION_G) {
+    return tp_study_fail(reader, quantity,
+                         "reliability is of an angle at the tilt, or of a factor of safety; take "
+                         "fos with the earthquake in the scene");
+  }
   if (status == TP_OK) status = check_drawn(reader, node);
-  if (status == TP_OK && !study->scene->tilt_angle_deg.given) {
+  if (status == TP_OK && !tp_study_has_stance(study)) {
     return tp_study_fail(reader, node,
                          "reliability is that at the scene's tilt, and the scene has "
                          "none: 'tilt: {towards: left, angle_deg: 20}'");

@@ -8,12 +8,12 @@
 
 #include "number/shortest.h"
 #include "scene/unit.h"
+#include "study/outcome.h"
 #include "study/roughness.h"
+#include "terms/names.h"
 
 #include <string.h>
 
-/* Those of every study, after the sample and its numbers; then two at each tilt, and what is
- * measured of the base; then the last. */
 typedef enum own_field {
   OUTCOME,
   FOS,
@@ -21,6 +21,7 @@ typedef enum own_field {
   FOS_DEFINITION,
   FOS_MOMENTS,
   FOS_SLIDING,
+  FOS_GOODMAN_BRAY,
   FIRST,
   MOMENTS,
   PIVOT_X,
@@ -28,16 +29,40 @@ typedef enum own_field {
   ONSET,
   LIMIT,
   LIMIT_MECHANISM,
-  BEFORE_TILTS,
-  STATUS = BEFORE_TILTS,
+  ACCELERATION,
+  COLLAPSE,
+  DESIGN,
+  STATUS,
   WHY,
-  OWN_FIELDS,
   SAMPLE,
   VARIABLE,
   TILT_OUTCOME,
   TILT_FOS,
   MEASURE
 } own_field;
+
+/* After the sample and its numbers those of a block, or of many; then two at each tilt, and what is
+ * measured of the base; then status, and why. */
+static const own_field of_block[] = {
+    OUTCOME, FOS,     FOS_MECHANISM, FOS_DEFINITION, FOS_MOMENTS, FOS_SLIDING,    FIRST,
+    MOMENTS, PIVOT_X, PIVOT_Y,       ONSET,          LIMIT,       LIMIT_MECHANISM};
+static const own_field of_many[] = {OUTCOME,  FOS,   FOS_GOODMAN_BRAY, LIMIT, ACCELERATION,
+                                    COLLAPSE, DESIGN};
+enum { LAST_FIELDS = 2 };
+
+typedef struct own_fields {
+  const own_field *items;
+  size_t count;
+} own_fields;
+
+/* Whether a factor is met stands where one is required. */
+static own_fields fields_of(const tp_study *study) {
+  if (!tp_study_is_of_many(study)) {
+    return (own_fields){of_block, sizeof of_block / sizeof of_block[0]};
+  }
+  return (own_fields){of_many, sizeof of_many / sizeof of_many[0] -
+                                   (study->scene->required_fos.given ? 0 : 1)};
+}
 
 typedef struct own_column {
   const char *name, *unit; /* the name ends in the unit */
@@ -51,6 +76,7 @@ static const own_column own_columns[] = {
     [FOS_DEFINITION] = {"fos_definition", NULL, TP_FIELD_WORDS},
     [FOS_MOMENTS] = {"fos_moments", NULL, TP_FIELD_NUMBER},
     [FOS_SLIDING] = {"fos_sliding", NULL, TP_FIELD_NUMBER},
+    [FOS_GOODMAN_BRAY] = {"fos_goodman_bray", NULL, TP_FIELD_NUMBER},
     [FIRST] = {"first", NULL, TP_FIELD_WORDS},
     [MOMENTS] = {"moments_deg", "deg", TP_FIELD_NUMBER},
     [PIVOT_X] = {"pivot_x_m", "m", TP_FIELD_NUMBER},
@@ -58,6 +84,9 @@ static const own_column own_columns[] = {
     [ONSET] = {"onset_deg", "deg", TP_FIELD_NUMBER},
     [LIMIT] = {"limit_deg", "deg", TP_FIELD_NUMBER},
     [LIMIT_MECHANISM] = {"limit_mechanism", NULL, TP_FIELD_WORDS},
+    [ACCELERATION] = {"critical_acceleration_g", "g", TP_FIELD_NUMBER},
+    [COLLAPSE] = {"collapse", NULL, TP_FIELD_WORDS},
+    [DESIGN] = {"meets_required", NULL, TP_FIELD_WORDS},
     [STATUS] = {"status", NULL, TP_FIELD_WORDS},
     [WHY] = {"why", NULL, TP_FIELD_TEXT},
     [SAMPLE] = {"sample", NULL, TP_FIELD_WHOLE},
@@ -77,8 +106,9 @@ static own_field find(size_t *of, const tp_study *study, size_t field) {
     return VARIABLE;
   }
   left -= study->variable_count;
-  if (left < BEFORE_TILTS) return (own_field)left;
-  left -= BEFORE_TILTS;
+  const own_fields own = fields_of(study);
+  if (left < own.count) return own.items[left];
+  left -= own.count;
   if (left < 2 * study->tilt_count) {
     *of = left / 2;
     return left % 2 == 0 ? TILT_OUTCOME : TILT_FOS;
@@ -92,7 +122,8 @@ static own_field find(size_t *of, const tp_study *study, size_t field) {
 }
 
 size_t tp_study_field_count(const tp_study *study) {
-  return 1 + study->variable_count + OWN_FIELDS + 2 * study->tilt_count + study->measure_count;
+  return 1 + study->variable_count + fields_of(study).count + 2 * study->tilt_count +
+         study->measure_count + LAST_FIELDS;
 }
 
 size_t tp_study_field_of_variable(size_t variable) {
@@ -100,7 +131,7 @@ size_t tp_study_field_of_variable(size_t variable) {
 }
 
 size_t tp_study_field_of_measure(const tp_study *study, size_t measure) {
-  return 1 + study->variable_count + BEFORE_TILTS + 2 * study->tilt_count + measure;
+  return 1 + study->variable_count + fields_of(study).count + 2 * study->tilt_count + measure;
 }
 
 tp_study_field_kind tp_study_field_kind_of(const tp_study *study, size_t field) {
@@ -148,13 +179,61 @@ static const char *status_of(const tp_study_row *row) {
   return invalid ? tp_study_outcome_name(TP_STUDY_INVALID) : row->open ? "open" : "certain";
 }
 
-static const char *definition_of(const tp_study_row *row) {
-  return row->fos_definition < 0 ? ""
-                                 : tp_fos_definition_name((tp_fos_definition)row->fos_definition);
+static double *quantity_at(tp_study_row *row, tp_study_quantity quantity) {
+  return row->quantities + quantity;
 }
 
-static tp_study_value number(double own) {
-  return (tp_study_value){.number = own};
+tp_study_place tp_study_field_place(const tp_study *study, tp_study_row *row, size_t field) {
+  size_t of = 0;
+  switch (find(&of, study, field)) {
+  case SAMPLE:
+    return (tp_study_place){.whole = &row->sample};
+  case VARIABLE:
+    return (tp_study_place){.number = row->values + of};
+  case OUTCOME:
+    return (tp_study_place){.outcome = &row->at[0].outcome};
+  case FOS:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_FOS)};
+  case FOS_MECHANISM:
+    return (tp_study_place){.words = &row->fos_mechanism};
+  case FOS_DEFINITION:
+    return (tp_study_place){.definition = &row->fos_definition};
+  case FOS_MOMENTS:
+    return (tp_study_place){.number = &row->fos_moments};
+  case FOS_SLIDING:
+    return (tp_study_place){.number = &row->fos_sliding};
+  case FOS_GOODMAN_BRAY:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_FOS_GOODMAN_BRAY)};
+  case FIRST:
+    return (tp_study_place){.words = &row->first};
+  case MOMENTS:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_MOMENTS_DEG)};
+  case PIVOT_X:
+    return (tp_study_place){.number = &row->pivot_x_m};
+  case PIVOT_Y:
+    return (tp_study_place){.number = &row->pivot_y_m};
+  case ONSET:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_ONSET_DEG)};
+  case LIMIT:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_LIMIT_DEG)};
+  case LIMIT_MECHANISM:
+  case COLLAPSE:
+    return (tp_study_place){.words = &row->limit_mechanism};
+  case ACCELERATION:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_ACCELERATION_G)};
+  case DESIGN:
+    return (tp_study_place){.design = &row->design};
+  case TILT_OUTCOME:
+    return (tp_study_place){.outcome = &row->at[of + 1].outcome};
+  case TILT_FOS:
+    return (tp_study_place){.number = &row->at[of + 1].fos};
+  case MEASURE:
+    return (tp_study_place){.number = row->measures + of};
+  case STATUS:
+    return (tp_study_place){.is_status = true};
+  default:
+    return (tp_study_place){0};
+  }
 }
 
 static tp_study_value words(const char *own) {
@@ -162,47 +241,18 @@ static tp_study_value words(const char *own) {
 }
 
 tp_study_value tp_study_field_value(const tp_study *study, const tp_study_row *row, size_t field) {
-  size_t of = 0;
-  switch (find(&of, study, field)) {
-  case SAMPLE:
-    return (tp_study_value){.whole = row->sample};
-  case VARIABLE:
-    return number(row->values[of]);
-  case OUTCOME:
-    return words(tp_study_outcome_name(row->at[0].outcome));
-  case FOS:
-    return number(row->quantities[TP_STUDY_FOS]);
-  case FOS_MECHANISM:
-    return words(row->fos_mechanism);
-  case FOS_DEFINITION:
-    return words(definition_of(row));
-  case FOS_MOMENTS:
-    return number(row->fos_moments);
-  case FOS_SLIDING:
-    return number(row->fos_sliding);
-  case FIRST:
-    return words(row->first);
-  case MOMENTS:
-    return number(row->quantities[TP_STUDY_MOMENTS_DEG]);
-  case PIVOT_X:
-    return number(row->pivot_x_m);
-  case PIVOT_Y:
-    return number(row->pivot_y_m);
-  case ONSET:
-    return number(row->quantities[TP_STUDY_ONSET_DEG]);
-  case LIMIT:
-    return number(row->quantities[TP_STUDY_LIMIT_DEG]);
-  case LIMIT_MECHANISM:
-    return words(row->limit_mechanism);
-  case TILT_OUTCOME:
-    return words(tp_study_outcome_name(row->at[of + 1].outcome));
-  case TILT_FOS:
-    return number(row->at[of + 1].fos);
-  case MEASURE:
-    return number(row->measures[of]);
-  case STATUS:
-    return words(status_of(row));
-  default:
-    return words(row->at[0].outcome == TP_STUDY_INVALID ? row->why : NULL);
+  const tp_study_place at = tp_study_field_place(study, (tp_study_row *)row, field);
+  if (at.whole != NULL) return (tp_study_value){.whole = *at.whole};
+  if (at.number != NULL) return (tp_study_value){.number = *at.number};
+  if (at.words != NULL) return words(*at.words);
+  if (at.outcome != NULL) return words(tp_study_outcome_name(*at.outcome));
+  if (at.definition != NULL) {
+    return words(*at.definition < 0 ? ""
+                                    : tp_fos_definition_name((tp_fos_definition)*at.definition));
   }
+  if (at.design != NULL) {
+    return words(*at.design < 0 ? "" : tp_design_name((tp_design)*at.design));
+  }
+  if (at.is_status) return words(status_of(row));
+  return words(row->at[0].outcome == TP_STUDY_INVALID ? row->why : NULL);
 }

@@ -38,6 +38,17 @@ tp_study_field_kind tp_study_field_kind_of(const tp_study *study, size_t field);
 void tp_study_field_name(tp_text *text, const tp_study *study, size_t field);
 const char *tp_study_field_unit(const tp_study *study, size_t field);
 
+/* Where a row has it: one of these; none of them is where why it is invalid. */
+typedef struct tp_study_place {
+  uint64_t *whole;
+  double *number;
+  const char **words;
+  tp_study_outcome *outcome;
+  int *definition, *design; /* tp_fos_definition, tp_design; -1: none */
+  bool is_status;
+} tp_study_place;
+
+tp_study_place tp_study_field_place(const tp_study *study, tp_study_row *row, size_t field);
 tp_study_value tp_study_field_value(const tp_study *study, const tp_study_row *row, size_t field);
 
 #endif

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A table of mechanisms and outcomes. */
+/* A table of mechanisms and outcomes, and which quantities there are of one block and of many. */
 
 #include "study/outcome.h"
+
+#include "block_system/governing_case.h"
 
 tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism) {
   switch (mechanism) {
@@ -24,4 +26,41 @@ tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism) {
   default:
     return TP_STUDY_UNDECIDED;
   }
+}
+
+tp_study_outcome tp_study_outcome_of_system(const tp_system_case *own) {
+  const tp_mechanism mechanism = tp_system_case_mechanism(own);
+  switch (own->verdict) {
+  case TP_SYSTEM_STANDS:
+    return TP_STUDY_STANDS;
+  case TP_SYSTEM_CAN_HOLD:
+    return TP_STUDY_MAY_MOVE;
+  case TP_SYSTEM_COLLAPSES:
+    return mechanism == TP_STANDS ? TP_STUDY_SLIDES_AND_TOPPLES : tp_study_outcome_of(mechanism);
+  default:
+    return TP_STUDY_UNDECIDED;
+  }
+}
+
+bool tp_study_is_of_many(const tp_study *study) {
+  return tp_scene_block_count(study->scene) > 0;
+}
+
+size_t tp_study_quantity_count(const tp_study *study) {
+  return tp_study_is_of_many(study) ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
+}
+
+bool tp_study_has_quantity(const tp_study *study, tp_study_quantity quantity) {
+  if (!tp_study_is_of_many(study)) return quantity <= TP_STUDY_FOS;
+  return quantity != TP_STUDY_MOMENTS_DEG && quantity != TP_STUDY_ONSET_DEG;
+}
+
+bool tp_study_has_stance(const tp_study *study) {
+  const tp_scene *scene = study->scene;
+  return scene->tilt_angle_deg.given ||
+         (tp_study_is_of_many(study) && tp_scene_lies_in_place(scene));
+}
+
+bool tp_study_quantity_is_factor(tp_study_quantity quantity) {
+  return quantity == TP_STUDY_FOS || quantity == TP_STUDY_FOS_GOODMAN_BRAY;
 }

@@ -73,7 +73,7 @@ tp_status tp_tally_ranks(tp_study_result *result, const tp_tally *tally, tp_mess
   if (all == NULL) return tp_fail_memory(message, "rank correlations");
   const pairs p = {all, all + kept, all + 2 * kept};
   tp_status status = TP_OK;
-  for (size_t q = 0; q < TP_STUDY_QUANTITIES && status == TP_OK; q++) {
+  for (size_t q = 0; q < tp_study_quantity_count(tally->study) && status == TP_OK; q++) {
     status = rank_quantity(result, tally, q, &p, message);
   }
   free(all);

@@ -9,6 +9,7 @@
 #include "statistics/importance_sampling.h"
 #include "statistics/subset_simulation.h"
 #include "study/analyses.h"
+#include "study/outcome.h"
 #include "study/points.h"
 
 #include <math.h>
@@ -30,7 +31,7 @@ typedef struct margin {
 static double margin_of(const tp_study *study, const double *numbers) {
   const double q = numbers[study->relied];
   if (isnan(q)) return NAN;
-  const double held = study->relied == TP_STUDY_FOS ? 1 : numbers[TP_POINT_TILT];
+  const double held = tp_study_quantity_is_factor(study->relied) ? 1 : numbers[TP_POINT_TILT];
   return (isinf(q) ? copysign(beyond, q) : q) - held;
 }
 

@@ -30,9 +30,11 @@ typedef struct tp_study_row {
   double fos_moments, fos_sliding; /* at the scene's tilt, whether they count or not */
   double pivot_x_m, pivot_y_m;
   double tilt_deg; /* of the scene; NaN: none. Not written, nor read back */
-  const char *first, *limit_mechanism, *fos_mechanism; /* in words */
+  const char *first, *limit_mechanism, *fos_mechanism; /* in words; of many blocks the second is
+                                                          that of their collapse */
   double measures[TP_MEASURES];                        /* as the study lists them; NaN: none */
   int fos_definition; /* tp_fos_definition of the factor that governs; -1: there is none */
+  int design; /* tp_design of the factor that a scene of many blocks requires; -1: of none */
   bool open;
   tp_study_teller told_by;
   double seconds;   /* of computing, where it is told by one of both */

@@ -51,6 +51,7 @@ void tp_row_counts_row(tp_row_counts *own, const tp_study *study, const tp_study
   *(by_doubles ? &own->doubles_nanoseconds : &own->ladder_nanoseconds) +=
       (uint64_t)llrint(1e9 * row->seconds);
   for (size_t k = 0; k <= study->tilt_count; k++) own->outcomes[k][row->at[k].outcome]++;
+  own->below_required += row->design == TP_DESIGN_NOT_MET;
   if (definition >= 0) {
     own->definitions[definition]++;
     own->below[definition] += row->quantities[TP_STUDY_FOS] < 1;

@@ -24,6 +24,7 @@ typedef struct tp_row_counts {
   uint64_t bytes, hash[TP_ROWS_HASH];        /* of the text of the rows */
   uint64_t definitions[TP_FOS_DEFINITIONS];  /* factors by each definition, */
   uint64_t below[TP_FOS_DEFINITIONS];        /* and below 1 */
+  uint64_t below_required;                   /* certainly, of many blocks */
   uint64_t moved[TP_STUDY_OCTAVES];          /* certain to move at the first tilt, by octave, */
   uint64_t moved_of_shard[TP_STUDY_OCTAVES]; /* and by that of a shard that begins with 0 */
   uint64_t doubles_nanoseconds;              /* of computing, of what was solved here: */

@@ -3,7 +3,11 @@
 
 /* A row read back, as it was written: only the last field can be in quotes. */
 
+#include "study/field.h"
+#include "study/outcome.h"
 #include "study/row_csv.h"
+#include "study/system_sample.h"
+#include "terms/names.h"
 
 #include <errno.h>
 #include <math.h>
@@ -40,6 +44,17 @@ static bool read_words(const char **words, const char **at) {
     if (strlen(name) == length && strncmp(*at, name, length) == 0) *words = name;
   }
   return strncmp(*at, *words, length) == 0 && strlen(*words) == length && skip(at);
+}
+
+/* Nothing, or whether a factor is met. */
+static bool read_design(int *design, const char **at) {
+  *design = -1;
+  for (int k = 0; k <= TP_DESIGN_OPEN && **at != ','; k++) {
+    const char *name = tp_design_name((tp_design)k);
+    const size_t length = strlen(name);
+    if (strncmp(*at, name, length) == 0 && (*at)[length] == ',') *design = k;
+  }
+  return (**at == ',' || *design >= 0) && skip(at);
 }
 
 /* Nothing, or the name of a definition. */
@@ -89,14 +104,6 @@ static bool read_sample(uint64_t *sample, const char **at) {
   return end != *at && *end == ',' && errno == 0 && skip(at);
 }
 
-static bool read_tilts(tp_study_row *row, const tp_study *study, const char **at) {
-  bool read = true;
-  for (size_t k = 1; k <= study->tilt_count && read; k++) {
-    read = read_outcome(&row->at[k].outcome, at) && read_number(&row->at[k].fos, at);
-  }
-  return read;
-}
-
 /* Of a sample that makes no scene it is the outcome. */
 static bool read_status(tp_study_row *row, const char **at) {
   const bool invalid = row->at[0].outcome == TP_STUDY_INVALID;
@@ -107,10 +114,33 @@ static bool read_status(tp_study_row *row, const char **at) {
   return (invalid ? told : row->open || certain) && skip(at);
 }
 
-static bool read_measures(tp_study_row *row, const tp_study *study, const char **at) {
+static bool read_field(const tp_study_place *own, tp_study_row *row, const char **at) {
+  if (own->whole != NULL) return read_sample(own->whole, at);
+  if (own->number != NULL) return read_number(own->number, at);
+  if (own->words != NULL) return read_words(own->words, at);
+  if (own->outcome != NULL) return read_outcome(own->outcome, at);
+  if (own->definition != NULL) return read_definition(own->definition, at);
+  if (own->design != NULL) return read_design(own->design, at);
+  return read_status(row, at);
+}
+
+/* What has no field in it is none. */
+static void begin(tp_study_row *row) {
+  row->why = NULL;
+  row->told_by = TP_TOLD_UNKNOWN;
+  row->tilt_deg = row->fos_moments = row->fos_sliding = row->pivot_x_m = row->pivot_y_m = NAN;
+  for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) row->quantities[k] = NAN;
+  row->first = row->limit_mechanism = row->fos_mechanism = "";
+  row->fos_definition = row->design = -1;
+}
+
+/* All but the last field, which tells why a row is invalid. */
+static bool read_fields(tp_study_row *row, const tp_study *study, const char **at) {
+  const size_t count = tp_study_field_count(study);
   bool read = true;
-  for (size_t k = 0; k < study->measure_count && read; k++) {
-    read = read_number(row->measures + k, at);
+  for (size_t k = 0; k + 1 < count && read; k++) {
+    const tp_study_place own = tp_study_field_place(study, row, k);
+    read = read_field(&own, row, at);
   }
   return read;
 }
@@ -118,27 +148,11 @@ static bool read_measures(tp_study_row *row, const tp_study *study, const char *
 bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study,
                        const char *line) {
   const char *at = line;
-  double *q = row->quantities;
   *no_memory = false;
-  row->why = NULL;
-  row->told_by = TP_TOLD_UNKNOWN;
-  row->tilt_deg = NAN;
-  row->first = row->limit_mechanism = row->fos_mechanism = "";
-  bool read = read_sample(&row->sample, &at);
-  for (size_t k = 0; k < study->variable_count && read; k++) {
-    read = read_number(row->values + k, &at);
-  }
-  read = read && read_outcome(&row->at[0].outcome, &at) && read_number(q + TP_STUDY_FOS, &at) &&
-         read_words(&row->fos_mechanism, &at) && read_definition(&row->fos_definition, &at) &&
-         read_number(&row->fos_moments, &at) && read_number(&row->fos_sliding, &at) &&
-         read_words(&row->first, &at) && read_number(q + TP_STUDY_MOMENTS_DEG, &at) &&
-         read_number(&row->pivot_x_m, &at) && read_number(&row->pivot_y_m, &at) &&
-         read_number(q + TP_STUDY_ONSET_DEG, &at) && read_number(q + TP_STUDY_LIMIT_DEG, &at) &&
-         read_words(&row->limit_mechanism, &at) && read_tilts(row, study, &at) &&
-         read_measures(row, study, &at);
-  if (!read) return false;
-  row->at[0].fos = q[TP_STUDY_FOS];
-  if (!read_status(row, &at)) return false;
+  begin(row);
+  if (!read_fields(row, study, &at)) return false;
+  row->at[0].fos = row->quantities[TP_STUDY_FOS];
+  if (tp_study_is_of_many(study)) tp_study_complete_system(row);
   if (row->at[0].outcome != TP_STUDY_INVALID) return *at == '\0';
   row->why = read_text(at);
   *no_memory = row->why == NULL;

@@ -11,6 +11,7 @@
 #include "stability/tilts.h"
 #include "study/outcome.h"
 #include "study/sample_filter.h"
+#include "study/system_sample.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -71,7 +72,7 @@ static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
   row->fos_moments = row->fos_sliding = NAN;
   row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
-  row->fos_definition = -1;
+  row->fos_definition = row->design = -1;
   row->open = false;
   row->why = NULL;
 }
@@ -119,6 +120,11 @@ static void end(numbers *n) {
   free(n->keys);
 }
 
+static tp_status vary(tp_scene **scene, const tp_study *study, const numbers *n, size_t count,
+                      tp_message *message) {
+  return tp_scene_vary(scene, study->scene, n->keys, n->values, count, message);
+}
+
 /* The scene with the first `count` of the numbers, solved; with its further tilts where `tilts` is
  * not NULL. */
 static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_study *study,
@@ -127,7 +133,7 @@ static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_study *
   tp_solve_options options = tp_solve_options_default();
   options.pivots = TP_PIVOTS_GOVERNING;
   options.threads = 1;
-  tp_status status = tp_scene_vary(&scene, study->scene, n->keys, n->values, count, message);
+  tp_status status = vary(&scene, study, n, count, message);
   if (status == TP_OK) {
     scene->base.all_poses = false; /* a study takes each at the position that it draws */
     status = tilts != NULL ? tp_solve_tilts(solution, tilts, scene, &options, message)
@@ -161,6 +167,25 @@ static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) 
   row->open = row->open || tp_solution_is_undecided(solution);
 }
 
+/* Of many blocks, with the first `count` of the numbers, into the place `at` of the row. */
+static tp_status solve_system(tp_study_row *row, size_t at, const tp_study *study, const numbers *n,
+                              size_t count, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_block_system *system = NULL;
+  tp_message why = {.text = ""};
+  const tp_solve_options options = tp_solve_options_default();
+  tp_status status = vary(&scene, study, n, count, &why);
+  if (status == TP_OK) status = tp_solve_block_system(&system, scene, &options, &why);
+  if (status == TP_OK) {
+    tp_study_take_system(row, at, system);
+  } else {
+    status = take_status(row, row->at + at, status, &why, message);
+  }
+  tp_block_system_free(system);
+  tp_scene_free(scene);
+  return status;
+}
+
 /* At the scene's own tilt, and what that tells of the further ones. Upright there are loads that
  * are refused, so that a scene for itself has to be asked. */
 static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
@@ -168,6 +193,7 @@ static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
   tp_solution *solution = NULL;
   tp_message why = {.text = ""};
   tp_tilts tilts = {n->tilts, n->degrees, n->solutions};
+  if (tp_study_is_of_many(study)) return solve_system(row, 0, study, n, n->count - 1, message);
   if (n->tilts > 0 && fmpq_cmp_si(n->degrees + n->tilts - 1, 90) == 0) tilts.count--;
   const tp_status status = solve(&solution, &tilts, study, n, n->count - 1, &why);
   if (status != TP_OK) return take_status(row, row->at, status, &why, message);
@@ -183,6 +209,7 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
   tp_message why = {.text = ""};
   if (n->solutions[k] == NULL) {
     fmpq_set(n->values + n->count - 1, n->degrees + k);
+    if (tp_study_is_of_many(study)) return solve_system(row, k + 1, study, n, n->count, message);
     const tp_status status = solve(n->solutions + k, NULL, study, n, n->count, &why);
     if (status != TP_OK) return take_status(row, row->at + k + 1, status, &why, message);
   }

@@ -13,6 +13,7 @@
 tp_status tp_sample_filter_new(tp_keyed_filter **filter, const tp_study *study,
                                tp_message *message) {
   *filter = NULL;
+  if (tp_study_is_of_many(study)) return TP_OK;
   tp_scene_key *keys = calloc(study->variable_count + 1, sizeof *keys);
   if (keys == NULL) return tp_fail_memory(message, "the study");
   for (size_t k = 0; k < study->variable_count; k++) keys[k] = study->variables[k].key;
@@ -35,6 +36,7 @@ static bool take_case(tp_study_row *row, const tp_case_told *told) {
   double *q = row->quantities;
   row->first = row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(told->limit));
   q[TP_STUDY_ONSET_DEG] = q[TP_STUDY_MOMENTS_DEG] = INFINITY;
+  q[TP_STUDY_FOS_GOODMAN_BRAY] = q[TP_STUDY_ACCELERATION_G] = NAN;
   return take_number(&row->pivot_x_m, told->pivot_x_m) &&
          take_number(&row->pivot_y_m, told->pivot_y_m) &&
          (told->never_topples || take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg)) &&
@@ -59,7 +61,7 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
   tp_case_told_at own;
   row->tilt_deg = NAN;
   row->fos_mechanism = "";
-  row->fos_definition = -1;
+  row->fos_definition = row->design = -1;
   row->quantities[TP_STUDY_FOS] = row->fos_moments = row->fos_sliding = NAN;
   row->at[0] = (tp_study_at){tp_study_outcome_of(told->limit), NAN};
   if (!has_tilt) return true;

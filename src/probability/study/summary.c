@@ -179,7 +179,8 @@ static char *column_name(const tp_study *study, size_t k) {
   char tilt[TP_SHORTEST_SIZE];
   tp_text text = {0};
   char *name = NULL;
-  const size_t quantities = study->variable_count, outcomes = quantities + TP_STUDY_QUANTITIES;
+  const size_t quantities = study->variable_count;
+  const size_t outcomes = quantities + tp_study_quantity_count(study);
   if (k < quantities) {
     tp_study_field_name(&text, study, tp_study_field_of_variable(k));
     return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
@@ -219,12 +220,15 @@ static bool fill(tp_study_result *result, const tp_tally *tally) {
   const tp_study *study = tally->study;
   const tp_row_counts *counts = &tally->counts;
   bool filled = tp_summary_convergence(result, tally) && fill_tilts(result, tally);
-  for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
+  for (size_t q = 0; q < tp_study_quantity_count(study) && filled; q++) {
     filled = fill_spread(result->quantities + q, tally->columns[study->variable_count + q],
                          tp_tally_kept(tally), NULL, 0);
   }
   filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
            fill_variables(result, tally) && fill_correlations(result, study);
+  result->of_many_blocks = tp_study_is_of_many(study);
+  result->has_required_fos = result->of_many_blocks && study->scene->required_fos.given;
+  result->below_required = tp_row_counts_share(counts->below_required, counts->samples);
   result->samples = counts->samples;
   result->kept = tp_tally_kept(tally);
   result->open = counts->open;

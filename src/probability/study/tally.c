@@ -43,10 +43,11 @@ size_t tp_tally_kept(const tp_tally *tally) {
 
 void tp_tally_keep(tp_tally *tally, const tp_study_row *row) {
   const uint64_t at = row->sample - tally->first;
+  const size_t quantities = tp_study_quantity_count(tally->study);
   double **column = tally->columns;
   if (at >= tally->room) return;
   for (size_t k = 0; k < tally->study->variable_count; k++) (*column++)[at] = row->values[k];
-  for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) (*column++)[at] = row->quantities[k];
+  for (size_t k = 0; k < quantities; k++) (*column++)[at] = row->quantities[k];
   for (size_t k = 0; k <= tally->study->tilt_count; k++) (*column++)[at] = row->at[k].outcome;
   (*column++)[at] = row->fos_definition < 0 ? (double)NAN : (double)row->fos_definition;
   (*column++)[at] = row->fos_moments;

@@ -8,6 +8,7 @@
 #ifndef TP_STUDY_TALLY_H
 #define TP_STUDY_TALLY_H
 
+#include "study/outcome.h"
 #include "study/row_counts.h"
 
 enum { TP_STUDY_BAD = 5 };
@@ -49,7 +50,7 @@ void tp_tally_read(tp_tally *tally, tp_study_row *row, tp_study_at *scratch);
 
 /* Where the columns of a tally are. */
 static inline size_t tp_tally_definitions(const tp_study *study) {
-  return study->variable_count + TP_STUDY_QUANTITIES + study->tilt_count + 1;
+  return study->variable_count + tp_study_quantity_count(study) + study->tilt_count + 1;
 }
 static inline size_t tp_tally_factors(const tp_study *study) {
   return tp_tally_definitions(study) + 1;

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Numbers of a case of many blocks as a row has them: infinite where all is held, minus infinite
+ * where nothing is enough. */
+
+#include "study/system_sample.h"
+
+#include "block_system/governing_case.h"
+#include "study/outcome.h"
+
+#include <math.h>
+
+static double limit_deg(const tp_system_case *own) {
+  switch (own->limit) {
+  case TP_SYSTEM_LIMIT_NUMBER:
+    return own->critical_angle_deg.value;
+  case TP_SYSTEM_INTERLOCKED:
+    return INFINITY;
+  default:
+    return NAN;
+  }
+}
+
+/* A factor that is only known to be exceeded is its proven bound. */
+static double fos_of(const tp_system_case *own) {
+  return own->fos.state == TP_FOS_NUMBER ? own->fos.value.value : (double)NAN;
+}
+
+static double goodman_bray_fos(const tp_goodman_bray *own) {
+  if (!own->applies) return NAN;
+  return own->has_fos ? own->fos : -INFINITY;
+}
+
+static double acceleration_g(const tp_system_case *own) {
+  if (own->has_acceleration) return own->critical_acceleration_g.value;
+  return own->verdict == TP_SYSTEM_COLLAPSES ? -INFINITY : (double)NAN;
+}
+
+void tp_study_complete_system(tp_study_row *row) {
+  row->fos_definition = isnan(row->quantities[TP_STUDY_FOS]) ? -1 : (int)TP_FOS_BY_REDUCTION;
+}
+
+static void take_case(tp_study_row *row, const tp_system_case *own) {
+  const tp_mechanism collapse = tp_system_case_mechanism(own);
+  row->quantities[TP_STUDY_LIMIT_DEG] = limit_deg(own);
+  row->quantities[TP_STUDY_FOS] = fos_of(own);
+  row->quantities[TP_STUDY_FOS_GOODMAN_BRAY] = goodman_bray_fos(&own->goodman_bray);
+  row->quantities[TP_STUDY_ACCELERATION_G] = acceleration_g(own);
+  if (collapse != TP_STANDS) {
+    row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(collapse));
+  }
+  row->tilt_deg = own->tilt_angle_deg.value;
+  tp_study_complete_system(row);
+}
+
+static bool is_open(const tp_system_case *own) {
+  return own->verdict == TP_SYSTEM_UNDECIDED || own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
+         own->fos.state != TP_FOS_NUMBER || own->fos_is_least;
+}
+
+void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {
+  const tp_system_case *own = tp_system_governing(system);
+  row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(own)};
+  row->open = row->open || is_open(own);
+  if (at > 0) return;
+  take_case(row, own);
+  if (system->has_required_fos) {
+    row->design = (int)tp_block_system_meets(system, system->required_fos.value);
+  }
+}

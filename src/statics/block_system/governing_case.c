@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Cases compared by their bounds, and motions of blocks gathered. */
+
+#include "block_system/governing_case.h"
+
+static double high(tp_bounded number) {
+  return number.value + number.error;
+}
+
+static double low(tp_bounded number) {
+  return number.value - number.error;
+}
+
+bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other) {
+  const bool falls = one->verdict == TP_SYSTEM_COLLAPSES;
+  if (falls != (other->verdict == TP_SYSTEM_COLLAPSES)) return falls;
+  const bool told = one->fos.state == TP_FOS_NUMBER, also = other->fos.state == TP_FOS_NUMBER;
+  if (told != also) return told;
+  if (told && high(one->fos.value) < low(other->fos.value)) return true;
+  if (told && low(one->fos.value) > high(other->fos.value)) return false;
+  return one->limit == TP_SYSTEM_LIMIT_NUMBER && other->limit == TP_SYSTEM_LIMIT_NUMBER &&
+         high(one->critical_angle_deg) - low(one->tilt_angle_deg) <
+             low(other->critical_angle_deg) - high(other->tilt_angle_deg);
+}
+
+const tp_system_case *tp_system_governing(const tp_block_system *system) {
+  const tp_system_case *least = system->cases;
+  for (size_t k = 1; k < system->case_count; k++) {
+    if (tp_system_case_is_worse(system->cases + k, least)) least = system->cases + k;
+  }
+  return least;
+}
+
+tp_mechanism tp_system_case_mechanism(const tp_system_case *c) {
+  bool slides = false, topples = false;
+  for (size_t k = 0; k < c->motion_count; k++) {
+    const tp_mechanism own = c->motions[k].mechanism;
+    slides = slides || own == TP_SLIDES || own == TP_SLIDES_AND_TOPPLES;
+    topples = topples || own == TP_TOPPLES || own == TP_SLIDES_AND_TOPPLES;
+  }
+  return slides && topples ? TP_SLIDES_AND_TOPPLES
+         : slides          ? TP_SLIDES
+         : topples         ? TP_TOPPLES
+                           : TP_STANDS;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Of the cases of many blocks the one that governs, and how its blocks begin to move. */
+
+#ifndef TP_BLOCK_SYSTEM_GOVERNING_CASE_H
+#define TP_BLOCK_SYSTEM_GOVERNING_CASE_H
+
+#include "topple_block_system.h"
+
+/* Does one certainly govern before the other? By collapse, by the factor, and where that is the
+ * same by how much more tilt it bears. */
+bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other);
+
+/* A system has one at least. */
+const tp_system_case *tp_system_governing(const tp_block_system *system);
+
+/* How the blocks begin to move in the collapse: slide, topple, both; stands: none is known. */
+tp_mechanism tp_system_case_mechanism(const tp_system_case *own);
+
+#endif
