@@ -7,6 +7,7 @@
 #ifndef TOPPLE_SHEET_H
 #define TOPPLE_SHEET_H
 
+#include "topple_block_system.h"
 #include "topple_load_cases.h"
 #include "topple_solve.h"
 #include "topple_study.h"
@@ -60,6 +61,13 @@ bool tp_sheet_is_language(const char *code);
 TP_MUST_USE tp_status tp_report_sheet(const char *path, const tp_scene *scene,
                                       const tp_solution *solution, const tp_sheet_options *options,
                                       tp_message *message);
+
+/* The result of a scene of many blocks likewise, with its figure; of the options `load_cases` does
+ * not count. */
+TP_MUST_USE tp_status tp_report_sheet_block_system(const char *path, const tp_scene *scene,
+                                                   const tp_block_system *system,
+                                                   const tp_sheet_options *options,
+                                                   tp_message *message);
 
 /* The result of the study likewise, with its charts, drawn by gnuplot: of probability against tilt
  * and so on, and of each sample's angle. */

@@ -49,6 +49,11 @@ TP_MUST_USE tp_status tp_cli_draw_system(const char *path, const tp_scene *scene
                                          tp_message *message);
 
 /* tp_report_sheet and its kin, likewise. */
+TP_MUST_USE tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
+                                                const tp_block_system *system,
+                                                const tp_sheet_options *options,
+                                                tp_message *message);
+
 TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,
                                          const tp_solution *solution,
                                          const tp_sheet_options *options, tp_message *message);

@@ -212,6 +212,24 @@ tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_s
   return draw(draw_sheet, "tp_report_sheet", &own, (tp_figure_consent){agree, NULL}, message);
 }
 
+static tp_status draw_system_sheet(void *call, const void *what, tp_figure_consent consent,
+                                   tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_block_system *,
+                        const tp_sheet_options *, tp_message *) = NULL;
+  const solved *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->system, own->options, message);
+}
+
+tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
+                                    const tp_block_system *system, const tp_sheet_options *options,
+                                    tp_message *message) {
+  const solved own = {path, scene, NULL, system, options};
+  return draw(draw_system_sheet, "tp_report_sheet_block_system", &own,
+              (tp_figure_consent){agree, NULL}, message);
+}
+
 typedef struct studied {
   const char *path;
   const tp_study *study;

@@ -5,6 +5,7 @@
  * met, 4 where that or the verdict is open. */
 
 #include "cli/solve_system.h"
+#include "cli/sheet.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +13,6 @@
 
 tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, tp_message *message) {
   const char *option = a->find.key != NULL            ? "--find"
-                       : a->report != NULL            ? "--report"
                        : a->profile != NULL           ? "--profile"
                        : a->table                     ? "--table"
                        : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
@@ -88,6 +88,16 @@ static tp_status print_and_draw(report *own, const tp_scene *scene, tp_message *
   return own->status;
 }
 
+static tp_status write_report(const tp_scene *scene, const tp_block_system *system,
+                              const tp_solve_words *a, tp_message *message) {
+  tp_sheet_options options;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&options, &date, message);
+  options.language = a->language;
+  return status == TP_OK ? tp_cli_write_system_sheet(a->report, scene, system, &options, message)
+                         : status;
+}
+
 tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, int *ended,
                               tp_message *message) {
   tp_block_system *system = NULL;
@@ -96,6 +106,9 @@ tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, in
   if (status == TP_OK) {
     report own = {system, a, ended, TP_OK};
     status = a->figure != NULL ? print_and_draw(&own, scene, message) : print(&own);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_report(scene, system, a, message);
   }
   if (status == TP_OK && *ended == 0) *ended = judge(system, a);
   tp_block_system_free(system);

@@ -19,6 +19,9 @@ typedef struct tp_blocks_figure {
   double moved;       /* by which the fastest corner is displaced in the mechanism, units */
   double largest_n_m; /* of all forces; 0: none is drawn */
   double arrow;       /* the length of its arrow, units */
+  const tp_language *language; /* of its text, and the sign before decimals; NULL: English */
+  bool comma;
+  bool sketch; /* on a sheet, whose text has title, verdict and numbers already: without these */
 } tp_blocks_figure;
 
 typedef struct tp_blocks_panel {
@@ -69,6 +72,12 @@ double tp_blocks_legend(const tp_blocks_panel *panel, double x, double y, double
 
 /* The whole page. */
 double tp_blocks_page_width(void);
+
+/* The blocks of the scene that was solved, set up; to be cleared. Bad input where it is another
+ * scene. */
+TP_MUST_USE tp_status tp_blocks_figure_init(tp_blocks_figure *figure, const tp_scene *scene,
+                                            const tp_block_system *system, tp_message *message);
+void tp_blocks_figure_clear(tp_blocks_figure *figure);
 TP_MUST_USE bool tp_blocks_page(double *height, cairo_t *cr, const tp_blocks_figure *figure);
 
 #endif

@@ -14,6 +14,32 @@
 
 #include <stdlib.h>
 
+tp_status tp_blocks_figure_init(tp_blocks_figure *figure, const tp_scene *scene,
+                                const tp_block_system *system, tp_message *message) {
+  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "the result is not of this scene: solve the scene, and draw that");
+  }
+  *figure = (tp_blocks_figure){.system = system};
+  const tp_status status = tp_block_shapes_init(&figure->shapes, scene, message);
+  if (status != TP_OK) return status;
+  if (figure->shapes.contact_count != system->contact_count) {
+    tp_block_shapes_clear(&figure->shapes);
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "the scene has changed since it was solved: solve it again");
+  }
+  tp_blocks_set_up(figure);
+  const tp_status loaded = tp_load_shapes_init(&figure->loads, &figure->shapes, scene,
+                                               figure->own->towards == TP_TOWARDS_LEFT, message);
+  if (loaded != TP_OK) tp_block_shapes_clear(&figure->shapes);
+  return loaded;
+}
+
+void tp_blocks_figure_clear(tp_blocks_figure *figure) {
+  tp_load_shapes_clear(&figure->loads);
+  tp_block_shapes_clear(&figure->shapes);
+}
+
 static bool draw_page(double *height, cairo_t *cr, const void *what) {
   return tp_blocks_page(height, cr, what);
 }
@@ -54,23 +80,11 @@ tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *sce
                      "the ending of the name of a figure of many blocks is its format: .svg, .pdf "
                      "or .png");
   }
-  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "the result is not of this scene: solve the scene, and draw that");
+  tp_blocks_figure figure;
+  tp_status status = tp_blocks_figure_init(&figure, scene, system, message);
+  if (status == TP_OK) {
+    status = write_figure(path, scene, &figure, consent, message);
+    tp_blocks_figure_clear(&figure);
   }
-  tp_blocks_figure figure = {.system = system};
-  tp_status status = tp_block_shapes_init(&figure.shapes, scene, message);
-  if (status != TP_OK) return status;
-  if (figure.shapes.contact_count != system->contact_count) {
-    status = tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                       "the scene has changed since it was solved: solve it again");
-  } else {
-    tp_blocks_set_up(&figure);
-    status = tp_load_shapes_init(&figure.loads, &figure.shapes, scene,
-                                 figure.own->towards == TP_TOWARDS_LEFT, message);
-    if (status == TP_OK) status = write_figure(path, scene, &figure, consent, message);
-    tp_load_shapes_clear(&figure.loads);
-  }
-  tp_block_shapes_clear(&figure.shapes);
   return status;
 }

@@ -87,9 +87,8 @@ static bool draw_title(double *y, cairo_t *cr, const char *outside) {
 bool tp_blocks_page(double *height, cairo_t *cr, const tp_blocks_figure *f) {
   const double left = TP_FIGURE_MARGIN;
   double y = left;
-  if (!draw_title(&y, cr, f->system->title) || !tp_blocks_heading(&y, cr, f, left, WIDTH)) {
-    return false;
-  }
+  if (!f->sketch && !draw_title(&y, cr, f->system->title)) return false;
+  if (!tp_blocks_heading(&y, cr, f, left, WIDTH)) return false;
   tp_view view = {.cosine = cos(f->turn), .sine = sin(f->turn), .scale = 1};
   const tp_box extent = find_extent(f, &view);
   const double border = f->loads.count > 0 ? LOADED : BORDER;
@@ -102,7 +101,7 @@ bool tp_blocks_page(double *height, cairo_t *cr, const tp_blocks_figure *f) {
       .cr = cr, .figure = f, .view = view, .area = {left, y, left + WIDTH, y + tall}};
   if (!draw_panel(&panel)) return false;
   y += tall + 4;
-  if (!tp_blocks_verdict(&y, cr, f, left, WIDTH)) return false;
+  if (!f->sketch && !tp_blocks_verdict(&y, cr, f, left, WIDTH)) return false;
   *height = tp_blocks_legend(&panel, left, y + 4, WIDTH) + left;
   return true;
 }

@@ -5,6 +5,7 @@
 
 #include "figure/blocks.h"
 #include "figure/legend.h"
+#include "output/translate.h"
 #include "report/column_page.h"
 #include "report/page.h"
 #include "report/system_words.h"
@@ -14,6 +15,15 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* In the language of the figure. */
+static void tell(tp_text *t, const tp_blocks_figure *f) {
+  if ((f->language == NULL && !f->comma) || t->data == NULL) return;
+  tp_text own = {.failed = t->failed};
+  tp_translate(&own, f->language, f->comma, t->data);
+  tp_text_drop(t);
+  *t = own;
+}
 
 /* "φ = 31°", "φ from 17° to 31°" */
 static void add_friction(tp_text *t, const tp_block_system *s) {
@@ -43,13 +53,15 @@ bool tp_blocks_heading(double *y, cairo_t *cr, const tp_blocks_figure *f, double
     tp_text_add(&t, tp_blocks_governs(f) ? "; the direction that governs"
                                          : "; the first of two directions");
   }
+  tell(&t, f);
   const bool done = !t.failed;
   if (done) {
     tp_figure_ink(cr, TP_INK_BLACK);
     *y = tp_figure_paragraph(cr, x, *y, width, TP_HEAD_SIZE, false, t.data);
     *y += TP_LINE_HEIGHT * TP_BODY_SIZE;
-    tp_figure_side(cr, true, tp_direction_name(TP_TOWARDS_LEFT), x, *y);
-    tp_figure_side(cr, false, tp_direction_name(TP_TOWARDS_RIGHT), x + width, *y);
+    tp_figure_side(cr, true, tp_say(f->language, tp_direction_name(TP_TOWARDS_LEFT)), x, *y);
+    tp_figure_side(cr, false, tp_say(f->language, tp_direction_name(TP_TOWARDS_RIGHT)), x + width,
+                   *y);
     *y += 2;
   }
   tp_text_drop(&t);
@@ -151,9 +163,13 @@ double tp_blocks_legend(const tp_blocks_panel *p, double x, double y, double wid
   }
   const bool collapses = f->own->motion_count > 0;
   char force[96] = "force in a contact";
+  tp_text longest = {0};
   if (f->own->has_forces && f->largest_n_m > 0) {
-    snprintf(force, sizeof force, "force in a contact, the longest %.7g kN/m",
-             rounded(f->largest_n_m / 1e3));
+    tp_text_add(&longest, tp_say(f->language, "force in a contact, the longest %.7g kN/m"),
+                rounded(f->largest_n_m / 1e3));
+    if (f->comma && !longest.failed) tp_language_set_commas(longest.data);
+    if (!longest.failed) snprintf(force, sizeof force, "%s", longest.data);
+    tp_text_drop(&longest);
   }
   const tp_legend_entry entries[] = {
       {rests, TP_SIGN_TINT, TP_INK_BLOCK, collapses ? "at rest" : "block"},
@@ -170,6 +186,8 @@ double tp_blocks_legend(const tp_blocks_panel *p, double x, double y, double wid
       {f->loads.water.count > 0, TP_SIGN_LINE, TP_INK_BLUE, "water"}};
   const tp_legend legend = {.points = p->view.scale * s->metres_per_unit / f->shapes.unit_m,
                             .length_unit = s->length_unit,
+                            .language = f->language,
+                            .comma = f->comma,
                             .count = sizeof entries / sizeof entries[0],
                             .entries = entries};
   return tp_legend_draw(p->cr, &legend, x, y, width);

@@ -21,6 +21,12 @@ tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_s
   return tp_report_sheet(path, scene, solution, options, message);
 }
 
+tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
+                                    const tp_block_system *system, const tp_sheet_options *options,
+                                    tp_message *message) {
+  return tp_report_sheet_block_system(path, scene, system, options, message);
+}
+
 tp_status tp_cli_write_study_sheet(const char *path, const tp_study *study,
                                    const tp_study_result *result, const tp_sheet_options *options,
                                    tp_message *message) {

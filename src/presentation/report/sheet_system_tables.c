@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Tables of the sheet of many blocks: motions, forces, columns; blocks and contacts. */
+
+#include "report/sheet_system.h"
+
+#include "report/system_page.h"
+#include "report/system_words.h"
+#include "terms/names.h"
+
+#include <math.h>
+
+/* So many rows of a table; --json has all. */
+enum { MOST_ROWS = 120 };
+
+static void add_heads(tp_document *d, const char *const *heads, size_t count) {
+  for (size_t k = 0; k < count; k++) tp_document_word(d, heads[k]);
+}
+
+static void add_rest(tp_document *d, size_t rows) {
+  if (rows <= MOST_ROWS) return;
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH, "And %zu more, which topple solve --json has.",
+                  rows - MOST_ROWS);
+}
+
+/* A coordinate in the scene's lengths. */
+static void add_length(tp_document *d, const tp_block_system *s, double metres) {
+  tp_document_cell(d, "%.5g", metres / s->metres_per_unit);
+}
+
+static void add_bounded(tp_document *d, tp_bounded value, int digits) {
+  char n[TP_NUMBER_SIZE];
+  tp_document_cell(d, "%s", tp_text_significant(n, value, digits));
+}
+
+/* ---- the collapse ------------------------------------------------------------------------------
+ */
+
+void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
+  static const char *const heads[] = {"Block", "In the collapse", "Speed x", "Speed y",
+                                      "Turns (rad/m)"};
+  const tp_block_system *own = s->system;
+  tp_document *d = &s->document;
+  size_t rows = 0;
+  if (c->motion_count == 0) return;
+  tp_text caption = {0};
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1c,
+                    "How the blocks begin to move: velocities of their centroids, the fastest "
+                    "corner of all having 1");
+  add_heads(d, heads, 5);
+  for (size_t k = 0; k < c->motion_count; k++) {
+    const tp_system_motion *m = c->motions + k;
+    const bool rests = m->mechanism == TP_STANDS;
+    if (own->blocks[k].ground || rows++ >= MOST_ROWS) continue;
+    tp_document_outside_cell(d, own->blocks[k].name);
+    tp_document_word(d, rests ? "at rest" : tp_mechanism_name(m->mechanism));
+    for (int n = 0; n < 3 && rests; n++) tp_document_word(d, "–");
+    if (rests) continue;
+    tp_document_cell(d, "%.4f", m->velocity_x);
+    tp_document_cell(d, "%.4f", m->velocity_y);
+    tp_document_cell(d, "%.3g", m->turn_per_m);
+  }
+  add_rest(d, rows);
+  tp_text_add(&caption, "The collapse is that %s.", tp_text_system_collapse(own, c));
+  tp_document_tell(d, TP_PASSAGE_PARAGRAPH, 0, &caption);
+}
+
+void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
+  static const char *const heads[] = {"Between",  "and",  "Joint", "N (kN/m)",
+                                      "T (kN/m)", "at x", "y"};
+  const tp_block_system *own = s->system;
+  tp_document *d = &s->document;
+  if (c->force_count == 0) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x78,
+                    "Forces that hold the blocks just before it, one distribution of many");
+  add_heads(d, heads, 7);
+  for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) {
+    const tp_system_force *f = c->forces + k;
+    tp_document_outside_cell(d, own->blocks[own->contacts[k].first].name);
+    tp_document_outside_cell(d, own->blocks[own->contacts[k].second].name);
+    tp_document_word(d, tp_joint_state_name(f->state));
+    if (c->has_forces) {
+      tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->normal_n_m, c));
+      tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->shear_n_m, c));
+    } else {
+      tp_document_word(d, "–");
+      tp_document_word(d, "–");
+    }
+    add_length(d, own, f->x_m);
+    add_length(d, own, f->y_m);
+  }
+  add_rest(d, c->force_count);
+}
+
+/* ---- columns -----------------------------------------------------------------------------------
+ */
+
+static void add_column_facts(tp_document *d, const tp_goodman_bray *own) {
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Limit equilibrium by Goodman and Bray (1976)");
+  tp_document_word(d, "Factor of safety");
+  if (own->has_fos) {
+    tp_document_cell(d, own->fos_is_least ? "above %.4g" : "%.5f", own->fos);
+  } else {
+    tp_document_word(d, "none: no greater friction is enough");
+  }
+  if (own->has_friction_angle) {
+    tp_document_word(d, "At a friction angle of");
+    tp_document_cell(d, "%.3f°", own->friction_angle_deg);
+  }
+  if (!own->has_support) return;
+  tp_document_word(d, "Support at the toe, horizontal");
+  if (own->support_n_m > 0) {
+    tp_document_cell(d, "%.5g kN/m", own->support_n_m / 1e3);
+  } else {
+    tp_document_word(d, "none needed");
+  }
+}
+
+void tp_system_sheet_add_columns(tp_system_sheet *s, const tp_system_case *c) {
+  static const char *const heads[] = {"Column",    "State",   "Against toppling", "Against sliding",
+                                      "Passed on", "Base, N", "Base, T"};
+  const tp_goodman_bray *own = &c->goodman_bray;
+  tp_document *d = &s->document;
+  bool all_hold = true;
+  if (!own->applies) return;
+  add_column_facts(d, own);
+  if (!own->has_forces || own->column_count == 0) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7c,
+                    "Columns from the toe up, at the friction that there is: forces in kN/m");
+  add_heads(d, heads, 7);
+  for (size_t k = 0; k < own->column_count; k++) {
+    const tp_goodman_bray_column *column = own->columns + k;
+    const double forces[] = {column->toppling_n_m, column->sliding_n_m, column->push_n_m,
+                             column->base_normal_n_m, column->base_shear_n_m};
+    all_hold = all_hold && column->base_holds;
+    if (k >= MOST_ROWS) continue;
+    tp_document_outside_cell(d, s->system->blocks[column->block].name);
+    tp_document_word(d, tp_column_state_name(column->state));
+    for (size_t n = 0; n < 5; n++) tp_document_cell(d, "%.1f", forces[n] / 1e3);
+  }
+  add_rest(d, own->column_count);
+  if (all_hold) return;
+  tp_document_add(d, TP_PASSAGE_CAUTION,
+                  "Caution: under some columns the base would have to pull, or slip up the slope: "
+                  "there the method's forces cannot be.");
+}
+
+/* ---- blocks and contacts -----------------------------------------------------------------------
+ */
+
+void tp_system_sheet_add_blocks(tp_system_sheet *s) {
+  static const char *const heads[] = {"Block",   "",        "Area (m²)",
+                                      "x_G (m)", "y_G (m)", "Weight (kN/m)"};
+  const tp_block_system *own = s->system;
+  tp_document *d = &s->document;
+  tp_document_heading(d, 2, "Blocks and contacts");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x3c, "Blocks, with their centroids");
+  add_heads(d, heads, 6);
+  for (size_t k = 0; k < own->block_count && k < MOST_ROWS; k++) {
+    const tp_system_block *block = own->blocks + k;
+    tp_document_outside_cell(d, block->name);
+    tp_document_word(d, block->ground ? "ground" : "free");
+    add_bounded(d, block->area_m2, 6);
+    add_bounded(d, block->centroid_x_m, 6);
+    add_bounded(d, block->centroid_y_m, 6);
+    if (block->has_weight) {
+      add_bounded(d, tp_text_over(block->weight_n_m, 1e3), 6);
+    } else {
+      tp_document_word(d, "–");
+    }
+  }
+  add_rest(d, own->block_count);
+}
+
+void tp_system_sheet_add_contacts(tp_system_sheet *s) {
+  static const char *const heads[] = {"Between", "and",   "from x",  "y",      "to x",
+                                      "y",       "φ (°)", "c (kPa)", "σ (kPa)"};
+  const tp_block_system *own = s->system;
+  tp_document *d = &s->document;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 9, 0x1fc,
+                    "Contacts, with their ends and the strength of their joints");
+  add_heads(d, heads, 9);
+  for (size_t k = 0; k < own->contact_count && k < MOST_ROWS; k++) {
+    const tp_system_contact *c = own->contacts + k;
+    tp_document_outside_cell(d, own->blocks[c->first].name);
+    tp_document_outside_cell(d, own->blocks[c->second].name);
+    add_length(d, own, c->from_x_m.value);
+    add_length(d, own, c->from_y_m.value);
+    add_length(d, own, c->to_x_m.value);
+    add_length(d, own, c->to_y_m.value);
+    add_bounded(d, c->friction_angle_deg, 5);
+    add_bounded(d, c->cohesion_kpa, 5);
+    add_bounded(d, c->tension_kpa, 5);
+  }
+  add_rest(d, own->contact_count);
+}
