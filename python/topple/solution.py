@@ -68,6 +68,14 @@ class BlockSystemMethods:
         scene._use(drawing().lib.tp_report_figure_block_system, c_path(path), scene._c, struct_of(self),
                    of=self.__dict__["_version"])
 
+    def write_report(self: Any, path: File, date: str | None = None, times: bool = True,
+                     lines: int = 400, letterhead: dict[str, str] | None = None) -> None:
+        """Write a calculation sheet to check and sign into a file, as `Solution.write_report`."""
+        scene: Scene = self.__dict__["_scene"]
+        options, _held = sheet_options(date, times, lines, letterhead)
+        scene._use(drawing().lib.tp_report_sheet_block_system, c_path(path), scene._c, struct_of(self), options,
+                   of=self.__dict__["_version"])
+
     def svg(self: Any) -> str:
         """The figure as SVG."""
         return drawn(self.write_figure)

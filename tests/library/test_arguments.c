@@ -42,6 +42,7 @@ END_TEST
 START_TEST(figures_of_many_blocks) {
   const tp_solve_options options = tp_solve_options_default();
   const tp_figure_consent none = {0};
+  const tp_sheet_options sheet = tp_sheet_options_default();
   tp_scene *scene = NULL, *plain = example_scene();
   tp_block_system *own = NULL;
   ck_assert_int_eq(tp_scene_read(&scene, TP_EXAMPLES "/blocks/toppling_slope.yaml", &message),
@@ -58,6 +59,14 @@ START_TEST(figures_of_many_blocks) {
     REFUSED(tp_report_figure_block_system("/tmp/x.svg", plain, own, &message), "of this scene");
     REFUSED(tp_report_figure_block_system("/tmp/x.dxf", scene, own, &message), ".pdf or .png");
     REFUSED(tp_report_figure_block_system("/tmp/x.txt", scene, own, &message), ".pdf or .png");
+    REFUSED(tp_report_sheet_block_system(NULL, scene, own, &sheet, &message), "'path'");
+    REFUSED(tp_report_sheet_block_system("/tmp/x.html", NULL, own, &sheet, &message), "'scene'");
+    REFUSED(tp_report_sheet_block_system("/tmp/x.html", scene, NULL, &sheet, &message), "'system'");
+    REFUSED(tp_report_sheet_block_system("/tmp/x.html", scene, own, NULL, &message), "'options'");
+    REFUSED(tp_report_sheet_block_system("/tmp/x.txt", scene, own, &sheet, &message),
+            ".html, .md or .pdf");
+    REFUSED(tp_report_sheet_block_system("/tmp/x.html", plain, own, &sheet, &message),
+            "of this scene");
   } else {
     ck_assert_int_eq(status, TP_DEPENDENCY_FAILED); /* without CXSparse */
   }

@@ -62,6 +62,8 @@ class Blocks(unittest.TestCase):
             figure = pathlib.Path(folder) / "figure.svg"
             run("solve", "--figure", figure, path)
             self.assertEqual(own.svg(), figure.read_text(encoding="utf-8"))
+            own.write_report(pathlib.Path(folder) / "sheet.md", letterhead={"language": "de"})
+            self.assertIn("Annahmen", (pathlib.Path(folder) / "sheet.md").read_text(encoding="utf-8"))
         self.assertIsNone(scene.solve_block_system(strength_reduction=False).cases[0].fos.value)
         with self.assertRaisesRegex(topple.BadInput, "many blocks"):
             scene.solve()

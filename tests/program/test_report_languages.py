@@ -74,6 +74,19 @@ block: {slab: {width: 2, height: 2}, unit_weight_kn_m3: 2600}
 friction_angle_deg: 0.5
 tilt: {angle_deg: 0.5, towards: both}
 loads: {cohesion_kpa: 2000}""",
+    "columns that fall": """
+columns: {width: 2, step: 1, rise: 4, fall: 1, below_crest: 3, above_crest: 1}
+block: {unit_weight_kn_m3: 25}
+friction_angle_deg: 20
+slope: {dip_deg: 32, towards: right}
+loads: {seismic: {horizontal: 0.1}, cohesion_kpa: 1, bond_kpa: 0.5}
+joints: [{between: [column 1, column 2], friction_angle_deg: 10, cohesion_kpa: 0, tension_kpa: 0}]
+required_fos: 1.3""",
+    "columns without weight": """
+columns: {width: 2, heights: [4, 5]}
+friction_angle_deg: 20
+tilt: {angle_deg: 3, towards: left}
+required_fos: 1.3""",
     "windows": """
 block: {outline: [[0, 0], [1, 0.7], [-2.5, 5.7], [-3.5, 5]], unit_weight_kn_m3: 26}
 base: {between: [[0, 0], [1, 0.7]]}
@@ -81,7 +94,7 @@ friction_angle_deg: 32
 frame: base""",
 }
 EXAMPLES = ("block_e_valley", "block_seismic", "block_under_water", "block_bonded", "block_a_worn", "boulder", "slab", "vault",
-            "partial_contact", "block_with_hole", "slope/anchored_block", "block_a_peak", "resting_poses")
+            "partial_contact", "block_with_hole", "slope/anchored_block", "block_a_peak", "resting_poses", "blocks/toppling_slope")
 #: Symbols, units and names that no language changes.
 COMMON = re.compile(r"\b(?:FoS|Moment|mm|cm|m|kN|N|G|A|W|P|C|Eq|A1|ft|in|α_s|α_w|k_v)\b")
 
@@ -172,11 +185,12 @@ class Languages(unittest.TestCase):
         return {line for line in told if any(word in line for word in of_english) and self.own_words(line, outside) & of_english}
 
     def outside(self, scene):
-        return set(re.findall(r"(?m)^(?:title|  - name): (.*)$", scene.read_text(encoding="utf-8")))
+        text = scene.read_text(encoding="utf-8")
+        return set(re.findall(r"(?m)^(?:title|  - name): (.*)$", text)) | set(re.findall(r"\{name: ([^,}]*)", text))
 
     def test_no_english_is_left(self):
         """Of all examples, and of scenes whose sentences no example has, the whole sheet."""
-        scenes = [*(ROOT / "examples").glob("*.yaml"), *(ROOT / "examples" / "slope").glob("*.yaml")]
+        scenes = [own for folder in ("", "slope", "blocks") for own in (ROOT / "examples" / folder).glob("*.yaml")]
         for name, text in SCENES.items():
             scenes.append(self.path / f"{re.sub('[^a-z]', '_', name)}.yaml")
             scenes[-1].write_text("topple: 1\nlength_unit: m" + text + "\n", encoding="utf-8")
@@ -210,7 +224,7 @@ class Languages(unittest.TestCase):
         shaken = self.path / "shaken.yaml"
         shaken.write_text((ROOT / "examples/slope/anchored_block.yaml").read_text(encoding="utf-8")
                           + "  seismic: {horizontal: 0.05, vertical: 0.02}\n", encoding="utf-8")
-        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), shaken, ROOT / "examples/block_e_wkt.yaml", ROOT / "examples/boulder.yaml"]):
+        for scene in sorted([*(ROOT / "examples" / "slope").glob("*.yaml"), *(ROOT / "examples" / "blocks").glob("*.yaml"), shaken, ROOT / "examples/block_e_wkt.yaml", ROOT / "examples/boulder.yaml"]):
             texts = {}
             for code in ("en", "es", "de"):
                 status, _, err = run("solve", "--report", self.path / "f.pdf", "--language", code, scene)

@@ -79,6 +79,11 @@ static void say_block_figures(sayings *s, const tp_scene *scene, const tp_block_
   say_file(s, path);
   SAY(tp_report_figure_block_system_if(path, scene, system, ask, &message));
   note_number(s, asked);
+  tp_sheet_options options = tp_sheet_options_default();
+  options.times = 0;
+  snprintf(path, sizeof path, "%s/blocks.md", s->folder);
+  SAY(tp_report_sheet_block_system(path, scene, system, &options, &message));
+  say_file(s, path);
 }
 
 /* Many blocks in contact. */

@@ -67,14 +67,15 @@ void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
 }
 
 void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
-  static const char *const heads[] = {"Between",  "and",  "Joint", "N (kN/m)",
-                                      "T (kN/m)", "at x", "y"};
+  static const char *const heads[] = {"Between", "and", "Joint", "N (kN/m)", "T (kN/m)"};
   const tp_block_system *own = s->system;
   tp_document *d = &s->document;
   if (c->force_count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x78,
                     "Forces that hold the blocks just before it, one distribution of many");
-  add_heads(d, heads, 7);
+  add_heads(d, heads, 5);
+  tp_document_cell(d, "at x (%s)", own->length_unit);
+  tp_document_cell(d, "y (%s)", own->length_unit);
   for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) {
     const tp_system_force *f = c->forces + k;
     tp_document_outside_cell(d, own->blocks[own->contacts[k].first].name);
@@ -174,13 +175,18 @@ void tp_system_sheet_add_blocks(tp_system_sheet *s) {
 }
 
 void tp_system_sheet_add_contacts(tp_system_sheet *s) {
-  static const char *const heads[] = {"Between", "and",   "from x",  "y",      "to x",
-                                      "y",       "φ (°)", "c (kPa)", "σ (kPa)"};
+  static const char *const heads[] = {"Between", "and"};
+  static const char *const strength[] = {"φ (°)", "c (kPa)", "σ (kPa)"};
   const tp_block_system *own = s->system;
   tp_document *d = &s->document;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 9, 0x1fc,
                     "Contacts, with their ends and the strength of their joints");
-  add_heads(d, heads, 9);
+  add_heads(d, heads, 2);
+  tp_document_cell(d, "from x (%s)", own->length_unit);
+  tp_document_cell(d, "y (%s)", own->length_unit);
+  tp_document_cell(d, "to x (%s)", own->length_unit);
+  tp_document_cell(d, "y (%s)", own->length_unit);
+  add_heads(d, strength, 3);
   for (size_t k = 0; k < own->contact_count && k < MOST_ROWS; k++) {
     const tp_system_contact *c = own->contacts + k;
     tp_document_outside_cell(d, own->blocks[c->first].name);
