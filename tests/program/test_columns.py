@@ -83,7 +83,8 @@ class Columns(GoverningCase):
         self.assertAlmostEqual(own["fos"], math.tan(math.radians(38.15)) / NEEDED, delta=1e-6)
         self.assertAlmostEqual(self.method(scene(friction=degrees_of(0.65)))["support_n_m"] / 1e3, 2012.9, delta=0.05)
         out = run("solve", self.scene(scene()))[1]
-        for told in ("factor of safety, Goodman and Bray", "38.1512°", "1.191 times", "the cautious one", "4837.0"):
+        for told in ("factor of safety, Goodman and Bray", "38.1512°", "1.191 times", "the cautious one", "4837.0",
+                     "Zones from the toe up: sliding 1 to 3, toppling 4 to 13, stable 14 to 16."):
             self.assertIn(told, out)
 
     def test_transfer_coefficients(self):

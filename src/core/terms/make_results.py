@@ -153,7 +153,7 @@ class Columns:
         for row in self.records.all_rows(name):
             keys.append(row.key)
             if row.kind in ("bounded", "of case"):
-                keys.append(re.sub(r"_(deg|g|m)$", "", row.key) + "_error")
+                keys.append(re.sub(r"_(deg|g|n_m|m)$", "", row.key) + "_error")
         return "".join(f",{key}" for key in keys)
 
     def field(self, row):

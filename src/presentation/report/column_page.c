@@ -69,6 +69,22 @@ static void add_assumption(tp_text *t, const tp_system_case *c) {
   tp_text_add(t, " For columns it is the cautious one of the two.\n");
 }
 
+void tp_text_goodman_bray_zones(tp_text *t, const tp_goodman_bray *own,
+                                const tp_language *language) {
+  static const char *const one[] = {[TP_COLUMN_STABLE] = "stable %zu",
+                                    [TP_COLUMN_TOPPLES] = "toppling %zu",
+                                    [TP_COLUMN_SLIDES] = "sliding %zu"};
+  static const char *const several[] = {[TP_COLUMN_STABLE] = "stable %zu to %zu",
+                                        [TP_COLUMN_TOPPLES] = "toppling %zu to %zu",
+                                        [TP_COLUMN_SLIDES] = "sliding %zu to %zu"};
+  for (size_t k = 0, next = 0; k < own->column_count; k = next) {
+    const tp_column_state state = own->columns[k].state;
+    while (next < own->column_count && own->columns[next].state == state) next++;
+    if (k > 0) tp_text_add(t, ", ");
+    tp_text_add(t, tp_say(language, next > k + 1 ? several[state] : one[state]), k + 1, next);
+  }
+}
+
 static void add_columns(tp_text *t, const tp_block_system *s, const tp_goodman_bray *own,
                         int width) {
   bool all_hold = true;
@@ -92,6 +108,9 @@ static void add_columns(tp_text *t, const tp_block_system *s, const tp_goodman_b
     tp_text_add(t, "\n");
   }
   tp_text_more_rows(t, own->column_count);
+  tp_text_add(t, "  Zones from the toe up: ");
+  tp_text_goodman_bray_zones(t, own, NULL);
+  tp_text_add(t, ".\n");
   if (!all_hold) {
     tp_text_add(t, "  Under some columns the base would have to pull, or slip up the slope: there\n"
                    "  the method's forces cannot be (base_holds in --json).\n");

@@ -6,10 +6,15 @@
 #ifndef TP_REPORT_COLUMN_PAGE_H
 #define TP_REPORT_COLUMN_PAGE_H
 
+#include "output/language.h"
 #include "output/text.h"
 
 /* Its factor, or that there is none. */
 void tp_text_goodman_bray_factor(tp_text *text, const tp_goodman_bray *own);
+
+/* What columns do side by side, counted from the toe up: "sliding 1 to 3, toppling 4 to 13". */
+void tp_text_goodman_bray_zones(tp_text *text, const tp_goodman_bray *own,
+                                const tp_language *language);
 
 /* Its numbers, the assumption and what it costs, and the columns in a table, names in `width`. */
 void tp_text_goodman_bray(tp_text *text, const tp_block_system *system, const tp_system_case *own,

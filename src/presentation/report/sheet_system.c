@@ -42,6 +42,8 @@ static void add_account(tp_system_sheet *s, const tp_system_case *c) {
   tp_document *d = &s->document;
   tp_document_heading(d, 2, "Account, towards the %s",
                       tp_document_say(d, tp_direction_name(c->towards)));
+  tp_system_sheet_add_loads(s, c);
+  tp_system_sheet_add_support(s, c);
   tp_system_sheet_add_columns(s, c);
   tp_system_sheet_add_motions(s, c);
   tp_system_sheet_add_forces(s, c);

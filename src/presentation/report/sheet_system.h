@@ -25,6 +25,11 @@ void tp_system_sheet_add_inputs(tp_system_sheet *sheet);
 void tp_system_sheet_add_governing(tp_system_sheet *sheet);
 void tp_system_sheet_add_conclusion(tp_system_sheet *sheet, const tp_system_case *own);
 
+/* Of a direction, nothing where there is none: loads besides weights, and the support that is asked
+ * for. */
+void tp_system_sheet_add_loads(tp_system_sheet *sheet, const tp_system_case *own);
+void tp_system_sheet_add_support(tp_system_sheet *sheet, const tp_system_case *own);
+
 /* Of a direction: how the blocks begin to move, the forces before that, columns by Goodman and
  * Bray; nothing where there is none. */
 void tp_system_sheet_add_motions(tp_system_sheet *sheet, const tp_system_case *own);

@@ -5,6 +5,7 @@
 
 #include "report/sheet_system.h"
 
+#include "report/column_page.h"
 #include "report/system_page.h"
 #include "report/system_words.h"
 #include "terms/names.h"
@@ -66,31 +67,37 @@ void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
   tp_document_tell(d, TP_PASSAGE_PARAGRAPH, 0, &caption);
 }
 
+static void add_force_row(tp_document *d, const tp_block_system *s, const tp_system_case *c,
+                          size_t k, bool wet) {
+  const tp_system_force *f = c->forces + k;
+  tp_document_outside_cell(d, s->blocks[s->contacts[k].first].name);
+  tp_document_outside_cell(d, s->blocks[s->contacts[k].second].name);
+  tp_document_word(d, tp_joint_state_name(f->state));
+  if (c->has_forces) {
+    tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->normal_n_m, c));
+    tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->shear_n_m, c));
+  } else {
+    tp_document_word(d, "–");
+    tp_document_word(d, "–");
+  }
+  add_length(d, s, f->x_m);
+  add_length(d, s, f->y_m);
+  if (wet) tp_document_cell(d, "%.4g", f->water_n_m.value / 1e3);
+}
+
 void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
   static const char *const heads[] = {"Between", "and", "Joint", "N (kN/m)", "T (kN/m)"};
   const tp_block_system *own = s->system;
+  const bool wet = c->has_forces && tp_system_case_is_wet(c);
   tp_document *d = &s->document;
   if (c->force_count == 0) return;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x78,
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, wet ? 8 : 7, wet ? 0xf8 : 0x78,
                     "Forces that hold the blocks just before it, one distribution of many");
   add_heads(d, heads, 5);
   tp_document_cell(d, "at x (%s)", own->length_unit);
   tp_document_cell(d, "y (%s)", own->length_unit);
-  for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) {
-    const tp_system_force *f = c->forces + k;
-    tp_document_outside_cell(d, own->blocks[own->contacts[k].first].name);
-    tp_document_outside_cell(d, own->blocks[own->contacts[k].second].name);
-    tp_document_word(d, tp_joint_state_name(f->state));
-    if (c->has_forces) {
-      tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->normal_n_m, c));
-      tp_document_cell(d, "%.4g", tp_text_system_force_kn(f->shear_n_m, c));
-    } else {
-      tp_document_word(d, "–");
-      tp_document_word(d, "–");
-    }
-    add_length(d, own, f->x_m);
-    add_length(d, own, f->y_m);
-  }
+  if (wet) tp_document_word(d, "Water (kN/m)");
+  for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) add_force_row(d, own, c, k, wet);
   add_rest(d, c->force_count);
 }
 
@@ -108,6 +115,12 @@ static void add_column_facts(tp_document *d, const tp_goodman_bray *own) {
   if (own->has_friction_angle) {
     tp_document_word(d, "At a friction angle of");
     tp_document_cell(d, "%.3f°", own->friction_angle_deg);
+  }
+  if (own->column_count > 0) {
+    tp_text zones = {0};
+    tp_text_goodman_bray_zones(&zones, own, d->language);
+    tp_document_word(d, "Zones, columns from the toe up");
+    tp_document_take_cell(d, &zones);
   }
   if (!own->has_support) return;
   tp_document_word(d, "Support at the toe, horizontal");
