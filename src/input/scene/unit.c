@@ -46,10 +46,10 @@ static const char *own_unit(const char *word, size_t length) {
 
 /* Of no dimension, or in a unit of its own. */
 static bool is_other(const char *word, size_t length) {
-  static const char *const others[] = {"count",       "jrc",         "bulge",       "seed",
-                                       "hurst",       "z2",          "skew",        "horizontal",
-                                       "vertical",    "matching",    "facet",       "damping",
-                                       "restitution", "below_crest", "above_crest", "fos"};
+  static const char *const others[] = {
+      "count",       "jrc",         "bulge",       "seed",     "hurst",      "z2",
+      "skew",        "horizontal",  "vertical",    "matching", "facet",      "damping",
+      "restitution", "below_crest", "above_crest", "fos",      "persistence"};
   bool is = own_unit(word, length) != NULL;
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     is = is || (length == strlen(others[k]) && strncmp(word, others[k], length) == 0);
@@ -58,9 +58,10 @@ static bool is_other(const char *word, size_t length) {
 }
 
 bool tp_key_is_length(const char *key) {
-  static const char *const begins[] = {"block.",   "base.",   "contact.",         "frame.",
-                                       "loads.",   "joint.",  "friction.facets.", "tilt_test.",
-                                       "section.", "blocks.", "columns.",         "support."};
+  static const char *const begins[] = {"block.",        "base.",   "contact.",         "frame.",
+                                       "loads.",        "joint.",  "friction.facets.", "tilt_test.",
+                                       "section.",      "blocks.", "columns.",         "support.",
+                                       "jointed_slope."};
   const char *word = NULL;
   const size_t length = last_word(&word, key);
   for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
