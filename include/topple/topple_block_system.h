@@ -9,7 +9,8 @@
  * all joints hold every block, above them none do, and collapse is certain; each is proven from
  * both sides. That forces can hold the blocks does not say that they do: friction lets blocks move
  * for which forces in equilibrium exist. The verdict `stands` is given only where that is
- * excluded. Forces and weights are per metre of thickness. */
+ * excluded, and `may move` where one is proven to be possible though forces can hold them. Forces
+ * and weights are per metre of thickness. */
 
 #ifndef TOPPLE_BLOCK_SYSTEM_H
 #define TOPPLE_BLOCK_SYSTEM_H
@@ -28,11 +29,12 @@ typedef enum tp_system_verdict {
   TP_SYSTEM_STANDS,    /* no motion can begin */
   TP_SYSTEM_CAN_HOLD,  /* some forces hold all blocks; whether a motion can begin all the same is
                           not excluded */
+  TP_SYSTEM_MAY_MOVE,  /* some forces hold all blocks, and a motion can begin all the same */
   TP_SYSTEM_COLLAPSES, /* no forces hold them: a motion begins */
   TP_SYSTEM_UNDECIDED  /* at the precision of the proofs */
 } tp_system_verdict;
 
-/* In words: stands, can be held, collapses, undecided. */
+/* In words: stands, can be held, may move, collapses, undecided. */
 const char *tp_system_verdict_name(tp_system_verdict verdict);
 
 /* A block. */
@@ -76,6 +78,42 @@ typedef enum tp_joint_state {
 
 /* In a word: closed, slips, opens. */
 const char *tp_joint_state_name(tp_joint_state state);
+
+/* What an end of a contact does as a motion begins. It slips forward where the first block moves
+ * against the second one in the direction on whose left it lies. */
+typedef enum tp_touch_state {
+  TP_TOUCH_OPENS,
+  TP_TOUCH_STICKS,
+  TP_TOUCH_SLIPS_FORWARD,
+  TP_TOUCH_SLIPS_BACK
+} tp_touch_state;
+
+/* In words: opens, sticks, slips forward, slips back. */
+const char *tp_touch_state_name(tp_touch_state state);
+
+/* Both ends of a contact as a motion begins; of a corner they are one. */
+typedef struct tp_system_touch {
+  tp_touch_state first_end, second_end; /* what each does */
+} tp_system_touch;
+
+/* A motion that can begin from rest, proven: accelerations, and forces in the contacts by Coulomb's
+ * law, of which Newton's law holds for every block. */
+typedef struct tp_system_start {
+  double divisor;                   /* what the strength of all joints is divided by */
+  double tilt_angle_deg;            /* at which all lies */
+  size_t motion_count, touch_count; /* of the lists */
+  tp_system_motion *motions; /* motion_count of them: by block, accelerations as velocities of a
+                                collapse are given: the fastest corner of all has 1 */
+  tp_system_touch *touches;  /* touch_count of them: by contact */
+} tp_system_start;
+
+/* Were motions looked for that begin though forces can hold the blocks? */
+typedef enum tp_system_sought {
+  TP_SYSTEM_SOUGHT,          /* and their exclusion */
+  TP_SYSTEM_SOUGHT_COHESIVE, /* joints have cohesion or tensile strength: only equilibrium without
+                                any friction was tried, by which none can begin */
+  TP_SYSTEM_SOUGHT_TOO_MANY  /* so many blocks: likewise */
+} tp_system_sought;
 
 /* The force in a contact at the limit. */
 typedef struct tp_system_force {
@@ -193,12 +231,30 @@ typedef struct tp_system_case {
   bool has_acceleration;         /* that, and it lies below: */
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt */
-  tp_fos fos;               /* by strength reduction: the number by which the strength of all joints
-                               can be divided until no forces hold the blocks as they lie */
-  bool fos_is_least;        /* that is only proven to be exceeded: the search ended there */
-  bool has_required_fos;    /* the scene requires a factor: */
-  tp_design meets_required; /* if has_required_fos: is it met? */
-  bool has_support;         /* the scene asks for a support: */
+  tp_fos fos;              /* by strength reduction: the number by which the strength of all joints
+                              can be divided until no forces hold the blocks as they lie */
+  bool fos_is_least;       /* that is only proven to be exceeded: the search ended there */
+  tp_system_sought sought; /* how far motions were looked for */
+  bool has_standing_fos;   /* it stands, and: */
+  double standing_fos;     /* if has_standing_fos: no motion can begin with the strength divided by
+                              any number from 1 to this one, proven */
+  bool standing_fos_is_least; /* the search ended there */
+  bool has_moving_fos;        /* a motion was found: */
+  double moving_fos;          /* if has_moving_fos: the least number found by which strength can be
+                                 divided for a motion to begin, proven; the true factor is no more */
+  bool moving_fos_is_most;    /* the search ended there */
+  bool has_standing_angle;    /* it stands, and: */
+  double standing_angle_deg;  /* if has_standing_angle: no motion can begin at any tilt from its own
+                                 to this one, proven */
+  bool has_moving_angle;      /* a motion was found: */
+  double moving_angle_deg; /* if has_moving_angle: the least tilt found, of those from level on, at
+                              which a motion can begin, proven */
+  bool has_start;        /* a motion can begin as the blocks lie, or, where that is not known, with
+                            the strength divided by moving_fos: */
+  tp_system_start start; /* if has_start: that motion */
+  bool has_required_fos; /* the scene requires a factor: */
+  tp_design meets_required;  /* if has_required_fos: is it met? */
+  bool has_support;          /* the scene asks for a support: */
   tp_system_support support; /* if has_support: which */
   bool has_forces;           /* the scene gives unit weights, so that forces are known in N */
   size_t motion_count, force_count; /* of the lists; 0: no collapse is known */
@@ -241,13 +297,13 @@ void tp_block_system_free(tp_block_system *system);
 /* Did the proofs leave a verdict open? */
 bool tp_block_system_is_undecided(const tp_block_system *system);
 
-/* Has a case certainly a factor of `required`? Met only where it also certainly stands: the factor
- * of limit analysis is above that of joints that do not dilate as they slip. Not met where the
- * factor of Goodman and Bray is below it, too. */
+/* Has a case certainly a factor of `required`? Met only where no motion can begin with the strength
+ * divided by it, nor by less: the factor of limit analysis is above that of joints that do not
+ * dilate as they slip. Not met where a motion can begin at that divisor or at a lesser one, and
+ * where the factor of Goodman and Bray is below it, too. */
 tp_design tp_system_case_meets(const tp_system_case *one, double required);
 
-/* Does every case certainly have a factor of `required`? Met only where it also certainly stands.
- */
+/* Does every case certainly have a factor of `required`? */
 tp_design tp_block_system_meets(const tp_block_system *system, double required);
 
 /* Reports, as `topple solve` prints them. Texts are as of tp_report_text. */

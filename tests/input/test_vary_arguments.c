@@ -61,6 +61,7 @@ START_TEST(block_systems) {
   ck_assert_int_eq(tp_system_case_meets(NULL, 1), TP_DESIGN_OPEN);
   ck_assert_str_eq(tp_system_verdict_name((tp_system_verdict)99), "unknown");
   ck_assert_str_eq(tp_joint_state_name((tp_joint_state)99), "unknown");
+  ck_assert_str_eq(tp_touch_state_name((tp_touch_state)99), "unknown");
   ck_assert_str_eq(tp_column_state_name((tp_column_state)99), "unknown");
   ck_assert_str_eq(tp_system_load_kind_name((tp_system_load_kind)99), "unknown");
   tp_block_system_free(NULL);

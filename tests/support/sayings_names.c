@@ -49,6 +49,9 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_SYSTEM_LOAD_FORCE + 1; k++) {
     note_text(s, tp_system_load_kind_name((tp_system_load_kind)k));
   }
+  for (int k = 0; k <= TP_TOUCH_SLIPS_BACK + 1; k++) {
+    note_text(s, tp_touch_state_name((tp_touch_state)k));
+  }
   for (int k = 0; k <= TP_COLUMN_SLIDES + 1; k++) {
     note_text(s, tp_column_state_name((tp_column_state)k));
   }

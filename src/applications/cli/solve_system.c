@@ -45,7 +45,8 @@ static int judge(const tp_block_system *system, const tp_solve_words *a) {
       return TP_EXIT_REFUTED;
     case TP_DESIGN_OPEN:
       tp_cli_complain("%s: whether the required factor of safety %g is met is undecided: forces "
-                      "can hold the blocks, and that no motion begins all the same is not excluded",
+                      "can hold the blocks, and that a motion begins all the same is neither "
+                      "excluded nor proven",
                       a->scene, required);
       return tp_status_exit(TP_UNDECIDED);
     }

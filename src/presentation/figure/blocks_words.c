@@ -103,8 +103,12 @@ static void add_drawn(tp_text *t, const tp_blocks_figure *f) {
     all += !f->system->blocks[k].ground;
   }
   if (c->verdict == TP_SYSTEM_CAN_HOLD) {
-    tp_text_add(t, "Forces within the strength of the joints hold all blocks; that no motion "
-                   "begins all the same is not excluded. ");
+    tp_text_add(t, "Forces within the strength of the joints hold all blocks; that a motion "
+                   "begins all the same is neither excluded nor proven. ");
+  }
+  if (c->verdict == TP_SYSTEM_MAY_MOVE) {
+    tp_text_add(t, "Forces within the strength of the joints can hold all blocks, but a motion can "
+                   "begin all the same. ");
   }
   if (c->motion_count == 0) {
     tp_text_add(t, "No mechanism is known.");

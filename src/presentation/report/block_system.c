@@ -48,8 +48,15 @@ static void add_verdict(tp_text *t, const tp_system_case *c) {
     tp_text_add(t, "  COLLAPSES: no forces within the strength of the joints hold the blocks.\n");
     break;
   case TP_SYSTEM_CAN_HOLD:
-    tp_text_add(t, "  CAN BE HELD: forces within the strength of the joints hold all blocks as\n"
-                   "  they lie. That no motion begins all the same is not excluded.\n");
+    tp_text_add(t,
+                "  CAN BE HELD: forces within the strength of the joints hold all blocks as\n"
+                "  they lie. That a motion begins all the same is neither excluded nor proven.\n");
+    break;
+  case TP_SYSTEM_MAY_MOVE:
+    tp_text_add(
+        t, "  MAY MOVE: forces within the strength of the joints can hold all blocks as they\n"
+           "  lie, but a motion can begin all the same, proven: which of both happens depends\n"
+           "  on how they came to lie so.\n");
     break;
   case TP_SYSTEM_UNDECIDED:
     tp_text_add(t, "  UNDECIDED: the proofs do not tell whether forces hold the blocks.\n");
@@ -69,7 +76,8 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
 }
 
 static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
-  static const char *const met[] = {"met", "NOT MET", "undecided, as a motion is not excluded"};
+  static const char *const met[] = {"met", "NOT MET",
+                                    "undecided, as a motion is neither excluded nor proven"};
   char required[TP_NUMBER_SIZE];
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
   tp_text_system_label(t, "factor of safety, strength reduction");
@@ -95,12 +103,13 @@ static int name_width(const tp_block_system *s) {
   return width < MOST ? (int)width : MOST;
 }
 
-static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
+static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_motion *motions,
+                        size_t count, const char *heading, int width) {
   size_t row = 0;
-  tp_text_add(t, "  %-*s  %-19s  %10s  %10s  %12s\n", width, "block", "in the collapse", "speed x",
-              "speed y", "turns rad/m");
-  for (size_t k = 0; k < c->motion_count; k++) {
-    const tp_system_motion *m = c->motions + k;
+  tp_text_add(t, "  %-*s  %-19s  %10s  %10s  %12s\n", width, "block", heading, "speed x", "speed y",
+              "turns rad/m");
+  for (size_t k = 0; k < count; k++) {
+    const tp_system_motion *m = motions + k;
     if (s->blocks[k].ground || row++ >= TP_SYSTEM_ROWS) continue;
     tp_text_add(t, "  ");
     tp_text_system_name(t, s->blocks[k].name, width);
@@ -148,13 +157,21 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_verdict(t, c);
   add_factor(t, s, c);
   add_limit(t, s, c);
+  tp_text_system_beginnings(t, s, c);
   tp_text_system_support(t, s, c);
   tp_text_system_loads(t, s, c, width);
   tp_text_goodman_bray(t, s, c, width);
+  if (c->has_start) {
+    tp_text_add(t, "\n  A motion that can begin %s:\n",
+                c->verdict == TP_SYSTEM_MAY_MOVE || c->verdict == TP_SYSTEM_COLLAPSES
+                    ? "as they lie"
+                    : "with strength over that divisor");
+    add_motions(t, s, c->start.motions, c->start.motion_count, "as it begins", width);
+  }
   if (c->motion_count == 0) return;
   tp_text_add(t, "\n  Collapse %s: %s.\n  Velocities at its beginning:\n",
               tp_text_system_collapse(s, c), tp_mechanism_name(tp_system_case_mechanism(c)));
-  add_motions(t, s, c, width);
+  add_motions(t, s, c->motions, c->motion_count, "in the collapse", width);
   tp_text_add(t, "\n  Forces that hold the blocks just before it, one distribution of many:\n");
   add_forces(t, s, c, width);
 }

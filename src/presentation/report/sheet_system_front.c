@@ -172,6 +172,9 @@ static const char *verdict_words(tp_system_verdict verdict) {
   case TP_SYSTEM_CAN_HOLD:
     return "Forces within the strength of the joints hold all blocks as they lie. That no motion "
            "begins all the same is not excluded.";
+  case TP_SYSTEM_MAY_MOVE:
+    return "Forces within the strength of the joints can hold all blocks as they lie, but a motion "
+           "can begin all the same.";
   case TP_SYSTEM_COLLAPSES:
     return "They collapse: no forces within the strength of the joints hold the blocks.";
   case TP_SYSTEM_UNDECIDED:

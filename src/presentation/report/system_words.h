@@ -25,4 +25,9 @@ double tp_text_system_force_kn(double newtons, const tp_system_case *of);
 /* Of which state the collapse is: "with strength over the factor", "at the greatest dip". */
 const char *tp_text_system_collapse(const tp_block_system *system, const tp_system_case *of);
 
+/* Lines on motions that begin though forces can hold the blocks: up to where they are excluded,
+ * from where on one is proven, or why they were not looked for. */
+void tp_text_system_beginnings(tp_text *text, const tp_block_system *system,
+                               const tp_system_case *of);
+
 #endif

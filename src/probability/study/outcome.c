@@ -34,6 +34,7 @@ tp_study_outcome tp_study_outcome_of_system(const tp_system_case *own) {
   case TP_SYSTEM_STANDS:
     return TP_STUDY_STANDS;
   case TP_SYSTEM_CAN_HOLD:
+  case TP_SYSTEM_MAY_MOVE:
     return TP_STUDY_MAY_MOVE;
   case TP_SYSTEM_COLLAPSES:
     return mechanism == TP_STANDS ? TP_STUDY_SLIDES_AND_TOPPLES : tp_study_outcome_of(mechanism);

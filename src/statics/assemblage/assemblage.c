@@ -44,12 +44,13 @@ static tp_status put_on_lattice(tp_assemblage *a, const fmpq_t metres_per_unit,
   return status;
 }
 
-/* Sums over one ring: twice the area, and six times the first moments. */
-static void add_ring(fmpz sums[3], const tp_lattice *l, long first, long end, const fmpz_t weight) {
-  fmpz own[TP_AREA_SUM_COUNT];
-  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) fmpz_init(own + k);
-  tp_ring_sums_exact_first(own, l->x + first, l->y + first, end - first, TP_AREA_SUM_COUNT);
-  for (int k = 0; k < TP_AREA_SUM_COUNT; k++) {
+/* Sums over one ring (block/ring_sums.h). */
+static void add_ring(fmpz sums[TP_SUM_COUNT], const tp_lattice *l, long first, long end,
+                     const fmpz_t weight) {
+  fmpz own[TP_SUM_COUNT];
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_init(own + k);
+  tp_ring_sums_exact(own, l->x + first, l->y + first, end - first);
+  for (int k = 0; k < TP_SUM_COUNT; k++) {
     fmpz_addmul(sums + k, own + k, weight);
     fmpz_clear(own + k);
   }
@@ -67,15 +68,39 @@ static void split(fmpz_t whole, arb_t rest, const fmpz_t sum, const fmpz_t area2
   fmpz_clear(left);
 }
 
-/* Sums of a block to its weight in kN per metre and the arms of its centroid in lattice steps. */
+/* Sums of a block to its weight in kN per metre, the arms of its centroid in lattice steps, and the
+ * moment of inertia over the mass in their squares. */
 typedef struct weighed {
-  arb_t weight, arm_x, arm_y;
+  arb_t weight, arm_x, arm_y, gyration2;
 } weighed;
+
+/* int (x - p)^2 + (y - q)^2 = (XX12 + YY12) / 12 - (p X6 + q Y6) / 3 + (p^2 + q^2) A2 / 2 over the
+ * area, A2 / 2. */
+static void set_gyration(arb_t gyration2, const tp_rigid_block *block,
+                         const fmpz sums[TP_SUM_COUNT]) {
+  fmpz_t sum, part;
+  fmpz_init(sum);
+  fmpz_init(part);
+  fmpz_mul(part, block->x, block->x);
+  fmpz_addmul(part, block->y, block->y);
+  fmpz_mul(part, part, sums + TP_A2);
+  fmpz_addmul_ui(sum, part, 6);
+  fmpz_mul(part, block->x, sums + TP_X6);
+  fmpz_addmul(part, block->y, sums + TP_Y6);
+  fmpz_submul_ui(sum, part, 4);
+  fmpz_add(sum, sum, sums + TP_XX12);
+  fmpz_add(sum, sum, sums + TP_YY12);
+  fmpz_mul_ui(part, sums + TP_A2, 6);
+  arb_fmpz_div_fmpz(gyration2, sum, part, BITS);
+  fmpz_clear(sum);
+  fmpz_clear(part);
+}
 
 static void weigh(weighed *w, tp_rigid_block *block, const tp_assemblage *a, long chain,
                   const tp_section *section) {
   const tp_lattice *l = &a->lattice;
-  fmpz sums[3] = {0, 0, 0};
+  fmpz sums[TP_SUM_COUNT];
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_init(sums + k);
   fmpq_t kn;
   fmpq_init(kn);
   for (long r = 0; r < section->ring_count; r++) {
@@ -83,13 +108,14 @@ static void weigh(weighed *w, tp_rigid_block *block, const tp_assemblage *a, lon
   }
   split(block->x, w->arm_x, sums + 1, sums);
   split(block->y, w->arm_y, sums + 2, sums);
+  set_gyration(w->gyration2, block, sums);
   fmpq_mul(kn, l->step_m, l->step_m);
   fmpq_mul(kn, kn, section->weight_unit);
   fmpq_div_2exp(kn, kn, 1);
   fmpq_mul_fmpz(kn, kn, sums);
   arb_set_fmpq(w->weight, kn, BITS);
   fmpq_clear(kn);
-  for (int k = 0; k < 3; k++) fmpz_clear(sums + k);
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_clear(sums + k);
 }
 
 /* Powers of two near the size of a block, as a mean of logarithms, and near its weight. */
@@ -129,6 +155,7 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
     arb_init(w[k].weight);
     arb_init(w[k].arm_x);
     arb_init(w[k].arm_y);
+    arb_init(w[k].gyration2);
     weigh(w + k, block, a, chain, a->given[k].section);
     block->outline = a->lattice.start[chain];
     block->end = a->lattice.start[chain + 1];
@@ -140,9 +167,11 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
     a->blocks[k].weight = scaled(w[k].weight, a->weight_exponent);
     a->blocks[k].arm_x = scaled(w[k].arm_x, a->length_exponent);
     a->blocks[k].arm_y = scaled(w[k].arm_y, a->length_exponent);
+    a->blocks[k].gyration2 = scaled(w[k].gyration2, 2 * a->length_exponent);
     arb_clear(w[k].weight);
     arb_clear(w[k].arm_x);
     arb_clear(w[k].arm_y);
+    arb_clear(w[k].gyration2);
   }
   free(w);
   return TP_OK;

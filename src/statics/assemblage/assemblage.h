@@ -21,6 +21,7 @@ typedef struct tp_rigid_block {
   fmpz_t x, y;       /* the lattice point that its moments are about, next to its centroid */
   tp_near weight;
   tp_near arm_x, arm_y; /* from that point to the centroid */
+  tp_near gyration2;    /* moment of inertia about that point over the mass */
 } tp_rigid_block;
 
 /* Where two blocks share a piece of an edge; or a corner of one lies on an edge of the other,

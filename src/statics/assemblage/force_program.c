@@ -21,54 +21,6 @@ void tp_force_program_clear(tp_force_program *p) {
   memset(p, 0, sizeof *p);
 }
 
-/* The contact's direction over a power of two, so that its size is about one; its ends, and its
- * length over that size. */
-typedef struct frame {
-  tp_near dx, dy, length;
-  long ends[2];
-} frame;
-
-static void scale(tp_near *number, int exponent) {
-  number->value = ldexp(number->value, exponent);
-  number->error = ldexp(number->error, exponent);
-}
-
-static frame frame_of(const tp_assemblage *a, const tp_block_contact *c, tp_near tangent) {
-  const tp_lattice *l = &a->lattice;
-  frame f = {.dx = tp_assemblage_length(a, l->x + c->from, l->x + c->to),
-             .dy = tp_assemblage_length(a, l->y + c->from, l->y + c->to),
-             .ends = {c->ends[0], c->ends[1]}};
-  const int exponent = ilogb(hypot(f.dx.value, f.dy.value) * hypot(1, tangent.value));
-  scale(&f.dx, -exponent);
-  scale(&f.dy, -exponent);
-  if (f.ends[0] == f.ends[1]) return f;
-  const tp_near x = tp_assemblage_length(a, l->x + c->ends[0], l->x + c->ends[1]);
-  const tp_near y = tp_assemblage_length(a, l->y + c->ends[0], l->y + c->ends[1]);
-  const tp_near along = tp_near_plus(tp_near_times(x, f.dx), tp_near_times(y, f.dy));
-  const tp_near size = tp_near_plus(tp_near_times(f.dx, f.dx), tp_near_times(f.dy, f.dy));
-  f.length = tp_near_div(along, size);
-  if (f.length.value < 0) f.length = tp_near_neg(f.length);
-  return f;
-}
-
-/* A force of the first two of `force` at an end, on the block to the left; on the other one turned
- * round. */
-static void set_column(tp_force_column *column, const tp_assemblage *a, long contact,
-                       const frame *f, int end, const tp_near force[2]) {
-  *column = (tp_force_column){.contact = contact, .row = {-1, -1}, .most = {INFINITY, 0}};
-  for (int k = 0; k < 2; k++) {
-    const tp_rigid_block *block = a->blocks + a->contacts[contact].block[k];
-    if (block->number < 0) continue;
-    const tp_near arm_x = tp_assemblage_length(a, block->x, a->lattice.x + f->ends[end]);
-    const tp_near arm_y = tp_assemblage_length(a, block->y, a->lattice.y + f->ends[end]);
-    column->row[k] = 3 * block->number;
-    column->entry[k][0] = force[0];
-    column->entry[k][1] = force[1];
-    tp_sparse_moment(column->entry[k], &arm_x, &arm_y);
-    if (k == 1) tp_sparse_reverse(column->entry[k]);
-  }
-}
-
 /* So much of a column, always. */
 static void add_dead(tp_force_program *p, const tp_force_column *column, tp_near force) {
   for (int k = 0; k < 2; k++) {
@@ -80,35 +32,37 @@ static void add_dead(tp_force_program *p, const tp_force_column *column, tp_near
   }
 }
 
-static void add_cones(tp_force_program *p, long contact, const frame *f,
+static void add_cones(tp_force_program *p, long contact, const tp_contact_frame *f,
                       const tp_contact_strength *strength) {
   for (int end = 0; end < (f->ends[0] == f->ends[1] ? 1 : 2); end++) {
     for (int against = 0; against < 2; against++) {
       tp_near edge[2];
       tp_sparse_cone_edge(edge, &f->dx, &f->dy, &strength->tangent, against == 1);
-      set_column(p->columns + p->count++, p->assemblage, contact, f, end, edge);
+      tp_contact_frame_column(p->columns + p->count++, p->assemblage, contact, f, end, edge);
     }
   }
 }
 
 /* Half of it at each end, on the block to the left to its right. */
-static void add_tension(tp_force_program *p, long contact, const frame *f, tp_near tension) {
+static void add_tension(tp_force_program *p, long contact, const tp_contact_frame *f,
+                        tp_near tension) {
   const tp_near normal[2] = {tp_near_neg(f->dy), f->dx};
   const tp_near half = tp_near_neg(tp_near_times(tension, f->length));
   if (tp_near_is_zero(half)) return;
   for (int end = 0; end < 2; end++) {
     tp_force_column column;
-    set_column(&column, p->assemblage, contact, f, end, normal);
+    tp_contact_frame_column(&column, p->assemblage, contact, f, end, normal);
     add_dead(p, &column, (tp_near){half.value / 2, half.error / 2});
   }
 }
 
-static void add_cohesion(tp_force_program *p, long contact, const frame *f, tp_near cohesion) {
+static void add_cohesion(tp_force_program *p, long contact, const tp_contact_frame *f,
+                         tp_near cohesion) {
   const tp_near along[2] = {f->dx, f->dy};
   const tp_near half = tp_near_times(cohesion, f->length);
   if (tp_near_is_zero(half)) return;
   tp_force_column *column = p->columns + p->count++;
-  set_column(column, p->assemblage, contact, f, 0, along);
+  tp_contact_frame_column(column, p->assemblage, contact, f, 0, along);
   column->most = (tp_near){2 * half.value, 2 * half.error};
   add_dead(p, column, tp_near_neg(half));
 }
@@ -167,7 +121,7 @@ tp_status tp_force_program_init(tp_force_program *p, const tp_assemblage *a,
   }
   set_loads(p, a, loads);
   for (long k = 0; k < a->contact_count; k++) {
-    const frame f = frame_of(a, a->contacts + k, strengths[k].tangent);
+    const tp_contact_frame f = tp_contact_frame_of(a, k, strengths[k].tangent);
     p->first[k] = p->count;
     add_cones(p, k, &f, strengths + k);
     if (f.ends[0] == f.ends[1]) continue; /* a point has no area */

@@ -15,14 +15,7 @@
 #ifndef TP_ASSEMBLAGE_FORCE_PROGRAM_H
 #define TP_ASSEMBLAGE_FORCE_PROGRAM_H
 
-#include "assemblage/assemblage.h"
-
-/* A force of about size one. Of a fixed block the row is -1, and its entries nothing. */
-typedef struct tp_force_column {
-  long contact, row[2];
-  tp_near most; /* the greatest factor on it; an infinity: there is none */
-  tp_near entry[2][3];
-} tp_force_column;
+#include "assemblage/contact_frame.h"
 
 /* Of a contact, over its length, in units of force over length of the assemblage: N >= -tension and
  * |T| <= cohesion + (N + tension) tangent, as of a bond in statics of one block. */

@@ -177,8 +177,7 @@ static void describe_force(tp_system_force *own, const tp_force_program *p, long
 /* ---- both --------------------------------------------------------------------------------------
  */
 
-static tp_status describe_motions(tp_system_case *own, const tp_built_system *s, moving *m,
-                                  double divisor, tp_message *message) {
+static tp_status move_blocks(tp_system_motion *motions, moving *m, tp_message *message) {
   const tp_assemblage *a = m->a;
   const double metre = ldexp(fmpq_get_d(a->lattice.step_m), (int)a->length_exponent);
   for (long k = 0; k < a->count; k++) {
@@ -187,14 +186,25 @@ static tp_status describe_motions(tp_system_case *own, const tp_built_system *s,
   if (!(m->fastest > 0)) return TP_OK;
   bool *hinged = find_hinged(m);
   if (hinged == NULL) return tp_fail_memory(message, "the motions");
-  for (long k = 0; k < a->count; k++) {
-    describe_block(own->motions + k, m, k, hinged[k], metre);
-  }
-  for (long k = 0; k < a->contact_count; k++) {
-    own->forces[k].state = state_of(m, a->contacts + k, s->strengths[k].tangent.value / divisor);
-  }
+  for (long k = 0; k < a->count; k++) describe_block(motions + k, m, k, hinged[k], metre);
   free(hinged);
   return TP_OK;
+}
+
+tp_status tp_collapse_motions(tp_system_motion *motions, const tp_assemblage *a,
+                              const double *twists, tp_message *message) {
+  moving m = {.a = a, .twists = twists};
+  return move_blocks(motions, &m, message);
+}
+
+static tp_status describe_motions(tp_system_case *own, const tp_built_system *s, moving *m,
+                                  double divisor, tp_message *message) {
+  const tp_assemblage *a = m->a;
+  const tp_status status = move_blocks(own->motions, m, message);
+  for (long k = 0; k < a->contact_count && status == TP_OK && m->fastest > 0; k++) {
+    own->forces[k].state = state_of(m, a->contacts + k, s->strengths[k].tangent.value / divisor);
+  }
+  return status;
 }
 
 tp_status tp_collapse_describe(tp_system_case *own, const tp_built_system *s,

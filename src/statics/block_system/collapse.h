@@ -17,4 +17,9 @@ TP_MUST_USE tp_status tp_collapse_describe(tp_system_case *own, const tp_built_s
                                            const tp_system_state *state, double scale,
                                            tp_message *message);
 
+/* How each block moves by velocities run against, by row: three a free block. */
+TP_MUST_USE tp_status tp_collapse_motions(tp_system_motion *motions,
+                                          const tp_assemblage *assemblage, const double *twists,
+                                          tp_message *message);
+
 #endif

@@ -2,8 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Public calls that solve a scene of many blocks: for each direction the limits to both sides,
- * verdict, factor of safety, and the collapse. */
+ * verdict, factor of safety, the collapse, and the motions that can begin before it. */
 
+#include "block_system/beginnings.h"
 #include "block_system/collapse.h"
 #include "block_system/goodman_bray.h"
 #include "block_system/load_results.h"
@@ -153,6 +154,22 @@ static tp_status set_collapse(direction *d, tp_message *message) {
   return tp_collapse_describe(d->own, d->x->s, b, &state, scale, message);
 }
 
+/* ---- motions -----------------------------------------------------------------------------------
+ */
+
+static tp_status find_motions(direction *d, tp_message *message) {
+  const tp_system_case *own = d->own;
+  const bool has_tilt = own->limit == TP_SYSTEM_LIMIT_NUMBER;
+  const tp_beginnings_task task = {
+      .system = d->x->s,
+      .resultant = &d->resultant,
+      .asks_factor = d->x->options->strength_reduction,
+      .held_factor = d->strength.is_bounded ? exp(d->strength.bound) : INFINITY,
+      .held_tilt_deg =
+          has_tilt ? own->critical_angle_deg.value + own->critical_angle_deg.error : INFINITY};
+  return tp_beginnings_find(d->own, &task, message);
+}
+
 /* ---- cases -------------------------------------------------------------------------------------
  */
 
@@ -168,6 +185,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
     status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
   }
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
+  if (status == TP_OK) status = find_motions(d, message);
   if (status != TP_OK) return status;
   return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                               tp_system_is_weighed(d->x->system), message);
@@ -239,19 +257,21 @@ static bool falls_short(const tp_goodman_bray *own, double required) {
   return own->applies && (!own->has_fos || (own->fos < required && !own->fos_is_least));
 }
 
-/* A factor of limit analysis is above the true one where friction does not dilate: what it does not
- * reach is certainly not met, and what it reaches is met where the blocks certainly stand. Of
- * columns the factor of the named method is asked for as well. */
+/* A factor of limit analysis is above the true one where friction does not dilate, and so is a
+ * divisor at which a motion can begin: what these do not reach is certainly not met. Of columns the
+ * factor of the named method is asked for as well. */
 tp_design tp_system_case_meets(const tp_system_case *own, double required) {
   TP_GUARD_HOST;
   if (own == NULL) return TP_DESIGN_OPEN;
   if (own->verdict == TP_SYSTEM_COLLAPSES) return TP_DESIGN_NOT_MET;
   if (falls_short(&own->goodman_bray, required)) return TP_DESIGN_NOT_MET;
+  if (own->has_moving_fos && own->moving_fos <= required) return TP_DESIGN_NOT_MET;
   if (own->fos.state == TP_FOS_NUMBER && !own->fos_is_least &&
       own->fos.value.value + own->fos.value.error < required) {
     return TP_DESIGN_NOT_MET;
   }
-  return TP_DESIGN_OPEN;
+  const bool stands = own->verdict == TP_SYSTEM_STANDS && own->has_standing_fos;
+  return stands && own->standing_fos >= required ? TP_DESIGN_MET : TP_DESIGN_OPEN;
 }
 
 tp_design tp_block_system_meets(const tp_block_system *system, double required) {

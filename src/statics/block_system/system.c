@@ -31,6 +31,8 @@ void tp_block_system_free(tp_block_system *system) {
     free(system->cases[k].motions);
     free(system->cases[k].forces);
     free(system->cases[k].loads);
+    free(system->cases[k].start.motions);
+    free(system->cases[k].start.touches);
     free(system->cases[k].goodman_bray.why_not);
     free(system->cases[k].goodman_bray.columns);
   }

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The strong side of many blocks in words: numbers rounded to the side on which they are proven. */
+
+#include "report/system_page.h"
+#include "report/system_words.h"
+
+#include <math.h>
+
+static double down(double number, double scale) {
+  return floor(number * scale) / scale;
+}
+
+static double up(double number, double scale) {
+  return ceil(number * scale) / scale;
+}
+
+static void add_factors(tp_text *t, const tp_system_case *c) {
+  static const double fifth = 1e5;
+  if (c->has_standing_fos) {
+    tp_text_system_label(t, "certain to stand with strength over");
+    if (c->standing_fos_is_least) {
+      tp_text_add(t, "up to %.0f, and more\n", c->standing_fos);
+    } else {
+      tp_text_add(t, "up to %.5f\n", down(c->standing_fos, fifth));
+    }
+  }
+  /* beyond the limit of forces that is no news */
+  const bool is_sooner = c->fos.state != TP_FOS_NUMBER || c->fos_is_least ||
+                         c->moving_fos < c->fos.value.value - c->fos.value.error;
+  if (c->has_moving_fos && is_sooner) {
+    tp_text_system_label(t, "a motion can begin with strength over");
+    tp_text_add(t, "%.5f%s\n", up(c->moving_fos, fifth),
+                c->moving_fos_is_most ? ", and less: more friction does not help" : "");
+  }
+}
+
+static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  static const double fourth = 1e4;
+  if (c->has_standing_angle) {
+    tp_text_system_label(t, s->lies_in_place ? "certain to stand at dips"
+                                             : "certain to stand at tilts");
+    tp_text_add(t, "up to %.4f°\n", down(c->standing_angle_deg, fourth));
+  }
+  const bool is_sooner =
+      c->limit != TP_SYSTEM_LIMIT_NUMBER ||
+      c->moving_angle_deg < c->critical_angle_deg.value - c->critical_angle_deg.error;
+  if (c->has_moving_angle && is_sooner) {
+    tp_text_system_label(t, s->lies_in_place ? "a motion can begin at a dip of"
+                                             : "a motion can begin at a tilt of");
+    tp_text_add(t, "%.4f°\n", up(c->moving_angle_deg, fourth));
+  }
+}
+
+void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  add_factors(t, c);
+  add_tilts(t, s, c);
+  if (c->sought == TP_SYSTEM_SOUGHT || c->verdict == TP_SYSTEM_COLLAPSES) return;
+  if (c->verdict == TP_SYSTEM_STANDS) return; /* without friction */
+  tp_text_add(
+      t,
+      c->sought == TP_SYSTEM_SOUGHT_COHESIVE
+          ? "  Motions that begin all the same were not looked for: joints have cohesion or\n"
+            "  tensile strength.\n"
+          : "  Motions that begin all the same were not looked for: there are too many blocks.\n");
+}

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* First the blocks are let go as they lie; where nothing moves, motions are excluded; then both are
+ * followed along the divisor of strength and along the tilt. All searches are of a size that the
+ * blocks give, whatever the machine. */
+
+#include "block_system/beginnings.h"
+
+#include "block_system/collapse.h"
+#include "block_system/moving.h"
+#include "block_system/standing.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_BLOCKS = 24, MOST_WHOLE = 100 }; /* free ones: for motions, for frictionless blocks */
+static const double most_factor = 1000;
+
+typedef struct beginnings {
+  const tp_beginnings_task *task;
+  tp_system_case *own;
+  tp_resting resting;
+  tp_moving_search moving;     /* along the logarithm of the divisor */
+  tp_standing_search standing; /* likewise */
+  bool frictionless;           /* blocks are in equilibrium without friction */
+} beginnings;
+
+static tp_status state_at_strength(bool *exists, tp_blocks_at *at, const void *context,
+                                   double logarithm, tp_message *message) {
+  const beginnings *b = context;
+  tp_blocks_at_divisor(at, b->task->system, exp(logarithm));
+  *exists = true;
+  return tp_blocks_at_rest(at, &b->resting, b->task->resultant, message);
+}
+
+static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *context, double degrees,
+                               tp_message *message) {
+  const beginnings *b = context;
+  tp_blocks_at_divisor(at, b->task->system, 1);
+  return tp_blocks_at_tilt(exists, at, &b->resting, b->task->resultant,
+                           b->task->system->is_measured, degrees, message);
+}
+
+/* ---- as they lie -------------------------------------------------------------------------------
+ */
+
+static tp_status try_frictionless(beginnings *b, tp_message *message) {
+  const bool few = b->task->system->assemblage.free_count <= MOST_WHOLE;
+  if (!few || b->task->resultant->beyond) return TP_OK;
+  tp_blocks_at at;
+  long work = 0;
+  tp_status status = tp_fail_memory(message, "the motions");
+  if (tp_blocks_at_init(&at, &b->resting)) {
+    status = tp_blocks_at_rest(&at, &b->resting, b->task->resultant, message);
+  }
+  if (status == TP_OK) {
+    const tp_modes_question q = {.resting = &b->resting, .loads = {at.loads}, .load_count = 1};
+    status = tp_exclusion_frictionless(&b->frictionless, &work, &q, message);
+  }
+  tp_blocks_at_clear(&at);
+  return status;
+}
+
+static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
+  *excluded = false;
+  const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
+  if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
+  return tp_moving_prove(&b->moving, 0, b->standing.left, message);
+}
+
+static void judge(tp_system_case *own, bool stands, bool moves) {
+  if (stands && own->verdict != TP_SYSTEM_COLLAPSES) own->verdict = TP_SYSTEM_STANDS;
+  if (moves && own->verdict == TP_SYSTEM_CAN_HOLD) own->verdict = TP_SYSTEM_MAY_MOVE;
+}
+
+/* ---- along a number ----------------------------------------------------------------------------
+ */
+
+/* Beyond what forces can hold something moves: by which motion, a little beyond and farther. */
+static tp_status move_beyond(tp_moving_search *m, double limit, double step, tp_message *message) {
+  enum { STEPS = 4 };
+  static const double growth = 8;
+  tp_status status = TP_OK;
+  for (int k = 0; k < STEPS && !m->found && status == TP_OK; k++, step *= growth) {
+    status = tp_moving_try(m, limit + step, true, message);
+  }
+  return status;
+}
+
+/* What an exclusion just past where it is proven leaves is tried as a motion, and followed down. */
+static tp_status close_gap(tp_moving_search *m, tp_standing_search *s, double *standing,
+                           double limit, double width, tp_message *message) {
+  enum { MOST = 4 };
+  tp_status status = TP_OK;
+  for (int k = 0; k < MOST && status == TP_OK; k++) {
+    const double end = m->found ? fmin(m->x, limit) : limit, at = *standing + 4 * width;
+    bool proven = false;
+    if (end - *standing <= 8 * width || s->work > s->most_work) break;
+    status = tp_standing_prove(&proven, s, at, at, message);
+    if (status != TP_OK || proven || s->left[0] == 0) break;
+    const double before = m->found ? m->x : INFINITY;
+    status = tp_moving_prove(m, at, s->left, message);
+    if (status != TP_OK || !m->found || m->x >= before) break;
+    status = tp_moving_follow(m, *standing, width, message);
+  }
+  return status;
+}
+
+/* Numbers along which blocks stand or move: from where they lie. */
+typedef struct ranged {
+  double from, least, limit, width, step;
+} ranged;
+
+/* A motion beyond the limit of forces, down to where the blocks lie. */
+static tp_status move_from_limit(tp_moving_search *m, const ranged *r, tp_message *message) {
+  const tp_status status = move_beyond(m, r->limit, r->step, message);
+  return status == TP_OK && m->found ? tp_moving_follow(m, r->from, r->width, message) : status;
+}
+
+static tp_status stand_to_limit(double *standing, tp_moving_search *m, tp_standing_search *s,
+                                const ranged *r, tp_message *message) {
+  const double end = m->found ? fmin(m->x, r->limit) : r->limit;
+  const tp_status status = tp_standing_extend(standing, s, r->from, end, r->width, message);
+  return status == TP_OK ? close_gap(m, s, standing, r->limit, r->width, message) : status;
+}
+
+static ranged factors(const beginnings *b) {
+  static const double width = 1e-6, step = 1e-3;
+  return (ranged){.from = 0,
+                  .least = -log(most_factor),
+                  .limit = log(fmin(b->task->held_factor, most_factor)),
+                  .width = width,
+                  .step = step};
+}
+
+static ranged tilts(const beginnings *b) {
+  static const double width = 1e-5, step = 1e-2, most = 89; /* degrees */
+  const double tilt = b->own->tilt_angle_deg.value;
+  return (ranged){.from = tilt,
+                  .least = fmin(tilt, 0),
+                  .limit = fmin(b->task->held_tilt_deg, most),
+                  .width = width,
+                  .step = step};
+}
+
+/* ---- the motion that is told -------------------------------------------------------------------
+ */
+
+static tp_touch_state state_of(tp_mode_set mode, int end) {
+  return (mode & tp_modes_closed(end)) == 0 ? TP_TOUCH_OPENS
+         : (mode & TP_MODES_FORWARD) != 0   ? TP_TOUCH_SLIPS_FORWARD
+         : (mode & TP_MODES_BACK) != 0      ? TP_TOUCH_SLIPS_BACK
+                                            : TP_TOUCH_STICKS;
+}
+
+static tp_status tell(beginnings *b, tp_message *message) {
+  tp_system_start *start = &b->own->start;
+  const tp_assemblage *a = &b->task->system->assemblage;
+  start->motions = calloc((size_t)a->count + 1, sizeof *start->motions);
+  start->touches = calloc((size_t)a->contact_count + 1, sizeof *start->touches);
+  if (start->motions == NULL || start->touches == NULL) {
+    return tp_fail_memory(message, "the motions");
+  }
+  start->motion_count = (size_t)a->count;
+  start->touch_count = (size_t)a->contact_count;
+  start->divisor = exp(b->moving.x);
+  start->tilt_angle_deg = b->own->tilt_angle_deg.value;
+  for (long k = 0; k < a->contact_count; k++) {
+    const int second = b->resting.contacts[k].ends - 1;
+    start->touches[k] =
+        (tp_system_touch){state_of(b->moving.proven[k], 0), state_of(b->moving.proven[k], second)};
+  }
+  for (long r = 0; r < b->resting.rows; r++) b->moving.accelerations[r] *= -1;
+  b->own->has_start = true;
+  return tp_collapse_motions(start->motions, a, b->moving.accelerations, message);
+}
+
+/* ---- all ---------------------------------------------------------------------------------------
+ */
+
+/* Let go as they lie; else is all excluded; else does a motion from beyond a limit reach so far? */
+static tp_status find_as_they_lie(beginnings *b, tp_moving_search *turned, tp_message *message) {
+  const ranged factor = factors(b), tilt = tilts(b);
+  tp_moving_search *m = &b->moving;
+  bool excluded = b->frictionless;
+  tp_status status = tp_moving_try(m, 0, true, message);
+  if (status == TP_OK && !m->found && !excluded)
+    status = exclude_as_they_lie(&excluded, b, message);
+  if (status == TP_OK && !m->found && b->task->asks_factor) {
+    status = move_from_limit(m, &factor, message);
+  }
+  if (status == TP_OK && m->found && m->x <= 0)
+    status = tp_moving_try(turned, tilt.from, true, message);
+  if (status == TP_OK && !turned->found) status = move_from_limit(turned, &tilt, message);
+  if (status == TP_OK && turned->found && turned->x <= tilt.from && !(m->found && m->x <= 0)) {
+    tp_letting_go_copy(&m->letting_go, &turned->letting_go);
+    status = tp_moving_prove(m, 0, turned->proven, message);
+  }
+  judge(b->own, excluded, m->found && m->x <= 0);
+  return status;
+}
+
+static tp_status search_factor(beginnings *b, tp_message *message) {
+  const ranged r = factors(b);
+  tp_system_case *own = b->own;
+  const bool moves = b->moving.found && b->moving.x <= 0;
+  tp_status status = TP_OK;
+  if (moves || !b->task->asks_factor) status = b->moving.found ? tell(b, message) : TP_OK;
+  if (status != TP_OK || !b->task->asks_factor) return status;
+  if (moves) status = tp_moving_follow(&b->moving, r.least, r.width, message);
+  if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS) {
+    double standing = 0;
+    status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
+    own->has_standing_fos = true;
+    own->standing_fos = nextafter(exp(standing), 0);
+    own->standing_fos_is_least = standing >= log(most_factor);
+  }
+  own->has_moving_fos = b->moving.found;
+  own->moving_fos = exp(b->moving.x);
+  own->moving_fos_is_most = b->moving.x <= r.least;
+  return status == TP_OK && b->moving.found && !own->has_start ? tell(b, message) : status;
+}
+
+static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *message) {
+  const ranged r = tilts(b);
+  tp_system_case *own = b->own;
+  tp_status status = TP_OK;
+  if (m->found && m->x <= r.from) status = tp_moving_follow(m, r.least, r.width, message);
+  /* only weights alone run, between two tilts, along the line between theirs */
+  const bool runs_straight = !b->task->system->is_measured;
+  if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && runs_straight) {
+    tp_standing_search s;
+    double standing = 0;
+    status = tp_standing_init(&s, &b->resting, state_at_tilt, b, message);
+    if (status != TP_OK) return status;
+    s.turns = true;
+    s.most_work = b->standing.most_work;
+    status = stand_to_limit(&standing, m, &s, &r, message);
+    own->has_standing_angle = true;
+    own->standing_angle_deg = standing;
+    tp_standing_clear(&s);
+  }
+  own->has_moving_angle = m->found;
+  own->moving_angle_deg = m->x;
+  return status;
+}
+
+static tp_status search_both(beginnings *b, tp_message *message) {
+  tp_moving_search turned;
+  tp_status status = tp_moving_init(&turned, &b->resting, state_at_tilt, b, message);
+  if (status != TP_OK) return status;
+  status = find_as_they_lie(b, &turned, message);
+  if (status == TP_OK) status = search_factor(b, message);
+  if (status == TP_OK) status = search_tilt(b, &turned, message);
+  tp_moving_clear(&turned);
+  return status;
+}
+
+/* Where no forces hold the blocks, by which motion they go. */
+static tp_status search_collapse(beginnings *b, tp_message *message) {
+  const tp_status status = tp_moving_try(&b->moving, 0, true, message);
+  return status == TP_OK && b->moving.found ? tell(b, message) : status;
+}
+
+static tp_status search(beginnings *b, tp_message *message) {
+  static const long most_work = 40000000;
+  tp_status status = tp_moving_init(&b->moving, &b->resting, state_at_strength, b, message);
+  if (status != TP_OK) return status;
+  status = tp_standing_init(&b->standing, &b->resting, state_at_strength, b, message);
+  b->standing.most_work = most_work;
+  if (status == TP_OK) {
+    status = b->own->verdict == TP_SYSTEM_COLLAPSES ? search_collapse(b, message)
+                                                    : search_both(b, message);
+  }
+  tp_standing_clear(&b->standing);
+  tp_moving_clear(&b->moving);
+  return status;
+}
+
+static tp_system_sought how_far(const tp_built_system *s) {
+  return s->has_cohesion                          ? TP_SYSTEM_SOUGHT_COHESIVE
+         : s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY
+                                                  : TP_SYSTEM_SOUGHT;
+}
+
+/* Whatever friction there is. */
+static void judge_frictionless(beginnings *b) {
+  if (!b->frictionless) return;
+  judge(b->own, true, false);
+  b->own->has_standing_fos = b->own->standing_fos_is_least = true;
+  b->own->standing_fos = most_factor;
+}
+
+tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task,
+                             tp_message *message) {
+  beginnings b = {.task = task, .own = own};
+  own->sought = how_far(task->system);
+  tp_status status = tp_resting_init(&b.resting, &task->system->assemblage, message);
+  if (status != TP_OK) return status;
+  if (own->verdict != TP_SYSTEM_COLLAPSES) status = try_frictionless(&b, message);
+  if (status == TP_OK && own->sought == TP_SYSTEM_SOUGHT && !task->resultant->beyond) {
+    status = search(&b, message);
+  }
+  if (status == TP_OK) judge_frictionless(&b);
+  tp_resting_clear(&b.resting);
+  return status;
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Loads are those of the program of forces, w0 + s w1; by the tangent of the angle of the
+ * resultant, exactly nothing where that is level. */
+
+#include "block_system/blocks_at.h"
+
+#include <stdlib.h>
+
+enum { BITS = 128 };
+
+bool tp_blocks_at_init(tp_blocks_at *at, const tp_resting *r) {
+  at->friction = calloc((size_t)r->contact_count + 1, sizeof *at->friction);
+  at->loads = calloc((size_t)r->rows + 1, sizeof *at->loads);
+  at->central = calloc((size_t)r->rows + 1, sizeof *at->central);
+  return at->friction != NULL && at->loads != NULL && at->central != NULL;
+}
+
+void tp_blocks_at_clear(tp_blocks_at *at) {
+  free(at->friction);
+  free(at->loads);
+  free(at->central);
+  *at = (tp_blocks_at){.friction = NULL};
+}
+
+void tp_blocks_at_divisor(tp_blocks_at *at, const tp_built_system *s, double divisor) {
+  for (long k = 0; k < s->assemblage.contact_count; k++) {
+    at->friction[k] = tp_built_system_strength(s, k, divisor).tangent;
+  }
+}
+
+tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const tp_resultant *r,
+                            tp_message *message) {
+  arb_t angle;
+  arb_init(angle);
+  arb_add(angle, r->tilt_deg, r->earthquake_deg, BITS);
+  const bool is_level = arb_is_zero(angle) && arb_is_zero(r->across);
+  arb_clear(angle);
+  tp_weight_loads loads = r->loads;
+  if (is_level) loads.dead[0] = (tp_near){0, 0};
+  return tp_resting_loads(at->loads, at->central, resting, &loads,
+                          is_level ? (tp_near){0, 0} : r->target, message);
+}
+
+/* Weights alone: by the tangent of the angle of their resultant. */
+static tp_status turn_weights(bool *within, tp_blocks_at *at, const tp_resting *resting,
+                              const tp_resultant *r, double tilt_deg, tp_message *message) {
+  arb_t angle, sine, cosine;
+  arb_init(angle);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_set_d(angle, tilt_deg);
+  arb_add(angle, angle, r->earthquake_deg, BITS);
+  tp_ball_sin_cos(sine, cosine, angle, BITS);
+  *within = arb_is_positive(cosine);
+  tp_near tangent = {0, 0};
+  if (*within && !arb_is_zero(angle)) {
+    arb_div(sine, sine, cosine, BITS);
+    tangent = tp_ball_near(sine);
+  }
+  arb_clear(angle);
+  arb_clear(sine);
+  arb_clear(cosine);
+  if (!*within) return TP_OK;
+  return tp_resting_loads(at->loads, at->central, resting, &r->loads, tangent, message);
+}
+
+tp_status tp_blocks_at_tilt(bool *within, tp_blocks_at *at, const tp_resting *resting,
+                            const tp_resultant *r, bool is_measured, double tilt_deg,
+                            tp_message *message) {
+  static const double radian = 57.29577951308232; /* degrees */
+  if (!is_measured) return turn_weights(within, at, resting, r, tilt_deg, message);
+  const tp_weight_loads loads = tp_resultant_at(r, tilt_deg / radian);
+  *within = true;
+  return tp_resting_loads(at->loads, at->central, resting, &loads, r->target, message);
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Up to where no motion can begin, from where the blocks lie on: along a divisor of strength or a
+ * tilt. */
+
+#ifndef TP_BLOCK_SYSTEM_STANDING_H
+#define TP_BLOCK_SYSTEM_STANDING_H
+
+#include "block_system/moving.h"
+#include "contact_modes/exclusion.h"
+
+typedef struct tp_standing_search {
+  const tp_resting *resting;
+  tp_moving_state *state; /* linear, or by friction, between two of x: proofs are of all between */
+  const void *context;
+  bool turns;     /* x is a tilt: loads differ; else friction does */
+  long most_work; /* in all */
+  long work;      /* so far */
+  tp_blocks_at ends[2];
+  tp_mode_set *left; /* by contact: what an exclusion left; all 0: nothing of the kind */
+} tp_standing_search;
+
+TP_MUST_USE tp_status tp_standing_init(tp_standing_search *standing, const tp_resting *resting,
+                                       tp_moving_state *state, const void *context,
+                                       tp_message *message);
+void tp_standing_clear(tp_standing_search *standing);
+
+/* Is every motion excluded for all numbers from `from` to `to`? */
+TP_MUST_USE tp_status tp_standing_prove(bool *proven, tp_standing_search *standing, double from,
+                                        double to, tp_message *message);
+
+/* The greatest x below `limit` up to which it is, from `from` where it is, to such a width. */
+TP_MUST_USE tp_status tp_standing_extend(double *x, tp_standing_search *standing, double from,
+                                         double limit, double width, tp_message *message);
+
+#endif

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Depth first, with probing. Each contact of a block at rest with one that is not could be divided:
+ * whether it sticks at both ends, so that this block is at rest too, slips forward, slips back, or
+ * opens; then by which ends are closed. All parts that are refuted at once are left out. Where one
+ * part is left, it is so: mostly the block is at rest, and the next one is asked for. Else the
+ * contact of the fewest parts is divided. */
+
+#include "contact_modes/exclusion.h"
+
+#include "common/grow.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct branching {
+  const tp_modes_question *q;
+  tp_exclusion *of;
+  tp_modes_node *waiting;
+  long count, room;
+} branching;
+
+static void clear_node(tp_modes_node *n) {
+  free(n->sets);
+  free(n->still);
+}
+
+static bool copy_node(tp_modes_node *own, const tp_modes_node *from, const tp_resting *r) {
+  const size_t contacts = (size_t)r->contact_count, blocks = (size_t)r->rows / 3;
+  own->sets = malloc((contacts + 1) * sizeof *own->sets);
+  own->still = malloc((blocks + 1) * sizeof *own->still);
+  if (own->sets == NULL || own->still == NULL) {
+    clear_node(own);
+    return false;
+  }
+  memcpy(own->sets, from->sets, contacts * sizeof *own->sets);
+  memcpy(own->still, from->still, blocks * sizeof *own->still);
+  return true;
+}
+
+static tp_status wait(branching *b, tp_modes_node *own, tp_message *message) {
+  tp_modes_node *more = tp_grow(b->waiting, b->count, &b->room, sizeof *more);
+  if (more == NULL) return tp_fail_memory(message, "a proof");
+  b->waiting = more;
+  more[b->count++] = *own;
+  *own = (tp_modes_node){.sets = NULL};
+  return TP_OK;
+}
+
+static tp_status refute(bool *refuted, branching *b, tp_modes_node *n, tp_message *message) {
+  const tp_resting *r = b->q->resting;
+  *refuted = !tp_modes_node_settle(n, r) || tp_modes_node_is_still(n, r);
+  if (*refuted) return TP_OK;
+  const tp_status status = tp_modes_refute_by_forces(refuted, &b->of->work, n, b->q, message);
+  if (status != TP_OK || *refuted) return status;
+  return tp_modes_refute_by_reactions(refuted, &b->of->work, n, b->q, message);
+}
+
+/* ---- parts -------------------------------------------------------------------------------------
+ */
+
+/* Of a set: at rest, opening at one end, open, forward, back; of one of these, single modes. */
+enum { MOST_PARTS = 10 };
+static int part(tp_mode_set parts[MOST_PARTS], tp_mode_set set, int ends) {
+  const tp_mode_set rest = tp_modes_at_rest(ends);
+  const tp_mode_set kinds[] = {rest, TP_MODES_STICK & ~rest, TP_MODES_OPEN, TP_MODES_FORWARD,
+                               TP_MODES_BACK};
+  int count = 0;
+  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+    if ((set & kinds[k]) != 0) parts[count++] = set & kinds[k];
+  }
+  if (count > 1) return count;
+  count = 0;
+  for (int k = 0; k < MOST_PARTS; k++) {
+    if ((set & (1U << k)) != 0) parts[count++] = set & (1U << k);
+  }
+  return count;
+}
+
+/* A division: parts of a node that are not refuted. */
+typedef struct division {
+  int count;
+  tp_modes_node parts[MOST_PARTS];
+} division;
+
+static void clear_division(division *d) {
+  for (int k = 0; k < d->count; k++) clear_node(d->parts + k);
+  d->count = 0;
+}
+
+/* No more than `most` of them. */
+static tp_status divide(division *d, branching *b, const tp_modes_node *n, long contact, int most,
+                        tp_message *message) {
+  tp_mode_set parts[MOST_PARTS];
+  const int count = part(parts, n->sets[contact], b->q->resting->contacts[contact].ends);
+  tp_status status = TP_OK;
+  d->count = 0;
+  for (int k = count - 1; k >= 0 && status == TP_OK && d->count <= most; k--) {
+    tp_modes_node *own = d->parts + d->count;
+    bool refuted = false;
+    if (!copy_node(own, n, b->q->resting)) return tp_fail_memory(message, "a proof");
+    own->sets[contact] = parts[k];
+    d->count++;
+    status = refute(&refuted, b, own, message);
+    if (refuted) {
+      clear_node(own);
+      d->count--;
+    }
+  }
+  return status;
+}
+
+/* ---- the tree ----------------------------------------------------------------------------------
+ */
+
+/* Contacts that are divided first: of a block at rest with one that is not, where there are such.
+ */
+static bool is_first(const tp_modes_node *n, const tp_resting *r, long contact) {
+  const long *row = r->contacts[contact].along.row;
+  return !tp_modes_is_one(n->sets[contact]) &&
+         tp_modes_rests(n, row[0]) != tp_modes_rests(n, row[1]);
+}
+
+static bool is_second(const tp_modes_node *n, const tp_resting *r, long contact) {
+  return !tp_modes_is_one(n->sets[contact]) && !is_first(n, r, contact) &&
+         !tp_modes_rests(n, r->contacts[contact].along.row[0]);
+}
+
+typedef bool candidate(const tp_modes_node *n, const tp_resting *r, long contact);
+
+/* The division of the fewest parts of all candidates; -1 parts: there is none. */
+static tp_status probe(division *best, branching *b, const tp_modes_node *n, candidate *is_asked,
+                       tp_message *message) {
+  enum { MANY = MOST_PARTS + 1 };
+  const tp_resting *r = b->q->resting;
+  tp_status status = TP_OK;
+  int fewest = MANY;
+  for (long k = 0; k < r->contact_count && status == TP_OK && fewest > 1; k++) {
+    if (!is_asked(n, r, k) || (fewest < MANY && b->of->work > b->of->most_work)) continue;
+    division own;
+    status = divide(&own, b, n, k, fewest - 1, message);
+    if (status == TP_OK && own.count < fewest) {
+      clear_division(best);
+      fewest = own.count;
+      *best = own;
+    } else {
+      clear_division(&own);
+    }
+  }
+  if (fewest == MANY) best->count = -1;
+  return status;
+}
+
+static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
+  tp_modes_node own = b->waiting[--b->count];
+  division d = {.count = 0};
+  tp_status status = probe(&d, b, &own, is_first, message);
+  if (status == TP_OK && d.count < 0) {
+    d.count = 0;
+    status = probe(&d, b, &own, is_second, message);
+  }
+  if (status == TP_OK && d.count < 0) { /* all have one mode */
+    b->of->has_left = true;
+    memcpy(b->of->left, own.sets, (size_t)b->q->resting->contact_count * sizeof *own.sets);
+    *goes_on = false;
+  }
+  for (int k = 0; k < d.count && status == TP_OK; k++) status = wait(b, d.parts + k, message);
+  clear_division(&d);
+  clear_node(&own);
+  *goes_on = *goes_on && b->of->work <= b->of->most_work;
+  return status;
+}
+
+static tp_status make_root(tp_modes_node *root, const tp_resting *r, tp_message *message) {
+  root->sets = calloc((size_t)r->contact_count + 1, sizeof *root->sets);
+  root->still = calloc((size_t)r->rows / 3 + 1, sizeof *root->still);
+  if (root->sets == NULL || root->still == NULL) {
+    clear_node(root);
+    return tp_fail_memory(message, "a proof");
+  }
+  for (long k = 0; k < r->contact_count; k++) root->sets[k] = tp_modes_all(r->contacts[k].ends);
+  return TP_OK;
+}
+
+tp_status tp_exclusion_frictionless(bool *proven, long *work, const tp_modes_question *q,
+                                    tp_message *message) {
+  tp_modes_node root;
+  tp_status status = make_root(&root, q->resting, message);
+  if (status != TP_OK) return status;
+  status = tp_modes_refute_by_reactions(proven, work, &root, q, message);
+  clear_node(&root);
+  return status;
+}
+
+tp_status tp_exclusion_find(tp_exclusion *e, const tp_modes_question *q, tp_message *message) {
+  branching b = {.q = q, .of = e};
+  tp_modes_node root;
+  e->is_proven = e->has_left = false;
+  bool goes_on = true, refuted = false;
+  tp_status status = make_root(&root, q->resting, message);
+  if (status != TP_OK) return status;
+  status = refute(&refuted, &b, &root, message);
+  if (status == TP_OK && !refuted) status = wait(&b, &root, message);
+  clear_node(&root);
+  while (status == TP_OK && goes_on && b.count > 0) status = take_one(&goes_on, &b, message);
+  e->is_proven = status == TP_OK && b.count == 0 && !e->has_left;
+  for (long k = 0; k < b.count; k++) clear_node(b.waiting + k);
+  free(b.waiting);
+  return status;
+}

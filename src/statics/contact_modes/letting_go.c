@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* At one end, with u = u_0 + D f for the other forces as they are and D = (n, t)^T M^-1 (n, t): no
+ * force where u_0 opens; the one that stops it, where that is within the cone; else the edge of
+ * the cone that stops u_n, by the side on which that force lies. */
+
+#include "contact_modes/letting_go.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double still = 1e-7; /* of gravity, or of the largest velocity */
+
+/* What a unit of n or t at an end does to both blocks, and D. */
+typedef struct end {
+  long row[2];
+  double n[2][3], t[2][3];
+  double nn, nt, tt;
+  const tp_force_column *normal, *along;
+} end;
+
+tp_status tp_letting_go_init(tp_letting_go *s, const tp_resting *r, tp_message *message) {
+  *s = (tp_letting_go){.resting = r};
+  s->accelerations = calloc((size_t)r->rows + 1, sizeof *s->accelerations);
+  s->normals = calloc(2 * (size_t)r->contact_count + 1, sizeof *s->normals);
+  s->shears = calloc(2 * (size_t)r->contact_count + 1, sizeof *s->shears);
+  if (s->accelerations != NULL && s->normals != NULL && s->shears != NULL) return TP_OK;
+  tp_letting_go_clear(s);
+  return tp_fail_memory(message, "the motions");
+}
+
+void tp_letting_go_clear(tp_letting_go *s) {
+  free(s->accelerations);
+  free(s->normals);
+  free(s->shears);
+  memset(s, 0, sizeof *s);
+}
+
+void tp_letting_go_release(tp_letting_go *s) {
+  const size_t ends = 2 * (size_t)s->resting->contact_count;
+  memset(s->normals, 0, ends * sizeof *s->normals);
+  memset(s->shears, 0, ends * sizeof *s->shears);
+}
+
+void tp_letting_go_copy(tp_letting_go *own, const tp_letting_go *from) {
+  const size_t ends = 2 * (size_t)own->resting->contact_count;
+  memcpy(own->normals, from->normals, ends * sizeof *own->normals);
+  memcpy(own->shears, from->shears, ends * sizeof *own->shears);
+}
+
+static void push(double own[3], const tp_resting *r, const tp_force_column *c, int side) {
+  double wrench[3];
+  for (int e = 0; e < 3; e++) wrench[e] = c->entry[side][e].value;
+  tp_resting_accelerate_double(own, r->assemblage->blocks + r->block[c->row[side] / 3], wrench);
+}
+
+static double power(const tp_force_column *c, double y[2][3]) {
+  double sum = 0;
+  for (int side = 0; side < 2; side++) {
+    for (int e = 0; e < 3 && c->row[side] >= 0; e++) sum += c->entry[side][e].value * y[side][e];
+  }
+  return sum;
+}
+
+static void set_end(end *own, const tp_resting *r, const tp_resting_contact *c, int which) {
+  own->normal = c->normal + which;
+  own->along = &c->along;
+  for (int side = 0; side < 2; side++) {
+    own->row[side] = c->along.row[side];
+    if (own->row[side] < 0) continue;
+    push(own->n[side], r, own->normal, side);
+    push(own->t[side], r, own->along, side);
+  }
+  own->nn = power(own->normal, own->n);
+  own->nt = power(own->normal, own->t);
+  own->tt = power(own->along, own->t);
+}
+
+static void accelerate(tp_letting_go *s, const end *own, double normal, double shear) {
+  for (int side = 0; side < 2; side++) {
+    for (int e = 0; e < 3 && own->row[side] >= 0; e++) {
+      s->accelerations[own->row[side] + e] += normal * own->n[side][e] + shear * own->t[side][e];
+    }
+  }
+}
+
+/* The force of an end by its law; how far that is from the one it had, as a velocity. */
+static double give(tp_letting_go *s, const end *own, long at, double friction) {
+  const double n = s->normals[at], t = s->shears[at];
+  const double un =
+      tp_resting_along_double(own->normal, s->accelerations) - own->nn * n - own->nt * t;
+  const double ut =
+      tp_resting_along_double(own->along, s->accelerations) - own->nt * n - own->tt * t;
+  double normal = 0, shear = 0;
+  if (un < 0) {
+    const double volume = own->nn * own->tt - own->nt * own->nt;
+    normal = (own->nt * ut - own->tt * un) / volume;
+    shear = (own->nt * un - own->nn * ut) / volume;
+    if (!(fabs(shear) <= friction * normal)) {
+      const double side = shear > 0 ? friction : -friction;
+      const double stiff = own->nn + side * own->nt;
+      normal = stiff > 0 ? -un / stiff : 0;
+      shear = side * normal;
+    }
+  }
+  accelerate(s, own, normal - n, shear - t);
+  s->normals[at] = normal;
+  s->shears[at] = shear;
+  return fabs(normal - n) * own->nn + fabs(shear - t) * own->tt;
+}
+
+static void begin(tp_letting_go *s, const end *ends, const tp_near *loads) {
+  const tp_resting *r = s->resting;
+  for (long b = 0; b < r->rows / 3; b++) {
+    double wrench[3];
+    for (int e = 0; e < 3; e++) wrench[e] = loads[3 * b + e].value;
+    tp_resting_accelerate_double(s->accelerations + 3 * b, r->assemblage->blocks + r->block[b],
+                                 wrench);
+  }
+  for (long k = 0; k < 2 * r->contact_count; k++) {
+    if (ends[k].normal != NULL) accelerate(s, ends + k, s->normals[k], s->shears[k]);
+  }
+}
+
+static void find_most(tp_letting_go *s, const end *ends) {
+  s->most = 0;
+  for (long k = 0; k < 2 * s->resting->contact_count; k++) {
+    if (ends[k].normal == NULL) continue;
+    const double n = tp_resting_along_double(ends[k].normal, s->accelerations);
+    const double t = tp_resting_along_double(ends[k].along, s->accelerations);
+    s->most = fmax(s->most, hypot(n, t));
+  }
+}
+
+bool tp_letting_go_find(tp_letting_go *s, const tp_near *friction, const tp_near *loads,
+                        long rounds) {
+  static const double enough = 1e-13;
+  const tp_resting *r = s->resting;
+  const long count = 2 * r->contact_count;
+  end *ends = calloc(2 * (size_t)r->contact_count + 1, sizeof *ends);
+  if (ends == NULL) return false;
+  for (long k = 0; k < r->contact_count; k++) {
+    for (int e = 0; e < r->contacts[k].ends; e++) set_end(ends + 2 * k + e, r, r->contacts + k, e);
+  }
+  begin(s, ends, loads);
+  double change = INFINITY;
+  for (long round = 0; round < rounds && change > enough; round++) {
+    change = 0;
+    for (long k = 0; k < count; k++) {
+      const long at = s->backwards ? count - 1 - k : k;
+      if (ends[at].normal == NULL) continue;
+      const double own = friction == NULL ? 0 : friction[at / 2].value;
+      change = fmax(change, give(s, ends + at, at, own));
+    }
+  }
+  begin(s, ends, loads); /* once more, without the roundings of so many steps */
+  find_most(s, ends);
+  free(ends);
+  return true;
+}
+
+bool tp_letting_go_moves(const tp_letting_go *s) {
+  return s->most > still;
+}
+
+void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s, const tp_near *friction) {
+  static const double within = 1e-6;
+  const tp_resting *r = s->resting;
+  const double nothing = 100 * still * s->most;
+  for (long k = 0; k < r->contact_count; k++) {
+    const tp_resting_contact *c = r->contacts + k;
+    bool closed[2] = {false, false}, grips = false;
+    for (int e = 0; e < c->ends; e++) {
+      const double n = s->normals[2 * k + e], most = friction[k].value * n;
+      closed[e] = tp_resting_along_double(c->normal + e, s->accelerations) <= nothing;
+      grips = grips || (closed[e] && fabs(s->shears[2 * k + e]) < (1 - within) * most);
+    }
+    const double slip = tp_resting_along_double(&c->along, s->accelerations);
+    const bool sticks = fabs(slip) <= nothing || (grips && fabs(slip) <= 1000 * nothing);
+    modes[k] = !closed[0] && !closed[1] ? TP_MODES_OPEN
+                                        : tp_mode_of(closed[0], closed[1],
+                                                     sticks     ? TP_MODE_STICKS
+                                                     : slip > 0 ? TP_MODE_FORWARD
+                                                                : TP_MODE_BACK);
+  }
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Groups by union of their lowest blocks; the space of free accelerations as the null space of all
+ * rows, in whole numbers (FLINT). */
+
+#include "contact_modes/rigid_groups.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void tp_rigid_groups_clear(tp_rigid_groups *g) {
+  free(g->group);
+  free(g->first);
+  fmpz_mat_clear(g->free);
+}
+
+/* Numbers of groups run down to that of the lowest block in them, or to -1 with the ground. */
+static void join_all(tp_rigid_groups *g, const tp_mode_set *modes) {
+  const tp_assemblage *a = g->resting->assemblage;
+  for (long b = 0; b < a->count; b++) g->group[b] = a->blocks[b].number < 0 ? -1 : b;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (long k = 0; k < a->contact_count; k++) {
+      if (g->resting->contacts[k].ends < 2 || modes[k] != tp_modes_at_rest(2)) continue;
+      long *one = g->group + a->contacts[k].block[0], *other = g->group + a->contacts[k].block[1];
+      if (*one == *other) continue;
+      *one = *other = *one < *other ? *one : *other;
+      changed = true;
+    }
+  }
+}
+
+static void number_all(tp_rigid_groups *g) {
+  const tp_assemblage *a = g->resting->assemblage;
+  for (long b = 0; b < a->count; b++) {
+    if (g->group[b] < 0) continue;
+    if (g->group[b] == b) {
+      g->first[g->count] = b;
+      g->group[b] = g->count++;
+    } else {
+      g->group[b] = g->group[g->group[b]];
+    }
+  }
+}
+
+/* So much of the group on a side of a contact: of n = (-dy, dx) or t = (dx, dy) at the end, turned
+ * round for the second block. */
+static void set_side(fmpz row[3], const tp_rigid_groups *g, long contact, int side, int end,
+                     bool along) {
+  const tp_assemblage *a = g->resting->assemblage;
+  const tp_block_contact *c = a->contacts + contact;
+  const tp_lattice *l = &a->lattice;
+  const tp_rigid_block *about = a->blocks + g->first[g->group[c->block[side]]];
+  fmpz_t x, y;
+  fmpz_init(x);
+  fmpz_init(y);
+  fmpz_sub(row + 0, l->x + c->to, l->x + c->from);
+  fmpz_sub(row + 1, l->y + c->to, l->y + c->from);
+  if (!along) {
+    fmpz_swap(row + 0, row + 1);
+    fmpz_neg(row + 0, row + 0);
+  }
+  fmpz_sub(x, l->x + c->ends[end], about->x);
+  fmpz_sub(y, l->y + c->ends[end], about->y);
+  fmpz_mul(row + 2, x, row + 1);
+  fmpz_submul(row + 2, y, row + 0);
+  for (int e = 0; e < 3 && side == 1; e++) fmpz_neg(row + e, row + e);
+  fmpz_clear(x);
+  fmpz_clear(y);
+}
+
+/* The same on all groups; `add` has 3 count numbers. */
+static void add_row(fmpz *add, const tp_rigid_groups *g, long contact, int end, bool along) {
+  fmpz own[3];
+  for (int e = 0; e < 3; e++) fmpz_init(own + e);
+  for (int side = 0; side < 2; side++) {
+    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    if (group < 0) continue;
+    set_side(own, g, contact, side, end, along);
+    for (int e = 0; e < 3; e++) fmpz_add(add + 3 * group + e, add + 3 * group + e, own + e);
+  }
+  for (int e = 0; e < 3; e++) fmpz_clear(own + e);
+}
+
+static void set_rows(fmpz_mat_t rows, const tp_rigid_groups *g, const tp_mode_set *modes) {
+  long at = 0;
+  for (long k = 0; k < g->resting->contact_count; k++) {
+    const tp_block_contact *c = g->resting->assemblage->contacts + k;
+    if (g->group[c->block[0]] == g->group[c->block[1]]) continue;
+    for (int e = 0; e < g->resting->contacts[k].ends; e++) {
+      if ((modes[k] & tp_modes_closed(e)) != 0) add_row(rows->rows[at++], g, k, e, false);
+    }
+    if ((modes[k] & TP_MODES_STICK) != 0) add_row(rows->rows[at++], g, k, 0, true);
+  }
+}
+
+static void find_free(tp_rigid_groups *g, const tp_mode_set *modes) {
+  enum { MOST = 3 }; /* rows of a contact */
+  fmpz_mat_t rows, space;
+  fmpz_mat_init(rows, MOST * g->resting->contact_count, 3 * g->count);
+  fmpz_mat_init(space, 3 * g->count, 3 * g->count);
+  set_rows(rows, g, modes);
+  g->freedom = fmpz_mat_nullspace(space, rows);
+  fmpz_mat_clear(g->free);
+  fmpz_mat_init(g->free, 3 * g->count, g->freedom);
+  for (long r = 0; r < 3 * g->count; r++) {
+    for (long c = 0; c < g->freedom; c++) {
+      fmpz_set(fmpz_mat_entry(g->free, r, c), fmpz_mat_entry(space, r, c));
+    }
+  }
+  fmpz_mat_clear(rows);
+  fmpz_mat_clear(space);
+}
+
+tp_status tp_rigid_groups_init(tp_rigid_groups *g, const tp_resting *r, const tp_mode_set *modes,
+                               tp_message *message) {
+  memset(g, 0, sizeof *g);
+  g->resting = r;
+  fmpz_mat_init(g->free, 0, 0);
+  g->group = calloc((size_t)r->assemblage->count + 1, sizeof *g->group);
+  g->first = calloc((size_t)r->assemblage->count + 1, sizeof *g->first);
+  if (g->group == NULL || g->first == NULL) {
+    tp_rigid_groups_clear(g);
+    return tp_fail_memory(message, "a proof");
+  }
+  join_all(g, modes);
+  number_all(g);
+  if (g->count > 0) find_free(g, modes);
+  return TP_OK;
+}
+
+void tp_rigid_groups_row(fmpz *row, const tp_rigid_groups *g, long contact, int end, bool along) {
+  fmpz_mat_t own, product;
+  fmpz_mat_init(own, 1, 3 * g->count);
+  fmpz_mat_init(product, 1, g->freedom);
+  add_row(own->rows[0], g, contact, end, along);
+  fmpz_mat_mul(product, own, g->free);
+  for (long c = 0; c < g->freedom; c++) fmpz_set(row + c, fmpz_mat_entry(product, 0, c));
+  fmpz_mat_clear(own);
+  fmpz_mat_clear(product);
+}
+
+void tp_rigid_groups_acceleration(fmpz_t own, const tp_rigid_groups *g, long block, int axis,
+                                  long freedom) {
+  const tp_rigid_block *blocks = g->resting->assemblage->blocks;
+  const long group = g->group[block];
+  fmpz_zero(own);
+  if (group < 0) return;
+  fmpz_set(own, fmpz_mat_entry(g->free, 3 * group + axis, freedom));
+  if (axis == 2) return;
+  const tp_rigid_block *about = blocks + g->first[group], *at = blocks + block;
+  fmpz_t arm;
+  fmpz_init(arm);
+  if (axis == 0) { /* a_x = g_x - theta (y - y_0), a_y = g_y + theta (x - x_0) */
+    fmpz_sub(arm, about->y, at->y);
+  } else {
+    fmpz_sub(arm, at->x, about->x);
+  }
+  fmpz_addmul(own, fmpz_mat_entry(g->free, 3 * group + 2, freedom), arm);
+  fmpz_clear(arm);
+}

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Which motion of many blocks can begin (docs/blocks_in_contact.md): against closed forms, against the onset of one block, and every
+motion that is told against Newton's and Coulomb's laws in rationals."""
+
+import json
+import math
+import random
+from fractions import Fraction
+
+from beginning_oracle import Beginning
+from governing_case import GoverningCase
+from harness import main, rounds, run
+from pile_case import EXAMPLE, Pile, box, text_of, wall
+
+
+def tilted(angle, side="left"):
+    return f"tilt: {{towards: {side}, angle_deg: {angle}}}"
+
+
+def on_ground():
+    return Pile().add("g", box(-50, -1, 60, 0), True)
+
+
+class BlockMotions(GoverningCase):
+    def case(self, pile, friction, more="tilt: {towards: left}", status=0, options=()):
+        """Solved; a motion that is told is one."""
+        done, out, err = run("solve", "--json", *options, self.scene(pile.scene(friction, more)))
+        self.assertEqual(done, status, err)
+        solved = json.loads(out)
+        own = solved["cases"][0]
+        if "start" in own:
+            self.assertEqual(Beginning(pile, friction, solved["contacts"], own).holds(), "", (pile.blocks, friction, more))
+        return own
+
+    def test_level_ground(self):
+        """Boxes on level ground stand, whatever the friction, and without any."""
+        stack = on_ground().add("a", box(0, 0, 2, 1)).add("b", box(0, 1, 2, 2)).add("c", box(1, 2, 2, 3))
+        for pile in (on_ground().add("a", box(0, 0, 2, 1)), stack, wall(3, 3)):
+            for friction in (30, 0):
+                own = self.case(pile, friction)
+                self.assertEqual(own["verdict"], "stands")
+                self.assertEqual((own["standing_fos"], own["standing_fos_is"]), (1000, "at least this"))
+                self.assertNotIn("moving_fos", own)
+        self.assertEqual(self.case(stack, 30, "required_fos: 2")["meets_required"], "met")
+        over = on_ground().add("a", box(0, 0, 2, 1)).add("b", box(1, 1, 4, 2))
+        self.assertEqual(self.case(over, 30)["verdict"], "collapses")
+
+    def test_slopes(self):
+        """One box, and two on each other: it stands up to tan φ / tan α, and to φ where it does not topple before. The required factor is
+        met on one side of that, and not on the other."""
+        one = on_ground().add("a", box(0, 0, 2, 1))
+        for pile in (one, on_ground().add("a", box(0, 0, 2, 1)).add("b", box(0, 1, 2, 2))):
+            own = self.case(pile, 30, tilted(10))
+            self.assertEqual(own["verdict"], "stands")
+            known = math.tan(math.radians(30)) / math.tan(math.radians(10))
+            self.assertLessEqual(own["standing_fos"], known)
+            self.assertGreaterEqual(own["standing_fos"], known * (1 - 2e-5))
+            self.assertLessEqual(own["standing_angle_deg"], 30)
+            self.assertGreaterEqual(own["standing_angle_deg"], 29.99)
+        for required, meets in ((3.27, "met"), (3.28, "not met")):
+            self.assertEqual(self.case(one, 30, tilted(10) + f"\nrequired_fos: {required}", status=meets != "met")["meets_required"], meets)
+        slab = self.case(on_ground().add("a", box(0, 0, 1, 3)), 30, tilted(10, "right"))
+        self.assertAlmostEqual(slab["standing_angle_deg"], math.degrees(math.atan(1 / 3)), delta=1e-4)
+        self.assertAlmostEqual(slab["moving_angle_deg"], math.degrees(math.atan(1 / 3)), delta=1e-4)
+
+    def test_pinched_brick(self):
+        """A brick w between two others W is held by wedging above tan φ = 1 / √(1 + 2 W / w), and falls at every friction."""
+        for friction in (20, 40, 60):
+            pile = Pile().add("g", box(-9, -1, 9, 0), True).add("l", box(-4, 0, -1, 3)).add("r", box(1, 0, 4, 3)).add("m", box(-1, 1, 1, 2))
+            own = self.case(pile, friction)
+            self.assertEqual(own["verdict"], "may move")
+            self.assertEqual(own["start"]["motions"][3]["mechanism"], "slides")
+            self.assertAlmostEqual(own["fos"]["value"], math.tan(math.radians(friction)) * math.sqrt(1 + 2 * 9 / 2), delta=1e-5)
+            self.assertEqual((round(own["moving_fos"], 9), own["moving_fos_is"]), (0.001, "at most this"))
+            self.assertEqual(own["moving_angle_deg"], 0)
+            self.assertEqual(self.case(pile, friction, "required_fos: 1.01", status=1)["meets_required"], "not met")
+
+    def test_as_a_scene_of_one(self):
+        """Random blocks on random profiles of one to three facets, as one block on its base and as two blocks: what is certain of the one
+        is not denied of the other, and both sides enclose the onset by strength, which they mostly narrow to 2e-5."""
+        draw, narrow, standing = random.Random(7), 0, 0
+        for _ in range(rounds(12, 300)):
+            profile, x = [(0, draw.randint(-10, 10) / 5)], 0
+            for _ in range(draw.randint(1, 3)):
+                x += draw.randint(3, 10)
+                profile.append((x / 5, draw.randint(-12, 12) / 5))
+            top = max(y for _, y in profile) + draw.randint(4, 20) / 5
+            left, right = draw.randint(-6, 6) / 5, x / 5 + draw.randint(-6, 6) / 5
+            if left >= right:
+                continue
+            outline = [*profile, (right, top), (left, top)]
+            friction, tilt = draw.choice((20, 40, 50, 60, 70)), tilted(draw.choice((0, 3, 8, 15, 25)), draw.choice(("left", "right")))
+            status, out, _ = run("solve", "--json", self.scene(
+                f"topple: 1\nlength_unit: m\nblock: {{outline: {text_of(outline)}, unit_weight_kn_m3: 25}}\n"
+                f"base: {{profile: {text_of(profile)}}}\nfriction_angle_deg: {friction}\n{tilt}\n"))
+            if status != 0:
+                continue
+            one = json.loads(out)["cases"][0]
+            ground = [(profile[0][0], -20), (profile[-1][0], -20), *reversed(profile)]
+            own = self.case(Pile().add("g", ground, True).add("b", outline), friction, tilt)
+            where = (outline, friction, tilt)
+            if own["verdict"] == "stands":
+                self.assertIn(one["mechanism"], ("stands", "interlocked"), where)
+            if own["verdict"] == "may move":
+                self.assertNotIn(one["mechanism"], ("stands", "interlocked"), where)
+            if own["verdict"] == "stands" and one["onset"]["fos"] and one["onset"]["windows"] and "moving_fos" in own:
+                onset = one["onset"]["fos"]["value"]
+                if one["governing_fos"]["fos"]["value"] == onset and own["fos"]["value"] >= onset * (1 - 1e-6):
+                    self.assertGreaterEqual(own["moving_fos"], onset * (1 - 1e-9), where)
+                    standing += 1
+                    narrow += own["moving_fos"] <= own["standing_fos"] * (1 + 2e-5)
+        self.assertGreaterEqual(2 * narrow, standing)
+
+    def test_images(self):
+        """Mirrored, renumbered, in millimetres and in a mine's coordinates: nothing is certain to stand where in another image a motion
+        can begin; and what is certain to stand is as much."""
+        pile = on_ground().add("low", box(0, 0, 2, 1)).add("column", box(2, 0, 3, 5))
+        shuffled = Pile()
+        shuffled.blocks = pile.blocks[::-1]
+        own = [self.case(pile, 30, tilted(5)), self.case(pile.moved(lambda x, y: (-x, y)), 30, tilted(5, "right")),
+               self.case(shuffled, 30, tilted(5)),
+               self.case(pile.moved(lambda x, y: (x + Fraction(5123452, 10), y + 6789012)), 30, tilted(5))]
+        done = run("solve", "--json", self.scene(pile.moved(lambda x, y: (1000 * x, 1000 * y)).scene(30, tilted(5), unit="mm")))
+        own.append(json.loads(done[1])["cases"][0])
+        for other in own:
+            self.assertEqual(other["verdict"], own[0]["verdict"])
+            for key in ("standing_fos", "standing_angle_deg"):
+                self.assertAlmostEqual(other[key], own[0][key], delta=1e-3 * own[0][key], msg=key)
+            self.assertGreater(other["moving_angle_deg"], max(one["standing_angle_deg"] for one in own))
+
+    def test_columns(self):
+        """Goodman and Bray's slope can be held up to a divisor of 1.19, theirs is 1, and a motion can begin at 0.96; a shorter one of six
+        columns is held against the laws in rationals, the whole one in a long check."""
+        own = json.loads(run("solve", "--json", EXAMPLE)[1])["cases"][0]
+        self.assertEqual(own["verdict"], "may move")
+        self.assertLess(own["moving_fos"], 0.965)
+        self.assertLess(own["moving_angle_deg"], 29)
+        self.assertEqual(run("solve", "--fail-below", "1", EXAMPLE)[0], 1)
+        for count, crest in ((6, 4),) if rounds(0, 1) == 0 else ((6, 4), (16, 10)):
+            ground = [(-10, 0), (-10, -20), (10 * count + 10, -20), (10 * count + 10, count - 1)]
+            for n in range(count - 1, 0, -1):
+                ground += [(10 * n, n), (10 * n, n - 1)]
+            pile = Pile().add("g", ground, True)
+            for n in range(1, count + 1):
+                height = 4 * n if n <= crest else 4 * crest - 6 * (n - crest)
+                pile.add(f"c{n}", box(10 * n - 10, n - 1, 10 * n, n - 1 + height))
+            self.case(pile, 38.15, "slope: {dip_deg: 30, towards: left}")
+
+    def test_cohesion(self):
+        """Where joints have cohesion only equilibrium without friction is tried: it is told."""
+        loads = "\nloads: {cohesion_kpa: 5}"
+        pile = on_ground().add("a", box(0, 0, 2, 1))
+        self.assertEqual(self.case(pile, 30, tilted(0) + loads)["verdict"], "stands")
+        own = self.case(pile, 30, tilted(10) + loads)
+        self.assertEqual((own["verdict"], own["motions_sought"]), ("can be held", "joints have cohesion"))
+
+
+if __name__ == "__main__":
+    main()
