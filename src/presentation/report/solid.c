@@ -57,6 +57,10 @@ static void add_point(tp_text *t, const double point[3]) {
               tp_shortest(n[2], point[2]));
 }
 
+static bool is_same_point(const double a[3], const double b[3]) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /* About which edge, once for bands in a row that have the same. */
 static void add_edges(tp_text *t, const tp_solid *s) {
   const tp_solid_tilt *last = NULL;
@@ -64,9 +68,8 @@ static void add_edges(tp_text *t, const tp_solid *s) {
     const tp_solid_band *b = s->bands + k;
     const tp_solid_tilt *own = &b->least;
     if (!b->stands) continue;
-    const bool same = last != NULL &&
-                      memcmp(own->edge_from, last->edge_from, sizeof own->edge_from) == 0 &&
-                      memcmp(own->edge_to, last->edge_to, sizeof own->edge_to) == 0;
+    const bool same = last != NULL && is_same_point(own->edge_from, last->edge_from) &&
+                      is_same_point(own->edge_to, last->edge_to);
     last = own;
     if (same) continue;
     tp_text_add(t, "  band %.6g: about the edge from ", b->band);

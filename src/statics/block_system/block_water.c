@@ -252,8 +252,8 @@ static bool make_chain(tp_polyline *chain) {
   const tp_mark none = {0, 0};
   fmpq_t zero;
   fmpq_init(zero);
-  const bool done =
-      tp_polyline_append(chain, zero, zero, none) && tp_polyline_append(chain, zero, zero, none);
+  bool done = true;
+  for (int k = 0; k < 2 && done; k++) done = tp_polyline_append(chain, zero, zero, none);
   fmpq_clear(zero);
   return done;
 }

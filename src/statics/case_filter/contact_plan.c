@@ -188,7 +188,7 @@ bool tp_plan_mode_set_triples(tp_plan_mode *mode, const tp_contact_plan *plan) {
         if (i >= rays && are_flat(plan, mode, (int[3]){i, j, k})) continue;
         if (mode->triple_count == TP_PLAN_TRIPLES) return false;
         mode->triples[mode->triple_count++] = (tp_plan_triple){
-            {(signed char)i, (signed char)j, (signed char)k}, i == 0 && (rays < 2 || j == 1)};
+            {(unsigned char)i, (unsigned char)j, (unsigned char)k}, i == 0 && (rays < 2 || j == 1)};
       }
     }
   }

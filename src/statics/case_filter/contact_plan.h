@@ -45,7 +45,7 @@ typedef struct tp_plan_ray {
 
 /* Three of a mode's rays, counted first, and edges that span a solid. */
 typedef struct tp_plan_triple {
-  signed char of[3];
+  unsigned char of[3];
   bool all_rays;
 } tp_plan_triple;
 

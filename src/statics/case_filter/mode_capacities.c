@@ -26,7 +26,8 @@ static bool slides(const tp_contact_plan *plan, const tp_plan_mode *mode) {
 static int slip_of(const tp_contact_plan *plan, const tp_plan_mode *mode, long point) {
   int slip = 0;
   for (int k = 0; k < mode->ray_count && slip == 0; k++) {
-    slip = plan->rays[mode->rays[k]].slips[point];
+    const signed char own = plan->rays[mode->rays[k]].slips[point];
+    slip = (own > 0) - (own < 0);
   }
   return slip;
 }

@@ -82,7 +82,7 @@ static bool keep_loads(tp_near_interval *own, const tp_near h[3], const tp_filte
 
 /* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two; all h . g are the one
  * determinant, for i < j < k that of h across i and k turned round. */
-static bool span_triple(tp_near_interval *own, cone *c, const signed char of[3]) {
+static bool span_triple(tp_near_interval *own, cone *c, const unsigned char of[3]) {
   const plane *last = plane_of(c, of[1], of[2]);
   const int turn = tp_near_sign(tp_sparse_dot(last->h, c->of[of[0]]));
   *own = (tp_near_interval){.empty = false};
