@@ -43,21 +43,13 @@ static const struct argp_option options[] = {
     {"csv", KEY_CSV, NULL, 0, "Print the tilt towards each azimuth as CSV", 0},
     {0}};
 
-/* Numbers between commas, at most so many; how many there are. */
-static size_t read_numbers(double *numbers, size_t most, const char *name, const char *text,
+static size_t read_numbers(double *numbers, int most, const char *name, const char *text,
                            struct argp_state *state) {
-  size_t count = 0;
-  for (const char *at = text;; at++) {
-    char *end = NULL;
-    const double value = strtod(at, &end);
-    if (end == at || (*end != '\0' && *end != ',') || !isfinite(value)) {
-      tp_cli_refuse(state, "--%s takes numbers with commas between, not '%s'", name, text);
-    }
-    if (count == most) tp_cli_refuse(state, "--%s takes at most %zu numbers", name, most);
-    numbers[count++] = value;
-    at = end;
-    if (*at == '\0') return count;
-  }
+  const int count = tp_cli_numbers(numbers, most, text);
+  if (count < 0)
+    tp_cli_refuse(state, "--%s takes numbers with commas between, not '%s'", name, text);
+  if (count > most) tp_cli_refuse(state, "--%s takes at most %d numbers", name, most);
+  return (size_t)count;
 }
 
 static double read_number(const char *name, const char *text, struct argp_state *state) {

@@ -95,24 +95,9 @@ static const struct argp_option options[] = {
 /* ---- words -------------------------------------------------------------------------------------
  */
 
-/* Numbers between commas; how many, or one more than `most`. -1: one is none. */
-static int read_numbers(double *numbers, int most, const char *text) {
-  int count = 0;
-  for (;;) {
-    char *end = NULL;
-    const double number = strtod(text, &end);
-    if (end == text || !isfinite(number)) return -1;
-    if (count == most) return most + 1;
-    numbers[count++] = number;
-    if (*end == '\0') return count;
-    if (*end != ',') return -1;
-    text = end + 1;
-  }
-}
-
 static void read_around(arguments *a, const char *text, const struct argp_state *state) {
   double *p = a->around;
-  const int count = read_numbers(p, 2 * MOST_POINTS, text);
+  const int count = tp_cli_numbers(p, 2 * MOST_POINTS, text);
   a->corners = (size_t)(count < 0 ? 0 : count / 2);
   if (count < 4 || count % 2 != 0 || count > 2 * MOST_POINTS) {
     tp_cli_refuse(state, "--around takes from 2 to 200 points, X,Y,X,Y,..., not '%s'", text);
@@ -126,7 +111,7 @@ static void read_around(arguments *a, const char *text, const struct argp_state 
 
 /* Points, where it begins as a number does; else a file. */
 static void read_outline(arguments *a, const char *text, const struct argp_state *state) {
-  const int count = read_numbers(a->outline, 2 * MOST_POINTS, text);
+  const int count = tp_cli_numbers(a->outline, 2 * MOST_POINTS, text);
   a->outline_file = NULL;
   a->clicks = 0;
   if (count < 0 && strchr(text, ',') == NULL) {
@@ -141,7 +126,7 @@ static void read_outline(arguments *a, const char *text, const struct argp_state
 
 /* Two points that are not one, and what may follow them. */
 static bool read_pair(double *numbers, int count, const char *text) {
-  if (read_numbers(numbers, count, text) != count) return false;
+  if (tp_cli_numbers(numbers, count, text) != count) return false;
   return numbers[0] != numbers[2] || numbers[1] != numbers[3];
 }
 
@@ -177,7 +162,7 @@ static void read_unit(arguments *a, const char *text, const struct argp_state *s
 }
 
 static void read_tolerance(arguments *a, const char *text, const struct argp_state *state) {
-  if (read_numbers(&a->tolerance, 1, text) == 1 && a->tolerance > 0) return;
+  if (tp_cli_numbers(&a->tolerance, 1, text) == 1 && a->tolerance > 0) return;
   tp_cli_refuse(state, "--tolerance takes a length above 0, not '%s'", text);
 }
 

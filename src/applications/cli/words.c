@@ -13,6 +13,7 @@
 #include "topple.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -204,4 +205,18 @@ const char *tp_cli_strange_option(const struct argp *parser, int argc, char *con
     if (!(is_long ? is_long_option(parser, word + 2) : are_letters(parser, word + 1))) return word;
   }
   return NULL;
+}
+
+int tp_cli_numbers(double *numbers, int most, const char *text) {
+  int count = 0;
+  for (;;) {
+    char *end = NULL;
+    const double number = strtod(text, &end);
+    if (end == text || !isfinite(number)) return -1;
+    if (count == most) return most + 1;
+    numbers[count++] = number;
+    if (*end == '\0') return count;
+    if (*end != ',') return -1;
+    text = end + 1;
+  }
 }

@@ -45,6 +45,9 @@ void tp_cli_refuse_same_files(const tp_cli_written *files, int count,
 void tp_cli_take_file(const char **file, const char *argument, const char *what,
                       const struct argp_state *state);
 
+/* Numbers between commas; how many, or one more than `most`. -1: one is none. */
+int tp_cli_numbers(double *numbers, int most, const char *text);
+
 /* The first word of the command line that argp would quote as it is, as no option is spelt so;
  * NULL where there is none. */
 const char *tp_cli_strange_option(const struct argp *parser, int argc, char *const *argv);

@@ -5,10 +5,9 @@
  * in CGAL), each decided by exact orientation predicates: CGAL's on doubles, and our own, filtered,
  * on larger numbers. The boxes are doubles rounded outwards, so none is missed. */
 
+#include "geom/boxes.hpp"
 #include "geom/filtered.hpp"
 #include "geom/rings.hpp"
-
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,28 +15,8 @@
 
 namespace {
 
-struct EdgeBox {
-  double low[2], high[2];
-  size_t edge;
-};
-
-struct EdgeBoxTraits {
-  using NT = double;
-  using Box_parameter = const EdgeBox &;
-  using ID = size_t;
-  static int dimension() {
-    return 2;
-  }
-  static double min_coord(const EdgeBox &box, int axis) {
-    return box.low[axis];
-  }
-  static double max_coord(const EdgeBox &box, int axis) {
-    return box.high[axis];
-  }
-  static size_t id(const EdgeBox &box) {
-    return box.edge;
-  }
-};
+using EdgeBox = tp::Box<2>;
+using EdgeBoxTraits = tp::BoxTraits<2>;
 
 struct Stop {};
 
@@ -83,7 +62,7 @@ public:
 
   void run(long between) {
     const auto decide = [this](const EdgeBox &one, const EdgeBox &other) {
-      const size_t a = std::min(one.edge, other.edge), b = std::max(one.edge, other.edge);
+      const size_t a = std::min(one.number, other.number), b = std::max(one.number, other.number);
       const auto kind = meet(a, b);
       if (kind && !visitor_(context_, {*kind, a, b})) throw Stop();
     };

@@ -11,9 +11,10 @@
  * side. */
 
 #include "geom/solid.h"
+
+#include "geom/boxes.hpp"
 #include "geom/rings.hpp"
 
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -60,28 +61,8 @@ private:
   std::vector<Point> points_;
 };
 
-struct TriangleBox {
-  double low[3], high[3];
-  size_t triangle;
-};
-
-struct TriangleBoxTraits {
-  using NT = double;
-  using Box_parameter = const TriangleBox &;
-  using ID = size_t;
-  static int dimension() {
-    return 3;
-  }
-  static double min_coord(const TriangleBox &box, int axis) {
-    return box.low[axis];
-  }
-  static double max_coord(const TriangleBox &box, int axis) {
-    return box.high[axis];
-  }
-  static size_t id(const TriangleBox &box) {
-    return box.triangle;
-  }
-};
+using TriangleBox = tp::Box<3>;
+using TriangleBoxTraits = tp::BoxTraits<3>;
 
 template <class Kernel> class Clashes {
 public:
@@ -93,8 +74,8 @@ public:
     std::vector<TriangleBox> boxes(count);
     for (size_t k = 0; k < count; k++) boxes[k] = box(k);
     const auto decide = [&](const TriangleBox &one, const TriangleBox &other) {
-      const size_t a = std::min(one.triangle, other.triangle);
-      const size_t b = std::max(one.triangle, other.triangle);
+      const size_t a = std::min(one.number, other.number);
+      const size_t b = std::max(one.number, other.number);
       if (!meet(a, b)) return;
       if (clashes->count++ > 0 &&
           !(a < clashes->first || (a == clashes->first && b < clashes->second))) {

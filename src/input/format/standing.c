@@ -8,6 +8,7 @@
 #include "common/outside.h"
 #include "format/drawing_work.h"
 #include "format/roles.h"
+#include "number/between.h"
 #include "number/ratio.h"
 #include "plane/direction.h"
 
@@ -81,22 +82,14 @@ static bool any_counts(const tp_drawing *drawing, const tp_drawing_options *opti
   return !any;
 }
 
-static double difference(const fmpq_t a, const fmpq_t b) {
-  fmpq_t d;
-  fmpq_init(d);
-  fmpq_sub(d, a, b);
-  const double value = fmpq_get_d(d);
-  fmpq_clear(d);
-  return value;
-}
-
 /* Through the first point of a line and the one that is farthest from it, of these from the western
  * or the southern one on, where that goes farther than what the plane went through before. */
 static void set_plane(tp_standing *s, const tp_polyline *line) {
   double reach = 0;
   long farthest = 0;
   for (long k = 1; k < line->count; k++) {
-    const double own = hypot(difference(line->x + k, line->x), difference(line->y + k, line->y));
+    const double own =
+        hypot(tp_ratio_apart(line->x + k, line->x), tp_ratio_apart(line->y + k, line->y));
     if (!(own > reach)) continue;
     reach = own;
     farthest = k;

@@ -7,6 +7,8 @@
 #define _GNU_SOURCE /* qsort_r */
 #include "jointing/names.h"
 
+#include "number/between.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,29 +20,22 @@ typedef struct strip_line {
   double x, y, offset;
 } strip_line;
 
-static double apart(const fmpq_t one, const fmpq_t other) {
-  fmpq_t difference;
-  fmpq_init(difference);
-  fmpq_sub(difference, one, other);
-  const double result = fmpq_get_d(difference);
-  fmpq_clear(difference);
-  return result;
-}
-
 /* In the frame of the cuts, from the toe. */
 static void find_centroid(double centroid[2], const tp_polyline *ring, const tp_cuts *cuts) {
   const double sign = cuts->slope->right ? -1 : 1;
   double twice = 0, sum[2] = {0, 0};
   for (long k = 1; k + 1 < ring->count; k++) {
-    const double px = apart(ring->x + k, ring->x), py = apart(ring->y + k, ring->y);
-    const double qx = apart(ring->x + k + 1, ring->x), qy = apart(ring->y + k + 1, ring->y);
+    const double px = tp_ratio_apart(ring->x + k, ring->x),
+                 py = tp_ratio_apart(ring->y + k, ring->y);
+    const double qx = tp_ratio_apart(ring->x + k + 1, ring->x),
+                 qy = tp_ratio_apart(ring->y + k + 1, ring->y);
     const double own = px * qy - py * qx;
     twice += own;
     sum[0] += own * (px + qx) / 3;
     sum[1] += own * (py + qy) / 3;
   }
-  centroid[0] = sign * (apart(ring->x, cuts->slope->toe_x.value) + sum[0] / twice);
-  centroid[1] = apart(ring->y, cuts->slope->toe_y.value) + sum[1] / twice;
+  centroid[0] = sign * (tp_ratio_apart(ring->x, cuts->slope->toe_x.value) + sum[0] / twice);
+  centroid[1] = tp_ratio_apart(ring->y, cuts->slope->toe_y.value) + sum[1] / twice;
 }
 
 static strip_line *make_lines(const tp_cuts *cuts, long set) {
@@ -52,8 +47,8 @@ static strip_line *make_lines(const tp_cuts *cuts, long set) {
     strip_line *line = lines + k;
     line->x = (own->left ? -1 : 1) * fmpq_get_d(own->along.y);
     line->y = (own->left ? 1 : -1) * fmpq_get_d(own->along.x);
-    line->offset =
-        line->x * apart(own->foot.x, cuts->toe.x) + line->y * apart(own->foot.y, cuts->toe.y);
+    line->offset = line->x * tp_ratio_apart(own->foot.x, cuts->toe.x) +
+                   line->y * tp_ratio_apart(own->foot.y, cuts->toe.y);
   }
   return lines;
 }

@@ -13,6 +13,7 @@
 #include "assemblage/corner_search.h"
 #include "common/grow.h"
 #include "common/outside.h"
+#include "number/between.h"
 #include "number/grid.h"
 
 #include <math.h>
@@ -144,22 +145,13 @@ static void place_groups(work *w) {
 /* ---- outlines ----------------------------------------------------------------------------------
  */
 
-static double apart(const fmpq *one, const fmpq *other) {
-  fmpq_t difference;
-  fmpq_init(difference);
-  fmpq_sub(difference, one, other);
-  const double result = fmpq_get_d(difference);
-  fmpq_clear(difference);
-  return result;
-}
-
 static tp_status count_move(work *w, long corner, tp_message *message) {
   const tp_outline_corner *own = w->search.corners + corner;
   const tp_polyline *ring = w->sections[own->block].rings;
   const long group = find_group(w, corner);
   double *shift = w->shift + 2 * corner;
-  shift[0] += apart(w->x + group, ring->x + own->vertex);
-  shift[1] += apart(w->y + group, ring->y + own->vertex);
+  shift[0] += tp_ratio_apart(w->x + group, ring->x + own->vertex);
+  shift[1] += tp_ratio_apart(w->y + group, ring->y + own->vertex);
   const double by = hypot(shift[0], shift[1]);
   if (by > 2 * w->reach) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, w->given[own->block].place,

@@ -6,26 +6,19 @@
 
 #include "assemblage/nearest_block.h"
 
-#include <math.h>
+#include "number/between.h"
 
-static double apart(const fmpq *one, const fmpq *other) {
-  fmpq_t difference;
-  fmpq_init(difference);
-  fmpq_sub(difference, one, other);
-  const double result = fmpq_get_d(difference);
-  fmpq_clear(difference);
-  return result;
-}
+#include <math.h>
 
 /* From a corner of one outline to all edges of another. */
 static double reach_of(const tp_polyline *ring, long corner, const tp_polyline *other) {
   double least = INFINITY;
   for (long k = 0; k < other->count; k++) {
     const long next = k + 1 < other->count ? k + 1 : 0;
-    const double x = apart(ring->x + corner, other->x + k);
-    const double y = apart(ring->y + corner, other->y + k);
-    const double dx = apart(other->x + next, other->x + k);
-    const double dy = apart(other->y + next, other->y + k);
+    const double x = tp_ratio_apart(ring->x + corner, other->x + k);
+    const double y = tp_ratio_apart(ring->y + corner, other->y + k);
+    const double dx = tp_ratio_apart(other->x + next, other->x + k);
+    const double dy = tp_ratio_apart(other->y + next, other->y + k);
     const double along = fmin(1, fmax(0, (x * dx + y * dy) / (dx * dx + dy * dy)));
     least = fmin(least, hypot(x - along * dx, y - along * dy));
   }

@@ -7,6 +7,7 @@
 
 #include "common/outside.h"
 #include "load/outline.h"
+#include "number/between.h"
 
 #include <stdlib.h>
 
@@ -157,16 +158,6 @@ static bool make_room(tp_line_stretches *s) {
   return true;
 }
 
-/* At a share of the way from a to b. */
-static void set_between(fmpq_t value, const fmpq_t a, const fmpq_t b, const fmpq_t share) {
-  fmpq_t own;
-  fmpq_init(own);
-  fmpq_sub(own, b, a);
-  fmpq_mul(own, own, share);
-  fmpq_add(value, a, own);
-  fmpq_clear(own);
-}
-
 static bool add(finding *f, long block, const fmpq_t from, const fmpq_t to) {
   if (!make_room(f->found)) return false;
   tp_line_stretch *own = f->found->items + f->found->count++;
@@ -174,12 +165,12 @@ static bool add(finding *f, long block, const fmpq_t from, const fmpq_t to) {
   *own = (tp_line_stretch){.block = block};
   tp_line_load_init(&own->line);
   own->line.place = l->place;
-  set_between(own->line.x0.value, l->x0.value, l->x1.value, from);
-  set_between(own->line.y0.value, l->y0.value, l->y1.value, from);
-  set_between(own->line.x1.value, l->x0.value, l->x1.value, to);
-  set_between(own->line.y1.value, l->y0.value, l->y1.value, to);
-  set_between(own->line.first_kpa.value, l->first_kpa.value, l->last_kpa.value, from);
-  set_between(own->line.last_kpa.value, l->first_kpa.value, l->last_kpa.value, to);
+  tp_ratio_between(own->line.x0.value, l->x0.value, l->x1.value, from);
+  tp_ratio_between(own->line.y0.value, l->y0.value, l->y1.value, from);
+  tp_ratio_between(own->line.x1.value, l->x0.value, l->x1.value, to);
+  tp_ratio_between(own->line.y1.value, l->y0.value, l->y1.value, to);
+  tp_ratio_between(own->line.first_kpa.value, l->first_kpa.value, l->last_kpa.value, from);
+  tp_ratio_between(own->line.last_kpa.value, l->first_kpa.value, l->last_kpa.value, to);
   fmpq_add(f->covered, f->covered, to);
   fmpq_sub(f->covered, f->covered, from);
   return true;

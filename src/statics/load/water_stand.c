@@ -6,6 +6,8 @@
 
 #include "load/water_stand.h"
 
+#include "number/between.h"
+
 void tp_water_stand_at(fmpq_t up, const tp_water_stand *stand, const fmpq_t across) {
   const tp_polyline *s = stand->surface;
   if (s == NULL) {
@@ -73,16 +75,6 @@ tp_status tp_water_surface_lay(tp_polyline *laid, const tp_polyline *surface, co
 /* ---- lines -------------------------------------------------------------------------------------
  */
 
-/* The point at a share of the way. */
-static void set_between(fmpq_t value, const fmpq *from, const fmpq *to, const fmpq_t share) {
-  fmpq_t way;
-  fmpq_init(way);
-  fmpq_sub(way, to, from);
-  fmpq_mul(way, way, share);
-  fmpq_add(value, from, way);
-  fmpq_clear(way);
-}
-
 /* A stretch of an edge: shares of it, and the depths there. */
 typedef struct stretch {
   fmpq_t from, to, first, last;
@@ -111,7 +103,7 @@ static bool cut(stretch *s, const fmpq_t depth, int side) {
   fmpq_sub(share, depth, s->first);
   fmpq_sub(whole, s->last, s->first);
   fmpq_div(share, share, whole);
-  set_between(first ? s->to : s->from, s->from, s->to, share);
+  tp_ratio_between(first ? s->to : s->from, s->from, s->to, share);
   fmpq_set(first ? s->last : s->first, depth);
   fmpq_clear(share);
   fmpq_clear(whole);
@@ -122,10 +114,10 @@ static bool add(tp_wet_lines *lines, const fmpq *const from[2], const fmpq *cons
                 const stretch *s, const fmpq_t first_kpa, const fmpq_t last_kpa) {
   tp_line_load *line = tp_wet_lines_next(lines);
   if (line == NULL) return false;
-  set_between(line->x0.value, from[0], to[0], s->from);
-  set_between(line->y0.value, from[1], to[1], s->from);
-  set_between(line->x1.value, from[0], to[0], s->to);
-  set_between(line->y1.value, from[1], to[1], s->to);
+  tp_ratio_between(line->x0.value, from[0], to[0], s->from);
+  tp_ratio_between(line->y0.value, from[1], to[1], s->from);
+  tp_ratio_between(line->x1.value, from[0], to[0], s->to);
+  tp_ratio_between(line->y1.value, from[1], to[1], s->to);
   fmpq_set(line->first_kpa.value, first_kpa);
   fmpq_set(line->last_kpa.value, last_kpa);
   return true;
@@ -179,8 +171,8 @@ static void set_depth(fmpq_t depth, const tp_water_stand *stand, const tp_polyli
   fmpq_t across, up;
   fmpq_init(across);
   fmpq_init(up);
-  set_between(across, world->x + k, world->x + k + 1, share);
-  set_between(up, world->y + k, world->y + k + 1, share);
+  tp_ratio_between(across, world->x + k, world->x + k + 1, share);
+  tp_ratio_between(up, world->y + k, world->y + k + 1, share);
   tp_water_stand_depth(depth, stand, across, up);
   fmpq_clear(across);
   fmpq_clear(up);

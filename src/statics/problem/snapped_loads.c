@@ -7,6 +7,7 @@
 #include "problem/snapped_loads.h"
 
 #include "common/grow.h"
+#include "number/between.h"
 #include "scene/moved.h"
 
 #include <stdlib.h>
@@ -62,16 +63,6 @@ static bool lies_along(const tp_line_load *load, const tp_polyline *line, long k
                         line->y + k) == 0;
 }
 
-/* a + share (b - a) */
-static void between(fmpq_t value, const fmpq *a, const fmpq *b, const fmpq_t share) {
-  fmpq_t difference;
-  fmpq_init(difference);
-  fmpq_sub(difference, b, a);
-  fmpq_mul(difference, difference, share);
-  fmpq_add(value, a, difference);
-  fmpq_clear(difference);
-}
-
 static void share_between(fmpq_t share, const fmpq_t begin, const fmpq_t end, const fmpq *at) {
   fmpq_t whole;
   fmpq_init(whole);
@@ -102,10 +93,10 @@ static bool add_part(lines *l, const tp_line_load *load, const tp_polyline *now,
     const fmpq *const at[2] = {low, high};
     for (int e = 0; e < 2 && done; e++) {
       share_between(share, begin, end, at[e]);
-      between((e == 0 ? &own->x0 : &own->x1)->value, now->x + k, now->x + next, share);
-      between((e == 0 ? &own->y0 : &own->y1)->value, now->y + k, now->y + next, share);
-      between((e == 0 ? &own->first_kpa : &own->last_kpa)->value, load->first_kpa.value,
-              load->last_kpa.value, at[e]);
+      tp_ratio_between((e == 0 ? &own->x0 : &own->x1)->value, now->x + k, now->x + next, share);
+      tp_ratio_between((e == 0 ? &own->y0 : &own->y1)->value, now->y + k, now->y + next, share);
+      tp_ratio_between((e == 0 ? &own->first_kpa : &own->last_kpa)->value, load->first_kpa.value,
+                       load->last_kpa.value, at[e]);
     }
   }
   fmpq_clear(low);
