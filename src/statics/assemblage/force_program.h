@@ -37,6 +37,9 @@ typedef struct tp_weight_loads {
   const tp_near *push;            /* borrowed, by row: times s instead of the weights; NULL: they */
 } tp_weight_loads;
 
+/* The least load s that is looked for: 45 degrees to the other side. */
+#define TP_LEAST_LOAD (-1.0)
+
 typedef struct tp_force_program {
   const tp_assemblage *assemblage;
   long rows, count;

@@ -12,9 +12,6 @@
 
 #include "assemblage/force_program.h"
 
-/* The least load that is looked for: 45 degrees to the other side. */
-#define TP_LEAST_LOAD (-1.0)
-
 typedef struct tp_interior_iterate {
   const double *forces; /* by column */
   double load;          /* s */

@@ -113,23 +113,28 @@ static margin margin_of(const tp_load_bracket *b, double change, double load, do
   return (margin){atan(b->bound) - atan(load), change / size, tp_load_width(b, share) / size};
 }
 
-/* The limit's slope at x, from the program a little farther. */
-static tp_status find_slope(double *slope, const searching *x, const tp_load_bracket *b,
+/* The limit and its slope, from the program a little farther. */
+static tp_status find_slope(tp_load_bracket *b, double *slope, const searching *x, double share,
                             const tp_system_state *state, const tp_system_state *farther) {
+  const tp_bracket_aim bound = {share, true, INFINITY};
   tp_force_program own, to;
   tp_status status = find_program(&own, x->of->system, state, x->message);
   if (status != TP_OK) return status;
-  status = find_program(&to, x->of->system, farther, x->message);
-  if (status == TP_OK) {
-    *slope = tp_limit_change(b, &own, &to) / small_step;
-    tp_force_program_clear(&to);
+  status = tp_load_bracket_find(b, &own, &bound, x->message);
+  if (status == TP_OK && b->is_bounded) {
+    status = find_program(&to, x->of->system, farther, x->message);
+    if (status == TP_OK) {
+      *slope = tp_limit_change(b, &own, &to) / small_step;
+      tp_force_program_clear(&to);
+    } else {
+      tp_load_bracket_clear(b);
+    }
   }
   tp_force_program_clear(&own);
   return status;
 }
 
 static bool add_margin(margin *least, searching *x, double at, double share, bool to_side) {
-  const tp_bracket_aim bound = {share, true, INFINITY};
   tp_system_state state = x->of->state(x->of->context, at);
   tp_system_state farther = x->of->state(x->of->context, at + small_step);
   if (!to_side) {
@@ -138,14 +143,13 @@ static bool add_margin(margin *least, searching *x, double at, double share, boo
   }
   tp_load_bracket b;
   double slope = NAN;
-  x->status = find_limit(&b, x->of->system, &state, &bound, x->message);
+  x->status = find_slope(&b, &slope, x, share, &state, &farther);
   if (x->status != TP_OK) return false;
-  if (b.is_bounded) x->status = find_slope(&slope, x, &b, &state, &farther);
   const margin own =
       margin_of(&b, slope, to_side ? x->of->target.value : -x->of->target.value, share);
   if (own.value < least->value) *least = own;
   tp_load_bracket_clear(&b);
-  return x->status == TP_OK;
+  return true;
 }
 
 static bool find_margin(margin *own, searching *x, double at, double share) {
