@@ -156,6 +156,17 @@ class BlockSystem(GoverningCase):
             for a, b in zip(own["own"]["motions"], own[name]["motions"]):
                 self.assertEqual(a["mechanism"], b["mechanism"], name)
 
+    def test_places_far_from_the_origin(self):
+        """In a mine's coordinates the report tells where forces act, as JSON does, and not to five digits: six or seven stand before the point."""
+        far = wall(2, 2).moved(lambda x, y: (x + fractions.Fraction(5123452, 10), y + 6789012))
+        text = far.scene(35, "tilt: {towards: left, angle_deg: 10}")
+        lines = run("solve", self.scene(text))[1].split("between", 1)[1].splitlines()[1:]
+        told = [tuple(float(v) for v in line.split()[-2:]) for line in lines if line.strip()]
+        truth = [(force["x_m"], force["y_m"]) for force in self.case(text)["forces"]]
+        self.assertEqual(len(told), len(truth))
+        for own, other in zip(told, truth):
+            self.assertLess(math.dist(own, other), 6e-3)  # nine digits of JSON
+
     def test_shaken(self):
         """k_h turns the resultant by atan(k_h): the critical tilt is less by that, and the critical acceleration is tan of what is left
         at the tilt."""

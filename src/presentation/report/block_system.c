@@ -125,6 +125,7 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_mo
 
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   const bool wet = c->has_forces && tp_system_case_is_wet(c);
+  const int digits = tp_text_system_digits(s);
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
   if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
   tp_text_add(t, "  %10s  %10s", "at x", "y");
@@ -142,7 +143,8 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
       tp_text_add(t, "  %10.4g  %10.4g", tp_text_system_force_kn(f->normal_n_m, c),
                   tp_text_system_force_kn(f->shear_n_m, c));
     }
-    tp_text_add(t, "  %10.5g  %10.5g", f->x_m / s->metres_per_unit, f->y_m / s->metres_per_unit);
+    tp_text_add(t, "  %10.*g  %10.*g", digits, f->x_m / s->metres_per_unit, digits,
+                f->y_m / s->metres_per_unit);
     if (wet) tp_text_add(t, "  %10.4g", f->water_n_m.value / 1e3);
     tp_text_add(t, "\n");
   }
@@ -162,10 +164,7 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   tp_text_system_loads(t, s, c, width);
   tp_text_goodman_bray(t, s, c, width);
   if (c->has_start) {
-    tp_text_add(t, "\n  A motion that can begin %s:\n",
-                c->verdict == TP_SYSTEM_MAY_MOVE || c->verdict == TP_SYSTEM_COLLAPSES
-                    ? "as they lie"
-                    : "with strength over that divisor");
+    tp_text_system_start(t, c);
     add_motions(t, s, c->start.motions, c->start.motion_count, "as it begins", width);
   }
   if (c->motion_count == 0) return;

@@ -27,7 +27,7 @@ static void add_rest(tp_document *d, size_t rows) {
 
 /* A coordinate in the scene's lengths. */
 static void add_length(tp_document *d, const tp_block_system *s, double metres) {
-  tp_document_cell(d, "%.5g", metres / s->metres_per_unit);
+  tp_document_cell(d, "%.*g", tp_text_system_digits(s), metres / s->metres_per_unit);
 }
 
 static void add_bounded(tp_document *d, tp_bounded value, int digits) {

@@ -16,8 +16,9 @@ static double up(double number, double scale) {
   return ceil(number * scale) / scale;
 }
 
+static const double fifth = 1e5;
+
 static void add_factors(tp_text *t, const tp_system_case *c) {
-  static const double fifth = 1e5;
   if (c->has_standing_fos) {
     tp_text_system_label(t, "certain to stand with strength over");
     if (c->standing_fos_is_least) {
@@ -64,4 +65,13 @@ void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_sy
           ? "  Motions that begin all the same were not looked for: joints have cohesion or\n"
             "  tensile strength.\n"
           : "  Motions that begin all the same were not looked for: there are too many blocks.\n");
+}
+
+void tp_text_system_start(tp_text *t, const tp_system_case *c) {
+  if (c->verdict == TP_SYSTEM_MAY_MOVE || c->verdict == TP_SYSTEM_COLLAPSES) {
+    tp_text_add(t, "\n  A motion that can begin as they lie:\n");
+  } else {
+    tp_text_add(t, "\n  A motion that can begin with strength over %.5f:\n",
+                up(c->start.divisor, fifth));
+  }
 }

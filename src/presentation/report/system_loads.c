@@ -5,6 +5,7 @@
  * their page. */
 
 #include "report/system_page.h"
+#include "report/system_words.h"
 #include "terms/names.h"
 
 #include <stdio.h>
@@ -14,6 +15,7 @@ static const double kilo = 1e3;
 void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   enum { LABEL = 64 };
   const tp_system_support *own = &c->support;
+  const int digits = tp_text_system_digits(s) + 1;
   char label[LABEL], n[TP_NUMBER_SIZE], name[LABEL];
   if (!c->has_support) return;
   snprintf(label, sizeof label, "support for a factor of %s", tp_text_significant(n, own->fos, 5));
@@ -21,9 +23,9 @@ void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_syste
   switch (own->state) {
   case TP_SYSTEM_SUPPORT_NUMBER:
     tp_plain_text(name, sizeof name, s->blocks[own->block].name);
-    tp_text_add(t, "%.5g kN/m\n    on '%s' at (%.6g, %.6g), towards %.5g° from x towards y\n",
-                own->force_n_m.value / kilo, name, own->x_m.value / s->metres_per_unit,
-                own->y_m.value / s->metres_per_unit, own->direction_deg.value);
+    tp_text_add(t, "%.5g kN/m\n    on '%s' at (%.*g, %.*g), towards %.5g° from x towards y\n",
+                own->force_n_m.value / kilo, name, digits, own->x_m.value / s->metres_per_unit,
+                digits, own->y_m.value / s->metres_per_unit, own->direction_deg.value);
     break;
   case TP_SYSTEM_SUPPORT_NOT_NEEDED:
     tp_text_add(t, "none needed\n");

@@ -67,3 +67,21 @@ const char *tp_text_system_collapse(const tp_block_system *s, const tp_system_ca
          : s->lies_in_place ? "at the greatest dip"
                             : "at the greatest tilt";
 }
+
+int tp_text_system_digits(const tp_block_system *s) {
+  enum { NEAR = 5, MOST = 15 };
+  double far = 0, low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  for (size_t k = 0; k < s->contact_count; k++) {
+    const tp_system_contact *c = s->contacts + k;
+    const double at[2][2] = {{c->from_x_m.value, c->from_y_m.value},
+                             {c->to_x_m.value, c->to_y_m.value}};
+    for (int e = 0; e < 4; e++) {
+      const double own = at[e / 2][e % 2];
+      far = fmax(far, fabs(own));
+      low[e % 2] = fmin(low[e % 2], own);
+      high[e % 2] = fmax(high[e % 2], own);
+    }
+  }
+  const double extent = fmax(high[0] - low[0], high[1] - low[1]);
+  return extent > 0 && far > extent ? (int)fmin(MOST, NEAR + floor(log10(far / extent))) : NEAR;
+}

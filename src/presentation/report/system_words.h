@@ -22,6 +22,10 @@ void tp_text_system_factor(tp_text *text, const tp_system_case *of);
 /* A force in kN; what is less than the search tells of the largest is nothing. */
 double tp_text_system_force_kn(double newtons, const tp_system_case *of);
 
+/* With how many significant digits coordinates are told: five of where contacts lie among each
+ * other, however far from the origin that is. */
+int tp_text_system_digits(const tp_block_system *system);
+
 /* Of which state the collapse is: "with strength over the factor", "at the greatest dip". */
 const char *tp_text_system_collapse(const tp_block_system *system, const tp_system_case *of);
 
@@ -29,5 +33,8 @@ const char *tp_text_system_collapse(const tp_block_system *system, const tp_syst
  * from where on one is proven, or why they were not looked for. */
 void tp_text_system_beginnings(tp_text *text, const tp_block_system *system,
                                const tp_system_case *of);
+
+/* The heading of the motion that is proven, with what strength is divided by there. */
+void tp_text_system_start(tp_text *text, const tp_system_case *of);
 
 #endif
