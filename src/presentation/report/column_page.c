@@ -66,7 +66,10 @@ static void add_assumption(tp_text *t, const tp_system_case *c) {
                 "  which act where it is best.",
                 ratio);
   }
-  tp_text_add(t, " For columns it is the cautious one of the two.\n");
+  tp_text_add(t, c->has_moving_fos && own->has_fos && c->moving_fos < own->fos
+                     ? " For columns it is the cautious one of the two, but\n"
+                       "  a motion can begin at a smaller factor still.\n"
+                     : " For columns it is the cautious one of the two.\n");
 }
 
 void tp_text_goodman_bray_zones(tp_text *t, const tp_goodman_bray *own,

@@ -136,16 +136,27 @@ static void add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
   }
 }
 
+/* Rounded to the side on which it is proven. */
+static void add_beginning(tp_document *d, const tp_system_case *c) {
+  static const double fifth = 1e5;
+  if (c->has_moving_fos) {
+    tp_document_cell(d, "%.5f", ceil(c->moving_fos * fifth) / fifth);
+  } else {
+    tp_document_word(d, "none proven");
+  }
+}
+
 void tp_system_sheet_add_governing(tp_system_sheet *s) {
   const tp_block_system *own = s->system;
   const tp_system_case *governing = tp_system_governing(own);
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 6 : 4,
-                    own->has_required_fos ? 0xe : 0x6, "Factors of safety");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 7 : 5,
+                    own->has_required_fos ? 0x1e : 0xe, "Factors of safety");
   tp_document_word(d, "Direction");
   tp_document_word(d, "Strength reduction");
   tp_document_word(d, "Goodman and Bray");
+  tp_document_word(d, "A motion can begin at");
   if (own->has_required_fos) {
     tp_document_word(d, "Required");
     tp_document_word(d, "Requirement");
@@ -157,6 +168,7 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
     tp_document_word(d, tp_direction_name(c->towards));
     add_factor(d, c);
     add_goodman_bray(d, &c->goodman_bray);
+    add_beginning(d, c);
     if (own->has_required_fos) {
       tp_document_cell(d, "%s", tp_text_significant(n, own->required_fos, 6));
       tp_document_word(d, tp_sheet_met_words(c->meets_required));
