@@ -125,14 +125,10 @@ class Circles(unittest.TestCase):
         self.assertGreater(len(graph), 200)
         self.check(circles(graph), "include")
 
-    @unittest.skipUnless(shutil.which("nm"), "nm (binutils) is not installed")
     def test_of_calls(self):
-        files = compiled()
-        defined = {name: source for source, all_of in files for name, kind, _ in all_of if kind in "TDBR"}
-        graph = {source: {defined[name] for name, kind, _ in all_of if kind == "U" and name in defined} - {source}
-                 for source, all_of in files}
+        graph = call_graph()
         self.assertGreater(sum(map(len, graph.values())), 1000)
-        self.check(circles(graph), "call")
+        self.check(circles({source: set(names.values()) - {source} for source, names in graph.items()}), "call")
 
     def test_one_is_seen(self):
         """The check itself, on a small graph and on a header of number/ that includes its user, in a copy."""
@@ -275,45 +271,25 @@ class Includes(unittest.TestCase):
                 self.assertEqual(room_of(path), "geom", path)
 
 
-def compiled():
-    """Source and symbols, (name, class, section), of every compiled file of the library and the program."""
-    by_name = {str(path).replace("/", "_"): str(path) for path, _ in sources()}
-    objects = [path for folder in BUILD.glob("*topple*.p") for path in folder.glob("*.o") if path.stem in by_name]
-    if not objects:
-        raise AssertionError(f"no compiled library in {BUILD}")
-    lines = subprocess.run(["nm", "--format=sysv", *map(str, objects)], capture_output=True, text=True, check=True)
-    files = []
-    for line in lines.stdout.splitlines():
-        if line.startswith(("Symbols from ", "Undefined symbols from ")):
-            files.append((by_name[pathlib.PurePath(line.rstrip(":").split(" from ")[1]).stem], []))
-        fields = [field.strip() for field in line.split("|")]
-        if len(fields) == 7:
-            files[-1][1].append((fields[0], fields[2], fields[6]))
-    return files
+def call_graph(root=ROOT):
+    """Each compiled source to the names of others that it uses, {name: source}: functions and tables, by what it says."""
+    aside = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:[^\"\\\n]|\\.)*\"", re.DOTALL)
+    definition = re.compile(r"^(?!static\b|typedef\b|extern\b)[A-Za-z_][^;{}=()]*?\b(tp_\w+)"
+                            r"(?:\([^;{}]*\)\s*\{|(?:\[\w*\])* = )", re.MULTILINE)
+    texts = {str(path): aside.sub(" ", text) for path, text in sources(root)
+             if path.suffix in (".c", ".cpp") and room_of(path) != "explorer"}  # whose wasm/ replaces two files
+    defined = {name: source for source, text in texts.items() for name in definition.findall(text)}
+    return {source: {name: defined[name] for name in re.findall(r"\btp_\w+", text) if defined.get(name, source) != source}
+            for source, text in texts.items()}
 
 
-@unittest.skipUnless(shutil.which("nm"), "nm (binutils) is not installed")
 class Calls(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.files = compiled()
-        cls.defined = {name: source for source, all_of in cls.files for name, kind, _ in all_of if kind in "TDBRW"}
-
-    def library(self):
-        """The files of the library, without the C++ room, whose templates are CGAL's."""
-        kept = [(source, all_of) for source, all_of in self.files if room_of(source) not in ("cli", "geom")]
-        self.assertGreater(len(kept), 150)
-        return kept
-
     def test_none_climbs(self):
         """An include can be avoided by a declaration in the public headers; a call cannot hide."""
         looked_at, needed = 0, set()
-        for source, all_of in self.files:
-            for name, kind, _ in all_of:
-                if kind != "U" or name not in self.defined:
-                    continue
+        for source, names in call_graph().items():
+            for name, target in names.items():
                 looked_at += 1
-                target = self.defined[name]
                 if climbs(room_of(source), room_of(target)):
                     needed.add((source, name))
                     self.assertIn((source, name), EXCEPTIONS,
@@ -323,9 +299,31 @@ class Calls(unittest.TestCase):
             if not name.endswith(".h"):
                 self.assertIn((source, name), needed, "an exception that is no longer needed")
 
+
+@unittest.skipUnless(shutil.which("nm"), "nm (binutils) is not installed")
+class Compiled(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """The name of each unit of the library and its symbols, (name, class, section); but of C++, whose templates are CGAL's."""
+        objects = [path for folder in BUILD.glob("libtopple*.p") for path in folder.glob("*.c.o")]
+        if not objects:
+            raise AssertionError(f"no compiled library in {BUILD}")
+        lines = subprocess.run(["nm", "--format=sysv", *map(str, objects)], capture_output=True, text=True, check=True)
+        cls.units = []
+        for line in lines.stdout.splitlines():
+            if line.startswith(("Symbols from ", "Undefined symbols from ")):
+                cls.units.append((pathlib.PurePath(line.rstrip(":").split(" from ")[1]).stem, []))
+            fields = [field.strip() for field in line.split("|")]
+            if len(fields) == 7:
+                cls.units[-1][1].append((fields[0], fields[2], fields[6]))
+
+    def library(self):
+        self.assertGreater(sum(len(symbols) for _, symbols in self.units), 5000)
+        return self.units
+
     def test_no_data_that_changes(self):
         """Threads share nothing: there is no variable that outlives a call."""
-        if any(re.match(r"__(\w*san|sanitizer)_", name) for _, all_of in self.files for name, _, _ in all_of):
+        if any(re.match(r"__(\w*san|sanitizer)_", name) for _, all_of in self.units for name, _, _ in all_of):
             self.skipTest("a sanitizer adds data of its own")
         for source, all_of in self.library():
             for name, _, section in all_of:

@@ -50,7 +50,7 @@ tp_status tp_planar_map_init(tp_planar_map *m, const fmpq *ends, size_t count,
   return TP_OK;
 }
 
-static void link(tp_planar_map *m, size_t before, size_t after) {
+static void link_half_edges(tp_planar_map *m, size_t before, size_t after) {
   m->a.next[before] = after;
   m->previous[after] = before;
 }
@@ -59,8 +59,8 @@ void tp_planar_map_remove(tp_planar_map *m, size_t edge) {
   const size_t h = 2 * edge, t = h + 1;
   const size_t into_h = m->previous[h], out_h = m->a.next[h];
   const size_t into_t = m->previous[t], out_t = m->a.next[t];
-  if (into_h != t) link(m, into_h, out_t); /* else nothing is left at that end */
-  if (into_t != h) link(m, into_t, out_h);
+  if (into_h != t) link_half_edges(m, into_h, out_t); /* else nothing is left at that end */
+  if (into_t != h) link_half_edges(m, into_t, out_h);
   m->gone[edge] = true;
 }
 
@@ -128,8 +128,8 @@ static tp_status keep_connected(tp_planar_map *m, size_t kept, tp_message *messa
  * loop between is a cycle of its own, whose vertices are free for others. */
 static void part(tp_planar_map *m, size_t first, size_t again) {
   const size_t before_first = m->previous[first], before_again = m->previous[again];
-  link(m, before_again, first);
-  link(m, before_first, again);
+  link_half_edges(m, before_again, first);
+  link_half_edges(m, before_first, again);
   for (size_t h = m->a.next[first]; h != first; h = m->a.next[h]) m->stamp[m->a.origin[h]] = NONE;
 }
 

@@ -67,16 +67,23 @@ def targets() -> dict[str, list[str]]:
     told = json.loads(subprocess.run(asked, capture_output=True, text=True, check=True).stdout)
     libraries = {(name, "static library") for name in ("topple-geom", "topple-geom-solid", "topple-events", "topple", "topple-figure")}
     wanted = libraries | {("topple", "executable")}
+    # A unit of several files: the files of its wing (src/units.py).
+    units = {
+        unit: [file for part in target["target_sources"] for file in part["sources"]]
+        for target in told
+        if target["name"].endswith("-units")
+        for unit in target["filename"]
+    }
     sources = {}
     for target in told:
         if (target["name"], target["type"]) in wanted:
-            parts = target["target_sources"]
-            sources[f"{target['name']} {target['type']}"] = sorted(
+            sources[f"{target['name']} {target['type']}"] = sorted({
                 file
-                for part in parts
-                for file in part["sources"] + part["generated_sources"]
+                for part in target["target_sources"]
+                for made in part["sources"] + part["generated_sources"]
+                for file in units.get(made, [made])
                 if not file.endswith(".h")
-            )
+            })
     if len(sources) != len(wanted):
         raise SystemExit(f"{NATIVE} lacks targets of the core; run ./run --setup")
     return sources
