@@ -15,7 +15,7 @@
 #ifndef TOPPLE_SOLID_H
 #define TOPPLE_SOLID_H
 
-#include "topple_basics.h"
+#include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,17 +64,51 @@ typedef struct tp_solid_pose {
   tp_bounded facet_share; /* of all directions from the centroid, those through the facet */
   tp_bounded share;       /* with those through facets from which the solid rolls into this pose */
   tp_solid_tilt least;    /* the least critical tilt; of equal ones the first that was found */
+  bool has_persistence;   /* there is a pose with the centroid lower, or as low and before it: */
+  tp_bounded persistence_m; /* if has_persistence: by how much the centroid has to rise at least on
+                               a way to such a pose */
 } tp_solid_pose;
 
-/* As it lies, tilted towards an azimuth. */
+/* As it lies, towards an azimuth. */
 typedef struct tp_solid_azimuth {
-  double azimuth_deg;      /* towards which the base is tilted */
+  double azimuth_deg;      /* towards which the base is tilted, or the earthquake acts */
   tp_bounded toppling_deg; /* the tilt at which it topples */
   tp_bounded critical_deg; /* with friction: the tilt at which it moves, the lesser of that and the
                               friction angle; without: the same */
   tp_mechanism
       mechanism; /* topples or slides there; undecided: as far as doubles tell at one tilt */
+  bool has_acceleration;               /* of a scene: it stands at its tilt, and some horizontal
+                                          acceleration towards this azimuth moves it: */
+  tp_bounded acceleration_g;           /* if has_acceleration: the least, static, in g */
+  tp_mechanism acceleration_mechanism; /* if has_acceleration: topples or slides there */
 } tp_solid_azimuth;
+
+/* What it does at the tilt of its scene, with the earthquake that this has: by the resultant F of
+ * weight and earthquake, of which N presses on the base and T pulls along it. It topples about an
+ * edge with the arm a and the unit vector n outwards where H T . n > a N, with the centroid at the
+ * height H, and slides where |T| > N tan(phi). */
+typedef struct tp_solid_stance {
+  tp_mechanism verdict; /* stands, topples, slides, both, leaves its base, or undecided */
+  bool has_fos;         /* something pulls along the base: */
+  tp_bounded fos;       /* if has_fos: the lesser of both factors; the least over azimuths that the
+                           scene leaves open */
+  tp_mechanism fos_mechanism; /* if has_fos: which of both it is against */
+  bool has_fos_toppling;      /* an edge lies that way */
+  tp_bounded fos_toppling; /* if has_fos_toppling: the least a N / (H T . n) of the edges that lie
+                              that way */
+  bool has_fos_sliding;    /* the scene gives friction, and something pulls along the base */
+  tp_bounded fos_sliding;  /* if has_fos_sliding: N tan(phi) / |T| */
+  bool has_critical;       /* it stands level: */
+  tp_bounded critical_deg; /* if has_critical: the tilt at which it moves without an earthquake,
+                              towards the azimuth of the scene's tilt, or the least of all */
+  tp_mechanism critical_mechanism; /* if has_critical: what it does there */
+  bool has_acceleration;           /* it stands at its tilt without an earthquake: */
+  tp_bounded acceleration_g;       /* if has_acceleration: the least static horizontal acceleration
+                                      that moves it, over all azimuths, in g */
+  tp_bounded acceleration_azimuth_deg; /* if has_acceleration: towards which; of sliding on a level
+                                          base: any, and 0 */
+  tp_mechanism acceleration_mechanism; /* if has_acceleration: what it does there */
+} tp_solid_stance;
 
 /* A corner of the support seen from above, from the foot of the centroid. */
 typedef struct tp_solid_corner {
@@ -83,8 +117,10 @@ typedef struct tp_solid_corner {
 
 /* As it lies, where all that is no higher than the band over the lowest point touches the base. */
 typedef struct tp_solid_band {
-  double band;              /* in lengths of the mesh */
+  double band;              /* in lengths of the mesh; of a scene, in its own */
   size_t touching;          /* vertices that touch */
+  size_t lasting_poses;     /* poses that last where each point of the surface is off by the band:
+                               of a persistence of more than twice that */
   size_t corner_count;      /* of their convex hull seen from above: the support; below 3: a point
                                or a line */
   tp_solid_corner *support; /* corner_count of them: counter-clockwise */
@@ -95,14 +131,16 @@ typedef struct tp_solid_band {
   tp_mechanism mechanism;   /* if stands: what it does there, as in the rose */
   size_t rose_count;        /* the azimuths, where it stands; else 0 */
   tp_solid_azimuth *rose;   /* rose_count of them: the critical tilt towards each azimuth */
+  bool has_stance;          /* of a scene, where three corners or more carry it: */
+  tp_solid_stance stance;   /* if has_stance: at the scene's tilt */
 } tp_solid_band;
 
 /* A solid; owns what it points to. */
 typedef struct tp_solid {
   size_t size;               /* of this struct, as the library has it (TP_HAS_MEMBER) */
   TP_OUTSIDE char *file;     /* the mesh */
-  const char *length_unit;   /* a static string */
-  double metres_per_unit;    /* of that */
+  const char *length_unit;   /* a static string: of the mesh; of a scene, its own */
+  double metres_per_unit;    /* of a length of the mesh */
   tp_notes notes;            /* on what was read */
   size_t vertices;           /* that the triangles have */
   size_t triangles;          /* of the surface */
@@ -120,6 +158,22 @@ typedef struct tp_solid {
   tp_solid_pose *poses;      /* pose_count of them: the greatest share first */
   size_t band_count;         /* of the bands */
   tp_solid_band *bands;      /* band_count of them: in the order of the options */
+  bool of_scene;             /* it is that of a scene, which has: */
+  TP_OUTSIDE char *title;    /* NULL: none */
+  TP_OUTSIDE char *scene;    /* if of_scene: its file */
+  bool has_tilt_angle;       /* a tilt, or a base that dips: */
+  double tilt_angle_deg;     /* if has_tilt_angle: of the base */
+  bool has_tilt_azimuth;     /* and towards which, else the worst: */
+  double tilt_azimuth_deg;   /* if has_tilt_azimuth: that */
+  bool is_on_slope;          /* the base has that dip and dip direction as the mesh lies */
+  bool has_seismic;          /* an earthquake: */
+  double seismic_horizontal, seismic_vertical; /* if has_seismic: shares of the weight */
+  bool has_seismic_azimuth;                    /* and towards which, else the worst: */
+  double seismic_azimuth_deg;                  /* if has_seismic_azimuth: that */
+  bool has_required_fos;                       /* a factor of safety that it must have: */
+  double required_fos;                         /* if has_required_fos: that */
+  tp_settings settings;                        /* what was set in it, or varied */
+  size_t governing; /* if of_scene: the band that governs, by its number from 0: the least */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the
@@ -128,13 +182,27 @@ typedef struct tp_solid {
 TP_MUST_USE tp_status tp_solid_of_file(tp_solid **solid, const char *path,
                                        const tp_solid_options *options, tp_message *message);
 
+/* Is the scene one of a solid: has it the key solid? */
+bool tp_scene_is_solid(const tp_scene *scene);
+
+/* The solid of such a scene, as it lies at the scene's tilt. */
+TP_MUST_USE tp_status tp_solve_solid(tp_solid **solid, const tp_scene *scene, tp_message *message);
+
+/* Is it undecided whether it stands, in the band that governs? Of NULL too. */
+bool tp_solid_is_undecided(const tp_solid *solid);
+
+/* Is a factor of safety met in the band that governs? */
+tp_design tp_solid_meets(const tp_solid *solid, double required);
+
 /* NULL is allowed. */
 void tp_solid_free(tp_solid *solid);
 
-/* A page; JSON (docs/json.md); CSV, a row for every azimuth of every band. */
+/* A page; JSON (docs/json.md); CSV, a row for every azimuth of every band; and of a scene a row of
+ * the band that governs, below a head of names. */
 TP_MUST_USE tp_status tp_report_solid(char **text, const tp_solid *solid);
 TP_MUST_USE tp_status tp_report_solid_json(char **text, const tp_solid *solid);
 TP_MUST_USE tp_status tp_report_solid_csv(char **text, const tp_solid *solid);
+TP_MUST_USE tp_status tp_report_solid_row_csv(char **text, const tp_solid *solid);
 
 #ifdef __cplusplus
 }

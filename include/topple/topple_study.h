@@ -276,7 +276,7 @@ typedef struct tp_study_result {
   size_t convergence_count;       /* of the steps */
   tp_study_step *convergence;     /* at each power of two from 16 on, and at the end */
   bool of_many_blocks;            /* the scene is of many blocks: */
-  bool has_required_fos;          /* if of_many_blocks: it requires a factor of safety: */
+  bool has_required_fos;          /* of these, and of a solid: it requires a factor of safety: */
   tp_study_share below_required;  /* if has_required_fos: samples that certainly lack it */
   size_t invalid_count;           /* of the first invalid samples, 5 at most */
   tp_study_bad *invalid;          /* these */
@@ -288,6 +288,7 @@ typedef struct tp_study_result {
   size_t source_count;            /* of the sources */
   TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
                                 is written over them */
+  bool of_solid;             /* the scene is of a solid */
 } tp_study_result;
 
 /* The ranks of a program that runs a study as several processes, by MPI or otherwise: each makes

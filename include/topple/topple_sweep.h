@@ -9,15 +9,16 @@
  *     options.y = "b=60,90,120";
  *     status = tp_sweep(&summary, scene, &options, (tp_sweep_sink){take, &own}, &message);
  *
- * A point is what tp_solve, or of many blocks tp_solve_block_system, says of the scene that
- * tp_scene_with_settings makes of its two settings.
- * The values are exact: 0:1:0.1 goes by 0.3, which is no double. Points come in their order,
- * whatever the number of threads, x fastest; memory does not grow with their number. */
+ * A point is what tp_solve, or of many blocks tp_solve_block_system, or of a solid tp_solve_solid,
+ * says of the scene that tp_scene_with_settings makes of its two settings. The values are exact:
+ * 0:1:0.1 goes by 0.3, which is no double. Points come in their order, whatever the number of
+ * threads, x fastest; memory does not grow with their number. */
 
 #ifndef TOPPLE_SWEEP_H
 #define TOPPLE_SWEEP_H
 
 #include "topple_block_system.h"
+#include "topple_solid.h"
 #include "topple_solve.h"
 
 #ifdef __cplusplus
@@ -57,6 +58,7 @@ typedef struct tp_sweep_point {
   const tp_solution *solution;   /* is NULL, also where all is undecided, */
   const tp_block_system *system; /* of a scene of many blocks this instead, */
   const char *message;           /* and this is why; plain; else empty */
+  const tp_solid *solid;         /* of a scene of a solid instead of the solution */
 } tp_sweep_point;
 
 /* Who takes the points, one after the other, in the thread that calls: false ends the sweep. */

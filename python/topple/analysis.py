@@ -13,7 +13,7 @@ from .errors import checked
 from .given import File, c_path, c_text
 from .record import Record, struct_of
 from .report import drawing, sheet_options, written
-from .words import (FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
+from .words import (Design, FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
                     StudyQuantity)
 
 if TYPE_CHECKING:
@@ -66,6 +66,19 @@ class SolidMethods:
     def csv(self) -> str:
         """A row for every azimuth of every band."""
         return written(lib.tp_report_solid_csv, struct_of(self))
+
+    def row_csv(self) -> str:
+        """Of a scene: what `topple solve --csv` prints, a row of the band that governs."""
+        return written(lib.tp_report_solid_row_csv, struct_of(self))
+
+    def meets(self, required: float) -> Design:
+        """Of a scene: has the band that governs certainly a factor of `required`?"""
+        return tuple(Design)[lib.tp_solid_meets(struct_of(self), required)]
+
+    @property
+    def undecided(self) -> bool:
+        """Of a scene: is it open whether the solid stands?"""
+        return bool(lib.tp_solid_is_undecided(struct_of(self)))
 
 
 class FoundMethods:

@@ -19,7 +19,7 @@ from .errors import BadInput, Caution, checked
 from .given import File, Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record, text as text_of
-from .records import BlockSystem, LoadCases, Note, Solution
+from .records import BlockSystem, LoadCases, Note, Solid, Solution
 from .report import taken, written
 from .word import number_of
 from .words import Level, NoteKind, PivotsListed
@@ -255,6 +255,21 @@ class Scene(Builder):
         system = record(BlockSystem, owner[0], owner)
         system.__dict__.update(_scene=self, _version=version)
         return system
+
+    @property
+    def is_solid(self) -> bool:
+        """Is the scene one of a solid?"""
+        return bool(lib.tp_scene_is_solid(self._c))
+
+    def solve_solid(self) -> Solid:
+        """The solid of such a scene, as it lies at the scene's tilt."""
+        receives = ffi.new("tp_solid **")
+        self._use(lib.tp_solve_solid, receives, self._c)
+        owner = ffi.gc(receives[0], lib.tp_solid_free)
+        solid = record(Solid, owner[0], owner)
+        if owner.notes.count:
+            warn(solid.notes, 3)
+        return solid
 
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,

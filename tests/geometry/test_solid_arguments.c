@@ -62,6 +62,28 @@ START_TEST(strange_options) {
 }
 END_TEST
 
+START_TEST(scenes) {
+  tp_solid *solid = UNTOUCHED(tp_solid);
+  tp_scene *scene = NULL, *plain = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("solids/balanced_rock.yaml"), &message), TP_OK);
+  ck_assert_int_eq(tp_scene_read(&plain, EXAMPLE("slab.yaml"), &message), TP_OK);
+  REFUSED(tp_solve_solid(NULL, scene, &message), "'solid'");
+  REFUSED(tp_solve_solid(&solid, NULL, &message), "'scene'");
+  REFUSED(tp_solve_solid(&solid, plain, &message), "no 'solid'");
+  ck_assert_ptr_eq(solid, UNTOUCHED(tp_solid));
+  ck_assert(tp_scene_is_solid(scene) && !tp_scene_is_solid(plain) && !tp_scene_is_solid(NULL));
+  ck_assert(tp_solid_is_undecided(NULL));
+  ck_assert_int_eq(tp_solid_meets(NULL, 1), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_solve_solid(&solid, scene, &message), TP_OK);
+  ck_assert(!tp_solid_is_undecided(solid));
+  ck_assert_int_eq(tp_solid_meets(solid, 1.5), TP_DESIGN_MET);
+  ck_assert_int_eq(tp_solid_meets(solid, 1.7), TP_DESIGN_NOT_MET);
+  tp_solid_free(solid);
+  tp_scene_free(scene);
+  tp_scene_free(plain);
+}
+END_TEST
+
 START_TEST(reports) {
   char *text = &untouched;
   tp_solid *own = NULL;
@@ -73,6 +95,8 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_solid_json(&text, NULL));
   UNWRITTEN(tp_report_solid_csv(NULL, own));
   UNWRITTEN(tp_report_solid_csv(&text, NULL));
+  UNWRITTEN(tp_report_solid_row_csv(NULL, own));
+  UNWRITTEN(tp_report_solid_row_csv(&text, NULL));
   ck_assert_ptr_eq(text, &untouched);
   tp_solid_free(NULL);
   tp_solid_free(own);
@@ -84,6 +108,7 @@ SUITE(solid_arguments) {
   TCase *tests = tcase_create("arguments of solids");
   tcase_add_test(tests, solids);
   tcase_add_test(tests, strange_options);
+  tcase_add_test(tests, scenes);
   tcase_add_test(tests, reports);
   suite_add_tcase(suite, tests);
   return suite;

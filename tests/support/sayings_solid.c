@@ -1,11 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the calls on solids say: of a block that stands, and of a file that is no solid. */
+/* What the calls on solids say: of a block that stands, of a file that is no solid, of a scene. */
 
 #include "sayings.h"
 
 #define EXAMPLE(name) TP_EXAMPLES "/" name
+
+static void say_solid_of_scene(sayings *s) {
+  tp_solid *solid = NULL;
+  tp_scene *scene = NULL;
+  tp_message message = {.text = ""};
+  tp_status status = tp_scene_read(&scene, EXAMPLE("solids/balanced_rock.yaml"), &message);
+  note_number(s, tp_scene_is_solid(scene));
+  if (status == TP_OK) status = tp_solve_solid(&solid, scene, &message);
+  note_status(s, status, &message);
+  note_number(s, tp_solid_is_undecided(solid));
+  note_number(s, (long)tp_solid_meets(solid, 1.5));
+  if (solid != NULL && tp_report_solid_row_csv(next_saying(s), solid) != TP_OK) s->count--;
+  tp_solid_free(solid);
+  tp_scene_free(scene);
+}
 
 void say_solids(sayings *s) {
   static const char *const files[] = {EXAMPLE("meshes/balanced_rock.obj"),
@@ -23,4 +38,5 @@ void say_solids(sayings *s) {
     if (tp_report_solid_csv(next_saying(s), solid) != TP_OK) s->count--;
     tp_solid_free(solid);
   }
+  say_solid_of_scene(s);
 }

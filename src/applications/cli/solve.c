@@ -10,6 +10,7 @@
 #include "cli/signals.h"
 #include "cli/solve_cases.h"
 #include "cli/solve_judge.h"
+#include "cli/solve_solid.h"
 #include "cli/solve_system.h"
 #include "cli/verdict_colours.h"
 #include "cli/watch.h"
@@ -104,6 +105,7 @@ static tp_status solve_scene(tp_cli_solved *own, const char *path, const tp_solv
   const tp_status status = tp_cli_solve_cases(own, path, a, &solve, message);
   if (status != TP_OK || own->solution != NULL) return status;
   if (tp_scene_block_count(own->scene) > 0) return tp_cli_check_system(path, a, message);
+  if (tp_scene_is_solid(own->scene)) return tp_cli_check_solid(path, a, message);
   return a->report != NULL && !a->elements
              ? tp_cli_solve_for_sheet(&own->solution, own->scene, &solve, message)
              : tp_solve(&own->solution, own->scene, &solve, message);
@@ -167,14 +169,25 @@ static int end(const tp_cli_solved *own, const tp_solve_words *a, const char *pa
                             : tp_cli_judge(own->solution, a, path);
 }
 
+/* Scenes with a report of their own: of many blocks, and of a solid. */
+static bool stands_alone(const tp_scene *scene) {
+  return tp_scene_block_count(scene) > 0 || tp_scene_is_solid(scene);
+}
+
+static tp_status solve_alone(const tp_scene *scene, const tp_solve_words *a, int *ended,
+                             tp_message *message) {
+  return tp_scene_is_solid(scene) ? tp_cli_solve_solid(scene, a, ended, message)
+                                  : tp_cli_solve_system(scene, a, ended, message);
+}
+
 static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *message) {
   size_t count = 0;
   tp_cli_solved *solved = calloc((size_t)a->scene_count, sizeof *solved);
   const char **paths = calloc((size_t)a->scene_count, sizeof *paths);
   tp_status status = solved != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
   if (status == TP_OK) status = solve_all(solved, paths, &count, ended, a, message);
-  const bool of_many = count == 1 && tp_scene_block_count(solved[0].scene) > 0;
-  if (status == TP_OK && of_many) status = tp_cli_solve_system(solved[0].scene, a, ended, message);
+  const bool of_many = count == 1 && stands_alone(solved[0].scene);
+  if (status == TP_OK && of_many) status = solve_alone(solved[0].scene, a, ended, message);
   if (status == TP_OK && count > 0 && !of_many) status = print_rows(a, solved, count, ended);
   for (size_t k = 0; k < count && status == TP_OK && !of_many; k++) {
     *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
@@ -229,8 +242,8 @@ static tp_status write_report(const tp_solve_words *a, const tp_cli_solved *own,
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_cli_solved own;
   tp_status status = solve_scene(&own, a->scene, a, message);
-  if (status == TP_OK && tp_scene_block_count(own.scene) > 0) {
-    status = tp_cli_solve_system(own.scene, a, ended, message);
+  if (status == TP_OK && stands_alone(own.scene)) {
+    status = solve_alone(own.scene, a, ended, message);
     tp_cli_solved_clear(&own);
     return status;
   }

@@ -102,6 +102,7 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
            tp_outline_teeth_elements(&section->element_corners, &block->teeth);
     break;
   case TP_OUTLINE_OF_EACH:
+  case TP_OUTLINE_OF_SOLID:
     break;
   case TP_OUTLINE_ELLIPSE:
     section->ellipse = &block->ellipse;

@@ -7,6 +7,7 @@
 #include "solid/poses.h"
 
 #include "number/near_angle.h"
+#include "solid/persistence.h"
 #include "solid/tilting.h"
 
 #include <stdlib.h>
@@ -22,6 +23,7 @@ typedef struct search {
   const tp_centre *centre;
   const tp_hull_facets *facets;
   place *places;
+  tp_persistence *persistences;
   tp_support_edge *edges; /* of the facet at hand */
   bool open;              /* the level does not tell */
 } search;
@@ -159,6 +161,10 @@ static void describe(tp_solid_pose *pose, search *s, long facet, double metres_p
   pose->facet_share = tp_near_bounded(s->places[facet].own);
   pose->share = tp_near_bounded(s->places[facet].share);
   tp_tilt_least(&pose->least, s->centre, &plane, s->edges, count, &told);
+  pose->has_persistence = s->persistences[facet].is_left;
+  if (pose->has_persistence) {
+    pose->persistence_m = tp_near_bounded(tp_near_mul(s->persistences[facet].rise, scale));
+  }
   if (!told) s->open = true;
   tp_rest_plane_clear(&plane);
 }
@@ -217,6 +223,9 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
       s.places != NULL && s.edges != NULL ? TP_OK : tp_fail_memory(message, "the poses of a solid");
   for (long f = 0; f < facets->count && status == TP_OK && !s.open; f++) judge(&s, f);
   if (status == TP_OK && !s.open) {
+    status = tp_persistences_find(&s.persistences, centre, facets, message);
+  }
+  if (status == TP_OK && !s.open) {
     measure_shares(&s);
     status = collect(poses, count, &s, metres_per_step, message);
   }
@@ -226,6 +235,7 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
     *poses = NULL;
     *count = 0;
   }
+  free(s.persistences);
   free(s.places);
   free(s.edges);
   return status;

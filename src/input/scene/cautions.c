@@ -64,6 +64,7 @@ static void block_extent(fmpq_t extent, const tp_block_description *block) {
     fmpq_add(other, block->teeth.height, block->teeth.depth);
     break;
   case TP_OUTLINE_OF_EACH:
+  case TP_OUTLINE_OF_SOLID:
     fmpq_zero(extent);
     break;
   case TP_OUTLINE_ELLIPSE:
@@ -112,6 +113,9 @@ static tp_status check_blocks(tp_notes *notes, const tp_scene *scene, tp_message
 tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
   if (scene->many.count > 0) return check_blocks(notes, scene, message);
+  if (scene->solid.place.file != NULL) {
+    return check_unit_weight(notes, &scene->solid.unit_weight_kn_m3, message);
+  }
   fmpq_t extent;
   fmpq_init(extent);
   block_extent(extent, block);

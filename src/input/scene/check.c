@@ -190,6 +190,11 @@ tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place, tp_messa
 }
 
 tp_status tp_check_one_block(const tp_block_description *block, tp_message *message) {
+  if (block->form == TP_OUTLINE_OF_SOLID) {
+    return tp_refuse(message, TP_FAULT_KEY, block->place,
+                     "this scene is of a solid, which 'topple solve', 'topple sweep' and 'topple "
+                     "study' take, without options of one block in a section");
+  }
   if (block->form != TP_OUTLINE_OF_EACH) return TP_OK;
   return tp_refuse(message, TP_FAULT_KEY, block->place,
                    "this scene has many blocks, which 'topple solve' takes alone, without options "
@@ -197,7 +202,10 @@ tp_status tp_check_one_block(const tp_block_description *block, tp_message *mess
 }
 
 tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place, tp_message *message) {
-  if (scene->block.unit_weight_kn_m3.given || scene->many.count > 0) return TP_OK;
+  if (scene->block.unit_weight_kn_m3.given || scene->many.count > 0 ||
+      scene->solid.place.file != NULL) {
+    return TP_OK;
+  }
   return tp_refuse(message, TP_FAULT_KEY, place,
                    "loads are weighed against the block: give its 'unit_weight_kn_m3'");
 }

@@ -26,7 +26,8 @@ typedef enum tp_outline_form {
   TP_OUTLINE_TEETH,
   TP_OUTLINE_SLAB,
   TP_OUTLINE_ELLIPSE,
-  TP_OUTLINE_OF_EACH /* of a scene of many blocks, which have their own */
+  TP_OUTLINE_OF_EACH, /* of a scene of many blocks, which have their own */
+  TP_OUTLINE_OF_SOLID /* none: the scene is of a solid */
 } tp_outline_form;
 
 /* An ellipse of a width and a height, cut off below where it is `flat` wide: it rests on that flat,
@@ -95,6 +96,7 @@ typedef struct tp_block_description {
 } tp_block_description;
 
 #include "scene/block_list.h"
+#include "scene/solid_description.h"
 
 typedef struct tp_base_description {
   tp_place place;
@@ -176,6 +178,7 @@ typedef struct tp_loads_description {
   tp_place place;
   tp_place seismic_place;
   tp_quantity horizontal, vertical; /* k_h towards down-dip, k_v up, shares of the weight */
+  tp_quantity azimuth_deg;          /* of a solid: towards which k_h acts; not given: any */
   bool direction_given;
   tp_seismic_direction direction; /* where the block lies on a slope: which way k_h acts */
   tp_water_description water;
@@ -260,6 +263,7 @@ struct tp_scene {
   tp_parameters parameters;
   tp_block_description block; /* of many blocks: what those have that do not say so themselves */
   tp_block_list many;
+  tp_solid_description solid; /* instead of block and base */
   tp_base_description base;
   tp_frame frame;
   tp_place frame_place;       /* of frame or slope */
@@ -279,7 +283,8 @@ struct tp_scene {
   tp_place friction_is_place;
   bool towards_left, towards_right;
   tp_place tilt_place;
-  tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
+  tp_quantity tilt_angle_deg;   /* 0 <= value <= 90 */
+  tp_quantity tilt_azimuth_deg; /* of a solid: towards which; not given: any */
   tp_tilt_test_description tilt_test;
   tp_place shaking_place; /* no file: its base does not shake */
   tp_shaking_component shaking[TP_SHAKING_AXES];

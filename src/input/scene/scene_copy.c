@@ -106,6 +106,8 @@ static void clear_blocks(tp_scene *scene) {
 void tp_scene_free(tp_scene *scene) {
   if (scene == NULL) return;
   clear_blocks(scene);
+  for (long k = 0; k < scene->solid.band_count; k++) fmpq_clear(scene->solid.bands + k);
+  free(scene->solid.bands);
   for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
   for (size_t k = 0; k < tp_scene_lines.count; k++) {
     tp_polyline_clear(tp_member_line(scene, tp_scene_lines.items[k]));

@@ -38,6 +38,8 @@ void tp_scene_file_free(tp_scene_file *file) {
     tp_notes_clear(&file->chains[k].notes);
   }
   free(file->chains);
+  void *kept = atomic_load(&file->kept);
+  if (kept != NULL) file->kept_free(kept);
   for (long k = 0; k < file->mesh_count; k++) tp_mesh_clear(file->meshes + k);
   free(file->meshes);
   if (file->drawn != NULL) tp_drawn_clear(file->drawn);
@@ -90,6 +92,16 @@ tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file, const ch
   if (status != TP_OK) return status;
   *mesh = meshes + file->mesh_count++;
   return TP_OK;
+}
+
+void *tp_scene_file_keep(tp_scene_file *file, void *made, void (*give_back)(void *made)) {
+  void *kept = NULL;
+  if (!atomic_compare_exchange_strong(&file->kept, &kept, made)) {
+    give_back(made);
+    return kept;
+  }
+  file->kept_free = give_back;
+  return made;
 }
 
 tp_file_chain *tp_scene_file_add_chain(tp_scene_file *file, const tp_node *node) {

@@ -36,7 +36,9 @@ typedef struct tp_scene_file {
   tp_file_chain *chains;
   long mesh_count, mesh_room; /* that its sections are cut through */
   tp_mesh *meshes;
-  tp_drawn *drawn; /* what its drawing gives; NULL: it has none, or that varies */
+  tp_drawn *drawn;      /* what its drawing gives; NULL: it has none, or that varies */
+  _Atomic(void *) kept; /* what higher rooms made of it once for all its scenes; NULL: nothing */
+  void (*kept_free)(void *kept);
 } tp_scene_file;
 
 /* Of one user. It takes the nodes over, but for where memory is exhausted: then it is NULL. */
@@ -50,6 +52,8 @@ const char *tp_scene_file_name(tp_scene_file *file, const char *name);
 /* The mesh of a name that the scene gives, read once; it may move when another one is read. */
 TP_MUST_USE tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file,
                                          const char *name, tp_message *message);
+/* Keep what was made of the file, or give it back where another thread was faster; what is kept. */
+void *tp_scene_file_keep(tp_scene_file *file, void *made, void (*give_back)(void *made));
 /* Room for the next chain; NULL when memory is exhausted. */
 tp_file_chain *tp_scene_file_add_chain(tp_scene_file *file, const tp_node *node);
 

@@ -65,6 +65,18 @@ TP_MUST_USE tp_status tp_read_outline(const tp_reader *reader, const tp_node *no
  * `holes` NULL: of what may have none. */
 TP_MUST_USE tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines *holes,
                                    const tp_node *node, bool closed, tp_notes *notes);
+/* What a map says of a mesh: its unit in scene lengths, 1 where `node` is NULL; one object of it,
+ * below zero where that is NULL; and a caution where the map has no unit. */
+TP_MUST_USE tp_status tp_read_mesh_unit(const tp_reader *reader, fmpq_t factor,
+                                        const tp_node *node);
+TP_MUST_USE tp_status tp_read_mesh_object(const tp_reader *reader, long *object,
+                                          const tp_node *node, const tp_mesh *mesh);
+TP_MUST_USE tp_status tp_note_mesh_unit(const tp_reader *reader, const tp_node *mesh,
+                                        tp_notes *notes);
+/* The key solid, of a scene of a solid; its keys tilt.azimuth_deg and loads.seismic.azimuth_deg are
+ * refused where the scene is of another kind, and those of a section where it is of a solid. */
+TP_MUST_USE tp_status tp_read_solid(const tp_reader *reader, const tp_node *root);
+TP_MUST_USE tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root);
 /* The key section: has it a mesh to cut? After all chains. */
 TP_MUST_USE tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node);
 

@@ -118,7 +118,7 @@ tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node) {
 /* ---- the mesh ----------------------------------------------------------------------------------
  */
 
-static tp_status read_unit(const tp_reader *reader, fmpq_t factor, const tp_node *node) {
+tp_status tp_read_mesh_unit(const tp_reader *reader, fmpq_t factor, const tp_node *node) {
   const tp_scene *scene = reader->scene;
   fmpq_one(factor);
   if (node == NULL) return TP_OK;
@@ -130,13 +130,13 @@ static tp_status read_unit(const tp_reader *reader, fmpq_t factor, const tp_node
   return TP_OK;
 }
 
-static tp_status note_unit(const tp_reader *reader, const tp_node *mesh, tp_notes *notes) {
+tp_status tp_note_mesh_unit(const tp_reader *reader, const tp_node *mesh, tp_notes *notes) {
   const char *unit = reader->scene->length_unit;
   if (tp_node_get(mesh, "unit") != NULL) return TP_OK;
   return tp_notes_add(notes, reader->message, TP_CAUTION, tp_read_place(reader, mesh),
                       "a mesh does not say what the unit of its lengths is: taken for %s, the "
-                      "scene's; say {mesh: …, unit: %s} where that is right",
-                      unit, unit);
+                      "scene's; say {%s: …, unit: %s} where that is right",
+                      unit, tp_node_get(mesh, "mesh") != NULL ? "mesh" : "file", unit);
 }
 
 static tp_status read_taking(const tp_reader *reader, bool *largest, const tp_node *node) {
@@ -160,9 +160,8 @@ static tp_status fail_object(const tp_reader *reader, const tp_node *node, const
                       "the mesh has no object of this name with faces; it has %s", names);
 }
 
-/* Below zero: all of the mesh. */
-static tp_status find_object(const tp_reader *reader, long *object, const tp_node *node,
-                             const tp_mesh *mesh) {
+tp_status tp_read_mesh_object(const tp_reader *reader, long *object, const tp_node *node,
+                              const tp_mesh *mesh) {
   *object = -1;
   if (node == NULL) return TP_OK;
   for (long k = 0; k < mesh->object_count && node->kind == TP_NODE_SCALAR; k++) {
@@ -201,7 +200,7 @@ static tp_status cut(const tp_reader *reader, tp_mesh_section *section, const tp
     status = tp_scene_file_mesh(&mesh, reader->scene->file, name->text, reader->message);
   }
   if (status == TP_OK) {
-    status = find_object(reader, &object, tp_node_get(node, "object"), mesh);
+    status = tp_read_mesh_object(reader, &object, tp_node_get(node, "object"), mesh);
   }
   if (status == TP_OK) status = note_left_out(reader, mesh, notes);
   if (status == TP_OK) status = tp_mesh_cut(section, mesh, object, &plane, reader->message);
@@ -212,7 +211,7 @@ static tp_status cut(const tp_reader *reader, tp_mesh_section *section, const tp
 static tp_status read_wish(const tp_reader *reader, tp_section_wish *wish, const tp_node *node) {
   const tp_node *gap = tp_node_get(node, "gap");
   tp_status status = tp_read_keys(reader, node, &tp_key_map_block_outline, "a mesh");
-  if (status == TP_OK) status = read_unit(reader, wish->factor, tp_node_get(node, "unit"));
+  if (status == TP_OK) status = tp_read_mesh_unit(reader, wish->factor, tp_node_get(node, "unit"));
   if (status == TP_OK) status = read_taking(reader, &wish->largest, tp_node_get(node, "take"));
   return status == TP_OK && gap != NULL
              ? tp_read_by_rule(reader, wish->gap, gap, "gap", TP_RULE_NOT_NEGATIVE)
@@ -243,7 +242,7 @@ tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines 
   if (status == TP_OK) status = cut(reader, &section, node, &wish, notes);
   if (status == TP_OK)
     status = tp_section_take(line, holes, &section, &wish, notes, reader->message);
-  if (status == TP_OK) status = note_unit(reader, node, notes);
+  if (status == TP_OK) status = tp_note_mesh_unit(reader, node, notes);
   if (status == TP_OK) status = check_points(reader, line, wish.place);
   for (long k = 0; holes != NULL && k < holes->count && status == TP_OK; k++) {
     status = check_points(reader, holes->lines + k, wish.place);

@@ -110,9 +110,10 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
   return tp_read_block(reader, block);
 }
 
-/* The block on its base, or the blocks. */
+/* The block on its base, the blocks, or a solid. */
 static tp_status read_bodies(const tp_reader *reader, const tp_node *root) {
   const tp_node *joints = tp_node_get(root, "joints");
+  if (tp_node_get(root, "solid") != NULL) return tp_read_solid(reader, root);
   if (tp_read_blocks_given(root) != NULL) return tp_read_blocks(reader, root);
   if (joints != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, joints,
@@ -151,6 +152,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_slope(reader, tp_node_get(root, "slope"));
+  if (status == TP_OK) status = tp_check_solid_keys(reader, root);
   if (status == TP_OK) status = tp_anchors_check(scene, reader->message);
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));
   if (status == TP_OK) status = tp_read_shaking(reader, tp_node_get(root, "shaking"));

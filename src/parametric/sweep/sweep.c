@@ -9,6 +9,7 @@
 #include "common/options.h"
 #include "scene_varying/load_case.h"
 #include "scene_varying/settings.h"
+#include "solid_tilt/solve_solid.h"
 #include "sweep/axis.h"
 
 #include <stdlib.h>
@@ -30,6 +31,7 @@ typedef struct outcome {
   tp_status status;
   tp_solution *solution;
   tp_block_system *system; /* of a scene of many blocks, instead */
+  tp_solid *solid;         /* of one of a solid */
   tp_message message;
 } outcome;
 
@@ -64,11 +66,15 @@ static tp_status solve_scene(outcome *own, const sweep *s, tp_scene *scene) {
   if (tp_scene_block_count(scene) > 0) {
     return tp_solve_block_system(&own->system, scene, &s->solve, &own->message);
   }
+  if (tp_scene_is_solid(scene)) {
+    return tp_solid_solve_scene(&own->solid, scene, false, &own->message);
+  }
   scene->base.all_poses = false; /* a row has no place for them */
   return tp_solve(&own->solution, scene, &s->solve, &own->message);
 }
 
 static bool is_undecided(const outcome *own) {
+  if (own->solid != NULL) return tp_solid_is_undecided(own->solid);
   return own->system != NULL ? tp_block_system_is_undecided(own->system)
                              : tp_solution_is_undecided(own->solution);
 }
@@ -107,6 +113,7 @@ static void count_point(tp_sweep_summary *summary, tp_status status) {
 
 static const tp_settings *settings_of(const outcome *own) {
   return own->system != NULL     ? &own->system->settings
+         : own->solid != NULL    ? &own->solid->settings
          : own->solution != NULL ? &own->solution->settings
                                  : NULL;
 }
@@ -131,6 +138,7 @@ static tp_status hand_over(bool *goes_on, const sweep *s, size_t number, tp_swee
                                   .status = own->status,
                                   .solution = own->solution,
                                   .system = own->system,
+                                  .solid = own->solid,
                                   .message = solved == NULL ? own->message.text : ""};
     *goes_on = sink.take(sink.context, &point);
   }
@@ -152,6 +160,7 @@ static tp_status run_batch(bool *goes_on, sweep *s, size_t threads, tp_sweep_sum
   for (size_t k = 0; k < count; k++) {
     tp_solution_free(s->outcomes[k].solution);
     tp_block_system_free(s->outcomes[k].system);
+    tp_solid_free(s->outcomes[k].solid);
   }
   s->first += count;
   return status;
@@ -185,6 +194,10 @@ static tp_status run(sweep *s, const tp_sweep_options *options, tp_sweep_summary
                      tp_sweep_sink sink, tp_message *message) {
   tp_status status = tp_check_load_case(s->scene, message);
   if (status == TP_OK) status = read_axes(s, options, message);
+  if (status == TP_OK && tp_scene_is_solid(s->scene)) { /* the surface once for all points */
+    const tp_solid_body *body = NULL;
+    status = tp_solid_body_of_scene(&body, s->scene, message);
+  }
   if (status != TP_OK) return status;
   tp_sweep_summary sum = {.count = s->count};
   s->outcomes = calloc(BATCH, sizeof *s->outcomes);

@@ -95,7 +95,7 @@ tp_status tp_report_verification_json(char **text, const tp_verification *verifi
 }
 
 size_t tp_json_study_quantities(const tp_study_result *result) {
-  return result->of_many_blocks ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
+  return result->of_many_blocks || result->of_solid ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
 }
 
 tp_status tp_report_study_json(char **text, const tp_study_result *result) {

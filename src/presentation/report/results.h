@@ -47,6 +47,9 @@ typedef struct tp_json_subject {
   size_t k;          /* the number of the item of a list */
 } tp_json_subject;
 
+/* The band of a solid that governs. */
+const tp_solid_band *tp_solid_band_that_governs(const tp_solid *solid);
+
 #include "results_json.h"
 
 /* A profile's spectrum in bands, and its facets. */

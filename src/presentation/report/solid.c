@@ -9,13 +9,14 @@
 #include "output/encode.h"
 #include "report/notes.h"
 #include "report/results.h"
+#include "report/solid_page.h"
 #include "terms/names.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { DIGITS = 9, TILT = 8, LABEL = 18, POSES = 12 };
+enum { DIGITS = 9, TILT = TP_SOLID_TILT_DIGITS, LABEL = 18, POSES = 12 };
 
 static void add_bounded(tp_text *t, const char *label, tp_bounded number, const char *unit) {
   char n[TP_NUMBER_SIZE];
@@ -27,13 +28,26 @@ static void add_bounded(tp_text *t, const char *label, tp_bounded number, const 
               unit, number.error);
 }
 
+const tp_solid_band *tp_solid_band_that_governs(const tp_solid *solid) {
+  return solid->bands + solid->governing;
+}
+
 static void add_body(tp_text *t, const tp_solid *s) {
   static const char *const axes[] = {"x", "y", "z"};
   static const char *const pairs[] = {"xx", "yy", "zz", "yz", "zx", "xy"};
   char label[32];
+  if (s->title != NULL) {
+    tp_encode_plain(t, s->title);
+    tp_text_add(t, "\n");
+  }
   tp_encode_plain(t, s->file);
-  tp_text_add(t, "\n\nSolid of %zu triangles, %zu points; lengths of the mesh in %s\n",
-              s->triangles, s->vertices, s->length_unit);
+  tp_text_add(t, "\n\nSolid of %zu triangles, %zu points; ", s->triangles, s->vertices);
+  if (s->of_scene) {
+    char metres[TP_SHORTEST_SIZE];
+    tp_text_add(t, "a length of the mesh is %s m\n", tp_shortest(metres, s->metres_per_unit));
+  } else {
+    tp_text_add(t, "lengths of the mesh in %s\n", s->length_unit);
+  }
   add_bounded(t, "volume", s->volume_m3, "m³");
   if (s->has_weight) add_bounded(t, "weight", s->weight_n, "N");
   for (int k = 0; k < 3; k++) {
@@ -117,8 +131,12 @@ static void add_range(tp_text *t, const tp_solid *s) {
 }
 
 static void add_bands(tp_text *t, const tp_solid *s) {
-  tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on a plane base", s->up[0], s->up[1],
-              s->up[2]);
+  if (s->is_on_slope) {
+    tp_text_add(t, "\nAs it lies, tilted from where its base, which dips, would be level");
+  } else {
+    tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on a plane base", s->up[0], s->up[1],
+                s->up[2]);
+  }
   if (s->has_friction) tp_text_add(t, ", friction angle %.6g°", s->friction_angle_deg);
   tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", "band", "touching", "corners", "least tilt",
               "azimuth", s->has_friction ? "         moves" : "");
@@ -155,25 +173,45 @@ static void add_rose(tp_text *t, const tp_solid *s) {
 /* ---- poses -------------------------------------------------------------------------------------
  */
 
+/* In metres, a few digits: the noise of a survey has none. */
+static const char *add_rise(char text[TP_NUMBER_SIZE + 4], const tp_solid_pose *p) {
+  if (!p->has_persistence) return "the lowest";
+  snprintf(text, TP_NUMBER_SIZE + 4, "%.3g m", p->persistence_m.value);
+  return text;
+}
+
+static void add_lasting(tp_text *t, const tp_solid *s) {
+  if (s->band_count == 0 || s->pose_count < 2) return;
+  tp_text_add(t, "  Poses that last where each point is off by a band, for their persistence is "
+                 "more than twice it:");
+  for (size_t k = 0; k < s->band_count; k++) {
+    tp_text_add(t, "%s %zu at %.6g", k == 0 ? "\n " : ",", s->bands[k].lasting_poses,
+                s->bands[k].band);
+  }
+  tp_text_add(t, "\n");
+}
+
 static void add_poses(tp_text *t, const tp_solid *s) {
   tp_text_add(t,
               "\n%zu pose%s in which it can rest on a plane by itself, of %zu facets of its convex "
               "hull\n",
               s->pose_count, s->pose_count == 1 ? "" : "s", s->facets);
-  tp_text_add(t, "  %9s %9s  %-27s %12s %10s\n", "share", "facet", "down", "least tilt", "azimuth");
+  tp_text_add(t, "  %9s %9s  %-27s %12s %10s %12s\n", "share", "facet", "down", "least tilt",
+              "azimuth", "persistence");
   for (size_t k = 0; k < s->pose_count && k < POSES; k++) {
     const tp_solid_pose *p = s->poses + k;
     char share[TP_NUMBER_SIZE], own[TP_NUMBER_SIZE], tilt[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE];
-    char down[64];
+    char down[64], rise[TP_NUMBER_SIZE + 4];
     snprintf(down, sizeof down, "(%.4f, %.4f, %.4f)", p->down[0], p->down[1], p->down[2]);
-    tp_text_add(t, "  %9s %9s  %-27s %11s° %9s°\n", tp_text_fixed(share, p->share, 6),
+    tp_text_add(t, "  %9s %9s  %-27s %11s° %9s° %11s\n", tp_text_fixed(share, p->share, 6),
                 tp_text_fixed(own, p->facet_share, 6), down,
                 tp_text_significant(tilt, p->least.tilt_deg, TILT),
-                tp_text_fixed(azimuth, p->least.azimuth_deg, 3));
+                tp_text_fixed(azimuth, p->least.azimuth_deg, 3), add_rise(rise, p));
   }
   if (s->pose_count > POSES) {
     tp_text_add(t, "  and %zu more of smaller shares, which --json has\n", s->pose_count - POSES);
   }
+  add_lasting(t, s);
 }
 
 tp_status tp_report_solid(char **text, const tp_solid *solid) {
@@ -183,6 +221,7 @@ tp_status tp_report_solid(char **text, const tp_solid *solid) {
   tp_text t = {0};
   add_body(&t, solid);
   add_bands(&t, solid);
+  tp_text_solid_stances(&t, solid);
   add_rose(&t, solid);
   add_poses(&t, solid);
   if (solid->notes.count > 0) tp_text_add(&t, "\n");
@@ -217,5 +256,20 @@ tp_status tp_report_solid_csv(char **text, const tp_solid *solid) {
                   a->critical_deg.error, tp_mechanism_name(a->mechanism));
     }
   }
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_solid_row_csv(char **text, const tp_solid *solid) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solid);
+  tp_text t = {0};
+  const tp_json_subject x = {.s = NULL};
+  tp_text_add(&t, "scene");
+  tp_csv_names_of_solid_row(&t);
+  tp_text_add(&t, "\n");
+  tp_encode_csv(&t, solid->scene != NULL ? solid->scene : solid->file);
+  tp_csv_fields_of_solid_row(&t, solid, &x);
+  tp_text_add(&t, "\n");
   return tp_text_finish(&t, text);
 }

@@ -100,7 +100,9 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
   if (infinite) {
     tp_text_add(
         t, "%s",
-        r->of_many_blocks
+        r->of_solid ? "always: nothing moves it; never: it does not stand by itself, or not at its "
+                      "tilt.\n"
+        : r->of_many_blocks
             ? "always: forces hold the blocks at every tilt; never: no friction, or no\n"
               "acceleration, is enough or allowed.\n"
             : "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
@@ -157,6 +159,10 @@ static const ranked ranked_of_many = {4,
                                        {TP_STUDY_FOS_GOODMAN_BRAY, "FoS, G&B"},
                                        {TP_STUDY_ACCELERATION_G, "accel."}}};
 
+static const ranked ranked_of_solid = {
+    3,
+    {{TP_STUDY_LIMIT_DEG, "limit"}, {TP_STUDY_FOS, "factor"}, {TP_STUDY_ACCELERATION_G, "accel."}}};
+
 static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES],
                          const ranked *with) {
   for (size_t k = 0; k < with->count; k++) {
@@ -178,7 +184,9 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
       any = any || r->variables[k].rank_correlations[q].known;
   }
   if (!any) return;
-  const ranked *with = r->of_many_blocks ? &ranked_of_many : &ranked_of_block;
+  const ranked *with = r->of_solid         ? &ranked_of_solid
+                       : r->of_many_blocks ? &ranked_of_many
+                                           : &ranked_of_block;
   tp_text_add(t, "\n%-*s", LABEL + 2, "Rank correlation with");
   for (size_t k = 0; k < with->count; k++) tp_text_add(t, " %10s", with->columns[k].head);
   tp_text_add(t, "\n");
@@ -219,6 +227,10 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
 /* What accuracy costs, in bulk. */
 static void add_tellers(tp_text *t, const tp_study_result *r) {
   if (r->of_many_blocks) tp_text_add(t, "Limits and factors are certain to 1e-6 of themselves.\n");
+  if (r->of_solid) {
+    tp_text_add(t, "Solved in doubles with proven bounds, or in whole numbers where these do not "
+                   "tell.\n");
+  }
   if (r->by_doubles == 0) return;
   tp_text_add(t, "%zu samples solved in doubles with proven bounds, %zu in higher precision.\n",
               r->by_doubles, r->samples - r->by_doubles);

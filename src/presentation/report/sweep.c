@@ -15,8 +15,8 @@
 
 typedef struct writer {
   tp_sweep_format format;
-  bool of_many; /* the scene is of many blocks */
-  tp_json json; /* of CSV its text alone */
+  bool of_many, of_solid; /* what the scene is of; neither: one block */
+  tp_json json;           /* of CSV its text alone */
   tp_text_sink sink;
   bool stopped; /* by the sink */
 } writer;
@@ -33,14 +33,16 @@ static bool drain(writer *w) {
 /* ---- CSV ---------------------------------------------------------------------------------------
  */
 
-static void add_head(tp_text *t, const tp_settings *set, bool of_many) {
+static void add_head(tp_text *t, const tp_settings *set, const writer *w) {
   for (size_t k = 0; k < set->count; k++) {
     tp_csv_setting_name(t, set->items[k].key, set->items[k].unit);
     tp_text_add(t, ",");
   }
   tp_text_add(t, "status");
-  if (of_many) {
+  if (w->of_many) {
     tp_csv_names_of_system_row(t);
+  } else if (w->of_solid) {
+    tp_csv_names_of_solid_row(t);
   } else {
     tp_csv_names_of_verdict_row(t);
     tp_csv_names_of_pivot_row(t);
@@ -48,8 +50,8 @@ static void add_head(tp_text *t, const tp_settings *set, bool of_many) {
   tp_text_add(t, ",message\n");
 }
 
-/* Of a point that was not solved both cases are NULL. */
-static void add_row(tp_text *t, const tp_sweep_point *point, bool of_many, const tp_case *own,
+/* Of a point that was not solved, and of a solid, both cases are NULL. */
+static void add_row(tp_text *t, const tp_sweep_point *point, const writer *w, const tp_case *own,
                     const tp_system_case *system) {
   const tp_json_subject x = {.s = point->solution, .system = point->system};
   for (size_t k = 0; k < point->set->count; k++) {
@@ -57,8 +59,10 @@ static void add_row(tp_text *t, const tp_sweep_point *point, bool of_many, const
     tp_text_add(t, ",");
   }
   tp_text_add(t, "%s", tp_status_meaning(point->status));
-  if (of_many) {
+  if (w->of_many) {
     tp_csv_fields_of_system_row(t, system, &x);
+  } else if (w->of_solid) {
+    tp_csv_fields_of_solid_row(t, point->solid, &x);
   } else {
     tp_csv_fields_of_verdict_row(t, own, &x);
     tp_csv_fields_of_pivot_row(t, own, &x);
@@ -68,16 +72,16 @@ static void add_row(tp_text *t, const tp_sweep_point *point, bool of_many, const
   tp_text_add(t, "\n");
 }
 
-static void add_rows(tp_text *t, const tp_sweep_point *point, bool of_many) {
+static void add_rows(tp_text *t, const tp_sweep_point *point, const writer *w) {
   const tp_solution *s = point->solution;
   const tp_block_system *b = point->system;
-  if (point->index == 0) add_head(t, point->set, of_many);
-  if (s == NULL && b == NULL) add_row(t, point, of_many, NULL, NULL);
+  if (point->index == 0) add_head(t, point->set, w);
+  if (s == NULL && b == NULL) add_row(t, point, w, NULL, NULL);
   for (size_t k = 0; s != NULL && k < s->case_count; k++) {
-    add_row(t, point, of_many, s->cases + k, NULL);
+    add_row(t, point, w, s->cases + k, NULL);
   }
   for (size_t k = 0; b != NULL && k < b->case_count; k++) {
-    add_row(t, point, of_many, NULL, b->cases + k);
+    add_row(t, point, w, NULL, b->cases + k);
   }
 }
 
@@ -106,6 +110,11 @@ static void add_point(tp_json *j, const tp_sweep_point *point) {
     tp_json_members_of_sweep_system_row(j, b->cases + k, &x);
     tp_json_close(j);
   }
+  if (point->solid != NULL) {
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_members_of_sweep_solid_row(j, point->solid, &x);
+    tp_json_close(j);
+  }
   tp_json_close(j);
   tp_json_close(j);
 }
@@ -126,7 +135,7 @@ static tp_status end_json(writer *w) {
 static bool write_point(void *context, const tp_sweep_point *point) {
   writer *w = context;
   if (w->format == TP_SWEEP_CSV) {
-    add_rows(&w->json.text, point, w->of_many);
+    add_rows(&w->json.text, point, w);
   } else {
     add_point(&w->json, point);
   }
@@ -144,7 +153,10 @@ tp_status tp_sweep_write(tp_sweep_summary *summary, const tp_scene *scene,
   if (format != TP_SWEEP_CSV && format != TP_SWEEP_JSON) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such format");
   }
-  writer w = {.format = format, .of_many = tp_scene_block_count(scene) > 0, .sink = sink};
+  writer w = {.format = format,
+              .of_many = tp_scene_block_count(scene) > 0,
+              .of_solid = tp_scene_is_solid(scene),
+              .sink = sink};
   tp_status status = tp_sweep(summary, scene, options, (tp_sweep_sink){write_point, &w}, message);
   if (status == TP_OK && w.json.text.failed) status = tp_fail_memory(message, "the table");
   if (status == TP_OK && format == TP_SWEEP_JSON && !w.stopped) status = end_json(&w);

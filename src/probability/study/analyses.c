@@ -69,6 +69,10 @@ tp_status tp_study_read_quantity(const tp_study_reader *reader, tp_study_quantit
     count++;
   }
   const char *nearest = node->kind == TP_NODE_SCALAR ? tp_nearest(node->text, known) : NULL;
+  if (tp_study_is_of_solid(reader->study)) {
+    return tp_study_fail(reader, node, "of a solid a quantity is %s, %s or %s", known[0], known[1],
+                         known[2]);
+  }
   return tp_study_fail(reader, node, "%sa quantity is %s, %s, %s or %s%s%s%s",
                        tp_study_is_of_many(reader->study) ? "of many blocks " : "", known[0],
                        known[1], known[2], known[3], nearest != NULL ? "; did you mean '" : "",

@@ -26,7 +26,8 @@ static void look_at(tp_study_view *v, tp_study_quantity quantity) {
 
 tp_study_view tp_study_view_of(const tp_study_result *result) {
   tp_study_view v = {.result = result, .kept = result->kept};
-  const size_t quantities = result->of_many_blocks ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
+  const size_t quantities =
+      result->of_many_blocks || result->of_solid ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
   const size_t outcomes = result->variable_count + quantities;
   if (result->column_count <= outcomes) v.kept = 0; /* nothing was kept */
   v.least = v.greatest = NAN;

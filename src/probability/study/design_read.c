@@ -63,9 +63,10 @@ static tp_status read_quantity(const tp_study_reader *reader, tp_wanted_design *
                                const tp_node *map) {
   const tp_scene *scene = reader->study->scene;
   const tp_node *node = tp_node_get(map, "quantity");
-  design->quantity = tp_study_is_of_many(reader->study) ? TP_STUDY_LIMIT_DEG
-                     : scene->friction_angle_deg.given  ? TP_STUDY_ONSET_DEG
-                                                        : TP_STUDY_MOMENTS_DEG;
+  design->quantity = tp_study_is_of_many(reader->study) || tp_study_is_of_solid(reader->study)
+                         ? TP_STUDY_LIMIT_DEG
+                     : scene->friction_angle_deg.given ? TP_STUDY_ONSET_DEG
+                                                       : TP_STUDY_MOMENTS_DEG;
   if (node == NULL) return TP_OK;
   const tp_status status = tp_study_read_quantity(reader, &design->quantity, node);
   if (status != TP_OK || !tp_study_quantity_is_factor(design->quantity) ||

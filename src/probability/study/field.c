@@ -48,6 +48,9 @@ static const own_field of_block[] = {
     MOMENTS, PIVOT_X, PIVOT_Y,       ONSET,          LIMIT,       LIMIT_MECHANISM};
 static const own_field of_many[] = {OUTCOME,  FOS,   FOS_GOODMAN_BRAY, LIMIT, ACCELERATION,
                                     COLLAPSE, DESIGN};
+static const own_field of_solid[] = {OUTCOME,         FOS,          FOS_MECHANISM,
+                                     FOS_MOMENTS,     FOS_SLIDING,  LIMIT,
+                                     LIMIT_MECHANISM, ACCELERATION, DESIGN};
 enum { LAST_FIELDS = 2 };
 
 typedef struct own_fields {
@@ -57,11 +60,14 @@ typedef struct own_fields {
 
 /* Whether a factor is met stands where one is required. */
 static own_fields fields_of(const tp_study *study) {
+  const size_t required = study->scene->required_fos.given ? 0 : 1;
+  if (tp_study_is_of_solid(study)) {
+    return (own_fields){of_solid, sizeof of_solid / sizeof of_solid[0] - required};
+  }
   if (!tp_study_is_of_many(study)) {
     return (own_fields){of_block, sizeof of_block / sizeof of_block[0]};
   }
-  return (own_fields){of_many, sizeof of_many / sizeof of_many[0] -
-                                   (study->scene->required_fos.given ? 0 : 1)};
+  return (own_fields){of_many, sizeof of_many / sizeof of_many[0] - required};
 }
 
 typedef struct own_column {

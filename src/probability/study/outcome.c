@@ -47,18 +47,28 @@ bool tp_study_is_of_many(const tp_study *study) {
   return tp_scene_block_count(study->scene) > 0;
 }
 
+bool tp_study_is_of_solid(const tp_study *study) {
+  return tp_scene_is_solid(study->scene);
+}
+
 size_t tp_study_quantity_count(const tp_study *study) {
-  return tp_study_is_of_many(study) ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
+  return tp_study_is_of_many(study) || tp_study_is_of_solid(study) ? TP_STUDY_QUANTITIES
+                                                                   : TP_STUDY_FOS + 1;
 }
 
 bool tp_study_has_quantity(const tp_study *study, tp_study_quantity quantity) {
+  if (tp_study_is_of_solid(study)) {
+    return quantity == TP_STUDY_LIMIT_DEG || quantity == TP_STUDY_FOS ||
+           quantity == TP_STUDY_ACCELERATION_G;
+  }
   if (!tp_study_is_of_many(study)) return quantity <= TP_STUDY_FOS;
   return quantity != TP_STUDY_MOMENTS_DEG && quantity != TP_STUDY_ONSET_DEG;
 }
 
 bool tp_study_has_stance(const tp_study *study) {
   const tp_scene *scene = study->scene;
-  return scene->tilt_angle_deg.given ||
+  return scene->tilt_angle_deg.given || scene->solid.dip_deg.given ||
+         (tp_study_is_of_solid(study) && scene->loads.horizontal.given) ||
          (tp_study_is_of_many(study) && tp_scene_lies_in_place(scene));
 }
 

@@ -19,6 +19,9 @@ tp_study_outcome tp_study_outcome_of_system(const tp_system_case *own);
 /* Is the scene one of many blocks? */
 bool tp_study_is_of_many(const tp_study *study);
 
+/* Is it one of a solid? */
+bool tp_study_is_of_solid(const tp_study *study);
+
 /* So many quantities, the first of all, have columns; and has a scene like this one the quantity?
  */
 size_t tp_study_quantity_count(const tp_study *study);

@@ -66,10 +66,11 @@ tp_status tp_study_read_roughness(const tp_study_reader *reader, const tp_node *
   tp_study *study = reader->study;
   const tp_node *node = tp_node_get(root, "roughness");
   if (node == NULL) return TP_OK;
-  if (tp_study_is_of_many(study)) {
-    return tp_study_fail(reader, node,
-                         "roughness is measured on the base of one block, and this scene has many; "
-                         "leave it out");
+  if (tp_study_is_of_many(study) || tp_study_is_of_solid(study)) {
+    return tp_study_fail(
+        reader, node,
+        "roughness is measured on the base of one block in a section, and this scene has none; "
+        "leave it out");
   }
   if (node->kind != TP_NODE_SEQUENCE || node->count == 0) {
     return tp_study_fail(reader, node, "roughness is a list of numbers to measure, as '[z2, jrc]'");

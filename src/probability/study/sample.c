@@ -11,6 +11,7 @@
 #include "stability/tilts.h"
 #include "study/outcome.h"
 #include "study/sample_filter.h"
+#include "study/solid_sample.h"
 #include "study/system_sample.h"
 
 #include <math.h>
@@ -186,6 +187,24 @@ static tp_status solve_system(tp_study_row *row, size_t at, const tp_study *stud
   return status;
 }
 
+/* Of a solid, likewise. */
+static tp_status solve_solid(tp_study_row *row, size_t at, const tp_study *study, const numbers *n,
+                             size_t count, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solid *solid = NULL;
+  tp_message why = {.text = ""};
+  tp_status status = vary(&scene, study, n, count, &why);
+  if (status == TP_OK) status = tp_solid_solve_scene(&solid, scene, false, &why);
+  if (status == TP_OK) {
+    tp_study_take_solid(row, at, solid);
+  } else {
+    status = take_status(row, row->at + at, status, &why, message);
+  }
+  tp_solid_free(solid);
+  tp_scene_free(scene);
+  return status;
+}
+
 /* At the scene's own tilt, and what that tells of the further ones. Upright there are loads that
  * are refused, so that a scene for itself has to be asked. */
 static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
@@ -194,6 +213,7 @@ static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
   tp_message why = {.text = ""};
   tp_tilts tilts = {n->tilts, n->degrees, n->solutions};
   if (tp_study_is_of_many(study)) return solve_system(row, 0, study, n, n->count - 1, message);
+  if (tp_study_is_of_solid(study)) return solve_solid(row, 0, study, n, n->count - 1, message);
   if (n->tilts > 0 && fmpq_cmp_si(n->degrees + n->tilts - 1, 90) == 0) tilts.count--;
   const tp_status status = solve(&solution, &tilts, study, n, n->count - 1, &why);
   if (status != TP_OK) return take_status(row, row->at, status, &why, message);
@@ -210,6 +230,7 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
   if (n->solutions[k] == NULL) {
     fmpq_set(n->values + n->count - 1, n->degrees + k);
     if (tp_study_is_of_many(study)) return solve_system(row, k + 1, study, n, n->count, message);
+    if (tp_study_is_of_solid(study)) return solve_solid(row, k + 1, study, n, n->count, message);
     const tp_status status = solve(n->solutions + k, NULL, study, n, n->count, &why);
     if (status != TP_OK) return take_status(row, row->at + k + 1, status, &why, message);
   }

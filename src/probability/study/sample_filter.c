@@ -5,6 +5,7 @@
 
 #include "study/sample_filter.h"
 
+#include "solid_tilt/solid_body.h"
 #include "study/outcome.h"
 
 #include <math.h>
@@ -14,6 +15,10 @@ tp_status tp_sample_filter_new(tp_keyed_filter **filter, const tp_study *study,
                                tp_message *message) {
   *filter = NULL;
   if (tp_study_is_of_many(study)) return TP_OK;
+  if (tp_study_is_of_solid(study)) { /* the surface once for all samples */
+    const tp_solid_body *body = NULL;
+    return tp_solid_body_of_scene(&body, study->scene, message);
+  }
   tp_scene_key *keys = calloc(study->variable_count + 1, sizeof *keys);
   if (keys == NULL) return tp_fail_memory(message, "the study");
   for (size_t k = 0; k < study->variable_count; k++) keys[k] = study->variables[k].key;

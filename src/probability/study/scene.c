@@ -91,7 +91,8 @@ tp_status tp_study_read_scene(const tp_study_reader *reader, const tp_node *root
   const tp_status status = read_with_settings(reader, root, node);
   if (status != TP_OK) return status;
   const tp_scene *scene = study->scene;
-  if (scene->towards_left && scene->towards_right && !tp_scene_lies_in_place(scene)) {
+  if (scene->towards_left && scene->towards_right && !tp_scene_lies_in_place(scene) &&
+      !tp_scene_is_solid(scene)) {
     return tp_study_fail(reader, node,
                          "this scene tilts both ways; give one, 'tilt: "
                          "{towards: left}'");

@@ -227,7 +227,9 @@ static bool fill(tp_study_result *result, const tp_tally *tally) {
   filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
            fill_variables(result, tally) && fill_correlations(result, study);
   result->of_many_blocks = tp_study_is_of_many(study);
-  result->has_required_fos = result->of_many_blocks && study->scene->required_fos.given;
+  result->of_solid = tp_study_is_of_solid(study);
+  result->has_required_fos =
+      (result->of_many_blocks || result->of_solid) && study->scene->required_fos.given;
   result->below_required = tp_row_counts_share(counts->below_required, counts->samples);
   result->samples = counts->samples;
   result->kept = tp_tally_kept(tally);

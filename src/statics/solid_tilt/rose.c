@@ -6,6 +6,8 @@
 
 #include "solid_tilt/rose.h"
 
+#include "solid_tilt/stance.h"
+
 #include "number/near_angle.h"
 
 #include <stdlib.h>
@@ -69,6 +71,19 @@ static tp_near angle_towards(const reach *reaches, long count, double azimuth_de
   return tp_near_arctangent(tp_near_div(one, most));
 }
 
+/* Of a scene's stance: the tilt at which it moves towards the azimuth of its tilt. */
+static void set_critical(tp_solid_band *result, const tp_rose_question *q, const reach *reaches) {
+  tp_solid_stance *own = &result->stance;
+  own->has_critical = true;
+  if (q->loads->azimuth_deg < 0) {
+    own->critical_deg = result->critical_deg;
+    own->critical_mechanism = result->mechanism;
+    return;
+  }
+  const tp_near angle = angle_towards(reaches, (long)result->corner_count, q->loads->azimuth_deg);
+  own->critical_mechanism = choose(&own->critical_deg, q, tp_near_bounded(angle));
+}
+
 static tp_status set_rose(tp_solid_band *result, const tp_rose_question *q,
                           const tp_support_edge *edges, bool *told, tp_message *message) {
   const long count = (long)result->corner_count;
@@ -88,7 +103,35 @@ static tp_status set_rose(tp_solid_band *result, const tp_rose_question *q,
     own->mechanism = choose(&own->critical_deg, q, own->toppling_deg);
     if (!tp_tilt_is_told(angle)) *told = false;
   }
+  if (q->loads != NULL) set_critical(result, q, reaches);
   free(reaches);
+  return TP_OK;
+}
+
+/* ---- at the tilt of a scene --------------------------------------------------------------------
+ */
+
+static tp_status set_stance(tp_solid_band *result, const tp_rose_question *q,
+                            const tp_support_edge *edges, bool *told, tp_message *message) {
+  const tp_rest_plane *plane = &q->above->plane;
+  const size_t count = result->corner_count;
+  const tp_near rise = tp_near_div(tp_centre_height(q->centre, plane, tp_solid_accuracy),
+                                   tp_near_norm(plane->near_up));
+  tp_stance_edge *own = malloc(count * sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the support of a solid");
+  tp_map_frame frame;
+  tp_map_frame_init(&frame, plane->near_up);
+  for (size_t k = 0; k < count; k++) {
+    tp_near outward[3], east, north;
+    const int from = edges[k].from, to = edges[k].to;
+    tp_rest_plane_outward(outward, q->centre->surface, plane, from, to);
+    tp_map_components(&east, &north, &frame, outward);
+    own[k] = (tp_stance_edge){tp_centre_arm(q->centre, plane, from, to, tp_solid_accuracy),
+                              tp_near_times(east, rise), tp_near_times(north, rise)};
+    if (!tp_near_tells(own[k].arm, tp_solid_accuracy)) *told = false;
+  }
+  tp_stance_find(result, q->loads, own, count, q->has_friction, q->friction_angle_deg);
+  free(own);
   return TP_OK;
 }
 
@@ -142,6 +185,7 @@ static tp_status set_tilts(tp_solid_band *result, const tp_rose_question *q,
     result->mechanism = choose(&result->critical_deg, q, result->least.tilt_deg);
     status = set_rose(result, q, edges, told, message);
   }
+  if (status == TP_OK && q->loads != NULL) status = set_stance(result, q, edges, told, message);
   free(edges);
   return status;
 }

@@ -22,6 +22,7 @@ typedef struct tp_rose_question {
   bool has_friction;
   double friction_angle_deg;
   size_t azimuths;
+  const struct tp_stance_loads *loads; /* of a scene; NULL: there is none */
 } tp_rose_question;
 
 /* All of a band but the band itself. `*told` becomes false where the level does not tell. */

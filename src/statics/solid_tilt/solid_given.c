@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Defaults of the options of a solid, and their doubles as the shortest decimals that name them. */
+/* Defaults of the options of a solid, and their doubles as the shortest decimals that name them;
+ * and a scene. A base that dips has the normal (sin d sin a, sin d cos a, cos d), of whole numbers
+ * to 2^-100. */
 
 #include "solid_tilt/solid_given.h"
 
 #include "common/options.h"
 #include "number/ratio.h"
-#include "scene/scene.h"
 
+#include <arb.h>
 #include <stdlib.h>
 
 TP_OPTIONS_END(tp_solid_options, azimuths);
 
-enum { AZIMUTHS = 72, OWN_BANDS = 4 };
+enum { AZIMUTHS = 72, OWN_BANDS = 4, NORMAL_BITS = 100 };
 
 void tp_solid_options_init(tp_solid_options *options, size_t size) {
   const tp_solid_options defaults = {
@@ -35,22 +37,26 @@ static tp_status take_unit(tp_solid_given *given, const char *unit, tp_message *
 }
 
 /* To whole numbers of the same direction. */
-static tp_status take_up(tp_solid_given *given, const double up[3], tp_message *message) {
-  fmpq parts[3];
+static void set_up(tp_solid_given *given, const fmpq parts[3]) {
   fmpz_t divisor;
-  bool done = true;
   fmpz_init_set_ui(divisor, 1);
-  for (int k = 0; k < 3; k++) {
-    fmpq_init(parts + k);
-    done = done && tp_ratio_read_double(parts + k, up[k]);
-    fmpz_lcm(divisor, divisor, fmpq_denref(parts + k));
-  }
+  for (int k = 0; k < 3; k++) fmpz_lcm(divisor, divisor, fmpq_denref(parts + k));
   for (int k = 0; k < 3; k++) {
     fmpz_divexact(given->up + k, divisor, fmpq_denref(parts + k));
     fmpz_mul(given->up + k, given->up + k, fmpq_numref(parts + k));
-    fmpq_clear(parts + k);
   }
   fmpz_clear(divisor);
+}
+
+static tp_status take_up(tp_solid_given *given, const double up[3], tp_message *message) {
+  fmpq parts[3];
+  bool done = true;
+  for (int k = 0; k < 3; k++) {
+    fmpq_init(parts + k);
+    done = done && tp_ratio_read_double(parts + k, up[k]);
+  }
+  if (done) set_up(given, parts);
+  for (int k = 0; k < 3; k++) fmpq_clear(parts + k);
   done = done &&
          !(fmpz_is_zero(given->up) && fmpz_is_zero(given->up + 1) && fmpz_is_zero(given->up + 2));
   return done ? TP_OK
@@ -86,12 +92,21 @@ static tp_status take_bands(tp_solid_given *given, const tp_solid_options *o, tp
   return status;
 }
 
-tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *options,
-                              tp_message *message) {
+static void start(tp_solid_given *given) {
   *given = (tp_solid_given){.length_unit = NULL};
   fmpq_init(given->metres_per_unit);
   fmpq_init(given->unit_weight);
+  fmpq_init(given->band_lengths);
   for (int k = 0; k < 3; k++) fmpz_init(given->up + k);
+}
+
+tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *options,
+                              tp_message *message) {
+  start(given);
+  fmpq_one(given->band_lengths);
+  given->has_friction = options->friction_angle_deg >= 0;
+  given->friction_angle_deg = options->friction_angle_deg;
+  given->azimuths = options->azimuths;
   tp_status status = take_unit(given, options->length_unit, message);
   if (status == TP_OK) status = take_up(given, options->up, message);
   if (status == TP_OK && !(tp_ratio_read_double(given->unit_weight, options->unit_weight_kn_m3) &&
@@ -108,12 +123,77 @@ tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *opt
   return status == TP_OK ? take_bands(given, options, message) : status;
 }
 
+/* ---- a scene -----------------------------------------------------------------------------------
+ */
+
+static void set_sine_cosine(arb_t sine, arb_t cosine, const fmpq_t degrees) {
+  fmpq_t half_turns;
+  fmpq_init(half_turns);
+  fmpq_div_fmpz(half_turns, degrees, (fmpz[]){180});
+  arb_sin_cos_pi_fmpq(sine, cosine, half_turns, 2 * NORMAL_BITS);
+  fmpq_clear(half_turns);
+}
+
+/* The nearest whole number to 2^NORMAL_BITS times a ball. */
+static void set_rounded(fmpz_t whole, const arb_t number) {
+  arf_t middle;
+  arf_init(middle);
+  arf_mul_2exp_si(middle, arb_midref(number), NORMAL_BITS);
+  arf_get_fmpz(whole, middle, ARF_RND_NEAR);
+  arf_clear(middle);
+}
+
+static void set_normal(tp_solid_given *given, const fmpq_t dip, const fmpq_t direction) {
+  arb_t sine, cosine, east, north;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(east);
+  arb_init(north);
+  set_sine_cosine(sine, cosine, dip);
+  set_sine_cosine(east, north, direction);
+  arb_mul(east, east, sine, 2 * NORMAL_BITS);
+  arb_mul(north, north, sine, 2 * NORMAL_BITS);
+  set_rounded(given->up, east);
+  set_rounded(given->up + 1, north);
+  set_rounded(given->up + 2, cosine);
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(east);
+  arb_clear(north);
+}
+
+tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
+                                  tp_message *message) {
+  const tp_solid_description *own = &scene->solid;
+  start(given);
+  given->scene = scene;
+  given->length_unit = scene->length_unit;
+  given->has_unit = true;
+  fmpq_set(given->metres_per_unit, own->metres_per_unit);
+  fmpq_div(given->band_lengths, scene->metres_per_unit, own->metres_per_unit);
+  if (own->unit_weight_kn_m3.given) fmpq_set(given->unit_weight, own->unit_weight_kn_m3.value);
+  given->has_friction = scene->friction_angle_deg.given;
+  if (given->has_friction) {
+    given->friction_angle_deg = tp_surface_nearest(scene->friction_angle_deg.value);
+  }
+  given->azimuths =
+      own->azimuths.given ? (size_t)fmpz_get_ui(fmpq_numref(own->azimuths.value)) : AZIMUTHS;
+  set_up(given, own->up);
+  if (own->dip_deg.given) set_normal(given, own->dip_deg.value, own->dip_direction_deg.value);
+  const tp_status status = make_bands(given, (size_t)own->band_count, message);
+  for (size_t k = 0; k < given->band_count; k++) {
+    fmpq_mul(given->bands + k, own->bands + k, given->band_lengths);
+  }
+  return status;
+}
+
 void tp_solid_given_clear(tp_solid_given *given) {
   for (size_t k = 0; k < given->band_count; k++) fmpq_clear(given->bands + k);
   free(given->bands);
   for (int k = 0; k < 3; k++) fmpz_clear(given->up + k);
   fmpq_clear(given->metres_per_unit);
   fmpq_clear(given->unit_weight);
+  fmpq_clear(given->band_lengths);
 }
 
 tp_status tp_solid_given_bands(tp_solid_given *given, double height, tp_message *message) {

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the options of a solid give, checked and in exact numbers. */
+/* What the options of a solid, or its scene, give, checked and in exact numbers. */
 
 #ifndef TP_SOLID_TILT_SOLID_GIVEN_H
 #define TP_SOLID_TILT_SOLID_GIVEN_H
 
+#include "scene/scene.h"
 #include "solid/surface.h"
 
 typedef struct tp_solid_given {
@@ -14,12 +15,19 @@ typedef struct tp_solid_given {
   fmpq_t metres_per_unit, unit_weight;
   fmpz up[3];
   size_t band_count;
-  fmpq *bands; /* NULL where none are given */
+  fmpq *bands;         /* in lengths of the mesh; NULL where none are given */
+  fmpq_t band_lengths; /* of the mesh, in one of those that bands are told in */
+  bool has_friction;
+  double friction_angle_deg;
+  size_t azimuths;
+  const tp_scene *scene; /* NULL: by options */
 } tp_solid_given;
 
 /* To be cleared, also on failure. */
 TP_MUST_USE tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *options,
                                           tp_message *message);
+TP_MUST_USE tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
+                                              tp_message *message);
 void tp_solid_given_clear(tp_solid_given *given);
 
 /* 0 and the three powers of ten from a ten-thousandth to a hundredth of a height. */

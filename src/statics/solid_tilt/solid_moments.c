@@ -19,6 +19,17 @@ void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface)
   tp_centre_of_near(&moments->centre, surface, moments->near);
 }
 
+void tp_solid_moments_copy(tp_solid_moments *copy, const tp_solid_moments *moments) {
+  *copy = (tp_solid_moments){.surface = moments->surface, .level = moments->level};
+  memcpy(copy->near, moments->near, sizeof copy->near);
+  for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_init_set(copy->exact + k, moments->exact + k);
+  if (copy->level == TP_LEVEL_EXACT) {
+    tp_centre_of_exact(&copy->centre, copy->surface, copy->exact);
+  } else {
+    tp_centre_of_near(&copy->centre, copy->surface, copy->near);
+  }
+}
+
 void tp_solid_moments_climb(tp_solid_moments *moments) {
   if (moments->level == TP_LEVEL_EXACT) return;
   moments->level = TP_LEVEL_EXACT;

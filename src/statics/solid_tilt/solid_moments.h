@@ -19,6 +19,7 @@ typedef struct tp_solid_moments {
 } tp_solid_moments;
 
 void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface);
+void tp_solid_moments_copy(tp_solid_moments *copy, const tp_solid_moments *moments);
 void tp_solid_moments_climb(tp_solid_moments *moments); /* to the level exact */
 void tp_solid_moments_clear(tp_solid_moments *moments);
 

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Report, JSON or a row of CSV of a solid, and the exit status: 1 where the required factor is
+ * certainly not met, 4 where that or the verdict is open. */
+
+#include "cli/solve_solid.h"
+#include "cli/sheet.h"
+
+#include <stdio.h>
+
+tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_message *message) {
+  const char *option = a->find.key != NULL            ? "--find"
+                       : a->profile != NULL           ? "--profile"
+                       : a->table                     ? "--table"
+                       : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
+                       : a->outlines                  ? "--outlines"
+                       : a->elements                  ? "--elements"
+                       : a->figure != NULL            ? "--figure"
+                       : a->report != NULL            ? "--report"
+                                                      : NULL;
+  if (option == NULL) return TP_OK;
+  snprintf(message->text, sizeof message->text,
+           "%s: %s is of scenes of a block in a section, and this one has a solid: leave it out; "
+           "--json has all that is found",
+           path, option);
+  return TP_BAD_INPUT;
+}
+
+static int judge_solid(const tp_solid *solid, const tp_solve_words *a) {
+  if (a->has_design_fos || solid->has_required_fos) {
+    const double required = a->has_design_fos ? a->design_fos : solid->required_fos;
+    switch (tp_solid_meets(solid, required)) {
+    case TP_DESIGN_MET:
+      break;
+    case TP_DESIGN_NOT_MET:
+      tp_cli_complain("%s: the required factor of safety %g is not met", a->scene, required);
+      return TP_EXIT_REFUTED;
+    case TP_DESIGN_OPEN:
+      tp_cli_complain("%s: whether the required factor of safety %g is met is undecided", a->scene,
+                      required);
+      return tp_status_exit(TP_UNDECIDED);
+    }
+  }
+  if (!tp_solid_is_undecided(solid)) return 0;
+  tp_cli_complain("%s: undecided: the tilt is too close to the critical one", a->scene);
+  return tp_status_exit(TP_UNDECIDED);
+}
+
+tp_status tp_cli_solve_solid(const tp_scene *scene, const tp_solve_words *a, int *ended,
+                             tp_message *message) {
+  tp_solid *solid = NULL;
+  char *text = NULL;
+  tp_status status = tp_solve_solid(&solid, scene, message);
+  if (status == TP_OK) {
+    status = a->json  ? tp_report_solid_json(&text, solid)
+             : a->csv ? tp_report_solid_row_csv(&text, solid)
+                      : tp_report_solid(&text, solid);
+    status = tp_cli_print_report(status, text, ended);
+  }
+  if (status == TP_OK && *ended == 0) *ended = judge_solid(solid, a);
+  tp_solid_free(solid);
+  return status;
+}

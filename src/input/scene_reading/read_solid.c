@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reads the key solid: a mesh, the length of its unit, which way is up, and what touches the base.
+ * A length that is known, between two points of the mesh at a distance of the root of a rational,
+ * gives the unit by that root to 2^-200 of itself. */
+
+#include "scene_reading/read.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AXES = 3, MOST_BANDS = TP_SOLID_BANDS, ROOT_BITS = 200 };
+
+/* ---- points ------------------------------------------------------------------------------------
+ */
+
+static void init_point(fmpq point[AXES]) {
+  for (int k = 0; k < AXES; k++) fmpq_init(point + k);
+}
+
+static void clear_point(fmpq point[AXES]) {
+  for (int k = 0; k < AXES; k++) fmpq_clear(point + k);
+}
+
+static bool is_zero(const fmpq point[AXES]) {
+  return fmpq_is_zero(point) && fmpq_is_zero(point + 1) && fmpq_is_zero(point + 2);
+}
+
+static tp_status read_triple(const tp_reader *reader, fmpq point[AXES], const tp_node *node,
+                             const char *name) {
+  static const char *const axes[AXES] = {"x", "y", "z"};
+  if (node->kind != TP_NODE_SEQUENCE || node->count != AXES) {
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "'%s' is three numbers in the axes of the mesh, written [x, y, z]", name);
+  }
+  tp_status status = TP_OK;
+  const tp_node *n = node->first;
+  for (int k = 0; k < AXES && status == TP_OK; k++, n = n->next) {
+    status = tp_read_number(reader, point + k, n, axes[k]);
+  }
+  return status;
+}
+
+static void subtract(fmpq way[AXES], const fmpq to[AXES], const fmpq from[AXES]) {
+  for (int k = 0; k < AXES; k++) fmpq_sub(way + k, to + k, from + k);
+}
+
+/* ---- the unit ----------------------------------------------------------------------------------
+ */
+
+static void set_root(fmpq_t root, const fmpq_t square) {
+  fmpz_t top;
+  fmpz_init(top);
+  const slong shift =
+      ROOT_BITS + (slong)fmpz_bits(fmpq_denref(square)); /* so many bits after the point */
+  fmpz_mul_2exp(top, fmpq_numref(square), 2 * (ulong)shift);
+  fmpz_tdiv_q(top, top, fmpq_denref(square));
+  fmpz_sqrt(top, top);
+  fmpq_set_fmpz(root, top);
+  fmpq_div_2exp(root, root, (ulong)shift);
+  fmpz_clear(top);
+}
+
+static tp_status read_known_length(const tp_reader *reader, fmpq from[AXES], fmpq to[AXES],
+                                   fmpq_t length, const tp_node *node) {
+  const tp_node *ends[2] = {NULL}, *known = NULL;
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_scale, "scale");
+  if (status == TP_OK) {
+    status = tp_read_required(reader, ends, node, "from", "from: [0, 0, 0]");
+  }
+  if (status == TP_OK) status = tp_read_required(reader, ends + 1, node, "to", "to: [0, 0, 1]");
+  if (status == TP_OK) status = tp_read_required(reader, &known, node, "length", "length: 1.2");
+  if (status == TP_OK) status = read_triple(reader, from, ends[0], "from");
+  if (status == TP_OK) status = read_triple(reader, to, ends[1], "to");
+  if (status == TP_OK) {
+    status = tp_read_by_rule(reader, length, known, "length", TP_RULE_ABOVE_ZERO);
+  }
+  return status;
+}
+
+static tp_status read_scale(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  fmpq from[AXES], to[AXES];
+  fmpq_t square;
+  init_point(from);
+  init_point(to);
+  fmpq_init(square);
+  tp_status status = read_known_length(reader, from, to, own->metres_per_unit, node);
+  if (status == TP_OK) {
+    subtract(to, to, from);
+    for (int k = 0; k < AXES; k++) fmpq_addmul(square, to + k, to + k);
+    if (fmpq_is_zero(square)) {
+      status = tp_read_fail(reader, TP_FAULT_RANGE, node,
+                            "'from' and 'to' are one point, which gives no scale");
+    }
+  }
+  if (status == TP_OK) {
+    set_root(square, square);
+    fmpq_div(own->metres_per_unit, own->metres_per_unit, square);
+    fmpq_mul(own->metres_per_unit, own->metres_per_unit, reader->scene->metres_per_unit);
+  }
+  clear_point(from);
+  clear_point(to);
+  fmpq_clear(square);
+  return status;
+}
+
+static tp_status read_lengths(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  const tp_node *unit = tp_node_get(node, "unit"), *scale = tp_node_get(node, "scale");
+  if (scale != NULL && unit != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, scale,
+                        "the lengths of a mesh have a 'unit', or a 'scale' by a known length, not "
+                        "both");
+  }
+  if (scale != NULL) return read_scale(reader, scale);
+  tp_status status = tp_read_mesh_unit(reader, scene->solid.metres_per_unit, unit);
+  fmpq_mul(scene->solid.metres_per_unit, scene->solid.metres_per_unit, scene->metres_per_unit);
+  return status == TP_OK ? tp_note_mesh_unit(reader, node, &scene->notes) : status;
+}
+
+/* ---- up ----------------------------------------------------------------------------------------
+ */
+
+static double along(const fmpq up[AXES], const fmpq *vertex, const fmpq point[AXES]) {
+  double sum = 0;
+  for (int k = 0; k < AXES; k++) {
+    sum += fmpq_get_d(up + k) * (fmpq_get_d(vertex + k) - fmpq_get_d(point + k));
+  }
+  return sum;
+}
+
+/* The mean height of the vertices over a plane, as a share of their mean distance from it. */
+static double mean_side(const tp_mesh *mesh, const fmpq up[AXES], const fmpq point[AXES]) {
+  double sum = 0, size = 0;
+  for (long v = 0; v < mesh->vertex_count; v++) {
+    const double own = along(up, mesh->vertices + 3 * v, point);
+    sum += own;
+    size += fabs(own);
+  }
+  return size > 0 ? sum / size : 0;
+}
+
+static tp_status turn_up(const tp_reader *reader, const fmpq point[AXES], const tp_node *node) {
+  static const double least = 0.01;
+  tp_solid_description *own = &reader->scene->solid;
+  const double side = mean_side(own->mesh, own->up, point);
+  if (fabs(side) < least) {
+    return tp_read_fail(reader, TP_FAULT_RANGE, node,
+                        "as much of the mesh lies below this plane as above: name three points of "
+                        "the base that it stands on, or say which way is up by 'up: [x, y, z]'");
+  }
+  for (int k = 0; k < AXES && side < 0; k++) fmpq_neg(own->up + k, own->up + k);
+  return TP_OK;
+}
+
+static void cross(fmpq product[AXES], const fmpq a[AXES], const fmpq b[AXES]) {
+  for (int k = 0; k < AXES; k++) {
+    const int i = (k + 1) % AXES, j = (k + 2) % AXES;
+    fmpq_mul(product + k, a + i, b + j);
+    fmpq_submul(product + k, a + j, b + i);
+  }
+}
+
+static tp_status read_base_points(const tp_reader *reader, const tp_node *node) {
+  const tp_node *list = NULL;
+  fmpq points[AXES][AXES];
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_up, "up");
+  if (status == TP_OK) {
+    status = tp_read_required(reader, &list, node, "points",
+                              "points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
+  }
+  if (status != TP_OK) return status;
+  if (list->kind != TP_NODE_SEQUENCE || list->count != AXES) {
+    return tp_read_fail(reader, TP_FAULT_FORMAT, list,
+                        "three points of the plane that it lies on are needed: [[x, y, z], [x, y, "
+                        "z], [x, y, z]]");
+  }
+  const tp_node *n = list->first;
+  for (int k = 0; k < AXES; k++) init_point(points[k]);
+  for (int k = 0; k < AXES && status == TP_OK; k++, n = n->next) {
+    status = read_triple(reader, points[k], n, "a point of the base");
+  }
+  if (status == TP_OK) {
+    subtract(points[1], points[1], points[0]);
+    subtract(points[2], points[2], points[0]);
+    cross(reader->scene->solid.up, points[1], points[2]);
+    status = is_zero(reader->scene->solid.up)
+                 ? tp_read_fail(reader, TP_FAULT_RANGE, list,
+                                "these three points lie on one line, which gives no plane")
+                 : turn_up(reader, points[0], list);
+  }
+  for (int k = 0; k < AXES; k++) clear_point(points[k]);
+  return status;
+}
+
+static tp_status read_up_vector(const tp_reader *reader, const tp_node *node) {
+  fmpq *up = reader->scene->solid.up;
+  fmpq_one(up + 2);
+  if (node == NULL) return TP_OK;
+  if (node->kind == TP_NODE_MAPPING) return read_base_points(reader, node);
+  const tp_status status = read_triple(reader, up, node, "up");
+  if (status != TP_OK || !is_zero(up)) return status;
+  return tp_read_fail(reader, TP_FAULT_RANGE, node,
+                      "of the three numbers of 'up' at least one is not 0");
+}
+
+static tp_status read_solid_base(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  const fmpq *up = scene->solid.up;
+  if (node == NULL) return TP_OK;
+  tp_status status = tp_read_map(reader, scene, node, &tp_key_map_solid_base, "the base");
+  if (status == TP_OK && !(fmpq_is_zero(up) && fmpq_is_zero(up + 1) && fmpq_sgn(up + 2) > 0)) {
+    status = tp_read_fail(reader, TP_FAULT_KEY, node,
+                          "a base has its dip where the mesh has z upwards: leave out 'up', or "
+                          "say by it which way is across the base instead of its dip");
+  }
+  return status;
+}
+
+/* ---- bands -------------------------------------------------------------------------------------
+ */
+
+static tp_status read_bands(const tp_reader *reader, const tp_node *parent) {
+  tp_solid_description *own = &reader->scene->solid;
+  const tp_node *node = NULL;
+  tp_status status = tp_read_required(reader, &node, parent, "bands", "bands: [0.002, 0.005]");
+  if (status != TP_OK) return status;
+  const bool is_list = node->kind == TP_NODE_SEQUENCE;
+  if (node->kind == TP_NODE_MAPPING ||
+      (is_list && (node->count == 0 || node->count > MOST_BANDS))) {
+    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
+                        "bands are one length or a list of up to %d: [0.002, 0.005]", MOST_BANDS);
+  }
+  own->bands = calloc(is_list ? (size_t)node->count : 1, sizeof *own->bands);
+  if (own->bands == NULL) return tp_fail_memory(reader->message, "the bands of a solid");
+  for (const tp_node *n = is_list ? node->first : node; n != NULL && status == TP_OK;
+       n = is_list ? n->next : NULL) {
+    fmpq_init(own->bands + own->band_count);
+    status =
+        tp_read_by_rule(reader, own->bands + own->band_count++, n, "a band", TP_RULE_NOT_NEGATIVE);
+  }
+  return status;
+}
+
+/* ---- the scene ---------------------------------------------------------------------------------
+ */
+
+/* Keys that say nothing of a solid. */
+static tp_status check_root(const tp_reader *reader, const tp_node *root) {
+  static const char *const keys[] = {
+      "block",   "blocks",  "columns", "jointed_slope", "joints",         "base",  "joint",
+      "drawing", "section", "cases",   "friction",      "contact",        "frame", "slope",
+      "support", "shaking", "report",  "tilt_test",     "partial_factors"};
+  for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+    const tp_node *node = tp_node_get(root, keys[k]);
+    if (node == NULL) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "'%s' is of a scene of a block in a section, and this one has a 'solid': "
+                        "leave it out",
+                        keys[k]);
+  }
+  return TP_OK;
+}
+
+static tp_status read_file_name(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  const tp_node *name = NULL;
+  tp_status status = tp_read_required(reader, &name, node, "file", "file: boulder.stl");
+  if (status != TP_OK) return status;
+  if (name->kind != TP_NODE_SCALAR) {
+    return tp_read_fail(reader, TP_FAULT_KEY, name,
+                        "file must be the name of an STL, PLY or OBJ file");
+  }
+  status = tp_scene_file_mesh(&own->mesh, reader->scene->file, name->text, reader->message);
+  if (status != TP_OK) return status;
+  return tp_read_mesh_object(reader, &own->object, tp_node_get(node, "object"), own->mesh);
+}
+
+static tp_status check_azimuth_count(const tp_reader *reader) {
+  const tp_quantity *azimuths = &reader->scene->solid.azimuths;
+  const bool is_count = fmpz_is_one(fmpq_denref(azimuths->value)) &&
+                        fmpq_cmp_si(azimuths->value, TP_SOLID_AZIMUTHS) <= 0;
+  return !azimuths->given || is_count
+             ? TP_OK
+             : tp_refuse(reader->message, TP_FAULT_RANGE, azimuths->place,
+                         "azimuths must be a whole number from 1 to %d", TP_SOLID_AZIMUTHS);
+}
+
+tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
+  tp_scene *scene = reader->scene;
+  const tp_node *node = tp_node_get(root, "solid");
+  scene->solid.place = scene->block.place = tp_node_place(node, scene->path);
+  scene->block.form = TP_OUTLINE_OF_SOLID;
+  tp_status status = check_root(reader, root);
+  if (status == TP_OK) status = tp_read_map(reader, scene, node, &tp_key_map_solid, "a solid");
+  if (status == TP_OK) status = check_azimuth_count(reader);
+  if (status == TP_OK) status = read_file_name(reader, node);
+  if (status == TP_OK) status = read_lengths(reader, node);
+  if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));
+  if (status == TP_OK) status = read_solid_base(reader, tp_node_get(node, "base"));
+  return status == TP_OK ? read_bands(reader, node) : status;
+}
+
+/* ---- keys beside it ----------------------------------------------------------------------------
+ */
+
+static tp_status refuse_azimuth(const tp_reader *reader, const tp_quantity *azimuth,
+                                const char *instead) {
+  return !azimuth->given
+             ? TP_OK
+             : tp_refuse(reader->message, TP_FAULT_KEY, azimuth->place,
+                         "'azimuth_deg' is of a scene of a 'solid'; this one has %s", instead);
+}
+
+/* Of loads a solid has an earthquake. */
+static tp_status check_loads(const tp_reader *reader, const tp_node *loads) {
+  const tp_node *seismic = tp_node_get(loads, "seismic");
+  for (const tp_node *n = loads->first; n != NULL; n = n->next) {
+    if (n == seismic) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, n,
+                        "of the loads a solid takes 'seismic' alone: leave out '%s'", n->key);
+  }
+  const tp_node *direction = tp_node_get(seismic, "direction");
+  return direction == NULL ? TP_OK
+                           : tp_read_fail(reader, TP_FAULT_KEY, direction,
+                                          "an earthquake on a solid acts towards an 'azimuth_deg', "
+                                          "or towards any where none is given");
+}
+
+static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
+  const tp_scene *scene = reader->scene;
+  const tp_node *tilt = tp_node_get(root, "tilt");
+  const tp_node *towards = tilt != NULL ? tp_node_get(tilt, "towards") : NULL;
+  if (towards != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, towards,
+                        "a solid is tilted towards an 'azimuth_deg', or towards any where none is "
+                        "given");
+  }
+  if (scene->solid.dip_deg.given && tilt != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, tilt,
+                        "the base of this solid has its dip, which is its tilt: leave one out");
+  }
+  const bool any = scene->tilt_angle_deg.given && !scene->tilt_azimuth_deg.given;
+  return any && scene->loads.azimuth_deg.given
+             ? tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.azimuth_deg.place,
+                         "the earthquake has an azimuth, and the tilt none: give it "
+                         "'tilt.azimuth_deg' too")
+             : TP_OK;
+}
+
+tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
+  const tp_scene *scene = reader->scene;
+  if (scene->solid.place.file == NULL) {
+    const tp_status status =
+        refuse_azimuth(reader, &scene->tilt_azimuth_deg, "'towards: left', right or both");
+    return status == TP_OK
+               ? refuse_azimuth(reader, &scene->loads.azimuth_deg, "'direction' on a slope")
+               : status;
+  }
+  const tp_node *loads = tp_node_get(root, "loads");
+  const tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
+  return status == TP_OK ? check_ways(reader, root) : status;
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Parts of the page of a solid. */
+
+#ifndef TP_REPORT_SOLID_PAGE_H
+#define TP_REPORT_SOLID_PAGE_H
+
+#include "output/text.h"
+#include "topple.h"
+
+/* Digits of a tilt. */
+enum { TP_SOLID_TILT_DIGITS = 8 };
+
+/* Of a scene: what the solid does at its tilt; else nothing. */
+void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
+
+#endif

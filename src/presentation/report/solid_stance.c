@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a solid does at the tilt of its scene, a line for each band. */
+
+#include "report/results.h"
+#include "report/solid_page.h"
+#include "terms/names.h"
+
+enum { TILT = TP_SOLID_TILT_DIGITS };
+
+static void add_azimuth(tp_text *t, bool has, double azimuth) {
+  if (has) {
+    tp_text_add(t, "towards the azimuth %.6g°", azimuth);
+  } else {
+    tp_text_add(t, "towards the worst azimuth");
+  }
+}
+
+static void add_loads(tp_text *t, const tp_solid *s) {
+  if (s->is_on_slope) {
+    tp_text_add(t, "\nOn its base, which dips %.6g° ", s->tilt_angle_deg);
+    add_azimuth(t, true, s->tilt_azimuth_deg);
+  } else if (s->has_tilt_angle) {
+    tp_text_add(t, "\nTilted by %.6g° ", s->tilt_angle_deg);
+    add_azimuth(t, s->has_tilt_azimuth, s->tilt_azimuth_deg);
+  } else {
+    tp_text_add(t, "\nOn its base as it is");
+  }
+  if (s->has_seismic) {
+    tp_text_add(t, ", earthquake %.6g of the weight ", s->seismic_horizontal);
+    add_azimuth(t, s->has_seismic_azimuth, s->seismic_azimuth_deg);
+    if (s->seismic_vertical != 0) tp_text_add(t, ", %.6g upwards", s->seismic_vertical);
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_stance(tp_text *t, const tp_solid_band *b) {
+  const tp_solid_stance *own = &b->stance;
+  char n[4][TP_NUMBER_SIZE];
+  tp_text_add(t, "  %10.6g", b->band);
+  if (!b->has_stance) {
+    tp_text_add(t, "  does not stand: a point or a line touches\n");
+    return;
+  }
+  tp_text_add(t, "  %-10s", tp_mechanism_name(own->verdict));
+  if (own->has_fos) {
+    tp_text_add(t, " %10s %-8s", tp_text_significant(n[0], own->fos, TILT),
+                tp_mechanism_name(own->fos_mechanism));
+  } else if (own->has_acceleration) {
+    tp_text_add(t, " %10s %-8s", "-", "");
+  }
+  if (own->has_acceleration) {
+    tp_text_add(t, " %11s g %9s°  %s", tp_text_significant(n[2], own->acceleration_g, TILT),
+                tp_text_fixed(n[3], own->acceleration_azimuth_deg, 3),
+                tp_mechanism_name(own->acceleration_mechanism));
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_required(tp_text *t, const tp_solid *s) {
+  if (!s->has_required_fos) return;
+  switch (tp_solid_meets(s, s->required_fos)) {
+  case TP_DESIGN_MET:
+    tp_text_add(t, "  The required factor of safety %.6g is met in the least band.\n",
+                s->required_fos);
+    break;
+  case TP_DESIGN_NOT_MET:
+    tp_text_add(t, "  The required factor of safety %.6g is not met in the least band.\n",
+                s->required_fos);
+    break;
+  case TP_DESIGN_OPEN:
+    tp_text_add(t, "  Whether the required factor of safety %.6g is met is undecided.\n",
+                s->required_fos);
+  }
+}
+
+void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
+  bool any = false, shaken = false;
+  if (!s->of_scene) return;
+  add_loads(t, s);
+  for (size_t k = 0; k < s->band_count; k++) {
+    any = any || (s->bands[k].has_stance && s->bands[k].stance.has_fos);
+    shaken = shaken || (s->bands[k].has_stance && s->bands[k].stance.has_acceleration);
+  }
+  tp_text_add(t, "  %10s", "band");
+  if (any || shaken) {
+    tp_text_add(t, "  %-10s %10s %-8s%s", "", any ? "factor" : "", any ? "against" : "",
+                shaken ? " acceleration    azimuth" : "");
+  }
+  tp_text_add(t, "\n");
+  for (size_t k = 0; k < s->band_count; k++) add_stance(t, s->bands + k);
+  if (any) {
+    tp_text_add(t, "  The factor is that by which the tangent of the resultant to the base may "
+                   "grow in its azimuth\n  until it topples about an edge or slides.\n");
+  }
+  if (shaken) {
+    tp_text_add(t,
+                "  The acceleration is the least horizontal one of all azimuths that moves it at "
+                "this tilt,\n  if it lasts.\n");
+  }
+  add_required(t, s);
+}

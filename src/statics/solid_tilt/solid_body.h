@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solid that passed the gate: what of it does not depend on how it lies or on what it is of. That
+ * of a scene is made once for all scenes that differ in numbers. */
+
+#ifndef TP_SOLID_TILT_SOLID_BODY_H
+#define TP_SOLID_TILT_SOLID_BODY_H
+
+#include "scene/scene.h"
+#include "solid/hull_facets.h"
+#include "solid_tilt/solid_moments.h"
+
+typedef struct tp_solid_body {
+  const tp_mesh *mesh; /* borrowed */
+  long object;
+  tp_surface surface;
+  tp_hull_facets facets;
+  tp_solid_moments moments; /* in doubles; exact where these do not tell that it has a volume */
+} tp_solid_body;
+
+/* Of one object, or of all where it is below zero; refused by triangle. To be cleared where it was
+ * made. */
+TP_MUST_USE tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
+                                         tp_message *message);
+void tp_solid_body_clear(tp_solid_body *body);
+
+/* Of a scene of a solid, kept by its file. */
+TP_MUST_USE tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *scene,
+                                             tp_message *message);
+
+#endif

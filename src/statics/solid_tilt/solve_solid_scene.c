@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The solid of a scene, with what the scene says of its tilt and its earthquake. */
+
+#include "solid_tilt/solve_solid.h"
+
+#include "common/host.h"
+#include "common/notes.h"
+#include "scene_varying/settings.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool tp_scene_is_solid(const tp_scene *scene) {
+  return scene != NULL && scene->solid.place.file != NULL;
+}
+
+/* Into a number, where it is given. */
+static bool take_number(double *number, const tp_quantity *quantity) {
+  if (quantity->given) *number = tp_surface_nearest(quantity->value);
+  return quantity->given;
+}
+
+static void take_loads(tp_solid *own, const tp_scene *scene) {
+  const tp_solid_description *solid = &scene->solid;
+  own->is_on_slope = solid->dip_deg.given;
+  own->has_tilt_angle = take_number(&own->tilt_angle_deg,
+                                    own->is_on_slope ? &solid->dip_deg : &scene->tilt_angle_deg);
+  own->has_tilt_azimuth =
+      take_number(&own->tilt_azimuth_deg,
+                  own->is_on_slope ? &solid->dip_direction_deg : &scene->tilt_azimuth_deg);
+  const bool horizontal = take_number(&own->seismic_horizontal, &scene->loads.horizontal);
+  const bool vertical = take_number(&own->seismic_vertical, &scene->loads.vertical);
+  own->has_seismic = horizontal || vertical;
+  own->has_seismic_azimuth = take_number(&own->seismic_azimuth_deg, &scene->loads.azimuth_deg);
+  own->has_required_fos = take_number(&own->required_fos, &scene->required_fos);
+}
+
+static tp_status take_scene(tp_solid *own, const tp_scene *scene, tp_message *message) {
+  own->of_scene = true;
+  own->title = scene->title != NULL ? strdup(scene->title) : NULL;
+  own->scene = strdup(scene->path);
+  if (own->scene == NULL || (own->title == NULL) != (scene->title == NULL)) {
+    return tp_fail_memory(message, "a solid");
+  }
+  for (int k = 0; k < 3; k++) own->up[k] = tp_surface_nearest(scene->solid.up + k);
+  take_loads(own, scene);
+  tp_status status = tp_scene_notes(&own->notes, scene, message);
+  if (status == TP_OK) status = tp_scene_settings(&own->settings, scene, message);
+  return status;
+}
+
+static tp_status find_in_scene(tp_solid *own, const tp_scene *scene, bool whole,
+                               tp_message *message) {
+  const tp_solid_body *body = NULL;
+  tp_solid_given given;
+  tp_status status = take_scene(own, scene, message);
+  if (status == TP_OK) status = tp_solid_body_of_scene(&body, scene, message);
+  if (status != TP_OK) return status;
+  status = tp_solid_given_of_scene(&given, scene, message);
+  if (!whole) given.azimuths = 0;
+  if (status == TP_OK) status = tp_solid_find(own, body, &given, message);
+  tp_solid_given_clear(&given);
+  return status;
+}
+
+tp_status tp_solid_solve_scene(tp_solid **solid, const tp_scene *scene, bool whole,
+                               tp_message *message) {
+  if (!tp_scene_is_solid(scene)) {
+    return tp_refuse(message, TP_FAULT_KEY, scene->block.place,
+                     "this scene has no 'solid': tp_solve or tp_solve_block_system takes it");
+  }
+  tp_solid *own = calloc(1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "a solid");
+  const tp_status status = find_in_scene(own, scene, whole, message);
+  if (status == TP_OK) {
+    *solid = own;
+  } else {
+    tp_solid_free(own);
+  }
+  return status;
+}
+
+tp_status tp_solve_solid(tp_solid **solid, const tp_scene *scene, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, solid);
+  TP_REFUSE_NULL(message, scene);
+  return tp_solid_solve_scene(solid, scene, true, message);
+}
+
+/* ---- what is asked of it -----------------------------------------------------------------------
+ */
+
+static const tp_solid_band *governing_band(const tp_solid *solid) {
+  return solid == NULL || solid->governing >= solid->band_count ? NULL
+                                                                : solid->bands + solid->governing;
+}
+
+bool tp_solid_is_undecided(const tp_solid *solid) {
+  const tp_solid_band *own = governing_band(solid);
+  return own == NULL || (own->has_stance && own->stance.verdict == TP_MECHANISM_UNDECIDED);
+}
+
+/* Without a factor it stands, or falls, whatever is required. */
+tp_design tp_solid_meets(const tp_solid *solid, double required) {
+  const tp_solid_band *own = governing_band(solid);
+  if (own == NULL) return TP_DESIGN_OPEN;
+  if (!own->has_stance) return TP_DESIGN_NOT_MET;
+  if (own->stance.verdict == TP_MECHANISM_UNDECIDED) return TP_DESIGN_OPEN;
+  if (!own->stance.has_fos) {
+    return own->stance.verdict == TP_STANDS ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
+  }
+  const tp_bounded fos = own->stance.fos;
+  if (fos.value - fos.error >= required) return TP_DESIGN_MET;
+  return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
+}

@@ -1,0 +1,285 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Scenes of a solid: its tilt, its earthquake, its factor, and what may be set, swept and drawn in them.
+
+The oracle follows the resultant from the centroid to the base: the solid stands where that point lies in the polygon of what
+touches, and slides where the resultant leaves the cone of friction. Azimuths that are open it tries by the hundred."""
+
+import csv
+import io
+import json
+import math
+import random
+import re
+import unittest
+from fractions import Fraction
+
+from harness import main, run
+from mesh_case import box, triangles
+from test_solids import FRUSTUM, PRISM, SIX, Case, exact_obj
+
+ROCK = "examples/solids/balanced_rock.yaml"
+STEPS = 360
+
+
+def unit(azimuth):
+    return math.sin(math.radians(azimuth)), math.cos(math.radians(azimuth))
+
+
+class Stance:
+    """A convex polygon seen from the foot of the centroid, counter-clockwise, and the height of this over it."""
+
+    def __init__(self, corners, height, friction):
+        self.corners, self.height, self.mu = corners, height, math.tan(math.radians(friction))
+
+    def resultant(self, tilt, towards, horizontal, vertical, quake):
+        """In the base: what pulls along it east and north, and what presses on it."""
+        d, (te, tn), (qe, qn) = math.radians(tilt), unit(towards), unit(quake)
+        along, across = qe * te + qn * tn, qe * tn - qn * te
+        down = (1 - vertical) * math.sin(d) + horizontal * along * math.cos(d)
+        on = (1 - vertical) * math.cos(d) - horizontal * along * math.sin(d)
+        side = horizontal * across
+        return down * te + side * tn, down * tn - side * te, on
+
+    def moves(self, pull_east, pull_north, on):
+        """(topples, slides)"""
+        if on <= 0:
+            return True, True
+        at = self.height * pull_east / on, self.height * pull_north / on
+        edges = zip(self.corners, self.corners[1:] + self.corners[:1])
+        topples = any((q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]) < 0 for p, q in edges)
+        return topples, math.hypot(pull_east, pull_north) > on * self.mu
+
+    def factor(self, pull_east, pull_north, on):
+        """The least by which the pull may grow, by halving."""
+        low, high = 0.0, 1.0
+        while not any(self.moves(high * pull_east, high * pull_north, on)):
+            high *= 2
+            if high > 1e9:
+                return math.inf
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (low, middle) if any(self.moves(middle * pull_east, middle * pull_north, on)) else (middle, high)
+        return low
+
+    def acceleration(self, tilt, towards, quake):
+        low, high = 0.0, 1e4
+        if not any(self.moves(*self.resultant(tilt, towards, high, 0, quake))):
+            return math.inf
+        for _ in range(80):
+            middle = (low + high) / 2
+            low, high = (low, middle) if any(self.moves(*self.resultant(tilt, towards, middle, 0, quake))) else (middle, high)
+        return low
+
+
+class SceneCase(Case):
+    def scene(self, solid, rest="", head="length_unit: m\n"):
+        return self.put("scene.yaml", f"topple: 1\n{head}solid: {{file: rock.obj, unit: m, bands: [0], {solid}}}\n{rest}")
+
+    def told(self, path, *words):
+        status, out, err = run("solve", "--json", path, *words)
+        self.assertEqual(status, 0, err)
+        return json.loads(out)
+
+    def wrong(self, path, *told):
+        status, out, err = run("solve", path)
+        self.assertEqual((status, out), (3, ""), err)
+        for words in told:
+            self.assertIn(words, err)
+
+
+class Stances(SceneCase):
+    def oracle(self, got, friction):
+        band = got["bands"][0]
+        return Stance([(c["east_m"], c["north_m"]) for c in band["support"]], band["height_m"]["value"], friction)
+
+    def test_earthquakes_and_tilts(self):
+        """Any tilt and any earthquake, their azimuths given or open, against the point that the resultant meets."""
+        draw = random.Random(7)
+        self.put("rock.obj", exact_obj(*PRISM))
+        stood = fell = 0
+        for k in range(24):
+            tilt, towards, quake = draw.randint(0, 30), draw.randint(0, 359), draw.randint(0, 359)
+            horizontal, vertical, friction = draw.randint(0, 30) / 100, draw.randint(-10, 20) / 100, draw.randint(15, 60)
+            open_tilt, open_quake = k % 3 == 2, k % 3 > 0
+            rest = (f"friction_angle_deg: {friction}\ntilt: {{angle_deg: {tilt}{'' if open_tilt else f', azimuth_deg: {towards}'}}}\n"
+                    f"loads: {{seismic: {{horizontal: {horizontal}, vertical: {vertical}{'' if open_quake else f', azimuth_deg: {quake}'}}}}}\n")
+            got = self.told(self.scene("azimuths: 5", rest))
+            own, stance = self.oracle(got, friction), got["bands"][0]["stance"]
+            ways = [(t, q) for t in (range(0, STEPS) if open_tilt else [towards])
+                    for q in ([t] if open_tilt else range(0, STEPS) if open_quake else [quake])]
+            pulls = [own.resultant(tilt, t, horizontal, vertical, q) for t, q in ways]
+            factor = min(own.factor(*p) for p in pulls)
+            tolerance = 0.01 * factor if open_quake else 1e-9 * factor  # of trying azimuths by whole degrees
+            self.assertLessEqual(stance["fos"]["value"], factor + 1e-9)
+            self.assertGreaterEqual(stance["fos"]["value"], factor - tolerance)
+            moves = any(any(own.moves(*p)) for p in pulls)
+            self.assertEqual(stance["verdict"] == "stands", not moves)
+            stood, fell = stood + (not moves), fell + moves
+            if open_tilt or any(own.moves(*own.resultant(tilt, towards, 0, 0, 0))):
+                self.assertNotIn("acceleration_g", stance)
+                continue
+            if vertical == 0:
+                continue
+            got = self.told(self.scene("azimuths: 5", rest), "--set", "loads.seismic.vertical=0")
+            least = min(own.acceleration(tilt, towards, q) for q in range(0, STEPS, 3))
+            stance = got["bands"][0]["stance"]
+            self.assertLessEqual(stance["acceleration_g"]["value"], least + 1e-9)
+            self.assertGreaterEqual(stance["acceleration_g"]["value"], 0.99 * least)
+            found = own.acceleration(tilt, towards, stance["acceleration_azimuth_deg"]["value"])
+            self.assertAlmostEqual(found, stance["acceleration_g"]["value"], 9)
+            for rose in got["bands"][0]["rose"]:
+                truth = own.acceleration(tilt, towards, rose["azimuth_deg"])
+                self.assertAlmostEqual(rose.get("acceleration_g", {"value": math.inf})["value"], truth, 8)
+        self.assertGreater(min(stood, fell), 3)
+
+    def test_sliding_by_hand(self):
+        """A flat box, 30 wide and 1 high: g tan(phi - d) down the dip, and tan(phi) over tan(d)."""
+        self.put("rock.obj", exact_obj(*box((0, 0, 0), (30, 30, 1))))
+        got = self.told(self.scene("unit_weight_kn_m3: 26", "friction_angle_deg: 30\ntilt: {angle_deg: 10, azimuth_deg: 90}\n"))
+        stance = got["bands"][0]["stance"]
+        self.assertAlmostEqual(stance["acceleration_g"]["value"], math.tan(math.radians(20)), 13)
+        self.assertAlmostEqual(stance["acceleration_azimuth_deg"]["value"], 90, 10)
+        self.assertAlmostEqual(stance["fos"]["value"], math.tan(math.radians(30)) / math.tan(math.radians(10)), 12)
+        self.assertEqual(stance["fos_mechanism"], "slides")
+
+    def test_base_that_dips(self):
+        """A mesh turned onto its dip, 3-4-5, has the answers of the one that lies level and is tilted as much."""
+        dip = math.degrees(math.atan2(3, 4))
+        self.put("rock.obj", exact_obj(FRUSTUM, SIX))
+        level = self.told(self.scene("azimuths: 8", f"friction_angle_deg: 50\ntilt: {{angle_deg: {dip!r}, azimuth_deg: 90}}\n"))
+        turned = [((4 * x + 3 * z) / Fraction(5), y, (4 * z - 3 * x) / Fraction(5)) for x, y, z in FRUSTUM]
+        self.put("rock.obj", exact_obj(turned, SIX))
+        path = self.scene(f"azimuths: 8, base: {{dip_deg: {dip!r}, dip_direction_deg: 90}}", "friction_angle_deg: 50\n").replace("[0]", "[0]")
+        with open(path, encoding="utf-8") as text:
+            lines = text.read().replace("bands: [0]", "bands: [1e-9]")
+        slanted = self.told(self.put("scene.yaml", lines))
+        for key in ("fos", "critical_deg", "acceleration_g"):
+            self.assertAlmostEqual(level["bands"][0]["stance"][key]["value"], slanted["bands"][0]["stance"][key]["value"], 8)
+        self.assertEqual(slanted["tilt_angle_deg"], dip)
+
+
+class Lengths(SceneCase):
+    def test_scale_and_three_points(self):
+        """By a known length, and lying on three points in either order: as the same in its unit and upright."""
+        self.put("rock.obj", exact_obj(*PRISM))
+        plain = self.told(self.scene("up: [0, 0, 1]"))
+        for order in ("[0, 0, 0], [3, 0, 0], [0, 4, 0]", "[0, 4, 0], [3, 0, 0], [0, 0, 0]"):
+            path = self.scene(f"scale: {{from: [0, 0, 0], to: [3, 4, 0], length: 2500}}, up: {{points: [{order}]}}",
+                              head="length_unit: mm\n").replace("unit: m, ", "")
+            with open(path, encoding="utf-8") as text:
+                scaled = self.told(self.put("scene.yaml", text.read().replace("unit: m, ", "")))
+            self.assertEqual(plain["bands"][0]["least"]["tilt_deg"]["value"], scaled["bands"][0]["least"]["tilt_deg"]["value"])
+            self.assertAlmostEqual(scaled["volume_m3"]["value"], plain["volume_m3"]["value"] / 8, 13)
+
+    def test_persistence(self):
+        """A box of 1, 2 and 3: over its edges the centroid rises to half the diagonals of its faces."""
+        self.put("rock.obj", exact_obj(*box((0, 0, 0), (1, 2, 3))))
+        poses = self.told(self.scene("azimuths: 1"))["poses"]
+        low, high = math.sqrt(5) / 2, math.sqrt(10) / 2
+        rises = sorted(p["persistence_m"]["value"] for p in poses if "persistence_m" in p)
+        for rise, truth in zip(rises, sorted([low - 0.5, low - 1, low - 1, high - 1.5, high - 1.5])):
+            self.assertAlmostEqual(rise, truth, 13)
+        self.assertEqual(len(rises), 5)
+
+    def test_one_pose_or_seventeen(self):
+        """Each side of a prism of 17 has the foot of the centroid at its end, 10^-30 within or beyond, as in the solid with one
+        stable face of Conway and Guy (1969); pyramids on both ends put the centroid there."""
+        for hair, count in ((Fraction(1, 10 ** 30), 17), (-Fraction(1, 10 ** 30), 1)):
+            with self.subTest(poses=count):
+                c, s, r = Fraction(117, 125), Fraction(44, 125), (Fraction(0), Fraction(1))
+                right = [r]
+                for _ in range(8):
+                    shrunk = c * (1 + hair)
+                    r = shrunk * (c * r[0] + s * r[1]), shrunk * (c * r[1] - s * r[0])
+                    right.append(r)
+                ring = [(-x, y) for x, y in right[:0:-1]] + right  # clockwise from the bottom left
+                ring = ring[::-1]
+                doubled = [p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, ring[1:] + ring[:1])]
+                middle = sum((p[1] + q[1]) * d for p, q, d in zip(ring, ring[1:] + ring[:1], doubled)) / (3 * sum(doubled))
+                apex = Fraction(round(-(6 * Fraction(2, 500) + 3) * middle * 10 ** 70), 10 ** 70)  # 2/5 long between pyramids of 100
+                n = len(ring)
+                half = Fraction(1, 5)
+                points = [(*p, -half) for p in ring] + [(*p, half) for p in ring] + [(0, apex, -100 - half), (0, apex, 100 + half)]
+                faces = [(k, (k + 1) % n, (k + 1) % n + n, k + n) for k in range(n)]
+                faces += [((k + 1) % n, k, 2 * n) for k in range(n)] + [(k + n, (k + 1) % n + n, 2 * n + 1) for k in range(n)]
+                self.assertEqual(n, 17)
+                self.assertEqual(len(self.solve(exact_obj(points, triangles(faces)), "--band=0")["poses"]), count)
+
+
+class Varied(SceneCase):
+    def test_swept_as_set(self):
+        """A sweep of the tilt says what solve says with each number set, and a row what JSON says."""
+        status, out, err = run("sweep", ROCK, "--x=tilt.angle_deg=0,4,14", "--y=solid.bands.1=0.005,0.001")
+        self.assertEqual(status, 0, err)
+        rows = list(csv.DictReader(io.StringIO(out)))
+        self.assertEqual(len(rows), 6)
+        for row in rows:
+            status, out, err = run("solve", "--csv", ROCK, "--set", f"tilt.angle_deg={row['tilt.angle_deg']}", "--set",
+                                   f"solid.bands.1={row['solid.bands.1_m']}")
+            self.assertEqual(status, 0, err)
+            (own,) = csv.DictReader(io.StringIO(out))
+            for key in own.keys() - {"scene"}:
+                self.assertEqual(own[key], row[key], key)
+        self.assertEqual({row["verdict"] for row in rows}, {"stands", "topples", ""})
+        self.assertEqual([row["fos"] != "" for row in rows], [True] * 3 + [False] * 3)
+
+    def test_study(self):
+        """Rows of a study are those of solve with its numbers; the share that moves adds up."""
+        rows = self.put("unused", "") + ".csv"
+        status, out, err = run("study", "examples/solids/balanced_rock_study.yaml", "--csv", rows, "--json")
+        self.assertEqual(status, 0, err)
+        told = json.loads(out)
+        with open(rows, encoding="utf-8") as text:
+            lines = list(csv.DictReader(line for line in text if not line.startswith("#")))
+        own = told["tilts"][0]["outcomes"]
+        self.assertEqual(sum(line["outcome"] == "stands" for line in lines), next(o["samples"] for o in own if o["outcome"] == "stands"))
+        for line in lines[:4]:
+            words = [w for key in ("friction_angle_deg", "tilt.azimuth_deg") for w in ("--set", f"{key}={line[key]}")]
+            band = next(key for key in line if key.startswith("solid.bands.1"))
+            status, out, err = run("solve", "--csv", ROCK, *words, "--set", f"solid.bands.1={line[band]}")
+            self.assertEqual(status, 0, err)
+            (solved,) = csv.DictReader(io.StringIO(out))
+            self.assertEqual(solved["verdict"], line["outcome"])
+            self.assertAlmostEqual(float(solved["fos"]), float(line["fos"]), 8)
+
+    def test_required(self):
+        for required, status in ((1.2, 0), (5, 1)):
+            ended, out, err = run("solve", ROCK, "--fail-below", str(required))
+            self.assertEqual(ended, status, err)
+
+
+class Refused(SceneCase):
+    def test_messages(self):
+        self.put("rock.obj", exact_obj(*PRISM))
+        for solid, rest, told in (("colour: red", "", "scene.yaml:3:46: unknown key 'colour'"),
+                                  ("up: [0, 0, 0]", "", "not 0"), ("up: [1, 2]", "", "[x, y, z]"),
+                                  ("up: {points: [[0, 0, 0], [1, 1, 1], [2, 2, 2]]}", "", "one line"),
+                                  ("scale: {from: [0, 0, 0], to: [0, 0, 1], length: 1}", "", "not both"),
+                                  ("object: roof", "", "no object"), ("azimuths: 99999", "", "36000"),
+                                  ("base: {dip_deg: 5}", "", "dip_direction_deg"),
+                                  ("up: [0, 1, 0], base: {dip_deg: 5, dip_direction_deg: 4}", "", "z upwards"),
+                                  ("base: {dip_deg: 5, dip_direction_deg: 4}", "tilt: {angle_deg: 5}", "scene.yaml:4:7"),
+                                  ("", "base: {mated: true}", "scene.yaml:4:7: 'base' is of a scene of a block"),
+                                  ("", "tilt: {towards: left}", "azimuth_deg"),
+                                  ("", "loads: {bond_kpa: 3}", "'seismic' alone"),
+                                  ("", "loads: {seismic: {horizontal: 1, direction: both}}", "azimuth_deg"),
+                                  ("", "tilt: {angle_deg: 3}\nloads: {seismic: {horizontal: 1, azimuth_deg: 3}}", "tilt.azimuth_deg")):
+            with self.subTest(told=told):
+                self.wrong(self.scene(solid, rest + "\n"), told)
+        self.wrong(self.put("scene.yaml", "topple: 1\nlength_unit: m\nsolid: {file: rock.obj}\n"), "'bands' is missing")
+        self.put("rock.obj", exact_obj(PRISM[0], triangles(PRISM[1])[1:]))
+        self.wrong(self.scene(""), "rock.obj", "open")
+
+    def test_other_commands(self):
+        for words in (("tilt", ROCK), ("derive", ROCK), ("solve", "--figure", "/dev/null.svg", ROCK), ("solve", ROCK, "--elements"),
+                      ("solve", ROCK, "--find", "friction_angle_deg", "--for", "fos=1")):
+            status, out, err = run(*words)
+            self.assertNotEqual(status, 0, words)
+            self.assertEqual(out, "")
+            self.assertTrue(re.search("solid|loads", err), err)
+
+
+if __name__ == "__main__":
+    main()
