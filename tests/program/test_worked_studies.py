@@ -57,6 +57,17 @@ class WorkedStudies(unittest.TestCase):
         (peak,) = [row for row in rows if row.startswith("| E | peak | 37.4° |") and "mm" in row]
         self.assertAlmostEqual(float(peak.split("|")[4].strip(" °")), asked, delta=0.01)
 
+    def test_reliability_of_toppling(self):
+        """A row a case of the benchmark, a member of the family, an index, and a rule; and EQU's factor fails a slender block whose
+        dip is known to 2 degrees once in six times."""
+        with tempfile.TemporaryDirectory() as folder:
+            figure = pathlib.Path(folder) / "figure.svg"
+            rows = self.run_study("reliability_of_toppling", figure)
+            self.assertEqual(figure.read_text(), (ROOT / "docs/figures/reliability_of_toppling.svg").read_text())
+        self.assertEqual(len(rows), (2 + 6) + (2 + 45) + (2 + 3) + (2 + 3))
+        (slender,) = [row for row in rows if row.startswith("| 5 | 2 % | 2° |")]
+        self.assertAlmostEqual(float(slender.split("|")[7]), 1.0, delta=0.05)
+
 
 if __name__ == "__main__":
     main()
