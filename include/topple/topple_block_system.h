@@ -287,7 +287,7 @@ typedef struct tp_block_system {
 } tp_block_system;
 
 /* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of
- * tp_solve; TP_DEPENDENCY_FAILED where Topple was built without CXSparse. */
+ * tp_solve. */
 TP_MUST_USE tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
                                             const tp_solve_options *options, tp_message *message);
 

@@ -120,7 +120,8 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                       .target = d->resultant.target,
                                       .from = 0,
                                       .step = log(2),
-                                      .most = log(most_factor)};
+                                      .most = log(most_factor),
+                                      .limit = &d->limits.side};
   tp_fos *fos = &d->own->fos;
   fos->state = TP_FOS_NOT_ASKED;
   if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
