@@ -129,14 +129,13 @@ static void add_heading(tp_text *t, const tp_moving_view *m) {
 }
 
 static void add_panel(tp_text *t, const tp_moving_view *m) {
+  enum { TOP = TP_MOVING_HEAD - TP_MOVING_MARGIN / 2 };
   add_heading(t, m);
   tp_text_add(t,
               "<svg x=\"%.2f\" y=\"%d\" width=\"%.2f\" height=\"%.2f\" viewBox=\"%.2f %d %.2f "
               "%.2f\">\n",
-              m->left, TP_MOVING_HEAD - TP_MOVING_MARGIN / 2, tp_moving_width(m),
-              tp_moving_height(m) - TP_MOVING_HEAD + TP_MOVING_MARGIN / 2, m->left,
-              TP_MOVING_HEAD - TP_MOVING_MARGIN / 2, tp_moving_width(m),
-              tp_moving_height(m) - TP_MOVING_HEAD + TP_MOVING_MARGIN / 2);
+              m->left, TOP, tp_moving_width(m), tp_moving_height(m) - TOP, m->left, TOP,
+              tp_moving_width(m), tp_moving_height(m) - TOP);
   for (size_t k = 0; k < m->shapes->count; k++) {
     if (m->system->blocks[k].ground) {
       add_path(t, m, &m->shapes->blocks[k].outline, "fill=\"#e3e0db\" stroke=\"#55555c\"");
