@@ -160,7 +160,7 @@ class BlockStudies(StudyCase):
         self.assertIn("restart", self.study(name, "--rows", "one.csv", status=3))
 
     def test_refused(self):
-        for text, words in (("roughness: [z2]", "this scene has many"),
+        for text, words in (("roughness: [z2]", "of one block in a section, and this scene has none"),
                             ("reliability: {quantity: moments_deg}", "limit_deg, fos, fos_goodman_bray or critical_acceleration_g"),
                             ("reliability: {quantity: critical_acceleration_g}", "with the earthquake in the scene")):
             self.write("samples: 4\nvary: {friction_angle_deg: {uniform: {low: 22, high: 38}}}\n" + text + "\n")
