@@ -18,7 +18,7 @@ COMPATIBLE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0", "Apache-2.0 WITH LLVM-exc
               "LGPL-2.1-only OR MPL-1.1", "FTL OR GPL-2.0-or-later", "Bitstream-Vera"}
 NEED_NOTICE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0", "libpng-2.0", "Zlib", "FTL OR GPL-2.0-or-later", "Bitstream-Vera"}
 # What goes by another name than that of its source package
-NAMES = {"mpfr4": "mpfr", "flint-arb": "arb", "glibc": "argp", "libpng1.6": "libpng"}
+NAMES = {"suitesparse": "cxsparse", "mpfr4": "mpfr", "flint-arb": "arb", "glibc": "argp", "libpng1.6": "libpng"}
 
 
 class Licences(unittest.TestCase):

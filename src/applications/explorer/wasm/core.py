@@ -27,6 +27,7 @@ DEFINED = [
     '-DTP_HDF5_LIBRARY="libtopple-hdf5.so"',
     '-DTP_RANKS_LIBRARY="libtopple-ranks.so"',
     '-DTP_TRACE_LIBRARY="libtopple-trace.so"',
+    '-DTP_XLSX_LIBRARY="libtopple-xlsx.so"',
 ]
 # Instead of what needs GDAL, whose library the native program loads; and what loads others, of which there is none.
 ABSENT = [TOP / "src" / "input" / "format" / "gis_absent.c", TOP / "src" / "core" / "common" / "library_beside.c"]
@@ -41,12 +42,12 @@ CGAL = [
     "-DBOOST_NO_CXX98_FUNCTION_BASE",
 ]
 # An archive comes before those that it calls.
-LIBRARIES = ["argp", "calcium", "arb", "flint", "mpfr", "gmp", "gsl", "yaml", "expat", "dxflib", "cairo", "pixman", "freetype", "png", "zlib"]
+LIBRARIES = ["argp", "calcium", "arb", "flint", "mpfr", "gmp", "gsl", "cxsparse", "yaml", "expat", "dxflib", "cairo", "pixman", "freetype", "png", "zlib"]
 LINKED = [
     "-O2",
     "-fwasm-exceptions",
     "-sSUPPORT_LONGJMP=wasm",
-    "-Wl,--wrap=cairo_select_font_face",
+    "-Wl,--wrap=cairo_select_font_face,--wrap=dlopen,--wrap=dlsym,--wrap=dlerror",
     "-sALLOW_MEMORY_GROWTH=1",
     "-sMAXIMUM_MEMORY=2147483648",
     "-sTOTAL_STACK=8388608",
@@ -107,10 +108,20 @@ rule link
 """
 
 
+def linked(libraries: Path) -> Path:
+    """A link to the libraries that keeps its name: where their recipe changes, only what includes other headers is compiled anew."""
+    link = BUILD / "libraries"
+    BUILD.mkdir(parents=True, exist_ok=True)
+    if not link.is_symlink() or link.readlink() != libraries:
+        link.unlink(missing_ok=True)
+        link.symlink_to(libraries)
+    return link
+
+
 def write_ninja(libraries: Path) -> None:
     """BUILD/build.ninja, with the libraries of a folder."""
     wings = sorted((TOP / "src").iterdir()) + sorted((NATIVE / "src").iterdir())  # and what is made in them
-    include = [f"-I{TOP}/include/topple", *(f"-I{wing}" for wing in wings), f"-isystem{libraries}/include"]
+    include = [f"-I{TOP}/include/topple", *(f"-I{wing}" for wing in wings), f"-isystem{linked(libraries)}/include"]
     own = [*DEFINED, *include, "-Wall", "-Wno-unknown-pragmas"]
     lines = [RULES.format(c=shlex.join(toolchain.C), cxx=shlex.join(toolchain.CXX))]
     lines.append(f"flags_c = {shlex.join([*own, '-include', f'{HERE}/c_library/sort.h', '-std=gnu17'])}")

@@ -18,6 +18,7 @@ LIBRARIES = {
     "arb": ("flint-arb", "1:2", "."),
     "cairo": ("cairo", "1", "."),
     "calcium": ("flint", "3", "src/fmpz_mpoly_q"),
+    "cxsparse": ("suitesparse", "1:5", "."),
     "dxflib": ("dxflib", "3", "."),
     "expat": ("expat", "2", "."),
     "flint": ("flint", "2", "."),
@@ -79,6 +80,8 @@ def put_headers(work: Path) -> None:
     linked(include, [source_of(work, "yaml") / "include" / "yaml.h"])
     linked(include, sorted((source_of(work, "expat") / "expat" / "lib").glob("expat*.h")))
     linked(include, sorted((source_of(work, "dxflib") / "src").glob("dl_*.h")))
+    sparse = source_of(work, "cxsparse")
+    linked(include / "suitesparse", [sparse / "CXSparse" / "Include" / "cs.h", sparse / "SuiteSparse_config" / "SuiteSparse_config.h"])
     linked(include / "gsl", sorted(source_of(work, "gsl").glob("gsl_*.h")) + sorted(source_of(work, "gsl").glob("*/gsl_*.h")))
     put_drawing_headers(work, include)
     glibc = source_of(work, "argp")
@@ -111,6 +114,8 @@ def flags_of(work: Path, library: str) -> list[str]:
         "arb": [f"-I{source}", f"-I{work}/include"],
         "cairo": ["-DHAVE_CONFIG_H", f"-I{HERE}/include/cairo", *FREETYPE, *UNWINDING, f"-I{work}/include"],
         "calcium": [f"-I{HERE}/include/flint_3", f"-I{work}/include", f"-I{work}/include/flint"],
+        # Of real numbers, and with whole ones of the type that its functions cs_dl_… have.
+        "cxsparse": ["-DCS_LONG", "-DNCOMPLEX", f"-I{source}/CXSparse/Include", f"-I{source}/SuiteSparse_config"],
         "dxflib": [f"-I{source}/src"],
         "expat": [*configured, f"-I{source}/expat/lib"],
         "flint": [f"-I{source}", f"-I{work}/include/flint", f"-I{work}/include"],

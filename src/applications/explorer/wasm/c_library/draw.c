@@ -37,3 +37,13 @@ tp_status tp_cli_write_tilt_sheet(const char *path, const tp_scene *scene, const
                                   const tp_sheet_options *options, tp_message *message) {
   return tp_report_sheet_tilt(path, scene, test, options, message);
 }
+
+tp_status tp_cli_write_batch_page(const char *path, const tp_batch *batch, size_t figures,
+                                  tp_message *message) {
+  return tp_report_sheet_batch(path, batch, figures, message);
+}
+
+tp_status tp_cli_write_batch_figures(const char *folder, const char *ending, const tp_batch *batch,
+                                     tp_message *message) {
+  return tp_report_figures_batch(folder, ending, batch, message);
+}
