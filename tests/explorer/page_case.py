@@ -21,6 +21,8 @@ from harness import main, run  # noqa: E402,F401
 PAGE = os.environ.get("TOPPLE_EXPLORER", str(ROOT / "build-explorer" / "explorer.html"))
 BUILT = "://" in PAGE or pathlib.Path(PAGE).is_file()
 ADDRESS = PAGE if "://" in PAGE else pathlib.Path(PAGE).resolve().as_uri()
+KNOWN = "try { localStorage.clear(); sessionStorage.clear(); localStorage.setItem('topple.touched', '1'); } catch (refused) {}"
+NEW = "try { localStorage.clear(); sessionStorage.clear(); } catch (refused) {}"
 MODIFIERS = {"control": 2, "shift": 8}
 WORDS = "[...document.querySelectorAll('.cm-line')].map(l => l.textContent).join('\\n')"
 
@@ -56,10 +58,19 @@ class PageCase(unittest.TestCase):
         own = ADDRESS.rsplit("/", 1)[0] if "://127." in ADDRESS else ADDRESS
         self.assertEqual([url for url in asked if not url.startswith(("data:", "blob:", own))], [])
 
-    def load(self, fragment="", width=1280, height=900):
+    def load(self, fragment="", width=1280, height=900, kept=KNOWN):
+        """@param kept what a script does to the browser's storage before the page is there: by default nothing is kept but
+        that somebody was here, for whom nothing moves by itself"""
         self.browser.call("Page.navigate", url="about:blank")  # or a new fragment would load nothing
+        script = self.browser.call("Page.addScriptToEvaluateOnNewDocument", source=kept)["identifier"]
         self.browser.open(Address(ADDRESS + fragment), width)
+        self.browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
         self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.answered(60)
+
+    def reload(self):
+        """As the reader does it; what the page keeps is there again."""
+        self.browser.reload()
         self.answered(60)
 
     def value(self, expression):
@@ -91,9 +102,14 @@ class PageCase(unittest.TestCase):
         return self.value("document.getElementById('message').textContent")
 
     def text(self):
-        """The scene as the editor has it, once it has caught up with a drag."""
+        """The scene as the editor has it, once it has caught up with a drag; the tab that was open is open again."""
         time.sleep(0.25)
-        return self.value(WORDS)
+        before = self.value("document.querySelector('#panels [aria-selected=true]').id")
+        self.click("#tab-text")
+        self.frame()
+        words = self.value(WORDS)
+        self.click("#" + before)
+        return words
 
     def example(self, name):
         self.value(f"(() => {{ const s = document.getElementById('examples'); s.value = '{name}.yaml';"
@@ -121,14 +137,15 @@ class PageCase(unittest.TestCase):
 
     def type_scene(self, text):
         """Select all that the editor has, and type over it."""
+        self.click("#tab-text")
+        self.frame()
         self.value("document.querySelector('.cm-content').focus()")
         self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="a", code="KeyA", modifiers=2,
                           windowsVirtualKeyCode=65, commands=["selectAll"])
         self.browser.call("Input.insertText", text=text)
 
     def knob(self, key):
-        """Where a handle is on the screen, the drawing scrolled into it."""
-        self.value("document.getElementById('drawing').scrollIntoView({block: 'end'})")
+        """Where a handle is on the screen."""
         return self.value(f"(() => {{ const r = document.querySelector('[data-handle={json.dumps(key)}] .knob')"
                           ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
 

@@ -11,38 +11,13 @@ import tempfile
 import time
 import unittest
 
-from page_case import ROOT, PageCase, main
+from drawn_case import DrawnCase, POLYGON, polygon
+from page_case import ROOT, main
 
 REPORTS = 240  # of the hand, in a drag whose frames are counted
-POLYGON = """# kept: a comment above
-topple: 1
-title: A polygon
-length_unit: mm
-block:
-  outline: [[0, 0], [100, 0],   # kept: a comment between
-    [110, 60], [60, 140], [-10, 90]]
-  unit_weight_kn_m3: 26
-base:
-  mated: true
-  beyond: {left: 0, right: 0}
-friction_angle_deg: 30
-tilt: {towards: left, angle_deg: 12}
-"""
 
 
-def polygon(count):
-    """Convex, on a flat of 1 m."""
-    turn = [math.radians(-34 + 248 * i / (count - 3)) for i in range(count - 2)]
-    points = [[0, 0], [1000, 0]] + [[round(500 + 600 * math.cos(a), 1), round(700 + 600 * math.sin(a), 1)] for a in turn]
-    return re.sub(r"outline: .*?\]\]", f"outline: {points}", POLYGON, flags=re.S)
-
-
-class Drawn(PageCase):
-    def drawn_turn(self):
-        """The angle of the base on the screen, counter-clockwise, read off the matrix of what is drawn."""
-        a, b = self.value("(() => { const m = document.querySelector('g.frame').getCTM(); return [m.a, m.b]; })()")
-        return math.degrees(math.atan2(-b, a))
-
+class Drawn(DrawnCase):
     def test_first_answer_within_a_second_of_the_page(self):
         """The page opens with block E, solved and drawn as the command line has it."""
         took = self.value("performance.getEntriesByName('first answer')[0].startTime") / 1000
@@ -327,33 +302,6 @@ class Drawn(PageCase):
         """Seconds of its thread."""
         metrics = self.browser.call("Performance.getMetrics")["metrics"]
         return next(each["value"] for each in metrics if each["name"] == "TaskDuration")
-
-    def test_motion_that_begins(self):
-        """At 32 degrees block E slides and topples; its drawing moves as the accelerations say, and not at 20."""
-        self.assertTrue(self.value("document.getElementById('play').disabled"))
-        self.type_scene(self.text().replace("angle_deg: 20", "angle_deg: 32"))
-        self.answered()
-        self.click("#play")
-        time.sleep(0.5)
-        moved = self.value("document.querySelector('g.moving').getAttribute('transform')")
-        motion = self.solved()["cases"][0]["motions"][0]
-        turn = float(re.search(r"rotate\(([-\d.e]+)\)", moved).group(1))
-        self.assertGreater(turn * motion["angular_g_per_m"]["value"], 0)
-        self.click("#play")
-        self.frame()
-        self.assertIsNone(self.value("document.querySelector('g.moving').getAttribute('transform')"))
-
-    def test_less_motion_where_it_was_asked_for(self):
-        self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
-        self.type_scene(self.text().replace("angle_deg: 20", "angle_deg: 32"))
-        self.answered()
-        self.click("#play")
-        self.frame()
-        moving = "document.querySelector('g.moving').getAttribute('transform')"
-        first = self.value(moving)
-        time.sleep(0.3)
-        self.assertEqual(self.value(moving), first)
-        self.browser.call("Emulation.setEmulatedMedia", features=[])
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 its number rounded, curves and reports are its bytes, maps its verdicts, formulas and claims its own; in the browser, by
 the menu of examples, the mouse and the keyboard."""
 
+import csv
 import decimal
 import json
 import pathlib
@@ -82,7 +83,7 @@ class Panels(PanelCase):
                         self.assertEqual(row[0], factor.get("fos_is", "none"))
                     else:
                         self.holds(row[0], factor["fos"])
-                    self.assertEqual("it does not count" in row[2], not factor["counts"])
+                    self.assertEqual("(excluded" in row[2], not factor["counts"])
                 rows = self.rows(f"#panel-pivots [data-towards={case['towards']}]")
                 self.assertEqual(len(rows), len(case["pivots"]), name)
                 for row, pivot in zip(rows, case["pivots"]):
@@ -113,7 +114,7 @@ class Panels(PanelCase):
                         self.assertLessEqual(abs(float(row[5].rstrip("°"))), case["limit"]["friction_angle_deg"]["value"] + 0.005)
 
     def test_curves(self):
-        """The table behind a curve is what `sweep` prints, byte for byte, and refined to 241 points."""
+        """The table behind a curve is what `sweep` prints, but for the last digits of bounds, and refined to 241 points."""
         self.shown("slab_left")
         self.tab("curves")
         self.awaits("(document.querySelector('#panel-curves .told').textContent.match(/^\\d+/) ?? [''])[0] === '241'")
@@ -126,7 +127,14 @@ class Panels(PanelCase):
         saved = self.saved(self.folder(), lambda: self.click("#panel-curves .told a"), "curve.csv")
         status, out, err = run("sweep", scene("block_e_valley"), "--x", "friction_angle_deg=5:60:(60-(5))/240")
         self.assertEqual((status, err), (0, ""))
-        self.assertEqual(saved.decode(), out)
+        own, native = (list(csv.DictReader(text.splitlines())) for text in (saved.decode(), out))
+        self.assertEqual(len(own), len(native))
+        for row, expected in zip(own, native):
+            for key, value in expected.items():
+                if key.endswith("_error") and value:
+                    self.assertAlmostEqual(float(row[key]), float(value), delta=1e-6 * float(value))
+                else:
+                    self.assertEqual(row[key], value)
 
     def test_map(self):
         """Of 200 by 200 points, told from few that are solved, 441 are asked of the native program one by one; lines are
@@ -163,14 +171,14 @@ class Panels(PanelCase):
         self.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y - 100)
         self.assertRegex(self.said("#panel-map .pointed"), r"^a [\d.]+, tilt [\d.]+: [a-z ]+$")
         self.pull((x, y), (x, y - 60))
-        self.awaits("Number(document.querySelector('#numbers input[type=number]').value) > 24")
-        before = float(self.value("document.querySelector('#numbers input[type=number]').value"))
+        self.awaits("Number(document.querySelector('#numbers input[type=text]').value) > 24")
+        before = float(self.value("document.querySelector('#numbers input[type=text]').value"))
         self.value("document.querySelector('#panel-map .scene-point').focus()")
         self.key("ArrowDown")
-        self.awaits(f"Number(document.querySelector('#numbers input[type=number]').value) < {before}")
+        self.awaits(f"Number(document.querySelector('#numbers input[type=text]').value) < {before}")
         self.click("#undo")
         self.click("#undo")
-        self.awaits("document.querySelector('#numbers input[type=number]').value === '20'")
+        self.awaits("document.querySelector('#numbers input[type=text]').value === '20'")
 
     def test_a_map_holds_nothing_up(self):
         """While the borders of a map over two lengths are being found, which takes seconds, another tilt is answered."""
@@ -180,7 +188,7 @@ class Panels(PanelCase):
                    " menus[1].dispatchEvent(new Event('change')); } 0")
         self.awaits("document.querySelector('#panel-map .told').textContent.includes('being found')", 60)
         began = time.monotonic()
-        self.value("{ const f = document.querySelector('#numbers input[type=number]'); f.value = '29';"
+        self.value("{ const f = document.querySelector('#numbers input[type=text]'); f.value = '29';"
                    " f.dispatchEvent(new Event('input')); } 0")
         self.awaits("/^Slides and topples at 29°/.test(document.querySelector('#panel-verdict .verdict').textContent)")
         took = time.monotonic() - began
@@ -247,7 +255,7 @@ class Panels(PanelCase):
         self.assertEqual([row[:3] for row in rows], [[each["method"], each["level"], str(each["bits"])] for each in runs])
         for row, each in zip(rows, runs):
             self.assertAlmostEqual(int(row[4]), -each["bound_log10"], delta=1.001)
-            self.assertGreater(float(row[3]), 0)
+            self.assertGreater(float(row[3].lstrip("< ")), 0)
 
     def test_light_and_dark(self):
         """Curves and maps take the colours that are chosen: their ink is light on dark, and the map's colours are others."""
@@ -304,7 +312,8 @@ class Panels(PanelCase):
     def test_a_scene_without_an_answer(self):
         """The last answer stays, greyed, and says so; with the next scene it goes."""
         self.shown("block_e_valley")
-        self.value("{ const field = document.querySelector('#numbers input[type=number]'); field.value = '20'; } 0")
+        self.value("{ const field = document.querySelector('#numbers input[type=text]'); field.value = '20'; } 0")
+        self.tab("text")
         self.value("document.querySelector('#editor .cm-content').focus()")
         self.browser.call("Input.insertText", text="nonsense: 1\n")
         self.awaits("!document.querySelector('#panel-verdict .stale').hidden")

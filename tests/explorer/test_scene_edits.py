@@ -5,8 +5,11 @@ stays; decimals are exact; formulas have the values that Python gives them; undo
 
 import decimal
 import fractions
+import json
+import pathlib
 import random
 import re
+import tempfile
 import unittest
 
 from node_case import NODE, node
@@ -127,7 +130,9 @@ class Edits(unittest.TestCase):
             self.assertNotIn(path.name, found["message"])
             self.assertTrue(err.strip().endswith(found["message"]))
         found = node(SCENE / "complaint.js", "return it.readComplaint(given);", "")
-        self.assertIn("without a word", found["message"])
+        self.assertIn("without a message", found["message"])
+        found = node(SCENE / "complaint.js", "return it.readComplaint(given);", "topple: ./-x.yaml:3:4: no\n")
+        self.assertEqual((found["file"], found["line"]), ("-x.yaml", 3))
 
     def test_undo_leads_back_through_gestures(self):
         """Against a list of all states: of a gesture only its last one is kept."""
@@ -160,6 +165,64 @@ class Edits(unittest.TestCase):
         self.assertLess(len(found[0]), 400)
         self.assertIsNone(node(SCENE / "link.js", "return it.sceneOfLink('#elsewhere');", None))
 
+    def test_names_in_links(self):
+        """Names as people give them come back; none leads out of the folder where the program runs."""
+        back = """const out = []; for (const name of given) {
+          try { out.push((await it.sceneOfLink(await it.linkOfScene({name, text: "x: 1", files: {}}))).name); } catch (e) { out.push(e.message); } }
+          return out;"""
+        good = ["block (1).yaml", "böschung.yaml", "岩.yaml", "a/b/c.yaml", "-x.yaml", "what's this & that.yaml"]
+        self.assertEqual(node(SCENE / "link.js", back, good), good)
+        bad = ["../x.yaml", "/etc/x", "a/../b", "a//b", "", ".", "a\\b", "a\nb", "a/b/c/d/e", "x" * 300]
+        self.assertEqual(set(node(SCENE / "link.js", back, bad)), {"it has no scene in it"})
+
+    def test_lines_keep_their_ends(self):
+        """What is typed into an editor of plain lines goes into a file of Windows', of Unix', or of both: read plainly the
+        text is what was typed, and no line that was not touched has another end."""
+        draw = random.Random(5)
+        given = []
+        for ends in (["\r\n"], ["\n"], ["\r\n", "\n"], ["\r\n", "\n", "\r"]):
+            for _ in range(300):
+                lines = ["".join(draw.choice("ab") for _ in range(draw.randrange(3))) + draw.choice(ends) for _ in range(draw.randrange(1, 8))]
+                text = "".join(lines)
+                plain = re.sub(r"\r\n?", "\n", text)
+                at = draw.randrange(len(plain) + 1)
+                given.append([text, plain[:at] + draw.choice(["x", "x\ny", ""]) + plain[min(len(plain), at + draw.randrange(3)):]])
+        found = node(SCENE / "../editor/line_ends.js", "return given.map((one) => it.withTyped(...one));", given)
+        for (before, typed), after in zip(given, found):
+            self.assertEqual(re.sub(r"\r\n?", "\n", after), typed, (before, typed))
+            if "\n" not in before.replace("\r\n", ""):
+                self.assertNotRegex(after, r"(?<!\r)\n", (before, typed))
+        self.assertEqual(node(SCENE / "../editor/line_ends.js", "return it.withTyped(...given);", ["a\r\nb\nc\r\n", "a\nb\ncd\n"]), "a\r\nb\ncd\r\n")
+
+    def test_typed_numbers(self):
+        """A field takes numbers in its range, with a point or a comma, and says why it takes no other."""
+        cases = {"9": "9", " 12,5 ": "12.5", "1e1": "1e1", "95": "from 0 to 90", "-5": "from 0 to 90", "abc": "not a number",
+                 "1.2.3": "not a number", "": "", "Infinity": "not a number"}
+        found = node(SCENE / "../page/typed_number.js", "return given.map((typed) => it.typedNumber(typed, 90));", list(cases))
+        for typed, answer, said in zip(cases, found, cases.values()):
+            self.assertEqual((answer["text"] if answer["text"] is not None else answer["wrong"]), said, typed)
+
+    def test_files_begin_scenes_that_are_solved(self):
+        """Points that go one way are ground, others a block, also from a .txt; a drawing is tilted: each scene that is begun
+        is solved by the program, with a factor of safety that is a number."""
+        files = {"ground.csv": "x,y\n" + "".join(f"{k},{(k * k) % 3 / 10}\n" for k in range(12)),
+                 "grid.txt": "".join(f"{5000 + 4 * k} {(k * 7) % 5 / 10}\n" for k in range(12)),
+                 "block.txt": "0 0\n2 0\n2 3\n0 3\n", "it's.csv": "0;0\n1;0\n1;2\n0;2\n",
+                 "drawing.svg": '<svg xmlns="http://www.w3.org/2000/svg"><path id="BLOCK" d="M0 0H10V-20H0Z"/></svg>'}
+        scenes = node(SCENE / "open.js", "return Object.entries(given).map(([name, content]) => it.sceneOf(name, content));", files)
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        for (name, content), text in zip(files.items(), scenes):
+            with self.subTest(name):
+                (folder / name).write_text(content, encoding="utf-8")
+                (folder / "scene.yaml").write_text(text, encoding="utf-8")
+                status, out, err = run("solve", "--json", "scene.yaml", folder=folder)
+                self.assertEqual(status, 0, err)
+                self.assertEqual("profile:" in text, name in ("ground.csv", "grid.txt"))
+                fos = [case["governing_fos"]["fos"] for case in json.loads(out)["cases"]]
+                self.assertTrue(any(each is not None for each in fos))
+        for name, content in (("notes.txt", "dear all"), ("a.png", "x")):
+            self.assertIsNone(node(SCENE / "open.js", "return it.sceneOf(...given);", [name, content]))
+
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
 @unittest.skipUnless(INSTALLED, "src/applications/explorer/node_modules is not there: ./run --explorer installs it")
@@ -185,10 +248,61 @@ class Texts(unittest.TestCase):
             ("topple: 1\ntilt: {}  # none\nx: 1\n", "topple: 1\ntilt: {angle_deg: 5}  # none\nx: 1\n"),
             ("tilt:\n    towards: left   # down\nx: 1\n", "tilt:\n    towards: left   # down\n    angle_deg: 5\nx: 1\n"),
             ("topple: 1\nx: 1  # last", "topple: 1\nx: 1  # last\ntilt: {angle_deg: 5}"),
+            ("tilt: {towards: left,}\n", "tilt: {towards: left, angle_deg: 5}\n"),
+            ("tilt: {towards: left , # a, b\n  }\n", "tilt: {towards: left , # a, b\n  angle_deg: 5}\n"),
+            ("tilt: {towards: left # a, b\n  }\n", "tilt: {towards: left # a, b\n  , angle_deg: 5}\n"),
+            ("topple: 1\r\ntilt:\r\n  towards: left\r\nx: 1\r\n", "topple: 1\r\ntilt:\r\n  towards: left\r\n  angle_deg: 5\r\nx: 1\r\n"),
         )
         for before, after in cases:
             with self.subTest(before):
                 self.assertEqual(self.changed(before, [{"path": ["tilt", "angle_deg"], "text": "5"}]), after)
+
+    def test_aliases_and_lists_are_no_numbers(self):
+        """Where no number can be put, it is said why, before a hand tries."""
+        asked = "const scene = new it.SceneText(given); return scene.whyNoNumber(['tilt', 'angle_deg']);"
+        for text, why in (("a: &t 5\ntilt: {angle_deg: *t}\n", "alias *t"), ("tilt: {angle_deg: [1, 2]}\n", "list"), ("tilt: 5\n", "no map"),
+                          ("a: &m {angle_deg: 3}\ntilt: *m\n", "alias *m"), ("tilt: {angle_deg: &t 5}\n", None), ("x: 1\n", None), ("- 1\n", "no place")):
+            found = node(SCENE / "scene_text.js", asked, text)
+            self.assertTrue(found is None if why is None else why in found, (text, found))
+
+    def test_a_tree_that_moves_along(self):
+        """The tree of a text whose numbers changed is that of the new text read anew: every number stands where it says."""
+        asked = """let scene = new it.SceneText(given.text);
+          const wrong = [];
+          const places = (node, path, found) => { if (node?.items) node.items.forEach((one, i) => one?.key ? places(one.value, [...path, one.key.value], found)
+            : places(one, [...path, i], found)); else found.push([path.join("."), node.value, node.range.slice(0, 2).join()]); return found; };
+          for (const numbers of given.edits) {
+            scene = scene.movedTo(numbers);
+            const anew = new it.SceneText(scene.text);
+            if (JSON.stringify(places(scene.root, [], [])) !== JSON.stringify(places(anew.root, [], []))) wrong.push(scene.text);
+          }
+          return [wrong, scene.text];"""
+        draw = random.Random(6)
+        for name, layout in LAYOUTS.items():
+            text = layout.format("110", "60", "75", "12")
+            edits = [[{"path": path, "text": str(draw.randrange(10**draw.randrange(1, 7)))} for path in draw.sample(PATHS, draw.randrange(1, 4))] for _ in range(40)]
+            wrong, last = node(SCENE / "scene_text.js", asked, {"text": text, "edits": edits})
+            self.assertEqual(wrong, [], name)
+            for each in edits:
+                text = self.changed(text, each)
+            self.assertEqual(last, text)
+
+    def test_vertices_come_and_go(self):
+        """In each layout of a list a vertex is put behind each other one and taken away again, which leaves the text as it
+        was; any one can go, and what is then read are the others."""
+        texts = [layout.format("110", "60", "75", "12") for layout in LAYOUTS.values()]
+        found = node(SCENE / "scene_text.js", """const edits = await import(given.module); const outline = ["block", "outline"];
+          const points = (text) => new it.SceneText(text).points(outline);
+          return given.texts.map((text) => [0, 1, 2].map((at) => {
+            const scene = new it.SceneText(text);
+            const added = edits.withItem(scene, outline, at, "[7.5, -8]");
+            return [points(text), points(added), edits.withoutItem(new it.SceneText(added), outline, at + 1), points(edits.withoutItem(scene, outline, at))];
+          }));""", {"texts": texts, "module": (SCENE / "list_edits.js").as_uri()})
+        for text, places in zip(texts, found):
+            for at, (before, added, back, left) in enumerate(places):
+                self.assertEqual(added, [*before[:at + 1], ["7.5", "-8"], *before[at + 1:]])
+                self.assertEqual(back, text)
+                self.assertEqual(left, [*before[:at], *before[at + 1:]])
 
     def test_random_scenes_read_back(self):
         """Edits of examples: what the program reads at the place is the number that was put there, and a second edit
@@ -203,7 +317,7 @@ class Texts(unittest.TestCase):
                 self.assertEqual(self.changed(there, [{"path": path, "text": old}]), text)
 
     def test_what_is_no_yaml_has_no_tree(self):
-        for text, why in (("topple: {", "indent"), ("a: {\nb: 1\n}", "line"), ("a: b: c", "no YAML"), ("x" * 300_000, "too long")):
+        for text, why in (("topple: {", "indent"), ("a: {\nb: 1\n}", "line"), ("a: b: c", "not valid YAML"), ("x" * 300_000, "too long")):
             self.assertIn(why, node(SCENE / "scene_text.js", "return new it.SceneText(given).unread;", text))
 
 

@@ -11,7 +11,7 @@ from harness import main, solve, table
 from test_report_browser import contrast
 
 # What has no room, but for what scrolls in a box of its own
-TOO_WIDE = """[...document.querySelectorAll('#panels *')].filter(e => !e.closest('.wide, .unseen, svg, .uplot') &&
+TOO_WIDE = """[...document.querySelectorAll('#panels *')].filter(e => !e.closest('.wide, .tabs, .unseen, svg, .uplot') &&
   e.getBoundingClientRect().right > document.documentElement.clientWidth + 1).map(e => e.outerHTML.slice(0, 90))"""
 COLOURS = """[...document.querySelectorAll('#panels p, #panels td, #panels th, #panels dd, #panels dt, #panels h2, #panels h3,' +
   ' #panels button:not(:disabled), #panels label, #panels a, #panels math')].filter(e => e.getClientRects().length > 0).map(e => {

@@ -76,6 +76,15 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
         self.events = []
         self.call("Page.navigate", url=path.as_uri())
+        self.loaded()
+
+    def reload(self):
+        """The page that is open, anew."""
+        self.events = []
+        self.call("Page.reload")
+        self.loaded()
+
+    def loaded(self):
         while not any(e["method"] == "Page.loadEventFired" for e in self.events):
             message = self.read()
             if "method" in message:

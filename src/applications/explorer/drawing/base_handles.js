@@ -12,9 +12,7 @@ export function baseHandles(context) {
 }
 
 function baseEnds(context) {
-  const keys = context.scene.keys(["base"]) ?? [];
-  if (keys.includes("profile")) return context.base === null ? [] : profileHandles(context);
-  if (!context.kase.contact?.mated) return [];
+  if (hasProfile(context) || !context.kase.contact?.mated) return [];
   return [beyondHandle(context, "left", -1), beyondHandle(context, "right", 1)];
 }
 
@@ -28,8 +26,16 @@ function jointHandle(context) {
   return [lengthHandle(context, { name: "shift along the joint", of, kind: "size", moves: "x", least: -Infinity, at, value })];
 }
 
-function profileHandles(context) {
-  return listHandles(context, context.base, ["base", "profile"], "the profile").map((handle) => ({ ...handle, kind: "base" }));
+function hasProfile(context) {
+  return (context.scene.keys(["base"]) ?? []).includes("profile");
+}
+
+/** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} points of the profile */
+export function baseVertices(context) {
+  if (!hasProfile(context) || context.base === null) return [];
+  return listHandles(context, context.base, ["base", "profile"], "the profile").map(({ key, at, made }) => {
+    return { key, at, made: () => ({ ...made(), kind: "base" }) };
+  });
 }
 
 /**

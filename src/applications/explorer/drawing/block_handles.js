@@ -4,26 +4,37 @@
 /** Handles of the block: vertices of its outlines, or the sizes it is made from. */
 
 import { lengthHandle, vertexHandle } from "./handle.js";
+import { pointsOf } from "./points.js";
 
-/** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} */
+/** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} vertices */
+export function blockVertices(context) {
+  const isOutline = context.block !== null && (context.scene.keys(["block"]) ?? []).includes("outline");
+  return isOutline ? outlineHandles(context) : [];
+}
+
+/** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} of the sizes that a block is made from */
 export function blockHandles(context) {
   if (context.block === null) return [];
   const kinds = context.scene.keys(["block"]) ?? [];
-  if (kinds.includes("outline")) return outlineHandles(context);
   if (kinds.includes("slab")) return slabHandles(context);
   if (kinds.includes("teeth")) return teethHandles(context);
   if (kinds.includes("ellipse")) return ellipseHandles(context);
   return [];
 }
 
-function outlineHandles(context) {
+/** The rings of points of an outline with its holes and parts: where each stands, and its name. @returns {[(string|number)[], string][]} */
+export function ringsOf(context) {
   const rings = [[["block", "outline"], "the outline"]];
   for (let i = 0; i < (context.scene.count(["block", "holes"]) ?? 0); i++) rings.push([["block", "holes", i], "hole " + (i + 1)]);
   for (let i = 0; i < (context.scene.count(["block", "parts"]) ?? 0); i++) {
     rings.push([["block", "parts", i, "outline"], "part " + (i + 1)]);
   }
+  return rings;
+}
+
+function outlineHandles(context) {
   const places = namedVertices(context.scene);
-  return rings.flatMap(([path, name]) => listHandles(context, context.block, path, name, places));
+  return ringsOf(context).flatMap(([path, name]) => listHandles(context, context.block, path, name, places));
 }
 
 /** Where a scene names vertices of the outline by their coordinates. @returns {(string|number)[][]} */
@@ -38,15 +49,16 @@ function namedVertices(scene) {
   ];
 }
 
-/** @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points */
+/**
+ * @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points
+ * @returns {import("./nearest.js").Candidate[]}
+ */
 export function listHandles(context, placement, path, name, places = []) {
-  const count = context.scene.count(path) ?? 0;
-  const handles = [];
-  for (let i = 0; i < count; i++) {
-    const handle = vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name, places);
-    if (handle !== null) handles.push(handle);
-  }
-  return handles;
+  return pointsOf(context, path).map((point, i) => (point === null ? null : {
+    key: path.join(".") + "." + i,
+    at: placement.toFrame(point.x, point.y),
+    made: () => vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name, places),
+  })).filter((candidate) => candidate !== null);
 }
 
 /** A size of a block that is made from numbers; at and value in the scene's own coordinates. */

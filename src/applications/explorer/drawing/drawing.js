@@ -5,13 +5,14 @@
  * The block on its base, to scale and tilted, drawn from the core's answer, with handles that change the scene. While
  * there is no answer for the present text, the last one stays, greyed, and the dragged shape is drawn over it.
  *
- * Events: "told" (.words says what a handle or a symbol is).
+ * Events: "told" (.words says what a handle or a symbol is), "case" (another direction of tilt is drawn).
  */
 
-import { select } from "d3-selection";
+import { pointer, select } from "d3-selection";
 import { zoom, zoomIdentity } from "d3-zoom";
 import { stepExponent } from "../scene/decimal.js";
 import { Context } from "./handle.js";
+import { withVertexAfter, withVertexAt, withoutVertex } from "./vertex_edits.js";
 import { View } from "./view.js";
 import { waterPath } from "./water.js";
 import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
@@ -20,22 +21,27 @@ import { symbolsOf } from "./symbols.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
-import { tiltArc } from "./tilt_handle.js";
-import { Motion, motionOf } from "./motion.js";
-import { resultPoint } from "./result_point.js";
+import { drawArc } from "./tilt_handle.js";
+import { layersOf } from "./layers.js";
+import { isElsewhere, roomOf } from "./room.js";
+import { drawScale } from "./scale_bar.js";
 
 const SNAP_DOTS = 3;
-const OTHER_SIZE = 2.5;
-const CENTRE_NEAR = 0.6; // of the block's size
+const NARROW = 560; // dots: a drawing below the badge, in a wider one it stands beside
+const BADGE = 70;
 const ZOOM_MAX = 1e6;
 
 export class Drawing extends EventTarget {
   #fitted = -1; // which of the scenes that were opened the window was fitted to
   #box = null; // what it was fitted to, metres from the origin
+  #way = null; // what it is fitted to while a film is shown
   #drawn = null; // of which answer the paths are
   #waits = null;
   #editing = false;
   #byHand = false; // the present text came from a handle
+  #hand = null; // where the pointer is, dots
+  #handWaits = false;
+  #crowded = false; // there are more vertices than handles
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
@@ -47,16 +53,19 @@ export class Drawing extends EventTarget {
     this.origin = { x: 0, y: 0 };
     this.context = null;
     this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", "Drawing of the block on its base");
-    this.#layers();
+    this.layers = layersOf(this.svg);
+    this.frame = this.layers.frame;
     this.zooming = zoom().scaleExtent([0.05, ZOOM_MAX]).filter((event) => this.#zooms(event)).on("zoom", (event) => this.#zoomed(event.transform));
     this.svg.call(this.zooming).on("dblclick.zoom", null);
     this.handles = new HandlesLayer(this.layers.handles, this.view, {
+      change: (key, handle) => this.#change(key, handle.key),
       edit: (handle, edits) => this.#edit(handle, edits),
       ended: () => store.endGesture(),
       exponent: () => this.exponent,
       told: (words) => this.#tell(words),
     });
-    this.motion = new Motion(() => this.#motion(), (transform) => this.layers.moving.attr("transform", transform));
+    this.svg.on("dblclick", (event) => this.#addAt(pointer(event, this.svg.node())));
+    this.svg.on("pointermove", (event) => this.#handAt(pointer(event, this.svg.node())));
     store.addEventListener("text", () => {
       this.#byHand = this.#editing;
       this.#later();
@@ -80,14 +89,21 @@ export class Drawing extends EventTarget {
   /** Which of the cases is drawn, where the scene tilts both ways. @param {number} index */
   showCase(index) {
     this.caseIndex = index;
-    this.#draw();
+    this.draw();
+    this.dispatchEvent(new Event("case"));
   }
 
   /** All of the block into the window. */
   fit() {
     this.#fitted = -1;
     this.svg.call(this.zooming.transform, zoomIdentity);
-    this.#draw();
+    this.draw();
+  }
+
+  /** While a film is shown the window takes in the block's whole way. @param {number[]|null} [way] */
+  refit(way = this.#way) {
+    this.#way = way;
+    if (this.#box !== null) this.view.fit(way ?? this.#box);
   }
 
   /** @param {number} factor @param {number} [dx] @param {number} [dy] a share of the window to move by */
@@ -96,33 +112,19 @@ export class Drawing extends EventTarget {
     if (dx !== 0 || dy !== 0) this.svg.call(this.zooming.translateBy, (dx * this.view.width) / this.view.zoom.k, (dy * this.view.height) / this.view.zoom.k);
   }
 
-  #layers() {
-    const frame = this.svg.append("g").attr("class", "frame");
-    this.frame = frame;
-    this.layers = {
-      still: frame.append("g"),
-      water: frame.append("path").attr("class", "shape water"),
-      moving: frame.append("g").append("g").attr("class", "moving"),
-      front: frame.append("g"),
-      preview: frame.append("path").attr("class", "shape preview"),
-      arc: this.svg.append("g").attr("class", "arc"),
-      symbols: this.svg.append("g").attr("class", "symbols"),
-      handles: this.svg.append("g").attr("class", "handles"),
-    };
-    this.layers.arc.append("path");
-    this.layers.arc.append("text");
-    this.layers.note = this.svg.append("text").attr("class", "note").attr("x", 10).attr("y", 20);
-  }
-
   /** Several changes within a frame are drawn once. */
   #later() {
     if (this.#waits !== null) return;
-    this.#waits = requestAnimationFrame(() => this.#draw());
+    this.#waits = requestAnimationFrame(() => this.draw());
   }
 
-  #draw() {
+  draw() {
     cancelAnimationFrame(this.#waits);
     this.#waits = null;
+    if (this.svg.classed("filming")) {
+      this.frame.attr("transform", "matrix(" + this.view.matrix.join(" ") + ")");
+      return;
+    }
     const { store } = this;
     const answer = store.lastSolution;
     const kase = this.case;
@@ -158,28 +160,13 @@ export class Drawing extends EventTarget {
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
   #fitOnce(outlines) {
     const opened = this.#fitted !== this.store.openings;
-    if (this.store.solution === null || (!opened && (this.#byHand || !this.#otherSize(outlines)))) return;
+    if (this.store.solution === null || (!opened && (this.#byHand || !isElsewhere(this.view, this.#box, outlines, this.origin)))) return;
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
     this.#box = roomOf(outlines, this.case);
     this.view.fit(this.#box);
     this.#drawn = null;
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
-  }
-
-  /** Than what was fitted: by far larger or smaller, by far elsewhere, or out of a window that no hand has moved. */
-  #otherSize(outlines) {
-    const [dx, dy] = [outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y];
-    const box = roomOf(outlines);
-    const size = Math.hypot(box[2] - box[0], box[3] - box[1]);
-    const before = Math.hypot(this.#box[2] - this.#box[0], this.#box[3] - this.#box[1]);
-    if (size > OTHER_SIZE * before || before > OTHER_SIZE * size || Math.hypot(dx, dy) > OTHER_SIZE * before) return true;
-    const out = (x, y) => {
-      const at = this.view.toScreen(x + dx, y + dy);
-      return at.x < 0 || at.y < 0 || at.x > this.view.width || at.y > this.view.height;
-    };
-    const [x0, y0, x1, y1] = outlines.box_m;
-    return this.view.zoom === zoomIdentity && [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].some(([x, y]) => out(x, y));
   }
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
@@ -235,29 +222,28 @@ export class Drawing extends EventTarget {
         own.select("text").attr("x", symbol.x ?? 0).attr("y", symbol.y ?? 0).text(symbol.text ?? "");
         own.select("title").text(symbol.title);
       });
-    this.#drawArc();
-    this.handles.set(handlesOf(this.context, view, this.sign));
-    const { hidden } = this.handles;
-    layers.note.text(hidden > 0 ? hidden + " more handles: come closer to see them" : "");
+    drawArc(layers.arc, view, this.sign);
+    drawScale(layers.scale, view, this.sign, this.context);
+    this.#placeHandles();
   }
 
-  #drawArc() {
-    const { x, y, radius } = tiltArc(this.view, this.sign);
-    const angle = Math.abs(this.view.turn);
-    const { sign } = this;
-    const on = (r, a) => (x + sign * r * Math.cos(a)) + " " + (y - r * Math.sin(a));
-    const path = "M" + on(radius, 0) + "L" + x + " " + y + "L" + on(radius, angle) +
-      "M" + on(0.6 * radius, 0) + "A" + 0.6 * radius + " " + 0.6 * radius + " 0 0 " + (sign > 0 ? 0 : 1) + " " + on(0.6 * radius, angle);
-    this.layers.arc.select("path").attr("d", path);
-    this.layers.arc.select("text").attr("x", x + sign * 0.72 * radius * Math.cos(angle / 2)).attr("y", y - 0.72 * radius * Math.sin(angle / 2) + 4)
-      .attr("text-anchor", sign > 0 ? "start" : "end").text(+((angle * 180) / Math.PI).toFixed(4) + "°");
+  /** Of many vertices those near the hand have handles, which it brings along. */
+  #placeHandles() {
+    if (this.context === null) return;
+    const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept });
+    this.#crowded = hidden > 0;
+    this.handles.set(handles);
+    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? hidden + " more vertices: their handles come with the pointer, or closer" : "");
   }
 
-  #motion() {
-    const { solution } = this.store;
-    if (solution?.outlines === undefined || this.case === null) return null;
-    const { outlines } = solution;
-    return motionOf(this.case, outlines);
+  #handAt([x, y]) {
+    this.#hand = { x, y };
+    if (!this.#crowded || this.#handWaits || this.handles.dragged !== null) return;
+    this.#handWaits = true;
+    requestAnimationFrame(() => {
+      this.#handWaits = false;
+      this.#placeHandles();
+    });
   }
 
   #edit(handle, edits) {
@@ -265,7 +251,25 @@ export class Drawing extends EventTarget {
     this.store.setNumbers(edits, { mergeWith: "drag " + handle.key });
     this.#editing = false;
     // the next key press or report of the hand counts from what is drawn now
-    this.#draw();
+    this.draw();
+  }
+
+  /** A vertex where an edge was struck twice. */
+  #addAt([x, y]) {
+    if (this.context !== null && !this.svg.classed("filming")) this.#put(withVertexAt(this.context, this.view, { x, y }, this.exponent));
+  }
+
+  /** By keys: the vertex that has the focus goes, or one comes behind it. @returns {boolean} whether the key means that */
+  #change(key, handle) {
+    if (this.context === null || !["Delete", "Backspace", "Insert"].includes(key)) return false;
+    this.#put(key === "Insert" ? withVertexAfter(this.context, handle, this.exponent) : withoutVertex(this.context, handle));
+    return true;
+  }
+
+  /** @param {string|null} text */
+  #put(text) {
+    if (text === null) this.#tell("No vertex can come or go here: only those of an outline or a profile that stands in the text");
+    else this.store.setText(text);
   }
 
   #tell(words) {
@@ -286,21 +290,9 @@ export class Drawing extends EventTarget {
     const { width, height } = element.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
     [this.view.width, this.view.height] = [width, height];
+    this.view.top = width < NARROW ? BADGE : 0;
     this.svg.attr("viewBox", "0 0 " + width + " " + height);
-    if (this.#box !== null) this.view.fit(this.#box);
+    this.refit();
     this.#later();
   }
-}
-
-/** The block, room below it for the rock and the reactions that it bears, and its centre of rotation where that is near. */
-function roomOf(outlines, kase) {
-  const [x0, y0, x1, y1] = outlines.box_m;
-  const size = Math.max(y1 - y0, 0.4 * (x1 - x0));
-  const room = [x0, y0 - 0.2 * size, x1, y1];
-  const { centre_x_m: x, centre_y_m: y } = kase?.limit ?? {};
-  if (x == null || y == null) return room;
-  const at = resultPoint(outlines, x, y);
-  const grown = [Math.min(room[0], at.x), Math.min(room[1], at.y), Math.max(room[2], at.x), Math.max(room[3], at.y)];
-  const much = grown[2] - grown[0] > x1 - x0 + CENTRE_NEAR * size || grown[3] - grown[1] > y1 - y0 + CENTRE_NEAR * size;
-  return much ? room : grown;
 }

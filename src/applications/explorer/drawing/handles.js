@@ -3,17 +3,28 @@
 
 /** All handles of a scene. */
 
-import { blockHandles } from "./block_handles.js";
-import { baseHandles } from "./base_handles.js";
+import { blockHandles, blockVertices } from "./block_handles.js";
+import { baseHandles, baseVertices } from "./base_handles.js";
 import { loadHandles } from "./load_handles.js";
+import { nearestOf } from "./nearest.js";
 import { tiltHandle } from "./tilt_handle.js";
 
 /**
  * @param {import("./handle.js").Context} context @param {import("./view.js").View} view
  * @param {number} sign 1 where the tilt turns counter-clockwise on the screen
- * @returns {import("./handle.js").Handle[]}
+ * @param {{hand: import("./handle.js").Point|null, kept: Set<string>}} near the hand on the screen; keys of handles that stay
+ * @returns {{handles: import("./handle.js").Handle[], hidden: number}} hidden: how many vertices in the window have none
  */
-export function handlesOf(context, view, sign) {
-  if (context.scene.unread !== null) return [];
-  return [tiltHandle(context, view, sign), ...baseHandles(context), ...loadHandles(context, view), ...blockHandles(context)];
+export function handlesOf(context, view, sign, near) {
+  if (context.scene.unread !== null) return { handles: [], hidden: 0 };
+  const { chosen, hidden } = nearestOf([...baseVertices(context), ...blockVertices(context)], view, { ...near, contact: contactEnds(context) });
+  const vertices = chosen.map((candidate) => candidate.made()).filter((handle) => handle !== null);
+  const handles = [tiltHandle(context, view, sign), ...baseHandles(context), ...loadHandles(context, view), ...blockHandles(context), ...vertices];
+  return { handles, hidden };
+}
+
+/** In the frame of the drawing. @returns {import("./handle.js").Point[]} */
+function contactEnds(context) {
+  const { contact } = context.kase;
+  return [contact?.left_end, contact?.right_end].filter((end) => end?.x_m).map((end) => context.result(end.x_m, end.y_m));
 }

@@ -5,8 +5,6 @@
 
 import { drag } from "d3-drag";
 
-/** So many at most: more of them could not be told apart. */
-export const HANDLES_MAX = 150;
 const RADIUS = 7;
 const APART = 24; // dots
 
@@ -18,7 +16,7 @@ export class HandlesLayer {
 
   /**
    * @param group a d3 selection @param {import("./view.js").View} view
-   * @param {{edit: (handle: object, edits: object[]) => void, ended: () => void, exponent: () => number,
+   * @param {{change: (key: string, handle: object) => boolean, edit: (handle: object, edits: object[]) => void, ended: () => void, exponent: () => number,
    *   told: (text: string) => void}} hand
    */
   constructor(group, view, hand) {
@@ -28,6 +26,12 @@ export class HandlesLayer {
     this.handles = [];
     /** The key of the handle that is dragged. @type {string|null} */
     this.dragged = null;
+  }
+
+  /** Keys of handles that stay, however many others are nearer: one that is dragged, one that has the focus. */
+  get kept() {
+    const focused = this.group.node().contains(document.activeElement) ? document.activeElement.dataset.handle : null;
+    return new Set([this.dragged, focused].filter((key) => key !== null));
   }
 
   /** @param {import("./handle.js").Handle[]} handles */
@@ -42,8 +46,7 @@ export class HandlesLayer {
     const seen = apart(this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
       .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < width + 20 && y < height + 20)),
     this.view.direction(0, -1), this.#grip);
-    this.hidden = Math.max(0, seen.length - HANDLES_MAX);
-    this.group.selectAll("g.handle").data(seen.slice(0, HANDLES_MAX), (one) => one.handle.key)
+    this.group.selectAll("g.handle").data(seen, (one) => one.handle.key)
       .join((enter) => this.#made(enter))
       .attr("transform", ({ x, y, away }) => "translate(" + (x + away.x) + " " + (y + away.y) + ")")
       .each(function ({ handle, away }) {
@@ -109,6 +112,10 @@ export class HandlesLayer {
 
   #key(event, handle) {
     const way = KEYS[event.key];
+    if (way === undefined && this.hand.change(event.key, handle)) {
+      event.preventDefault();
+      event.stopPropagation();
+    }
     if (way === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();

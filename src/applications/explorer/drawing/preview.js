@@ -7,6 +7,7 @@
  */
 
 import { teethOf } from "./block_handles.js";
+import { pointsOf } from "./points.js";
 
 /** @param {import("./handle.js").Context} context @returns {string|null} a path in the frame of the drawing */
 export function previewPath(context) {
@@ -37,14 +38,7 @@ function teethRing(context) {
 }
 
 function outlineRing(context) {
-  const count = context.scene.count(["block", "outline"]);
-  if (count === null || context.scene.count(["block", "arcs"]) !== null) return null;
-  const ring = [];
-  for (let i = 0; i < count; i++) {
-    const x = context.number(["block", "outline", i, 0]).value;
-    const y = context.number(["block", "outline", i, 1]).value;
-    if (x === null || y === null) return null;
-    ring.push({ x, y });
-  }
-  return ring;
+  if (context.scene.count(["block", "arcs"]) !== null) return null;
+  const ring = pointsOf(context, ["block", "outline"]);
+  return ring.includes(null) ? null : ring;
 }

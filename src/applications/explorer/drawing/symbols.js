@@ -12,6 +12,7 @@ import { resultPoint } from "./result_point.js";
 const PIVOTS_MAX = 60;
 const FORCE_DOTS = 120; // of the block's weight
 const NAME_DOTS = 20; // that two numbers need between them
+const GOVERNING_DOTS = 13;
 const HEAD = 9;
 const COMB = 6; // gaps between the arrows of a pressure
 const COMB_DOTS = 30;
@@ -67,7 +68,10 @@ function pivots(kase, on) {
     const title = "pivot " + (pivot.index + 1) + (angle === undefined ? "" : ": passes the weight at " + angle.toFixed(2) + "°");
     const free = named.every((other) => Math.hypot(other.x - at.x, other.y - at.y) > NAME_DOTS);
     if (free) named.push(at);
-    return { kind, d: disc(at, 4), x: at.x, y: at.y + 17, text: free ? String(pivot.index + 1) : "", title };
+    const governs = rank(pivot) === 0;
+    // its handle, where it is a vertex, lies within the ring and hides nothing of it
+    const d = governs ? disc(at, GOVERNING_DOTS) : disc(at, 4);
+    return { kind, d, x: at.x, y: at.y + (governs ? GOVERNING_DOTS + 15 : 17), text: free ? String(pivot.index + 1) : "", title };
   });
   return drawn.reverse();
 }

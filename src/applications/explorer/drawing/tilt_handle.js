@@ -27,6 +27,18 @@ export function tiltHandle(context, view, sign) {
   };
 }
 
+/** The arc, its two arms, and the angle between them. @param layer a d3 selection with a path and a text */
+export function drawArc(layer, view, sign, decimals = 4) {
+  const { x, y, radius } = tiltArc(view, sign);
+  const angle = Math.abs(view.turn);
+  const on = (r, a) => (x + sign * r * Math.cos(a)) + " " + (y - r * Math.sin(a));
+  const path = "M" + on(radius, 0) + "L" + x + " " + y + "L" + on(radius, angle) +
+    "M" + on(0.6 * radius, 0) + "A" + 0.6 * radius + " " + 0.6 * radius + " 0 0 " + (sign > 0 ? 0 : 1) + " " + on(0.6 * radius, angle);
+  layer.select("path").attr("d", path);
+  layer.select("text").attr("x", x + sign * 0.72 * radius * Math.cos(angle / 2)).attr("y", y - 0.72 * radius * Math.sin(angle / 2) + 4)
+    .attr("text-anchor", sign > 0 ? "start" : "end").text(+(angle * DEGREES).toFixed(decimals) + "°");
+}
+
 /** Where its arc is, dots. */
 export function tiltArc(view, sign) {
   const radius = Math.max(60, Math.min(150, 0.25 * view.width, 0.4 * view.height));

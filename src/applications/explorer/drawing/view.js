@@ -20,13 +20,15 @@ export class View {
     this.scale = 1;
     /** d3's transform of the hand. */
     this.zoom = { k: 1, x: 0, y: 0 };
+    /** Dots at the upper edge that something else stands over. */
+    this.top = 0;
   }
 
   /** @param {number[]} box x0, y0, x1, y1 of what is to be seen, whatever the tilt */
   fit([x0, y0, x1, y1]) {
     this.centre = { x: (x0 + x1) / 2, y: (y0 + y1) / 2 };
     const across = Math.hypot(x1 - x0, y1 - y0);
-    const room = Math.min(this.width / (0.75 * across + 0.25 * (x1 - x0)), this.height / across);
+    const room = Math.min(this.width / (0.75 * across + 0.25 * (x1 - x0)), (this.height - this.top) / across);
     this.scale = across > 0 && Number.isFinite(across) ? room * (1 - MARGIN) : 1;
   }
 
@@ -39,7 +41,7 @@ export class View {
     const k = this.dotsPerMetre;
     const cosine = Math.cos(this.turn) * k;
     const sine = Math.sin(this.turn) * k;
-    const middle = { x: (this.width / 2) * this.zoom.k + this.zoom.x, y: (this.height / 2) * this.zoom.k + this.zoom.y };
+    const middle = { x: (this.width / 2) * this.zoom.k + this.zoom.x, y: ((this.height + this.top) / 2) * this.zoom.k + this.zoom.y };
     const { x, y } = this.centre;
     return [cosine, -sine, -sine, -cosine, middle.x - cosine * x + sine * y, middle.y + sine * x + cosine * y];
   }

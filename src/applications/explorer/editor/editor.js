@@ -5,13 +5,14 @@
 
 import { EditorState, Annotation } from "@codemirror/state";
 import { EditorView, keymap, lineNumbers, highlightActiveLine, drawSelection } from "@codemirror/view";
-import { defaultKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap } from "@codemirror/commands";
 import { searchKeymap, highlightSelectionMatches } from "@codemirror/search";
 import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, indentOnInput, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { colours } from "./colours.js";
 import { difference } from "./difference.js";
+import { plainEnds, withTyped } from "./line_ends.js";
 
 const fromStore = Annotation.define();
 const OFTEN_MS = 60;
@@ -25,7 +26,7 @@ export class Editor {
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
     this.store = store;
-    this.view = new EditorView({ parent: element, state: EditorState.create({ doc: store.text, extensions: this.#extensions() }) });
+    this.view = new EditorView({ parent: element, state: EditorState.create({ doc: plainEnds(store.text), extensions: this.#extensions() }) });
     store.addEventListener("text", () => this.#follow());
     store.addEventListener("solution", () => this.#mark(null));
     store.addEventListener("problem", () => this.#mark(store.problem));
@@ -43,7 +44,8 @@ export class Editor {
     return [
       lineNumbers(), drawSelection(), highlightActiveLine(), bracketMatching(), indentOnInput(), highlightSelectionMatches(),
       lintGutter(), yaml(), syntaxHighlighting(colours),
-      keymap.of([...this.#historyKeys(), ...searchKeymap, ...defaultKeymap, indentWithTab]),
+      // Tab leads on to what comes next on the page: Ctrl+] and Ctrl+[ indent
+      keymap.of([...this.#historyKeys(), ...searchKeymap, ...defaultKeymap]),
       EditorView.contentAttributes.of({ "aria-label": "The scene as text, in YAML" }),
       EditorView.updateListener.of((update) => this.#typed(update)),
       EditorView.domEventHandlers({ focusin: () => this.#catchUp() }),
@@ -62,7 +64,7 @@ export class Editor {
 
   #typed(update) {
     if (!update.docChanged || update.transactions.some((one) => one.annotation(fromStore))) return;
-    this.store.setText(update.state.doc.toString(), { mergeWith: "typing" });
+    this.store.setText(withTyped(this.store.text, update.state.doc.toString()), { mergeWith: "typing" });
   }
 
   /**
@@ -81,7 +83,7 @@ export class Editor {
   #catchUp() {
     clearTimeout(this.#timer);
     this.#timer = null;
-    const change = difference(this.view.state.doc.toString(), this.store.text);
+    const change = difference(this.view.state.doc.toString(), plainEnds(this.store.text));
     if (change !== null) this.view.dispatch({ changes: change, annotations: fromStore.of(true) });
   }
 

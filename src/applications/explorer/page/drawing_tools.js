@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** Buttons and keys of the drawing: fit, closer, farther, move, the motion that begins, which of two tilts. */
+/** Buttons and keys of the drawing: fit, closer, farther, move, which of two tilts. */
 
 const CLOSER = 1.3;
 const MOVE = 0.1;
@@ -32,27 +32,13 @@ export function drawingTools(element, drawing, store) {
     act(drawing);
   });
   drawing.addEventListener("told", () => (element("told").textContent = drawing.words));
-  motionButton(element("play"), drawing, store);
+  let openings = store.openings;
+  store.addEventListener("text", () => {
+    // what was told of another scene's handles goes with it
+    if (store.openings !== openings) element("told").textContent = "";
+    openings = store.openings;
+  });
   casesChoice(element("cases"), drawing, store);
-}
-
-function motionButton(button, drawing, store) {
-  const update = () => {
-    const kase = drawing.case;
-    const begins = store.solution !== null && (kase?.motions?.length ?? 0) > 0;
-    button.disabled = !begins && !drawing.motion.playing;
-    button.title = begins ? "As the accelerations have it, slowed down: it " + kase.motions[0].mechanism : "No motion begins at this tilt";
-    if (!begins && store.solution !== null && drawing.motion.playing) toggle();
-  };
-  const toggle = () => {
-    if (drawing.motion.playing) drawing.motion.stop();
-    else drawing.motion.play();
-    button.setAttribute("aria-pressed", String(drawing.motion.playing));
-    button.textContent = drawing.motion.playing ? "Stop the motion" : "Show the motion";
-    update();
-  };
-  button.addEventListener("click", toggle);
-  for (const event of ["text", "solution", "problem"]) store.addEventListener(event, update);
 }
 
 function casesChoice(fieldset, drawing, store) {

@@ -4,15 +4,20 @@
 /** The page, put together: the core, the scene, and what shows it. */
 
 import { Core } from "../core/core.js";
+import { Background } from "../core/background.js";
 import { SceneStore } from "../scene/store.js";
 import { Drawing } from "../drawing/drawing.js";
-import { Editor } from "../editor/editor.js";
 import { ExamplesMenu } from "../examples/menu.js";
-import { sceneOfLink } from "../scene/link.js";
+import { keepScene, keptScene } from "../scene/kept.js";
+import { carriesScene, sceneOfLink } from "../scene/link.js";
+import { badge } from "./badge.js";
 import { drawingTools } from "./drawing_tools.js";
+import { firstGesture } from "./first_gesture.js";
 import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
 import { sceneTools } from "./scene_tools.js";
+import { Player } from "./player.js";
+import { sheet } from "./sheet.js";
 import { sceneWords } from "./scene_words.js";
 import { themeSwitch } from "./theme.js";
 import { addPanels } from "../panels/panels.js";
@@ -24,21 +29,45 @@ async function begin() {
   themeSwitch(element("theme"));
   const core = new Core();
   const store = new SceneStore(core);
-  const editor = new Editor(element("editor"), store);
-  const messages = new Messages(element("message"), { store, editor });
   const drawing = new Drawing(element("drawing"), store);
-  drawingTools(element, drawing, store);
-  numbersForm(element("numbers"), store);
-  sceneWords(element, store, messages);
-  sceneTools(element, store, messages);
   const menu = new ExamplesMenu(element("examples"), store);
-  addPanels(element("panels"), { store, core, drawing, editor, messages, menu });
-  await openFirst(store, menu, messages);
+  const background = new Background();
+  const { tabs, text } = addPanels(element("panels"), element("tour-begin"), { store, core, background, menu });
+  const show = (line, column) => {
+    tabs.open("text");
+    text.editor.show(line, column);
+  };
+  const messages = new Messages(element("message"), { store, show });
+  text.messages = messages;
+  drawingTools(element, drawing, store);
+  badge(element, drawing, store);
+  sheet(element("grip"));
+  new Player(element("play"), element("film"), { drawing, store, core: background, messages });
+  numbersForm(element("numbers"), store);
+  sceneWords(element, store);
+  sceneTools(element, store, messages);
+  const told = (words) => (element("told").textContent = words);
+  if (await openFirst(store, menu, messages)) store.addEventListener("solution", () => firstGesture(store, told), { once: true });
+  keepScene(store);
+  store.addEventListener("text", () => forgetLink());
   addEventListener("hashchange", () => openLink(store, messages));
 }
 
+/**
+ * A link says which scene is meant; else it is the one that was left here, or the first example.
+ * @returns {Promise<boolean>} whether it is the example
+ */
 async function openFirst(store, menu, messages) {
-  if (!(await openLink(store, messages))) menu.open(FIRST);
+  if (await openLink(store, messages)) return false;
+  const kept = keptScene();
+  if (kept === null) menu.open(FIRST);
+  else store.open(kept);
+  return kept === null;
+}
+
+/** The scene is no more the one that the address carries: a reload would bring that one back. */
+function forgetLink() {
+  if (carriesScene(location.hash)) history.replaceState(null, "", location.pathname + location.search);
 }
 
 /** @returns {Promise<boolean>} whether the page's address carried a scene */

@@ -6,13 +6,22 @@
 export class Messages {
   #fromScene = false;
 
-  /** @param {HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, editor: import("../editor/editor.js").Editor}} page */
-  constructor(element, { store, editor }) {
+  /**
+   * @param {HTMLElement} element
+   * @param {{store: import("../scene/store.js").SceneStore, show: (line: number, column: number) => void}} page show: the text there
+   */
+  constructor(element, { store, show }) {
     this.element = element;
     this.store = store;
-    this.editor = editor;
+    this.show = show;
     store.addEventListener("problem", () => this.#complain());
     store.addEventListener("solution", () => this.#fromScene && this.clear());
+    let openings = store.openings;
+    store.addEventListener("text", () => {
+      // what was said of another scene goes with it
+      if (openings > 0 && store.openings !== openings) this.clear();
+      openings = store.openings;
+    });
   }
 
   /** @param {string} words */
@@ -38,7 +47,7 @@ export class Messages {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = "Line " + line;
-    button.addEventListener("click", () => this.editor.show(line, column ?? 1));
+    button.addEventListener("click", () => this.show(line, column ?? 1));
     this.element.prepend(button, " ");
   }
 }

@@ -5,6 +5,7 @@
 
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
+import { typedNumber } from "./typed_number.js";
 
 /** @param {import("../scene/scene_text.js").SceneText} scene @returns {string|null} why there is no one friction angle */
 function lawOfFriction(scene) {
@@ -27,34 +28,52 @@ export function numbersForm(form, store) {
 function numberRow(form, store, { path, label, max, greatest, other = () => null }) {
   const row = document.createElement("label");
   const slider = input("range", { min: 0, max, step: 0.1 });
-  const field = input("number", { min: 0, max: greatest, step: "any" });
-  field.setAttribute("aria-label", label);
-  row.append(label + " ", slider, field);
+  const field = input("text", { inputmode: "decimal", autocomplete: "off", size: 6, "aria-label": label });
+  const why = document.createElement("span");
+  why.className = "why";
+  why.setAttribute("role", "alert");
+  row.append(label + " ", slider, field, why);
   form.append(row);
+  let typing = false;
   const present = () => {
     const found = quantity(store.parsed, path, parameterValues(store.parsed));
     return { ...found, fixed: found.fixed ?? other(store.parsed) };
   };
+  const complain = (words) => {
+    why.textContent = words;
+    field.setAttribute("aria-invalid", String(words !== ""));
+  };
   const put = (text) => {
-    const value = Number(text);
-    if (text === "" || !(value >= 0 && value <= greatest)) return;
     const now = present();
     if (now.fixed === null) store.setNumber(now.path, text, { mergeWith: "slide " + path.join(".") });
   };
-  slider.addEventListener("input", () => put(snap(slider.valueAsNumber, -1)));
-  field.addEventListener("input", () => put(field.value));
-  for (const one of [slider, field]) one.addEventListener("change", () => store.endGesture());
-  return () => {
+  const update = () => {
     if (store.parsed.unread !== null) return;
     const now = present();
     slider.disabled = field.disabled = now.fixed !== null;
     row.title = now.fixed === null ? "" : label + " " + now.fixed;
-    if (now.value === null) slider.value = field.value = "";
-    else {
-      slider.value = String(now.value);
-      if (document.activeElement !== field) field.value = String(now.value);
-    }
+    slider.value = String(now.value ?? 0);
+    slider.setAttribute("aria-valuetext", now.value === null ? "none" : String(now.value));
+    field.placeholder = now.value === null ? "none" : "";
+    if (typing) return;
+    field.value = now.value === null ? "" : String(now.value);
+    complain("");
   };
+  slider.addEventListener("input", () => put(snap(slider.valueAsNumber, -1)));
+  slider.addEventListener("change", () => store.endGesture());
+  field.addEventListener("input", () => {
+    const { text, wrong } = typedNumber(field.value, greatest);
+    complain(wrong);
+    typing = true;
+    if (text !== null) put(text);
+    typing = false;
+  });
+  // what was not taken does not stand there as if it were the scene's
+  field.addEventListener("change", () => {
+    store.endGesture();
+    update();
+  });
+  return update;
 }
 
 function input(type, attributes) {

@@ -7,6 +7,7 @@ import { element, table } from "./element.js";
 import { boundText } from "./certain.js";
 import { drawChart, saveLink } from "./chart.js";
 import { Panel } from "./panel.js";
+import { shortestTime } from "./shortest_time.js";
 
 const MEASURE_MAX_MS = 120_000;
 const COLOURS = ["--blue", "--vermilion", "--green", "--purple", "--orange", "--sky"];
@@ -45,7 +46,7 @@ export class AccuracyPanel extends Panel {
     this.#text = this.store.text;
     this.told.textContent = "Measuring: five samples of each …";
     try {
-      const answer = await this.background.run(["accuracy", "--json", this.store.name], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
+      const answer = await this.background.run(["accuracy", "--json", this.store.argument], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
       if (answer.out === "") throw new Error(answer.err.trim());
       this.#show(answer.out);
     } catch (error) {
@@ -60,17 +61,19 @@ export class AccuracyPanel extends Panel {
     this.measured = json;
     const runs = JSON.parse(json).runs.filter(({ bound_log10: digits }) => digits !== null && digits !== undefined && digits < 0);
     const methods = [...new Set(runs.map(({ method }) => method))];
-    const times = [...new Set(runs.map(({ seconds }) => seconds * 1e6))].sort((a, b) => a - b);
+    const shortest = shortestTime(runs);
+    const time = ({ seconds }) => Math.max(seconds, shortest) * 1e6;
+    const times = [...new Set(runs.map(time))].sort((a, b) => a - b);
     drawChart(this.chart, {
       x: times, xLabel: "microseconds", yLabel: "certain digits", logarithmic: true,
       curves: methods.map((method, at) => {
-        const own = new Map(runs.filter((run) => run.method === method).map((run) => [run.seconds * 1e6, -run.bound_log10]));
-        return { name: method, colour: COLOURS[at % COLOURS.length], dots: true, values: times.map((time) => own.get(time) ?? null) };
+        const own = new Map(runs.filter((run) => run.method === method).map((run) => [time(run), -run.bound_log10]));
+        return { name: method, colour: COLOURS[at % COLOURS.length], dots: true, values: times.map((each) => own.get(each) ?? null) };
       }),
     });
     this.rows.replaceChildren(
       table("Measurements", ["way", "level", "bits", "microseconds", "certain digits", "bound (degrees)"], runs.map((run) => ({
-        cells: [run.method, run.level, run.bits, (run.seconds * 1e6).toPrecision(3), Math.floor(-run.bound_log10), boundOf(run)],
+        cells: [run.method, run.level, run.bits, (run.seconds < shortest ? "< " : "") + time(run).toPrecision(3), Math.floor(-run.bound_log10), boundOf(run)],
       }))),
     );
     this.told.replaceChildren("Measured in this browser. ", saveLink("accuracy.json", json, "The numbers as JSON"));

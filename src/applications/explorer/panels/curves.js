@@ -76,7 +76,7 @@ export class CurvesPanel extends Panel {
     for (const count of STEPS) {
       const range = number.key + "=" + from + ":" + to + ":(" + to + "-(" + from + "))/" + count;
       const began = performance.now();
-      const answer = await this.core.run(["sweep", this.store.name, "--x", range], files, { latest: "curves", timeoutMs: SWEEP_MAX_MS });
+      const answer = await this.core.run(["sweep", this.store.argument, "--x", range], files, { latest: "curves", timeoutMs: SWEEP_MAX_MS });
       if (!current()) return;
       if (answer.out === "") throw new Error(answer.err.trim());
       this.#show(answer.out, number, what, performance.now() - began);

@@ -83,7 +83,7 @@ export class DerivePanel extends Panel {
   }
 
   async #derive(current) {
-    const args = ["derive", "--json", ...(this.limit.checked ? ["--limit", "--unchecked"] : []), this.store.name];
+    const args = ["derive", "--json", ...(this.limit.checked ? ["--limit", "--unchecked"] : []), this.store.argument];
     const answer = await this.background.run(args, this.files(), { latest: "derive", timeoutMs: DERIVE_MAX_MS });
     if (!current()) return;
     if (answer.out === "") return this.#fail(answer.err.trim());

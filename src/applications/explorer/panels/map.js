@@ -121,7 +121,7 @@ export class MapPanel extends Panel {
     const began = performance.now();
     const solve = async (rows, columns) => {
       const list = (number, all, chosen) => number.key + "=" + chosen.map((at) => all[at]).join(",");
-      const args = ["sweep", this.store.name, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
+      const args = ["sweep", this.store.argument, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
       const answer = await this.background.run(args, files, { timeoutMs: ROW_MAX_MS });
       if (!current()) return false;
       if (answer.out === "") throw new Error(answer.err.trim());
@@ -155,7 +155,7 @@ export class MapPanel extends Panel {
   async #borders(current, files, signal) {
     this.told.textContent = this.points + " Proven borders are being found …";
     const side = ({ key }, { from, to }) => (key === TILT ? "tilt" : key) + "=" + from + ":" + to;
-    const args = ["chart", "map", "--json", this.store.name, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1])];
+    const args = ["chart", "map", "--json", this.store.argument, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1])];
     if (![this.x.key, this.y.key].includes(TILT)) args.push("--any-tilt");
     const answer = await this.background.run(args, files, { timeoutMs: BORDERS_MAX_MS, signal });
     if (!current()) return;

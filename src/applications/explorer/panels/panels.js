@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** What stands beside the drawing: the verdict and its factors always, all else in tabs. */
+/** What stands beside the drawing, in tabs: the verdict with its factors, the scene as text, and all else. */
 
-import { Core } from "../core/core.js";
 import { AboutPanel } from "./about.js";
 import { AccuracyPanel } from "./accuracy.js";
 import { CurvesPanel } from "./curves.js";
@@ -19,13 +18,31 @@ import { Terms } from "./terms.js";
 import { Tour } from "../tour/tour.js";
 import { VerdictPanel } from "./verdict.js";
 import { VerifyPanel } from "./verify.js";
+import { TextPanel } from "../page/text_panel.js";
 
-const ALWAYS = [
+const RESULTS = [
   { id: "verdict", title: "Verdict", Panel: VerdictPanel },
   { id: "factors", title: "Factors of safety", Panel: FactorsPanel },
 ];
 
+/** Verdict and factors under each other; they follow the scene whatever is shown. */
+class ResultsPanel {
+  constructor(place, context) {
+    for (const { id, title, Panel } of RESULTS) {
+      const body = element("div", {});
+      place.append(element("section", { id: "panel-" + id, "aria-labelledby": "head-" + id }, element("h2", { id: "head-" + id }, title), body));
+      new Panel(body, context).show();
+    }
+  }
+
+  show() {}
+
+  hide() {}
+}
+
 const IN_TABS = [
+  { id: "results", title: "Verdict", Panel: ResultsPanel },
+  { id: "text", title: "Text", Panel: TextPanel },
   { id: "pivots", title: "Pivots", Panel: PivotsPanel },
   { id: "forces", title: "Forces", Panel: ForcesPanel },
   { id: "curves", title: "Curves", Panel: CurvesPanel },
@@ -37,31 +54,21 @@ const IN_TABS = [
   { id: "about", title: "About", Panel: AboutPanel },
 ];
 
-/** A second core for what takes long, so that the answers to a drag never wait for a map; begun when first used. */
-class Background {
-  #core = null;
-
-  run(args, files, options) {
-    this.#core ??= new Core();
-    return this.#core.run(args, files, options);
-  }
-}
-
 /**
  * @param {HTMLElement} place
- * @param {{store: object, core: object, menu: {open: (name: string) => void}}} page
+ * @param {HTMLElement} tourBegin where the button of the tour stands
+ * @param {{store: object, core: object, background: object, menu: {open: (name: string) => void}}} page
+ * @returns {{tabs: Tabs, text: TextPanel}}
  */
-export function addPanels(place, { store, core, menu }) {
-  const context = { store, core, background: new Background(), terms: new Terms(core) };
+export function addPanels(place, tourBegin, { store, core, background, menu }) {
+  const context = { store, core, background, terms: new Terms(core) };
   const tourPlace = element("section", { class: "panel tour", "aria-label": "Guided tour" });
   place.append(tourPlace);
-  for (const { id, title, Panel } of ALWAYS) {
-    const body = element("div", {});
-    place.append(element("section", { class: "panel", id: "panel-" + id }, element("h2", {}, title), body));
-    new Panel(body, context).show();
-  }
   const sheets = element("div", { class: "panel" });
   place.append(sheets);
   const tabs = new Tabs(sheets, IN_TABS.map(({ id, title, Panel }) => ({ id, title, make: (sheet) => new Panel(sheet, context) })));
-  new Tour(tourPlace, { store, core, menu, tabs });
+  const text = tabs.panel("text");
+  tabs.open("results");
+  new Tour(tourPlace, tourBegin, { store, core, menu, tabs });
+  return { tabs, text };
 }

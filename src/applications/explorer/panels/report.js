@@ -39,7 +39,7 @@ export class ReportPanel extends Panel {
   async draw() {
     const asked = ++this.#asked;
     try {
-      const answer = await this.core.run(["solve", this.store.name], this.files(), { latest: "report", timeoutMs: WRITE_MAX_MS });
+      const answer = await this.core.run(["solve", this.store.argument], this.files(), { latest: "report", timeoutMs: WRITE_MAX_MS });
       if (asked === this.#asked) this.text.textContent = answer.out + answer.err;
     } catch (error) {
       if (asked === this.#asked && error.name !== "AbortError") this.text.textContent = error.message;
@@ -52,7 +52,7 @@ export class ReportPanel extends Panel {
     this.told.textContent = label + " …";
     try {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
-      const answer = await this.background.run(["solve", "--quiet", option, name, this.store.name], this.files(), options);
+      const answer = await this.background.run(["solve", "--quiet", option, name, this.store.argument], this.files(), options);
       const written = answer.files[name];
       if (written === undefined) throw new Error(answer.err.trim() || "nothing was written");
       offer(name, written, type);

@@ -12,5 +12,5 @@ export function readComplaint(err) {
   const words = said.replace(/^topple(?: \w+)?: /, "");
   const placed = /^([^:\n]{1,300}):(\d{1,9}):(\d{1,9}): (.*)$/.exec(words);
   if (placed === null) return { file: null, line: null, column: null, message: words };
-  return { file: placed[1], line: Number(placed[2]), column: Number(placed[3]), message: placed[4] };
+  return { file: placed[1].replace(/^\.\//, ""), line: Number(placed[2]), column: Number(placed[3]), message: placed[4] };
 }

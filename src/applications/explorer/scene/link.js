@@ -8,6 +8,8 @@
 
 const LINK_MAX = 2_000_000; // characters of a fragment
 const SCENE_MAX = 8_000_000; // bytes unpacked: a fragment of zeros could unpack to a thousand times its size
+const NAME_MAX = 250; // characters of a file's name, ...
+const FOLDERS_MAX = 3; // ... with the folders it lies in
 const PACKED = "#z=";
 const PLAIN = "#t=";
 
@@ -24,19 +26,30 @@ export async function linkOfScene({ name, text, files }) {
   return hash;
 }
 
+/** @param {string} hash of an address */
+export function carriesScene(hash) {
+  return hash.startsWith(PACKED) || hash.startsWith(PLAIN);
+}
+
 /** @param {string} hash of an address @returns {Promise<import("./store.js").State|null>} null: it carries none */
 export async function sceneOfLink(hash) {
+  if (!carriesScene(hash)) return null;
   const packed = hash.startsWith(PACKED);
-  if (!packed && !hash.startsWith(PLAIN)) return null;
   if (hash.length > LINK_MAX) throw new Error("it is longer than a link of this page can be");
   const body = fromBase64(hash.slice(PACKED.length));
   const bytes = packed ? await through(body, new DecompressionStream("deflate-raw"), SCENE_MAX) : body;
   return checked(JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)));
 }
 
-/** Only what a scene is made of, with names that are names of files. */
-function checked(state) {
-  const named = (name) => typeof name === "string" && /^[\w][\w .-]{0,120}(\/[\w][\w .-]{0,120}){0,3}$/.test(name);
+/** Below the folder where the program runs: letters of any script, blanks, brackets; no way up, no control characters. */
+function named(name) {
+  if (typeof name !== "string" || name.length > NAME_MAX || /[\p{C}\\]/u.test(name)) return false;
+  const pieces = name.split("/");
+  return pieces.length <= FOLDERS_MAX + 1 && pieces.every((piece) => piece.trim() !== "" && piece !== "." && piece !== "..");
+}
+
+/** Only what a scene is made of, with names that are names of files. @returns {import("./store.js").State} */
+export function checked(state) {
   if (!named(state?.name) || typeof state.text !== "string") throw new Error("it has no scene in it");
   const files = Object.entries(state.files ?? {});
   if (files.some(([name, content]) => !named(name) || typeof content !== "string")) throw new Error("its files have no plain names");

@@ -6,7 +6,11 @@
  * the present scene names takes that place; a drawing, or points, alone begin a scene that names it.
  */
 
+import { pointsOfCsv, profileOfCsv } from "./csv_points.js";
+import { snap, stepExponent } from "./decimal.js";
+
 const FILE_MAX = 64_000_000; // bytes: a scene of a million vertices has 20 MB
+const POINTS = /\.(csv|txt)$/i;
 const DRAWINGS = /\.(dxf|svg|wkt|geojson|json)$/i;
 
 /** @param {File[]} chosen @param {import("./store.js").SceneStore} store */
@@ -40,9 +44,18 @@ function openOne(name, content, store) {
     store.addFile(name, content);
     return;
   }
-  const text = DRAWINGS.test(name) ? sceneOfDrawing(name) : /\.csv$/i.test(name) ? sceneOfPoints(name) : null;
-  if (text === null) throw new Error(name + " is not a scene, a drawing (DXF, SVG, WKT, GeoJSON) or points (CSV); the scene does not name it either.");
+  const text = sceneOf(name, content);
+  if (text === null) throw new Error(name + " is not a scene, a drawing (DXF, SVG, WKT, GeoJSON) or points (CSV, or a text with two numbers a line); the scene does not name it either.");
   store.open({ name: name.replace(/\.\w+$/, "") + ".yaml", text, files: { [name]: content } });
+}
+
+/** @param {string} name of a file @param {string|Uint8Array} content @returns {string|null} a scene that names it; null: none can */
+export function sceneOf(name, content) {
+  if (DRAWINGS.test(name)) return sceneOfDrawing(name);
+  const profile = typeof content === "string" ? profileOfCsv(content) : null;
+  if (POINTS.test(name) && profile !== null) return sceneOfProfile(name, profile);
+  const isPoints = /\.csv$/i.test(name) || (POINTS.test(name) && typeof content === "string" && pointsOfCsv(content) !== null);
+  return isPoints ? sceneOfPoints(name) : null;
 }
 
 /** DXF says its unit itself, and the core asks for it where it does not. */
@@ -56,8 +69,21 @@ function sceneOfPoints(name) {
   return "topple: 1\nlength_unit: m      # the file says no unit: is it metres?" + rest("block: {outline: " + quoted(name) + ", unit_weight_kn_m3: 26}");
 }
 
+/** Points from one side to the other are ground: a block is set down on its middle, to be drawn as the reader's is. */
+function sceneOfProfile(name, { from, to, top }) {
+  const width = (to - from) / 4;
+  const exponent = stepExponent(width, 0.02);
+  const at = (value) => snap(value, exponent);
+  const [left, right] = [-0.5, 0.5].map((side) => at((from + to) / 2 + side * width));
+  const [low, high] = [0.2, 1.7].map((rise) => at(top + rise * width));
+  const block = "block:      # begun as a square stone over the profile: draw your own\n  outline: [[" + left + ", " + low + "], [" + right + ", " + low + "], [" +
+    right + ", " + high + "], [" + left + ", " + high + "]]\n  unit_weight_kn_m3: 26";
+  return "topple: 1\nlength_unit: m      # the file says no unit: is it metres?\n" + "base: {profile: " + quoted(name) + ", place: rest}" + rest(block);
+}
+
+/** Tilted a little: level ground drives nothing, and every factor of safety would be without bound. */
 function rest(block) {
-  return "\n" + block + "\nfriction_angle_deg: 30      # assumed; replace it by a measured value\ntilt: {towards: both, angle_deg: 0}\n";
+  return "\n" + block + "\nfriction_angle_deg: 30      # assumed; replace it by a measured value\ntilt: {towards: both, angle_deg: 10}      # assumed, too\n";
 }
 
 /** A name as a scalar of YAML that can hold any. */

@@ -39,7 +39,7 @@ export function parameterValues(scene) {
 export function quantity(scene, path, parameters) {
   const text = scene.scalar(path);
   const found = { path, value: null, present: text !== null, fixed: null, parameter: null };
-  if (text === null) return found;
+  if (text === null) return { ...found, fixed: scene.unread === null ? scene.whyNoNumber(path) : null };
   found.value = decimalValue(text);
   if (found.value !== null) return found;
   found.value = formulaValue(text, parameters);

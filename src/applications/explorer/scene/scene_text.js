@@ -6,7 +6,8 @@
  * followed: all scalars are text, and what they mean is the core's to say.
  */
 
-import { parseDocument, isMap, isSeq, isScalar } from "yaml";
+import { decimalValue } from "./decimal.js";
+import { parseDocument, isAlias, isMap, isSeq, isScalar } from "yaml";
 
 /** Longer texts are the core's alone: to parse them here would hold up the page. */
 export const PARSED_MAX = 200_000;
@@ -20,13 +21,29 @@ function whyUnread(error) {
   return "Brackets go on at the margin at line " + line + "; indent that line, and the scene can be dragged";
 }
 
+/** @param {string} text @param {{from: number, to: number, text: string}[]} edits from the last one to the first */
+function applied(text, edits) {
+  return edits.reduce((whole, edit) => whole.slice(0, edit.from) + edit.text + whole.slice(edit.to), text);
+}
+
+/** Where nodes stand once the edits are made. */
+function shiftRanges(node, edits) {
+  if (isMap(node)) {
+    for (const { key, value } of node.items) for (const each of [key, value]) shiftRanges(each, edits);
+  } else if (isSeq(node)) {
+    for (const each of node.items) shiftRanges(each, edits);
+  }
+  if (node?.range) node.range = node.range.map((at) => edits.reduce((sum, { from, to, text }) => (to <= at ? sum + text.length - (to - from) : sum), at));
+}
+
 export class SceneText {
-  /** @param {string} text */
-  constructor(text) {
+  /** @param {string} text @param {object|null} [root] its tree, where that is known */
+  constructor(text, root = null) {
     this.text = text;
     /** Why there is no tree; null where there is one. @type {string|null} */
     this.unread = null;
-    this.root = null;
+    this.root = root;
+    if (root !== null) return;
     if (text.length > PARSED_MAX) {
       this.unread = "The scene is too long to be dragged; edit its text";
       return;
@@ -58,6 +75,18 @@ export class SceneText {
     return isScalar(node) && typeof node.value === "string" ? node.value : null;
   }
 
+  /** @param {Path} path @returns {string|null} why no number can be put there; null: one can */
+  whyNoNumber(path) {
+    for (let depth = path.length; depth > 0; depth--) {
+      const node = this.node(path.slice(0, depth));
+      if (node === null) continue;
+      if (isAlias(node)) return "is the alias *" + node.source + "; change what it stands for in the text";
+      if (depth === path.length) return isScalar(node) ? null : "is a list or a map; change it in the text";
+      return isMap(node) ? null : "has no place: " + path.slice(0, depth).join(".") + " is no map of keys; change it in the text";
+    }
+    return isMap(this.root) ? null : "has no place in this text";
+  }
+
   /** @param {Path} path @returns {number|null} how many items the list there has; null: no list */
   count(path) {
     const node = this.node(path);
@@ -70,20 +99,46 @@ export class SceneText {
     return isMap(node) ? node.items.filter((pair) => isScalar(pair.key)).map((pair) => String(pair.key.value)) : null;
   }
 
+  /** @param {Path} path of a list of points @returns {[string|null, string|null][]} the texts of their two numbers */
+  points(path) {
+    const node = this.node(path);
+    if (!isSeq(node)) return [];
+    const textOf = (scalar) => (isScalar(scalar) && typeof scalar.value === "string" ? scalar.value : null);
+    return node.items.map((point) => (isSeq(point) ? [textOf(point.items[0]), textOf(point.items[1])] : [null, null]));
+  }
+
   /**
    * The text with other numbers in it: what stands around them, comments and layout, stays as it is.
    * @param {{path: Path, text: string}[]} numbers
    * @returns {string}
    */
   withNumbers(numbers) {
-    const edits = numbers.map(({ path, text }) => this.#edit(path, text)).sort((a, b) => b.from - a.from);
-    return edits.reduce((whole, { from, to, text }) => whole.slice(0, from) + text + whole.slice(to), this.text);
+    return applied(this.text, this.#edits(numbers));
+  }
+
+  /**
+   * The same, as a tree. Where numbers take the places of numbers, it takes this tree over, which is then no more to be used:
+   * to read thousands of vertices anew for each that is dragged would cost the drawing its frames.
+   * @param {{path: Path, text: string}[]} numbers @returns {SceneText}
+   */
+  movedTo(numbers) {
+    const edits = this.#edits(numbers);
+    const text = applied(this.text, edits);
+    if (this.root === null || edits.some((edit) => edit.scalar === null || decimalValue(edit.text) === null) || text.length > PARSED_MAX) return new SceneText(text);
+    for (const edit of edits) edit.scalar.value = edit.text;
+    shiftRanges(this.root, edits);
+    return new SceneText(text, this.root);
+  }
+
+  /** From the last one in the text to the first. */
+  #edits(numbers) {
+    return numbers.map(({ path, text }) => this.#edit(path, text)).sort((a, b) => b.from - a.from);
   }
 
   /** Where a scalar stands, or where one that is not there yet would. */
   #edit(path, text) {
     const node = this.node(path);
-    if (isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], text };
+    if (isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], text, scalar: node };
     if (node !== null) throw new RangeError(path.join(".") + " is not a number but a list or a map");
     return this.#insertion(path, text);
   }
@@ -95,19 +150,29 @@ export class SceneText {
     if (!isMap(map)) throw new RangeError(path.slice(0, depth).join(".") + " is not a map that could take another key");
     const inner = path.slice(depth + 1).reduceRight((value, key) => "{" + key + ": " + value + "}", text);
     const pair = path[depth] + ": " + inner;
+    const last = map.items[map.items.length - 1];
+    const lastEnd = last === undefined ? null : (last.value?.range?.[1] ?? last.key.range[1]);
     if (map.flow) {
       const end = this.text.lastIndexOf("}", map.range[1] - 1);
-      return { from: end, to: end, text: (map.items.length > 0 ? ", " : "") + pair };
+      return { from: end, to: end, text: this.#separator(lastEnd, end) + pair, scalar: null };
     }
-    const last = map.items[map.items.length - 1];
-    const end = this.#lineEnd(last.value?.range?.[1] ?? last.key.range[1]);
-    return { from: end, to: end, text: "\n" + " ".repeat(this.#column(last.key.range[0])) + pair };
+    const end = this.#lineEnd(lastEnd);
+    const newLine = this.text[end] === "\r" ? "\r\n" : "\n";
+    return { from: end, to: end, text: newLine + " ".repeat(this.#column(last.key.range[0])) + pair, scalar: null };
   }
 
-  /** The end of the line in which a character stands that ends a value, its comment included. */
+  /** What goes before one more pair in braces, where a comma may stand already behind the last one. */
+  #separator(lastEnd, end) {
+    if (lastEnd === null) return "";
+    const between = this.text.slice(lastEnd, end).replace(/#.*/g, "");
+    return !between.includes(",") ? ", " : /\s$/.test(between) ? "" : " ";
+  }
+
+  /** The end of the line in which a character stands that ends a value, its comment included; before a \r that ends it. */
   #lineEnd(offset) {
     const end = this.text.indexOf("\n", Math.max(0, offset - (this.text[offset - 1] === "\n" ? 1 : 0)));
-    return end < 0 ? this.text.length : end;
+    if (end < 0) return this.text.length;
+    return this.text[end - 1] === "\r" ? end - 1 : end;
   }
 
   #column(offset) {

@@ -56,6 +56,11 @@ export class SceneStore extends EventTarget {
     return this.#history.present.name;
   }
 
+  /** Its name on a command line, where one that begins with a dash would be an option. */
+  get argument() {
+    return this.name.startsWith("-") ? "./" + this.name : this.name;
+  }
+
   /** Files that the scene names, beside it. @returns {Files} */
   get files() {
     return this.#history.present.files;
@@ -95,7 +100,8 @@ export class SceneStore extends EventTarget {
 
   /** Several numbers at once, as the x and y of a vertex. @param {{path: (string|number)[], text: string}[]} numbers */
   setNumbers(numbers, options = {}) {
-    this.setText(this.parsed.withNumbers(numbers), options);
+    this.#parsed = this.parsed.movedTo(numbers);
+    this.setText(this.#parsed.text, options);
   }
 
   /** Another scene. @param {State} state */
@@ -146,7 +152,7 @@ export class SceneStore extends EventTarget {
     this.#tellBusy();
     try {
       const answer = await this.core.run(
-        ["solve", "--json", "--outlines", this.name],
+        ["solve", "--json", "--outlines", this.argument],
         { ...this.files, [this.name]: this.text },
         { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal },
       );

@@ -17,6 +17,7 @@ import { againstText } from "../panels/words.js";
  * @property {string[]} says
  * @property {{label: string, example?: string, numbers?: {path: (string|number)[], text: string}[]}[]} tries
  * @property {(solution: any) => string|null} finds
+ * @property {{path: (string|number)[], text: string}[]} [begins] numbers that it begins with, other than the example's
  * @property {string} [across] the number that runs across on the map
  * @property {boolean} [table] Table 3 stands below it
  */
@@ -126,6 +127,7 @@ export const STEPS = [
     example: "block_a_peak.yaml",
     tab: "map",
     across: "friction_angle_deg",
+    begins: [tilt("20")],
     says: [
       "That some forces would hold a block does not mean that they are there. With high friction, block A is certain to " +
         "stand up to one tilt and to move beyond another; between them it depends on loading history.",

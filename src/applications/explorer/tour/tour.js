@@ -12,13 +12,14 @@ export class Tour {
 
   /**
    * @param {HTMLElement} place
+   * @param {HTMLElement} beginPlace where the button that begins it stands
    * @param {object} page
    * @param {import("../scene/store.js").SceneStore} page.store
    * @param {{run: Function}} page.core
    * @param {{open: (name: string) => void}} page.menu
    * @param {import("../panels/tabs.js").Tabs} page.tabs
    */
-  constructor(place, { store, core, menu, tabs }) {
+  constructor(place, beginPlace, { store, core, menu, tabs }) {
     Object.assign(this, { store, core, menu, tabs });
     this.begin = element("button", { type: "button", onclick: () => this.go(0) }, "Guided tour: seven steps");
     this.steps = element(
@@ -35,7 +36,8 @@ export class Tour {
       "div", { hidden: true },
       element("p", { class: "steps" }, this.steps, this.back, this.next, this.end), this.heading, this.said, this.found,
     );
-    place.append(this.begin, this.shown);
+    beginPlace.append(this.begin);
+    place.append(this.shown);
     store.addEventListener("solution", () => this.#find());
   }
 
@@ -45,6 +47,7 @@ export class Tour {
     this.#at = at;
     this.begin.hidden = true;
     this.shown.hidden = false;
+    document.body.classList.add("touring");
     this.back.disabled = at === 0;
     this.next.disabled = at === STEPS.length - 1;
     [...this.steps.children].forEach((item, index) => {
@@ -59,6 +62,7 @@ export class Tour {
     this.found.hidden = true;
     const panel = this.tabs.panel(step.tab);
     this.menu.open(step.example);
+    if (step.begins !== undefined) this.#try({ numbers: step.begins });
     if (step.across !== undefined) panel.across(step.across);
     if (step.table === true) this.#table(at);
     this.heading.focus();
@@ -67,6 +71,7 @@ export class Tour {
   leave() {
     this.#at = -1;
     this.shown.hidden = true;
+    document.body.classList.remove("touring");
     this.begin.hidden = false;
     this.begin.focus();
   }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * The groups of the drawing, from the back to the front. What lies in the frame is in metres, which the view turns and
+ * scales; the others are in dots of the screen.
+ * @param svg a d3 selection @returns {Record<string, object>} d3 selections, by name
+ */
+export function layersOf(svg) {
+  const frame = svg.append("g").attr("class", "frame");
+  const layers = {
+    frame,
+    still: frame.append("g"),
+    water: frame.append("path").attr("class", "shape water"),
+    moving: frame.append("g").append("g").attr("class", "moving"),
+    front: frame.append("g").attr("class", "contact"),
+    touch: frame.append("g"),
+    preview: frame.append("path").attr("class", "shape preview"),
+    arc: svg.append("g").attr("class", "arc"),
+    scale: svg.append("g").attr("class", "scale").attr("aria-hidden", "true"),
+    symbols: svg.append("g").attr("class", "symbols"),
+    handles: svg.append("g").attr("class", "handles"),
+    note: svg.append("text").attr("class", "note"),
+  };
+  for (const name of ["arc", "scale"]) {
+    layers[name].append("path");
+    layers[name].append("text");
+  }
+  return layers;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** What the block does, and the factor of safety that governs, in a corner of its drawing. */
+
+import { degreesText, fosText } from "../panels/certain.js";
+import { COLOUR_CLASS, againstText, sentence } from "../panels/words.js";
+
+/** @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store */
+export function badge(element, drawing, store) {
+  const show = () => {
+    const kase = drawing.case;
+    element("badge").classList.toggle("of-before", store.problem !== null);
+    element("badge").dataset.kind = COLOUR_CLASS[kase?.mechanism] ?? "undecided";
+    element("verdict-said").textContent = kase === null ? "" : verdictWords(kase);
+    element("factor-said").replaceChildren(...(kase === null ? [] : factorWords(kase)));
+  };
+  for (const event of ["solution", "problem"]) store.addEventListener(event, show);
+  drawing.addEventListener("case", show);
+}
+
+/** @param {any} kase of the answer @returns {string} */
+export function verdictWords(kase) {
+  const does = sentence(kase.mechanism);
+  return kase.tilt_angle_deg ? does + " at " + degreesText(kase.tilt_angle_deg) : does + " first, as it is tilted";
+}
+
+/** The number stands out, and what it is against follows. */
+function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset }) {
+  if (governing === undefined) return [];
+  if (!tilt && onset?.kind === "angle") return ["Certain to stand up to " + degreesText(onset.critical_angle_deg)];
+  if (governing.fos === null) return ["FoS " + (governing.fos_is ?? "none")];
+  const number = document.createElement("strong");
+  number.textContent = fosText(governing.fos);
+  return ["FoS" + (governing.complete ? " " : " at most "), number, " against " + againstText(governing.mechanism)];
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** The tilt test, played: a button that runs it in the core, a slider of its time, slow motion, and its events by name. */
+
+import { Film } from "../drawing/film.js";
+import { FilmView } from "../drawing/film_view.js";
+import { element } from "../panels/element.js";
+
+const TEST_MAX_MS = 60_000;
+const MOMENTS = 1200;
+const SPEEDS = [["as it is", 1], ["2 times slower", 2], ["5 times slower", 5], ["20 times slower", 20]];
+const FIRST_SPEED = 2;
+const EVENTS_MAX = 40;
+const STEPS = 2000;
+
+export class Player {
+  #film = null;
+  #frame = 0;
+  #shown = 0; // seconds of the film
+  #asked = 0;
+
+  /** @param {HTMLButtonElement} button @param {HTMLElement} place @param {{drawing: object, store: object, core: object, messages: object}} page */
+  constructor(button, place, { drawing, store, core, messages }) {
+    Object.assign(this, { button, place, drawing, store, core, messages, view: new FilmView(drawing) });
+    this.slider = element("input", { type: "range", min: 0, max: STEPS, step: 1, value: 0, "aria-label": "Time of the test", oninput: () => this.#seek() });
+    this.pause = element("button", { type: "button", onclick: () => (this.#frame === 0 ? this.#run() : this.#halt()) }, "Pause");
+    this.speed = element("select", { "aria-label": "Speed of the fall" }, SPEEDS.map(([name, times]) => element("option", { value: times, ...(times === FIRST_SPEED ? { selected: true } : {}) }, name)));
+    this.said = element("output", { class: "film-said" });
+    this.events = element("div", { class: "events", role: "group", "aria-label": "Events of the test" });
+    place.append(element("div", { class: "film-line" }, this.pause, this.slider, this.speed, this.said), this.events);
+    button.addEventListener("click", () => (this.#film === null ? this.play() : this.end()));
+    this.speed.addEventListener("change", () => this.#put(this.#film.timeAt(this.#shown, this.#slowBefore)));
+    store.addEventListener("text", () => this.end());
+    for (const event of ["text", "solution", "problem"]) store.addEventListener(event, () => this.#canPlay());
+  }
+
+  get slow() {
+    return Number(this.speed.value);
+  }
+
+  async play() {
+    const asked = ++this.#asked;
+    const { store } = this;
+    this.button.disabled = true;
+    try {
+      const args = ["tilt", "--json", "--moments=" + MOMENTS, store.argument];
+      const answer = await this.core.run(args, { ...store.files, [store.name]: testedText(store.parsed) }, { latest: "tilt", timeoutMs: TEST_MAX_MS });
+      if (asked !== this.#asked) return;
+      if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0].replace(/^topple: ?/, ""));
+      this.#begin(JSON.parse(answer.out));
+    } catch (error) {
+      if (asked === this.#asked && error.name !== "AbortError") this.messages.say("The test cannot be played: " + error.message);
+    } finally {
+      this.#canPlay();
+    }
+  }
+
+  end() {
+    this.#asked++;
+    if (this.#film === null) return;
+    this.#halt();
+    this.#film = null;
+    this.place.hidden = true;
+    this.#named();
+    this.view.leave();
+  }
+
+  #begin({ cases }) {
+    const { drawing } = this;
+    const kase = cases.find(({ towards }) => towards === drawing.case?.towards) ?? cases[0];
+    if ((kase.moments ?? []).length < 2) throw new Error("its answer has no moments");
+    this.#film = new Film(kase, this.store.parsed.keys(["shaking"]) !== null);
+    this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event)));
+    this.place.hidden = false;
+    this.#named();
+    this.view.enter(this.#film);
+    this.#shown = 0;
+    // who asked for less motion gets the moment at which it begins, and the slider
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.#put(this.#film.begins);
+    else this.#run();
+  }
+
+  #eventButton(event) {
+    const at = event.angle_deg.toFixed(2) + "°";
+    const where = event.facet > 0 ? " at facet " + event.facet : "";
+    const go = () => {
+      this.#halt();
+      this.#put(event.time_s);
+    };
+    return element("button", { type: "button", class: "event", onclick: go }, event.what + where + ", " + at);
+  }
+
+  #run() {
+    if (this.#shown >= this.#film.length(this.slow)) this.#shown = 0;
+    let last = null;
+    const step = (now) => {
+      this.#shown = Math.min(this.#film.length(this.slow), this.#shown + (last === null ? 0 : (now - last) / 1000));
+      last = now;
+      this.#frame = requestAnimationFrame(step);
+      this.#put(this.#film.timeAt(this.#shown, this.slow));
+      if (this.#shown >= this.#film.length(this.slow)) this.#halt();
+    };
+    this.#frame = requestAnimationFrame(step);
+    this.pause.textContent = "Pause";
+  }
+
+  #halt() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.pause.textContent = "Play";
+  }
+
+  #seek() {
+    this.#halt();
+    this.#put(this.#film.timeAt((this.slider.valueAsNumber / STEPS) * this.#film.length(this.slow), this.slow));
+  }
+
+  /** The block at a time of the test. */
+  #put(time) {
+    const film = this.#film;
+    this.#shown = film.shownAt(time, this.slow);
+    this.#slowBefore = this.slow;
+    this.slider.value = String(Math.round((STEPS * this.#shown) / film.length(this.slow)));
+    const event = film.eventAt(time);
+    const pose = film.poseAt(time);
+    const said = time.toFixed(2) + " s, tilt " + pose.tilt.toFixed(2) + "°" + (event === null ? "" : ": " + event.what);
+    this.said.textContent = said;
+    this.slider.setAttribute("aria-valuetext", said);
+    const at = event === null ? -1 : film.events.indexOf(event);
+    [...this.events.children].forEach((button, index) => button.setAttribute("aria-current", String(index === at)));
+    this.view.show(film, time);
+  }
+
+  #slowBefore = FIRST_SPEED;
+
+  #named() {
+    const playing = this.#film !== null;
+    this.button.setAttribute("aria-pressed", String(playing));
+    this.button.textContent = playing ? "Leave the test" : "Tilt it until it falls";
+  }
+
+  #canPlay() {
+    this.button.disabled = this.#film === null && this.store.solution === null;
+  }
+}
+
+/** The scene with a test, where it asks for none: the table rises from level, and the block moves on rigid contacts. */
+export function testedText(scene) {
+  const keys = scene.keys([]) ?? [];
+  if (keys.includes("tilt_test") || keys.includes("shaking")) return scene.text;
+  return scene.withNumbers([{ path: ["tilt_test", "engine"], text: "dynamics" }]);
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** The scene as text, under its file's name, with what of it cannot be dragged. */
+
+import { fixedShapes } from "../drawing/fixed_shapes.js";
+import { Editor } from "../editor/editor.js";
+import { element } from "../panels/element.js";
+import { pointsButtons } from "./points_into_scene.js";
+
+/** It is no panel of results: it follows the text by itself, shown or not. */
+export class TextPanel {
+  /** @param {HTMLElement} place @param {{store: import("../scene/store.js").SceneStore}} context */
+  constructor(place, { store }) {
+    const name = element("p", { class: "quiet", id: "scene-name" });
+    const fixed = element("ul", { class: "quiet", id: "fixed" });
+    const room = element("div", { id: "editor" });
+    place.append(name, fixed, room);
+    this.editor = new Editor(room, store);
+    // Its messages come later, when there is a strip for them.
+    this.messages = null;
+    store.addEventListener("text", () => {
+      name.textContent = store.name;
+      const said = [...fixedShapes(store.parsed).map((words) => words + "."), ...pointsButtons(store, { say: (words) => this.messages?.say(words) })];
+      fixed.replaceChildren(...said.map((each) => element("li", {}, each)));
+    });
+  }
+
+  show() {}
+
+  hide() {}
+}

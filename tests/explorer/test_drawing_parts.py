@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Parts of the explorer's drawing that need no page, by node: which of many vertices get handles, how long its scale is,
+and the film of a tilt test against the numbers that `topple tilt` prints. And what is said while its libraries are built."""
+
+import json
+import math
+import random
+import sys
+import time
+import unittest
+
+from node_case import NODE, node
+from page_case import ROOT, run
+from harness import main
+
+EXPLORER = ROOT / "src" / "applications" / "explorer"
+DRAWING = EXPLORER / "drawing"
+
+
+@unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
+class Parts(unittest.TestCase):
+    def test_handles_near_hand_and_contact(self):
+        """Of a thousand vertices 150 have handles: the 75 nearest to the hand, which brute force finds as well, and those
+        nearest to the contact; one that is dragged keeps its own, and what lies outside of the window has none."""
+        draw = random.Random(7)
+        points = [[draw.uniform(0, 900), draw.uniform(0, 500)] for _ in range(1000)] + [[-5000, 0], [300, 900]]
+        hand, contact, kept = [700, 100], [[100, 480], [400, 480]], "v3"
+        body = """const view = {width: 800, height: 500, matrix: [1, 0, 0, 1, 0, 0], toScreen: (x, y) => ({x, y})};
+          const of = (p) => ({x: p[0], y: p[1]});
+          const {chosen, hidden} = it.nearestOf(given.points.map((p, i) => ({key: "v" + i, at: of(p)})), view,
+            {hand: given.hand && of(given.hand), contact: given.contact.map(of), kept: new Set([given.kept])});
+          return [chosen.map((one) => Number(one.key.slice(1))), hidden];"""
+        chosen, hidden = node(DRAWING / "nearest.js", body, {"points": points, "hand": hand, "contact": contact, "kept": kept})
+        self.assertEqual(len(chosen), 150)
+        self.assertEqual(chosen, sorted(chosen))
+        inside = [i for i, (x, y) in enumerate(points) if (-20 < x < 820 and -20 < y < 520) or i == 3]
+        self.assertEqual(hidden, len(inside) - 150)
+        near = sorted(inside, key=lambda i: math.dist(points[i], hand))
+        self.assertLessEqual(set(near[:74]) | {3}, set(chosen))
+        rest = set(chosen) - set(near[:75]) - {3}
+        farthest = max(self.from_contact(points[i], contact) for i in rest)
+        left_out = [i for i in inside if i not in chosen]
+        self.assertLessEqual(farthest, min(self.from_contact(points[i], contact) for i in left_out))
+        few, none = node(DRAWING / "nearest.js", body, {"points": points[:100], "hand": None, "contact": [], "kept": ""})
+        self.assertEqual((few, none), ([i for i in range(100) if points[i][0] < 820], 0))
+
+    @staticmethod
+    def from_contact(point, contact):
+        share = min(1, max(0, (point[0] - contact[0][0]) / (contact[1][0] - contact[0][0])))
+        return math.dist(point, (contact[0][0] + share * (contact[1][0] - contact[0][0]), contact[0][1]))
+
+    def test_scale_of_a_round_length(self):
+        """1, 2 or 5 times a power of ten, and the next longer one would not fit."""
+        draw = random.Random(8)
+        given = [10 ** draw.uniform(-9, 9) for _ in range(500)] + [1, 140, 0.14, 70, 28]
+        for dots, found in zip(given, node(DRAWING / "scale_bar.js", "return given.map((one) => it.roundLength(one));", given)):
+            length = found["length"]
+            first = length / 10 ** math.floor(math.log10(length) + 1e-9)
+            self.assertIn(round(first, 9), (1, 2, 5))
+            self.assertLessEqual(length * dots, 140 * (1 + 1e-12))
+            self.assertGreater(length * (2 if round(first) != 2 else 2.5) * dots, 140 * (1 - 1e-12))
+
+    def test_film_of_a_tilt_test(self):
+        """At the moments that the program prints the film has its numbers; between them it lies between; the time runs from
+        0 to the end and back; a slab topples, and its film says so event by event."""
+        folder = ROOT / "build"
+        path = folder / "explorer_film.yaml"
+        path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
+                        "base: {mated: true, beyond: {left: 3, right: 1}}\nfriction_angle_deg: 60\ntilt: {towards: left, angle_deg: 5}\n"
+                        "tilt_test: {engine: dynamics}\n")
+        self.addCleanup(path.unlink, missing_ok=True)
+        status, out, err = run("tilt", "--json", "--moments=300", path.name, folder=folder)
+        self.assertEqual(status, 0, err)
+        case = json.loads(out)["cases"][0]
+        body = """const film = new it.Film(given);
+          const times = [0, 0.3, 1, 2.49, 2.5, 2.6, film.length(2)];
+          return {end: film.end, begins: film.begins, poses: film.moments.map((m) => film.poseAt(m.time_s)),
+            between: film.moments.slice(1).map((m, i) => film.poseAt((m.time_s + film.moments[i].time_s) / 2)),
+            back: times.map((t) => film.shownAt(film.timeAt(t, 2), 2) - t), last: film.timeAt(1e9, 2), past: film.poseAt(1e9),
+            first: film.contactsAt(0), later: film.contactsAt(film.begins), event: film.eventAt(film.begins).what, none: film.eventAt(0)};"""
+        film = node(DRAWING / "film.js", body, case)
+        moments = case["moments"]
+        keys = {"tilt": "angle_deg", "x": "moved_x_m", "y": "moved_y_m", "turned": "turned_deg"}
+        for moment, pose in zip(moments, film["poses"]):
+            for own, key in keys.items():
+                self.assertAlmostEqual(pose[own], moment[key], delta=1e-9 * max(1, abs(moment[key])))
+        for before, after, pose in zip(moments, moments[1:], film["between"]):
+            for own, key in keys.items():
+                low, high = sorted((before[key], after[key]))
+                self.assertTrue(low - 1e-9 <= pose[own] <= high + 1e-9)
+        self.assertEqual([round(each, 9) for each in film["back"]], [0] * 7)
+        self.assertEqual(film["last"], film["end"])
+        self.assertEqual(film["past"]["turned"], moments[-1]["turned_deg"])
+        self.assertEqual({each["state"] for each in film["first"]}, {"closed"})
+        self.assertIn("open", {each["state"] for each in film["later"]})
+        self.assertAlmostEqual(film["begins"], case["events"][0]["time_s"], places=9)
+        self.assertEqual((film["event"], film["none"]), ("begins to move", None))
+
+    def test_templates_are_solved(self):
+        """Each scene to begin one's own with has an answer, and stands at the tilt that it begins with."""
+        folder = ROOT / "build"
+        for template in node(EXPLORER / "examples" / "templates.js", "return it.TEMPLATES;", None):
+            with self.subTest(template["name"]):
+                path = folder / ("explorer_" + template["name"])
+                path.write_text(template["text"], encoding="utf-8")
+                self.addCleanup(path.unlink, missing_ok=True)
+                status, out, err = run("solve", "--json", path.name, folder=folder)
+                self.assertEqual(status, 0, err)
+                self.assertEqual(json.loads(out)["cases"][0]["mechanism"], "stands")
+
+    def test_clock_that_ticks(self):
+        """A measurement shorter than a tick of the clock stands at the shortest that was measured, and never at nothing."""
+        times = [0.0, 3e-5, 1e-4]
+        given = [[{"seconds": each} for each in times], [{"seconds": 0.0}]]
+        self.assertEqual(node(EXPLORER / "panels" / "shortest_time.js", "return given.map((runs) => it.shortestTime(runs));", given), [3e-5, 1e-6])
+
+
+class Progress(unittest.TestCase):
+    def test_a_word_now_and_then(self):
+        """While a build prints nothing for long, it is still said how far it is; all that it printed comes back."""
+        sys.path.insert(0, str(EXPLORER))
+        sys.dont_write_bytecode = True
+        from wasm import progress
+
+        def build():
+            yield "[1/3] cc a\n"
+            time.sleep(0.2)
+            yield "a warning\n"
+            yield "[3/3] cc b\n"
+
+        told = []
+        self.assertEqual(progress.followed("Libraries", build(), told.append, every=0.05), "[1/3] cc a\na warning\n[3/3] cc b\n")
+        self.assertGreaterEqual(len(told), 2)
+        self.assertEqual(told[0], "Libraries: step 1 of 3, 0 s")
+        self.assertEqual(progress.words("Libraries", 0, None, 61.2), "Libraries: begun, 61 s")
+
+
+if __name__ == "__main__":
+    main()
