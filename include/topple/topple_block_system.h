@@ -287,7 +287,7 @@ typedef struct tp_block_system {
 } tp_block_system;
 
 /* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of
- * tp_solve; TP_DEPENDENCY_FAILED where Topple was built without CXSparse. */
+ * tp_solve. */
 TP_MUST_USE tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
                                             const tp_solve_options *options, tp_message *message);
 
@@ -312,6 +312,29 @@ TP_MUST_USE tp_status tp_report_block_system_json(char **text, const tp_block_sy
 
 /* CSV: a head, and a row for each direction, with what was set before it. */
 TP_MUST_USE tp_status tp_report_block_system_csv(char **text, const tp_block_system *system);
+
+/* Several in one table, each with a row for each direction: in Markdown, and in CSV with the
+ * numbers that were set before. None of `systems` is NULL. */
+TP_MUST_USE tp_status tp_report_block_systems_table(char **text,
+                                                    const tp_block_system *const *systems,
+                                                    size_t count);
+TP_MUST_USE tp_status tp_report_block_systems_csv(char **text,
+                                                  const tp_block_system *const *systems,
+                                                  size_t count);
+
+/* How the blocks of the case that governs begin to move, as an SVG that moves: the motion proven to
+ * be possible, or else that of the collapse, magnified. It is one instant drawn larger, not what
+ * follows of it. TP_NO_ANSWER where no motion is known; bad input where the system is that of
+ * another scene. Texts are as of tp_report_text. */
+TP_MUST_USE tp_status tp_report_block_system_animation(char **text, const tp_scene *scene,
+                                                       const tp_block_system *system,
+                                                       tp_message *message);
+
+/* The same into the file `path`, which ends in .svg and appears whole or not at all.
+ * TP_SYSTEM_FAILED where it cannot be written. */
+TP_MUST_USE tp_status tp_report_block_system_animation_file(const char *path, const tp_scene *scene,
+                                                            const tp_block_system *system,
+                                                            tp_message *message);
 
 #ifdef __cplusplus
 }

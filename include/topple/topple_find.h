@@ -7,22 +7,27 @@
 #ifndef TOPPLE_FIND_H
 #define TOPPLE_FIND_H
 
+#include "topple_block_system.h"
 #include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a number of the scene is found for. */
+/* What a number of the scene is found for. Of many blocks there are TP_FIND_LIMIT_ANGLE,
+ * TP_FIND_LIMIT_FOS, of which TP_FIND_FOS is another name, and the last two, of many blocks alone.
+ */
 typedef enum tp_find_target {
   TP_FIND_CRITICAL_ANGLE, /* of toppling, degrees */
   TP_FIND_FOS,            /* against toppling, at the scene's tilt */
   TP_FIND_SLIDING_ANGLE,  /* of sliding, degrees */
   TP_FIND_SLIDING_FOS,
-  TP_FIND_LIMIT_ANGLE,  /* the static limit, degrees */
-  TP_FIND_LIMIT_FOS,    /* by strength reduction */
-  TP_FIND_ONSET_ANGLE,  /* the onset of motion, degrees */
-  TP_FIND_GOVERNING_FOS /* the governing factor at the scene's tilt */
+  TP_FIND_LIMIT_ANGLE,      /* the static limit, degrees */
+  TP_FIND_LIMIT_FOS,        /* by strength reduction */
+  TP_FIND_ONSET_ANGLE,      /* the onset of motion, degrees */
+  TP_FIND_GOVERNING_FOS,    /* the governing factor at the scene's tilt */
+  TP_FIND_FOS_GOODMAN_BRAY, /* of columns in a row, a double without a bound */
+  TP_FIND_ACCELERATION      /* the critical horizontal acceleration, g */
 } tp_find_target;
 
 /* `key` is that of a number in the scene, as tp_scene_with takes it. */
@@ -64,6 +69,17 @@ typedef struct tp_found_stretch {
   bool ends;        /* the same, just after it */
 } tp_found_stretch;
 
+/* What else is known of many blocks with a number that was found. */
+typedef struct tp_found_blocks {
+  tp_system_verdict verdict; /* what they do, with the scene's own strength */
+  bool has_standing_fos;     /* they stand: */
+  double standing_fos;       /* if has_standing_fos: as in tp_system_case */
+  bool has_moving_fos;       /* a motion was found while forces can hold them: */
+  double moving_fos;         /* if has_moving_fos: likewise */
+  bool has_fos_goodman_bray; /* of columns in a row, where some friction is enough: */
+  double fos_goodman_bray;   /* if has_fos_goodman_bray: the factor by Goodman and Bray */
+} tp_found_blocks;
+
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
  * each it is certain to lie on different sides. `touching`: numbers within whose bounds the target
  * comes so close to the value that its bound does not decide whether it reaches it, and at whose
@@ -96,14 +112,18 @@ typedef struct tp_found {
   double design;   /* if has_design: the least number of the first stretch, rounded up to at least 4
                       digits; the scene was solved with it */
   tp_bounded design_result; /* if has_design: the target there, certain to be above the value */
+  tp_found_blocks *blocks; /* if blocks != NULL: of each solution, of a scene of many blocks: of the
+                              direction that governs there */
 } tp_found;
 
-/* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;
- * it is not changed. With `least_over` the direction of the least force is searched in doubles, at
- * every 5 degrees and then by Brent's minimiser, to 1e-4 degrees; what is found at the direction
- * given is as certain as without, that no other direction needs less is not proven. TP_NO_ANSWER
- * where the target cannot depend on the number, or the scene has it nowhere in the range; none in
- * the range is an answer. TP_DEPENDENCY_FAILED. */
+/* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction,
+ * or lies in place, where many blocks are solved to the side that governs; it is not changed. Of
+ * many blocks results are proven to 1e-6 of themselves and 64 points of the range are tried, so
+ * that a number is as near as that tells. With `least_over` the direction of the least force is
+ * searched in doubles, at every 5 degrees and then by Brent's minimiser, to 1e-4 degrees; what is
+ * found at the direction given is as certain as without, that no other direction needs less is not
+ * proven. TP_NO_ANSWER where the target cannot depend on the number, or the scene has it nowhere in
+ * the range; none in the range is an answer. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
                               const tp_find_options *options, tp_message *message);
 
@@ -111,7 +131,7 @@ TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
 void tp_found_free(tp_found *found);
 
 /* The target of that name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos,
- * onset_angle or governing_fos; false for another one. */
+ * onset_angle, governing_fos, fos_goodman_bray or critical_acceleration; false for another one. */
 bool tp_find_target_read(tp_find_target *target, const char *name);
 
 /* And its name. */
@@ -125,6 +145,10 @@ TP_MUST_USE tp_status tp_report_found(char **text, const tp_found *found,
 /* JSON of it, with a solution of the scene as it is, as `topple solve --json` prints it. */
 TP_MUST_USE tp_status tp_report_found_json(char **text, const tp_found *found,
                                            const tp_solution *solution);
+
+/* The same with that of many blocks, as tp_report_block_system_json prints it. */
+TP_MUST_USE tp_status tp_report_found_block_system_json(char **text, const tp_found *found,
+                                                        const tp_block_system *system);
 
 #ifdef __cplusplus
 }

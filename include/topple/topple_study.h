@@ -77,20 +77,23 @@ typedef struct tp_study_tilt {
 } tp_study_tilt;
 
 /* The numbers that a sample has; in rows and columns infinity where it holds at every tilt, or
- * nothing overturns, minus infinity where it holds at none, NaN where there is no number. */
+ * nothing overturns, minus infinity where it holds at none, NaN where there is no number; of a
+ * support 0 where none is needed, infinity where no such force is enough. */
 typedef enum tp_study_quantity {
   TP_STUDY_MOMENTS_DEG,      /* the critical angle of toppling by moments */
   TP_STUDY_ONSET_DEG,        /* the onset of motion: certain to stand below */
   TP_STUDY_LIMIT_DEG,        /* the static limit: certain to move beyond */
   TP_STUDY_FOS,              /* the governing factor of safety at the scene's tilt */
   TP_STUDY_FOS_GOODMAN_BRAY, /* of columns in a row, of a scene of many blocks alone, as the next */
-  TP_STUDY_ACCELERATION_G    /* the critical horizontal acceleration */
+  TP_STUDY_ACCELERATION_G,   /* the critical horizontal acceleration */
+  TP_STUDY_SUPPORT_N_M       /* the least force of the support that the scene asks for */
 } tp_study_quantity;
 
 /* How many there are, and how many quantiles each has. */
-enum { TP_STUDY_QUANTITIES = TP_STUDY_ACCELERATION_G + 1, TP_STUDY_QUANTILES = 7 };
+enum { TP_STUDY_QUANTITIES = TP_STUDY_SUPPORT_N_M + 1, TP_STUDY_QUANTILES = 7 };
 
-/* moments_deg, onset_deg, limit_deg, fos, fos_goodman_bray or critical_acceleration_g. */
+/* moments_deg, onset_deg, limit_deg, fos, fos_goodman_bray, critical_acceleration_g or support_n_m.
+ */
 const char *tp_study_quantity_name(tp_study_quantity quantity);
 
 /* A quantile, with a range that holds it with 95 % certainty whatever the distribution. */

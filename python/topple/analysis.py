@@ -13,6 +13,7 @@ from .errors import checked
 from .given import File, c_path, c_text
 from .record import Record, struct_of
 from .report import drawing, sheet_options, written
+from .solution import BlockSystemMethods
 from .words import (Design, FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
                     StudyQuantity)
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import numpy
     import pandas  # type: ignore[import]
 
-    from .records import Solution, StudyShare, StudySpread
+    from .records import BlockSystem, Solution, StudyShare, StudySpread
     from .scene import Scene
 
 
@@ -86,9 +87,11 @@ class FoundMethods:
         """What was found, as `topple solve --find` prints it."""
         return written(lib.tp_report_found, struct_of(self), self.__dict__["_options"])
 
-    def to_json(self, solution: Solution) -> str:
-        """JSON, with a solution of the scene as it is."""
-        return written(lib.tp_report_found_json, struct_of(self), struct_of(solution))
+    def to_json(self, solution: Solution | BlockSystem) -> str:
+        """JSON, with a solution of the scene as it is, of one block or of many."""
+        of_many = isinstance(solution, BlockSystemMethods)
+        call = lib.tp_report_found_block_system_json if of_many else lib.tp_report_found_json
+        return written(call, struct_of(self), struct_of(solution))
 
 
 class AccuracyMethods:

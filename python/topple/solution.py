@@ -14,7 +14,7 @@ from .word import number_of
 from .words import Design, Direction, Mechanism, PivotsListed
 
 if TYPE_CHECKING:
-    from .records import Case, LoadCases, Pivot, Solution
+    from .records import BlockSystem, Case, LoadCases, Pivot, Solution
     from .scene import Scene
 
 
@@ -62,10 +62,24 @@ class BlockSystemMethods:
         return written(lib.tp_report_block_system_csv, struct_of(self))
 
     def write_figure(self: Any, path: File) -> None:
-        """Draw the blocks as they lie, and how they begin to move, into a file: .svg, .pdf or .png. They
+        """Draw the blocks as they lie, and how they begin to move, into a file: .svg, .pdf, .png or .dxf. They
         are drawn of the scene, which must be as it was when it was solved."""
         scene: Scene = self.__dict__["_scene"]
         scene._use(drawing().lib.tp_report_figure_block_system, c_path(path), scene._c, struct_of(self),
+                   of=self.__dict__["_version"])
+
+    def animation_svg(self: Any) -> str:
+        """How the blocks begin to move, magnified, as an SVG that moves: one instant drawn larger,
+        not what follows of it."""
+        scene: Scene = self.__dict__["_scene"]
+        receives = ffi.new("char **")
+        scene._use(lib.tp_report_block_system_animation, receives, scene._c, struct_of(self), of=self.__dict__["_version"])
+        return taken(receives[0])
+
+    def write_animation(self: Any, path: File) -> None:
+        """The same into a file that ends in .svg."""
+        scene: Scene = self.__dict__["_scene"]
+        scene._use(lib.tp_report_block_system_animation_file, c_path(path), scene._c, struct_of(self),
                    of=self.__dict__["_version"])
 
     def write_report(self: Any, path: File, date: str | None = None, times: bool = True,
@@ -211,16 +225,20 @@ def _told(s: Solution, case: Case) -> str:
     return f"{words} {case.first}" + (" at any tilt" if decided else "")
 
 
-def _listed(solutions: Iterable[Solution]) -> Any:
+def _tabled(solutions: Iterable[Solution | BlockSystem], of_one: Any, of_many: Any) -> str:
     kept = list(solutions)
-    return ffi.new("tp_solution *[]", [struct_of(solution) for solution in kept]), len(kept)
+    many = sum(isinstance(solution, BlockSystemMethods) for solution in kept)
+    if many and many < len(kept):
+        raise TypeError("a table is of scenes of one block or of scenes of many: make two of them")
+    listed = ffi.new("tp_block_system *[]" if many else "tp_solution *[]", [struct_of(solution) for solution in kept])
+    return written(of_many if many else of_one, listed, len(kept))
 
 
-def csv(solutions: Iterable[Solution]) -> str:
+def csv(solutions: Iterable[Solution | BlockSystem]) -> str:
     """A table in CSV, a row for each case of each solution, each number followed by its bound."""
-    return written(lib.tp_report_csv, *_listed(solutions))
+    return _tabled(solutions, lib.tp_report_csv, lib.tp_report_block_systems_csv)
 
 
-def table(solutions: Iterable[Solution]) -> str:
+def table(solutions: Iterable[Solution | BlockSystem]) -> str:
     """The same for readers, in Markdown."""
-    return written(lib.tp_report_table, *_listed(solutions))
+    return _tabled(solutions, lib.tp_report_table, lib.tp_report_block_systems_table)

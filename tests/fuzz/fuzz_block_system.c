@@ -14,6 +14,8 @@ static void report(const tp_block_system *system) {
   if (tp_report_block_system_json(&text, system) == TP_OK) free(text);
   text = NULL;
   if (tp_report_block_system_csv(&text, system) == TP_OK) free(text);
+  text = NULL;
+  if (tp_report_block_systems_table(&text, &system, 1) == TP_OK) free(text);
   (void)tp_block_system_meets(system, 1.3);
 }
 

@@ -54,6 +54,16 @@ START_TEST(block_systems) {
   ck_assert_int_eq(tp_report_block_system(&text, NULL), TP_BAD_INPUT);
   ck_assert_int_eq(tp_report_block_system_json(&text, NULL), TP_BAD_INPUT);
   ck_assert_int_eq(tp_report_block_system_csv(&text, NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_block_systems_csv(&text, NULL, 0), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_block_systems_table(&text, NULL, 0), TP_BAD_INPUT);
+  const tp_block_system *const none[] = {NULL};
+  ck_assert_int_eq(tp_report_block_systems_csv(&text, none, 1), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_block_systems_table(&text, none, 1), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_report_found_block_system_json(&text, NULL, none[0]), TP_BAD_INPUT);
+  REFUSED(tp_report_block_system_animation(&text, scene, NULL, &message), "'system'");
+  REFUSED(tp_report_block_system_animation(&text, NULL, NULL, &message), "'scene'");
+  REFUSED(tp_report_block_system_animation_file(NULL, scene, NULL, &message), "'path'");
+  REFUSED(tp_report_block_system_animation_file("a.svg", scene, NULL, &message), "'system'");
   ck_assert_uint_eq(tp_scene_block_count(NULL) + tp_scene_block_count(plain), 0);
   ck_assert_uint_eq(tp_scene_block_count(scene), 17);
   ck_assert(tp_block_system_is_undecided(NULL));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Studies and sweeps of scenes of many blocks: each row is what `topple solve` says of the same numbers; of a slab and a column
+"""Studies, sweeps, tables and back-analyses of scenes of many blocks: each row is what `topple solve` says of the same numbers; of a slab and a column
 on a slope shares, factors, reliability and design values are those of their closed forms; the same bytes by any number of threads,
 in shards, and where a study goes on; and plain words for what is of one block alone."""
 
@@ -75,8 +75,8 @@ class BlockStudies(StudyCase):
         self.assertEqual(summary["below_required"]["samples"], below)
         self.assertTrue(0 < tilt["certain_to_move"]["samples"] < below < 12)
         self.assertEqual([own["quantity"] for own in summary["quantities"]],
-                         ["moments_deg", "onset_deg", "limit_deg", "fos", "fos_goodman_bray", "critical_acceleration_g"])
-        self.assertEqual([own["samples"] for own in summary["quantities"]], [0, 0, 12, 12, 12, 12])
+                         ["moments_deg", "onset_deg", "limit_deg", "fos", "fos_goodman_bray", "critical_acceleration_g", "support_n_m"])
+        self.assertEqual([own["samples"] for own in summary["quantities"]], [0, 0, 12, 12, 12, 12, 0])
 
     def test_slab(self):
         """It slides where tan(phi) < tan(dip), with the factor tan(phi)/tan(dip): of 64 strata of the friction those below 30° do."""
@@ -116,6 +116,36 @@ class BlockStudies(StudyCase):
         self.assertEqual((bad["outcome"], bad["status"]), ("invalid", "invalid"))
         self.assertIn("width must be above zero", bad["why"])
 
+    def test_support(self):
+        """The slab of 100 kN on 30° needs for a factor F the horizontal force W tan(30° - atan(tan(phi)/F)), nothing where that is
+        below zero; pushed down the slope no force is enough where it slides. Not asked for, it has no column."""
+        frictions = [20, 25, 31, 34, 40]
+        for more, enough in (("", True), (", direction_deg: 180", False)):
+            (self.folder / "slab.yaml").write_text(SLAB + f"support: {{block: slab, at: [0, 0.5], fos: 1.2{more}}}\n")
+            self.write(f"vary: {{friction_angle_deg: {{list: {frictions}}}}}\n")
+            summary = self.summary("study.yaml", "--rows", "rows.csv", "--restart")
+            for row, friction in zip(self.rows(), frictions, strict=True):
+                needed = 1e5 * math.tan(math.radians(30) - math.atan(math.tan(math.radians(friction)) / 1.2))
+                told = float(row["support_n_m"])
+                self.assertEqual(row["status"], "certain")
+                if needed < 0 or not enough:
+                    self.assertEqual(told, 0 if needed < 0 else math.inf)
+                else:
+                    self.assertAlmostEqual(told, needed, delta=2e-6 * needed)
+            self.assertEqual(summary["quantities"][-1]["samples"], 5)
+            self.assertIn("support kN/m", self.study("study.yaml"))
+            self.assertEqual("beyond: no such support" in self.study("study.yaml"), not enough)
+            status, out, err = run("sweep", self.folder / "slab.yaml", "--x", "friction_angle_deg=20,40")
+            self.assertEqual(status, 0, err)
+            self.assertEqual([row["support_is"] for row in csv.DictReader(io.StringIO(out))], ["" if enough else "none", "not needed"])
+            for asks in ("reliability: {quantity: support_n_m}",
+                         "design_values: [{of: friction_angle_deg, probability: 0.5, quantity: support_n_m}]"):
+                self.write("samples: 4\nvary: {friction_angle_deg: {uniform: {low: 22, high: 38}}}\n" + asks + "\n")
+                self.assertIn("with the support as one of the scene's loads: forces", self.study("study.yaml", status=3))
+        (self.folder / "slab.yaml").write_text(SLAB)
+        self.write("samples: 4\nvary: {friction_angle_deg: {uniform: {low: 22, high: 38}}}\nreliability: {quantity: support_n_m}\n")
+        self.assertIn("a quantity is limit_deg", self.study("study.yaml", status=3))
+
     def test_same_bytes(self):
         """By threads, by shards, and where a study goes on, all of it is read back."""
         name = self.of_row(VARY)
@@ -130,7 +160,7 @@ class BlockStudies(StudyCase):
         self.assertIn("restart", self.study(name, "--rows", "one.csv", status=3))
 
     def test_refused(self):
-        for text, words in (("roughness: [z2]", "this scene has many"),
+        for text, words in (("roughness: [z2]", "of one block in a section, and this scene has none"),
                             ("reliability: {quantity: moments_deg}", "limit_deg, fos, fos_goodman_bray or critical_acceleration_g"),
                             ("reliability: {quantity: critical_acceleration_g}", "with the earthquake in the scene")):
             self.write("samples: 4\nvary: {friction_angle_deg: {uniform: {low: 22, high: 38}}}\n" + text + "\n")
@@ -163,6 +193,94 @@ class BlockSweeps(unittest.TestCase):
                                    ("limit_deg", case["critical_angle_deg"]["value"]), ("limit_error", case["critical_angle_deg"]["error"])):
                 self.assertEqual(float(told[column]), number)
         self.assertEqual(run("sweep", self.EXAMPLE, "--threads", "1", "--x", "friction_angle_deg=36,95,33", "--y", "slope.dip_deg=29,30")[1], out)
+
+    def test_tables(self):
+        """Of several scenes of many blocks the rows of each, in their order, in CSV and in Markdown; not with one of a single block."""
+        scenes = [ROOT / "examples" / "blocks" / name for name in ("toppling_slope.yaml", "wet_columns.yaml")]
+        rows = [run("solve", "--csv", scene)[1].splitlines() for scene in scenes]
+        self.assertEqual(run("solve", "--csv", *scenes)[1].splitlines(), [rows[0][0], *rows[0][1:], *rows[1][1:]])
+        status, out, err = run("solve", "--table", *scenes, "--set", "friction_angle_deg=37")
+        self.assertEqual((status, err), (0, ""))
+        table = [[cell.strip() for cell in line.split("|")[1:-1]] for line in out.splitlines() if line.startswith("|")]
+        self.assertEqual([row[0] for row in table[2:]], ["The slope of Goodman and Bray (1976)", "Columns on a wet slope"])
+        self.assertAlmostEqual(float(table[2][5]), math.tan(math.radians(37)) / 0.785544, delta=1e-4)
+        self.assertIn("set: friction\\_angle\\_deg = 37", out)
+        status, out, err = run("solve", "--csv", scenes[0], ROOT / "examples" / "slab.yaml")
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("make two of them", err)
+
+
+class BlockFinds(StudyCase):
+    """Which number of a scene of many blocks gives a wanted result: of a slab and a column closed forms, of columns those that a
+    solve with the number confirms."""
+
+    def find(self, text, *words, status=0):
+        (self.folder / "own.yaml").write_text(text)
+        ended, out, err = run("solve", "--find", *words, self.folder / "own.yaml", "--json")
+        self.assertEqual(ended, status, err)
+        return json.loads(out)["find"] if status == 0 else err
+
+    def holds(self, found, truth):
+        self.assertEqual(len(found["solutions"]), 1, found)
+        own = found["solutions"][0]
+        self.assertLessEqual(abs(own["value"] - truth), own["error"] * (1 + 1e-9), found)
+        self.assertLessEqual(own["error"], 1e-4 * abs(truth))
+
+    def test_slab(self):
+        """It has the factor tan(phi)/tan(30°), and slides where it dips phi; a horizontal force W tan(30° - phi') holds it, with phi' that of
+        the strength over the factor."""
+        degree = math.radians(1)
+        found = self.find(SLAB, "friction_angle_deg", "--for", "fos=1.2", "--from", "20", "--to", "50")
+        self.holds(found, math.atan(1.2 * math.tan(30 * degree)) / degree)
+        self.assertEqual(found["blocks"][0]["verdict"], "stands")
+        self.assertAlmostEqual(found["blocks"][0]["standing_fos"], 1.2, delta=1e-4)
+        found = self.find(SLAB, "friction_angle_deg", "--for", "limit_angle=41", "--to", "60")
+        self.holds(found, 41)
+        found = self.find(SLAB, "friction_angle_deg", "--for", "critical_acceleration=0.1", "--to", "60")
+        self.holds(found, 30 + math.atan(0.1) / degree)
+        push = SLAB + "loads: {forces: [{block: slab, at: [0, 0.5], direction_deg: -30, force_kn: 10}]}\n"
+        needed = 100 * math.tan(30 * degree - math.atan(math.tan(35 * degree) / 1.5))
+        found = self.find(push, "loads.forces.1.force_kn", "--for", "fos=1.5", "--to", "100")
+        self.holds(found, needed)
+        self.assertTrue(needed < found["design"] < needed * 1.001 + 0.1)
+        self.assertGreater(found["design_result"]["value"], 1.5)
+
+    def test_column(self):
+        """A column of height 4 that does not slide tips at 30° where it is 4 tan(30°) wide."""
+        text = SLAB.replace("width: 4, height: 1", "width: w, height: 4").replace("length_unit: m\n", "length_unit: m\nparameters: {w: 3}\n")
+        found = self.find(text.replace("35", "50"), "w", "--for", "limit_angle=30", "--from", "1", "--to", "4")
+        self.holds(found, 4 * math.tan(math.radians(30)))
+
+    def test_columns(self):
+        """Of six columns a solve with the number found has the result that was asked for, by either method; the page says that a
+        motion can begin there, and the factor by the other method."""
+        columns = ROW[:ROW.index("joints")]
+        for target, key in (("fos_goodman_bray", "goodman_bray"), ("fos", "fos")):
+            found = self.find(columns, "friction_angle_deg", "--for", f"{target}=1.2", "--from", "32", "--to", "42")
+            own = found["solutions"][0]
+            status, out, _ = run("solve", "--json", "--set", f"friction_angle_deg={own['value']!r}", self.folder / "own.yaml")
+            case = json.loads(out)["cases"][0]
+            told = case["goodman_bray"]["fos"] if key == "goodman_bray" else case["fos"]["value"]
+            self.assertAlmostEqual(told, 1.2, delta=5e-6)
+            self.assertEqual(found["blocks"][0]["verdict"], case["verdict"])
+            self.assertEqual(found["blocks"][0]["fos_goodman_bray"], case["goodman_bray"]["fos"])
+            self.assertEqual(found["blocks"][0].get("moving_fos"), case.get("moving_fos"))
+        page = run("solve", "--find", "friction_angle_deg", "--for", "fos=1.2", "--from", "34", "--to", "35", self.folder / "own.yaml")[1]
+        self.assertIn("Caution: forces can hold the blocks there; that a motion begins", page)
+        self.assertIn("by Goodman and Bray the factor there is 1.2", page)
+
+    def test_none_and_refused(self):
+        found = self.find(SLAB, "friction_angle_deg", "--for", "fos=3", "--from", "31", "--to", "40")
+        self.assertEqual(found["solutions"], [])
+        self.assertAlmostEqual(found["greatest"]["value"], math.tan(math.radians(40)) / math.tan(math.radians(30)), delta=3e-6)
+        for words, message in ((("--for", "governing_fos=1.2"), "of many blocks there are fos"),
+                               (("--for", "fos=1.2", "--least-force"), "gives the least force along a direction"),
+                               (("--for", "fos=1.2", "--from", "40", "--to", "31"), "the range is reversed")):
+            self.assertIn(message, self.find(SLAB, "friction_angle_deg", *words, status=3))
+        status, out, err = run("solve", "--find", "friction_angle_deg", "--for", "critical_acceleration=0.1",
+                               ROOT / "examples" / "slab_left.yaml")
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("is of scenes of many blocks", err)
 
 
 if __name__ == "__main__":

@@ -44,6 +44,31 @@ class Drawn(GoverningCase):
     def drawing(self, name, text):
         (self.folder / name).write_text(text, encoding="utf-8")
 
+    def test_joints_of_layers(self):
+        """A pair of layers is all pairs of their blocks, a block and a layer goes before it, and two blocks before both; cohesion and
+        tensile strength too. The same as joints that are listed one by one."""
+        self.drawing("section.csv", table([("bedrock", GROUND)] + BLOCKS))
+        by_layers = ("joints:\n  - {between: [clay, ROCK], friction_angle_deg: 10, cohesion_kpa: 5}\n"
+                     "  - {between: [ROCK, BEDROCK], friction_angle_deg: 20}\n"
+                     "  - {between: [CLAY 1, BEDROCK], friction_angle_deg: 15, tension_kpa: 2}\n"
+                     "  - {between: [ROCK 2, CLAY], friction_angle_deg: 12}\n  - {between: [ROCK, ROCK], friction_angle_deg: 25}\n")
+        by_names = ("joints:\n  - {between: [ROCK 1, CLAY 1], friction_angle_deg: 10, cohesion_kpa: 5}\n"
+                    "  - {between: [ROCK 1, ground], friction_angle_deg: 20}\n"
+                    "  - {between: [CLAY 1, ground], friction_angle_deg: 15, tension_kpa: 2}\n"
+                    "  - {between: [ROCK 2, CLAY 1], friction_angle_deg: 12}\n  - {between: [ROCK 1, ROCK 2], friction_angle_deg: 25}\n")
+        drawn = REST + "drawing: {file: section.csv, blocks: [ROCK, CLAY], ground: BEDROCK, unit: m}\n"
+        own, other = (self.system(drawn + joints) for joints in (by_layers, by_names))
+        self.assertEqual(own["contacts"], other["contacts"])
+        self.assertEqual(own["cases"], other["cases"])
+        self.assertEqual(sorted({c["friction_angle_deg"]["value"] for c in own["contacts"]}), [10, 12, 15, 20, 25])
+        for joints, message in (("joints: [{between: [ROCK, CLAY]}, {between: [CLAY, ROCK]}]\n", "given twice"),
+                                ("joints: [{between: [ROCK, SAND], friction_angle_deg: 3}]\n", "no block is named 'SAND'")):
+            status, _, err = run("solve", self.scene(drawn + joints))
+            self.assertEqual(status, 3)
+            self.assertIn(message, err)
+        own = self.system(drawn + "joints: [{between: [CLAY, CLAY], friction_angle_deg: 3}]\n")
+        self.assertIn("this joint acts nowhere", own["notes"][0]["text"])
+
     def test_the_same_blocks(self):
         """Layer by layer, by numbers: the blocks, contacts, limits and forces of the same that are listed."""
         rock1, clay, rock2 = (ring for _, ring in BLOCKS)

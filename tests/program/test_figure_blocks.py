@@ -4,14 +4,17 @@
 the velocities that the report tells, an arrow for each force; the same of mirrored blocks and of blocks far away, and whatever
 blocks are called."""
 
+import fractions
 import json
 import math
+import re
+import xml.etree.ElementTree as ElementTree
 
 import hostile
 from governing_case import GoverningCase
-from harness import ROOT, main, run
+from harness import ROOT, main, reads, run
 from pile_case import EXAMPLE, Pile, box, wall
-from svg import Drawing, covers
+from svg import SVG, Drawing, covers
 
 # As src/presentation/figure/view.c has them.
 TINTS = {"at rest": (0.84, 0.925, 0.975), "slides": (0.985, 0.9, 0.68), "topples": (0.95, 0.72, 0.58),
@@ -202,17 +205,98 @@ class FiguresOfBlocks(GoverningCase):
         self.assertEqual(len(plain.areas[ROCK]), 2)
 
     def test_kinds(self):
-        """SVG, PDF and PNG, the same bytes on each run; DXF is refused before anything is solved, and leaves no file."""
+        """SVG, PDF, PNG and DXF, the same bytes on each run; another ending is refused, and leaves no file."""
         scene = self.scene(SMALL.scene(30))
-        for kind, begins in (("svg", b"<?xml"), ("pdf", b"%PDF-1."), ("png", b"\x89PNG\r\n")):
+        for kind, begins in (("svg", b"<?xml"), ("pdf", b"%PDF-1."), ("png", b"\x89PNG\r\n"), ("dxf", b"999\n")):
             data, _ = self.draw(scene, kind)
             self.assertTrue(data.startswith(begins))
             self.assertEqual(data, self.draw(scene, kind)[0])
-        file = self.folder / "drawing.dxf"
+        file = self.folder / "drawing.gif"
         status, out, err = run("solve", "--figure", file, scene)
-        self.assertEqual((status, out), (3, ""))
-        self.assertIn(".svg, .pdf or .png", err)
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn(".svg, .pdf, .png or .dxf", err)
         self.assertFalse(file.exists())
+
+    def test_dxf_is_read_back(self):
+        """What a scene's `drawing` reads of a figure is the blocks that were solved, to the digits: their areas, contacts and limit,
+        also of a wall 10⁷ m away in decimals; displaced outlines, contacts and forces are on layers of their own."""
+        far = (wall(3, 2).moved(lambda x, y: (fractions.Fraction(x) / 10 + 4500100, fractions.Fraction(y) / 10 + 5600020)), 35)
+        for pile, friction in ((SMALL, 30), (wall(3, 2), 35), far):
+            pile = pile.moved(lambda x, y: (float(x), float(y)))
+            tilt = "tilt: {towards: left, angle_deg: 10}"
+            data, told = self.draw(self.scene(pile.scene(friction, tilt)), "dxf")
+            self.assertTrue(data.endswith(b"EOF\n"))
+            layers = set(re.findall(rb"\n  8\n(\w+)\n", data))
+            self.assertLessEqual({b"BLOCK", b"BASE", b"CONTACT", b"FORCES", b"MECHANISM", b"TEXT"}, layers)
+            if not reads("dxf"):
+                continue
+            scene = self.scene(f"topple: 1\nlength_unit: m\nfriction_angle_deg: {friction}\n{tilt}\nblock: {{unit_weight_kn_m3: 25}}\n"
+                               "drawing: {file: figure.dxf, blocks: BLOCK, ground: BASE}\n")
+            status, out, err = run("solve", "--json", scene)
+            self.assertEqual(status, 0, err)
+            own = json.loads(out)
+            self.assertEqual(sorted(b["area_m2"]["value"] for b in own["blocks"]), sorted(b["area_m2"]["value"] for b in told["blocks"]))
+            self.assertEqual(len(own["contacts"]), len(told["contacts"]))
+            for key in ("critical_angle_deg", "fos"):
+                one, other = own["cases"][0][key], told["cases"][0][key]
+                self.assertLessEqual(abs(one["value"] - other["value"]), one["error"] + other["error"])
+
+    def test_dxf_of_a_slope(self):
+        """Turned as it lies: the longest side of the first column of the example dips by 60°."""
+        data, _ = self.draw(EXAMPLE, "dxf")
+        text = data.decode()
+        first = text[text.index("POLYLINE\n  8\nBLOCK\n"):]
+        first = first[:first.index("SEQEND")]
+        corners = [complex(float(x), float(y)) for x, y in re.findall(r"VERTEX\n  8\nBLOCK\n 10\n(\S+)\n 20\n(\S+)\n", first)]
+        self.assertEqual(len(corners), 4)
+        along = corners[1] - corners[0]
+        self.assertLess(abs(along / abs(along) - complex(math.cos(math.pi / 6), math.sin(math.pi / 6))), 1e-12)
+
+    def animated(self, scene):
+        """Of each panel the heading, and of each group that moves the last of its displacements and turns, by its outline."""
+        file = self.folder / "moving.svg"
+        status, out, err = run("solve", "--json", "--animation", file, scene)
+        self.assertEqual((status, err), (0, ""))
+        root = ElementTree.fromstring(file.read_text(encoding="utf-8"))
+        panels = []
+        for panel in root.findall(f"{SVG}svg"):
+            moves = []
+            for group in panel.findall(f"{SVG}g"):
+                last = {animate.get("type"): [float(n) for n in animate.get("values").split(";")[-1].split()]
+                        for animate in group.iter(f"{SVG}animateTransform")}
+                moves.append((last.get("translate", [0, 0]), last.get("rotate", [0])[0]))
+            panels.append(moves)
+        return panels, json.loads(out), " ".join(text.text or "" for text in root.iter(f"{SVG}text"))
+
+    def test_moving(self):
+        """Two panels: the motion that is proven, and the collapse. Blocks are displaced by their velocities, turned as they lie, and
+        turned by their spins, all by the one way that the heading tells; what rests does not move."""
+        panels, told, words = self.animated(EXAMPLE)
+        case = told["cases"][0]
+        self.assertIn("A motion that can begin as they lie, proven", words)
+        self.assertIn("not a simulation", words)
+        away = [float(n) for n in re.findall(r"drawn (\S+) m away", words)]
+        turn = complex(math.cos(math.pi / 6), math.sin(math.pi / 6))
+        for moves, motions, way in zip(panels, (case["start"]["motions"], case["motions"]), away, strict=True):
+            free = [m for m, b in zip(motions, told["blocks"]) if not b["ground"]]
+            scale = max(math.hypot(*shift) for shift, _ in moves) / max(math.hypot(m["velocity_x"], m["velocity_y"]) for m in free)
+            self.assertEqual(len(moves), len(free))
+            for (shift, turned), motion in zip(moves, free):
+                velocity = complex(motion["velocity_x"], motion["velocity_y"]) * turn
+                if motion["mechanism"] == "stands":
+                    self.assertEqual((shift, turned), ([0, 0], 0))
+                else:
+                    self.assertLess(abs(complex(shift[0], -shift[1]) - scale * velocity), 2e-3)
+                    self.assertAlmostEqual(turned, -math.degrees(way * motion["turn_per_m"]), delta=5e-3 * abs(turned) + 1e-4)
+
+    def test_moving_refused(self):
+        held = Pile().add("g", box(-9, -1, 9, 0), True).add("b", box(0, 0, 9, 4))
+        for scene, file, ended, told in ((self.scene(held.scene(30)), "a.gif", 3, "give a name that ends in .svg"),
+                                         (ROOT / "examples" / "slab.yaml", "a.svg", 3, "topple tilt --animation")):
+            status, _, err = run("solve", "--animation", self.folder / file, scene)
+            self.assertEqual(status, ended)
+            self.assertIn(told, err)
+            self.assertFalse((self.folder / file).exists())
 
     def test_files_in_the_way(self):
         """Neither the scene, by another name, nor a folder is written over."""

@@ -13,7 +13,7 @@ from decimal import Decimal
 
 from harness import ROOT, example_scenes, main, reads, run
 
-LAYERS = {"BLOCK", "HOLE", "PART", "BASE", "CONTACT", "WATER", "BOLTS", "FORCES", "TEXT"}
+LAYERS = {"BLOCK", "HOLE", "PART", "BASE", "CONTACT", "WATER", "BOLTS", "FORCES", "MECHANISM", "TEXT"}
 WORLD = """topple: 1
 title: "Section \\u00c4\\n  0\\nLINE"
 length_unit: m

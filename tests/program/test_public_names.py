@@ -15,7 +15,8 @@ CODE = re.sub(r"/\*.*?\*/", "", HEADERS, flags=re.DOTALL)
 STRUCTS = dict((name, body) for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", CODE, re.DOTALL))
 #: In JSON and not in C: `from` is a word of Python, whose names are those of C; the first mechanism and its angle are by far the
 #: most used members of a case; a tilt test has two axes, and verdicts are counted, each in an array by its words.
-OTHER = {("profile", "from"): "origin", ("find", "from"): "low", ("find", "to"): "high", ("interval", "from"): "low",
+OTHER = {("profile", "from"): "origin", ("find", "from"): "low", ("find", "to"): "high", ("block_find", "from"): "low", ("block_find", "to"): "high",
+         ("interval", "from"): "low",
          ("interval", "to"): "high", ("overturning_grid", "from"): "least", ("overturning_grid", "to"): "most",
          ("first", "mechanism"): "first", ("first", "critical_angle_deg"): "first_angle_deg", ("hurst", "exponent"): "estimate",
          ("claim", "computed"): "computed_there", ("case", "pivot_count"): "candidate_count"}

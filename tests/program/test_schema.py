@@ -257,6 +257,17 @@ class Schema(unittest.TestCase):
                 status, out, err = run("solve", "--json", *more, path)
                 self.assertIn(status, (0, 1, 4), err)
                 self.fits("block_system", out)
+            slab = pathlib.Path(name) / "slab.yaml"
+            slab.write_text("topple: 1\nlength_unit: m\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 35\n"
+                            "block: {unit_weight_kn_m3: 25}\nblocks:\n"
+                            "- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n- {slab: {width: 2, height: 1}}\n",
+                            encoding="utf-8")
+            for scene, key, target, low, high in ((slab, "friction_angle_deg", "fos=1.2", "34", "35"),
+                                                  (ROOT / "examples" / "blocks" / "wet_columns.yaml", "loads.anchors.1.force_kn", "fos=1.3", "200", "240"),
+                                                  (example, "slope.dip_deg", "fos_goodman_bray=1", "29.9", "30.1")):
+                status, out, err = run("solve", "--json", "--find", key, "--for", target, "--from", low, "--to", high, scene)
+                self.assertEqual(status, 0, err)
+                self.fits("block_system", out)
 
     def test_2_sweep(self):
         """With points that are wrong, and at more digits than a double has."""

@@ -57,6 +57,14 @@ class WorkedStudies(unittest.TestCase):
         (peak,) = [row for row in rows if row.startswith("| E | peak | 37.4° |") and "mm" in row]
         self.assertAlmostEqual(float(peak.split("|")[4].strip(" °")), asked, delta=0.01)
 
+    def test_tilt_tests_jointly(self):
+        """Sharp corners alone are far behind; the friction of E is bounded from below by what its peak held."""
+        rows = self.run_study("tilt_tests_jointly")
+        self.assertEqual(len(rows), (2 + 9) + (2 + 8) + (2 + 10) + (2 + 5) + (2 + 9))
+        self.assertTrue(all(float(row.split("|")[3]) < -5 for row in rows[2:5]))
+        (of_e,) = [row for row in rows if row.startswith("| E | 2")]
+        self.assertGreater(float(of_e.split("|")[2].split("°")[0]), 37.4 - math.degrees(math.atan2(5, 30)) - 0.75)
+
     def test_reliability_of_toppling(self):
         """A row a case of the benchmark, a member of the family, an index, and a rule; and EQU's factor fails a slender block whose
         dip is known to 2 degrees once in six times."""

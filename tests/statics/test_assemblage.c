@@ -5,6 +5,7 @@
  * closed forms, published walls and slopes, and the mirror image. */
 
 #include "assemblage/limit_change.h"
+#include "assemblage/normal_equations.h"
 #include "block_pile.h"
 #include "random_numbers.h"
 #include "suite.h"
@@ -193,6 +194,44 @@ static void expect_refused(block_pile *p, const char *what) {
 }
 
 /* Whole numbers tell an overlap and a gap of 1e-9 from blocks that touch; each is said by name. */
+/* The factor of a wall that is dissected some six times over, and of two that do not touch: what it
+ * solves for, taken through every contact, is what was given. */
+START_TEST(normal_equations) {
+  for (int walls = 1; walls <= 2; walls++) {
+    block_pile p = {.count = 0};
+    add_wall(&p, 15, 14);
+    if (walls == 2) pile_add_box(&p, 5800, 0, 5900, 900, 100, false);
+    assemble(&p);
+    tp_force_program program;
+    tp_normal_equations normal;
+    tp_message message = {.text = ""};
+    pile_program(&program, &p, 0.6, true);
+    ck_assert_int_eq(tp_normal_equations_init(&normal, &program, &message), TP_OK);
+    double *d = calloc((size_t)program.count, sizeof *d);
+    double *given = calloc(2 * (size_t)program.rows, sizeof *given), *found = given + program.rows;
+    for (long k = 0; k < program.count; k++) d[k] = 1 + (double)(k * 7919 % 101) / 10;
+    for (long r = 0; r < program.rows; r++) given[r] = found[r] = (double)(r * 31 % 17) - 8;
+    ck_assert(tp_normal_equations_factorise(&normal, d));
+    tp_normal_equations_solve(&normal, found);
+    for (long k = 0; k < program.count; k++) {
+      const tp_force_column *c = program.columns + k;
+      const double force = d[k] * tp_force_column_work(c, found);
+      for (int side = 0; side < 2; side++) {
+        for (int e = 0; e < 3 && c->row[side] >= 0; e++) {
+          given[c->row[side] + e] -= force * c->entry[side][e].value;
+        }
+      }
+    }
+    for (long r = 0; r < program.rows; r++) ck_assert_double_le(fabs(given[r]), 1e-9);
+    free(d);
+    free(given);
+    tp_normal_equations_clear(&normal);
+    tp_force_program_clear(&program);
+    pile_clear(&p);
+  }
+}
+END_TEST
+
 START_TEST(what_is_no_assemblage) {
   enum { DIVISOR = 1000000000 };
   block_pile p = {.count = 0};
@@ -293,6 +332,7 @@ SUITE(assemblage) {
   tcase_add_test(tests, worth_of_friction);
   tcase_add_test(tests, stack_of_bricks);
   tcase_add_test(tests, large_wall);
+  tcase_add_test(tests, normal_equations);
   tcase_add_test(tests, images_of_random_piles);
   tcase_add_test(tests, what_is_no_assemblage);
   tcase_add_test(tests, corners_on_faces);

@@ -61,7 +61,7 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_ACCURACY_METHODS; k++) {
     note_text(s, tp_accuracy_method_name((tp_accuracy_method)k));
   }
-  for (int k = 0; k <= TP_FIND_GOVERNING_FOS + 1; k++) {
+  for (int k = 0; k <= TP_FIND_ACCELERATION + 1; k++) {
     note_text(s, tp_find_target_name((tp_find_target)k));
   }
   for (int k = 0; k <= TP_STUDY_OUTCOMES; k++) {

@@ -86,6 +86,24 @@ static void say_block_figures(sayings *s, const tp_scene *scene, const tp_block_
   say_file(s, path);
 }
 
+/* For which friction have they a factor by Goodman and Bray? */
+static void say_found_blocks(sayings *s, const tp_scene *scene, const tp_block_system *system) {
+  tp_message message = {.text = ""};
+  tp_found *found = NULL;
+  tp_find_options options = tp_find_options_default();
+  options.key = "friction_angle_deg";
+  options.target = TP_FIND_FOS_GOODMAN_BRAY;
+  options.value = 1;
+  options.low = 38.1;
+  options.high = 38.2;
+  options.has_low = options.has_high = true;
+  SAY(tp_find(&found, scene, &options, &message));
+  if (found != NULL && tp_report_found_block_system_json(next_saying(s), found, system) != TP_OK) {
+    s->count--;
+  }
+  tp_found_free(found);
+}
+
 /* Many blocks in contact. */
 static void say_block_system(sayings *s) {
   tp_message message = {.text = ""};
@@ -103,7 +121,12 @@ static void say_block_system(sayings *s) {
     if (tp_report_block_system(next_saying(s), system) != TP_OK) s->count--;
     if (tp_report_block_system_json(next_saying(s), system) != TP_OK) s->count--;
     if (tp_report_block_system_csv(next_saying(s), system) != TP_OK) s->count--;
+    const tp_block_system *const both[] = {system, system};
+    if (tp_report_block_systems_csv(next_saying(s), both, 2) != TP_OK) s->count--;
+    if (tp_report_block_systems_table(next_saying(s), both, 2) != TP_OK) s->count--;
+    SAY(tp_report_block_system_animation(next_saying(s), scene, system, &message));
     say_block_figures(s, scene, system);
+    say_found_blocks(s, scene, system);
   }
   tp_block_system_free(system);
   tp_scene_free(scene);

@@ -23,7 +23,7 @@ START_TEST(back_analysis) {
   REFUSED(tp_find(&found, scene, NULL, &message), "'options'");
   bad.key = NULL;
   REFUSED(tp_find(&found, scene, &bad, &message), "key");
-  for (int k = -1; k <= TP_FIND_GOVERNING_FOS + 1; k += TP_FIND_GOVERNING_FOS + 2) {
+  for (int k = -1; k <= TP_FIND_ACCELERATION + 1; k += TP_FIND_ACCELERATION + 2) {
     bad = good;
     bad.target = (tp_find_target)k;
     REFUSED(tp_find(&found, scene, &bad, &message), "result");

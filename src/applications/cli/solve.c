@@ -104,8 +104,9 @@ static tp_status solve_scene(tp_cli_solved *own, const char *path, const tp_solv
   solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
   const tp_status status = tp_cli_solve_cases(own, path, a, &solve, message);
   if (status != TP_OK || own->solution != NULL) return status;
-  if (tp_scene_block_count(own->scene) > 0) return tp_cli_check_system(path, a, message);
+  const bool of_many = tp_scene_block_count(own->scene) > 0;
   if (tp_scene_is_solid(own->scene)) return tp_cli_check_solid(path, a, message);
+  if (of_many || a->animation != NULL) return tp_cli_check_system(path, a, of_many, message);
   return a->report != NULL && !a->elements
              ? tp_cli_solve_for_sheet(&own->solution, own->scene, &solve, message)
              : tp_solve(&own->solution, own->scene, &solve, message);
@@ -140,30 +141,6 @@ static tp_status solve_all(tp_cli_solved *solved, const char **paths, size_t *co
   return status;
 }
 
-/* A row a case, in the order of their table. */
-static tp_status print_rows(const tp_solve_words *a, const tp_cli_solved *solved, size_t count,
-                            int *ended) {
-  size_t rows = 0;
-  for (size_t k = 0; k < count; k++) rows += solved[k].cases != NULL ? solved[k].cases->count : 1;
-  const tp_solution **own = calloc(rows + 1, sizeof *own);
-  if (own == NULL) return TP_OUT_OF_MEMORY;
-  rows = 0;
-  for (size_t k = 0; k < count; k++) {
-    const tp_load_cases *cases = solved[k].cases;
-    for (size_t n = 0; cases != NULL && n < cases->count; n++) {
-      own[rows++] = cases->cases[n].solution;
-    }
-    if (cases == NULL) own[rows++] = solved[k].solution;
-  }
-  char *report = NULL;
-  const tp_status status =
-      a->csv ? tp_report_csv(&report, own, rows) : tp_report_table(&report, own, rows);
-  if (status == TP_OK) *ended = tp_cli_graver(*ended, tp_cli_print(report));
-  free(report);
-  free(own);
-  return status;
-}
-
 static int end(const tp_cli_solved *own, const tp_solve_words *a, const char *path) {
   return own->cases != NULL ? tp_cli_judge_cases(own->cases, a, path)
                             : tp_cli_judge(own->solution, a, path);
@@ -186,9 +163,17 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
   const char **paths = calloc((size_t)a->scene_count, sizeof *paths);
   tp_status status = solved != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
   if (status == TP_OK) status = solve_all(solved, paths, &count, ended, a, message);
-  const bool of_many = count == 1 && stands_alone(solved[0].scene);
-  if (status == TP_OK && of_many) status = solve_alone(solved[0].scene, a, ended, message);
-  if (status == TP_OK && count > 0 && !of_many) status = print_rows(a, solved, count, ended);
+  const bool is_alone = count == 1 && tp_scene_is_solid(solved[0].scene);
+  bool of_many = false;
+  if (status == TP_OK && is_alone) status = solve_alone(solved[0].scene, a, ended, message);
+  if (status == TP_OK && !is_alone) {
+    status = tp_cli_check_kinds(&of_many, solved, paths, count, message);
+  }
+  if (status == TP_OK && of_many) {
+    status = tp_cli_solve_systems(solved, paths, count, a, ended, message);
+  }
+  of_many = of_many || is_alone;
+  if (status == TP_OK && count > 0 && !of_many) status = tp_cli_print_rows(a, solved, count, ended);
   for (size_t k = 0; k < count && status == TP_OK && !of_many; k++) {
     *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
   }

@@ -9,6 +9,7 @@
 #include "cli/sheet.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* The scene of a case with what is set. */
 static tp_status read_governing(tp_scene **scene, const char *path, const tp_solve_words *words,
@@ -88,4 +89,27 @@ void tp_cli_solved_clear(tp_cli_solved *solved) {
   }
   tp_load_cases_free(solved->cases);
   *solved = (tp_cli_solved){NULL, NULL, NULL};
+}
+
+tp_status tp_cli_print_rows(const tp_solve_words *a, const tp_cli_solved *solved, size_t count,
+                            int *ended) {
+  size_t rows = 0;
+  for (size_t k = 0; k < count; k++) rows += solved[k].cases != NULL ? solved[k].cases->count : 1;
+  const tp_solution **own = calloc(rows + 1, sizeof *own);
+  if (own == NULL) return TP_OUT_OF_MEMORY;
+  rows = 0;
+  for (size_t k = 0; k < count; k++) {
+    const tp_load_cases *cases = solved[k].cases;
+    for (size_t n = 0; cases != NULL && n < cases->count; n++) {
+      own[rows++] = cases->cases[n].solution;
+    }
+    if (cases == NULL) own[rows++] = solved[k].solution;
+  }
+  char *report = NULL;
+  const tp_status status =
+      a->csv ? tp_report_csv(&report, own, rows) : tp_report_table(&report, own, rows);
+  if (status == TP_OK) *ended = tp_cli_graver(*ended, tp_cli_print(report));
+  free(report);
+  free(own);
+  return status;
 }

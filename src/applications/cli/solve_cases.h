@@ -23,4 +23,8 @@ TP_MUST_USE tp_status tp_cli_solve_cases(tp_cli_solved *solved, const char *path
 
 void tp_cli_solved_clear(tp_cli_solved *solved);
 
+/* The table of scenes of one block: a row a case, in the order of their table. */
+TP_MUST_USE tp_status tp_cli_print_rows(const tp_solve_words *words, const tp_cli_solved *solved,
+                                        size_t count, int *ended);
+
 #endif

@@ -17,6 +17,7 @@ tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_messa
                        : a->outlines                  ? "--outlines"
                        : a->elements                  ? "--elements"
                        : a->figure != NULL            ? "--figure"
+                       : a->animation != NULL         ? "--animation"
                        : a->report != NULL            ? "--report"
                                                       : NULL;
   if (option == NULL) return TP_OK;

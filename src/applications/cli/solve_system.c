@@ -8,24 +8,21 @@
 #include "cli/sheet.h"
 
 #include <stdio.h>
-#include <string.h>
-#include <strings.h>
+#include <stdlib.h>
 
-tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, tp_message *message) {
-  const char *option = a->find.key != NULL            ? "--find"
-                       : a->profile != NULL           ? "--profile"
-                       : a->table                     ? "--table"
-                       : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
-                       : a->outlines                  ? "--outlines"
-                       : a->elements                  ? "--elements"
-                                                      : NULL;
-  const char *ending = a->figure != NULL ? strrchr(a->figure, '.') : NULL;
-  if (option == NULL && ending != NULL && strcasecmp(ending, ".dxf") == 0) {
+tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, bool of_many,
+                              tp_message *message) {
+  if (!of_many) {
     snprintf(message->text, sizeof message->text,
-             "%s: the figure of a scene of many blocks is .svg, .pdf or .png, not '%s'", path,
-             a->figure);
+             "%s: --animation is of scenes of many blocks; how one block moves in time is shown by "
+             "'topple tilt --animation'",
+             path);
     return TP_BAD_INPUT;
   }
+  const char *option = a->profile != NULL ? "--write-profile"
+                       : a->outlines      ? "--outlines"
+                       : a->elements      ? "--elements"
+                                          : NULL;
   if (option == NULL) return TP_OK;
   snprintf(message->text, sizeof message->text,
            "%s: %s is of scenes of one block, and this one has many: leave it out; --json has all "
@@ -34,27 +31,41 @@ tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, tp_mess
   return TP_BAD_INPUT;
 }
 
-static int judge(const tp_block_system *system, const tp_solve_words *a) {
+tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved, const char **paths,
+                             size_t count, tp_message *message) {
+  *of_many = count > 0 && tp_scene_block_count(solved[0].scene) > 0;
+  for (size_t k = 1; k < count; k++) {
+    if ((tp_scene_block_count(solved[k].scene) > 0) == *of_many) continue;
+    snprintf(message->text, sizeof message->text,
+             "%s: a table is of scenes of one block or of scenes of many, and '%s' is of %s: make "
+             "two of them",
+             paths[k], paths[0], *of_many ? "many" : "one");
+    return TP_BAD_INPUT;
+  }
+  return TP_OK;
+}
+
+static int judge(const tp_block_system *system, const tp_solve_words *a, const char *path) {
   if (a->has_design_fos || system->has_required_fos) {
     const double required = a->has_design_fos ? a->design_fos : system->required_fos.value;
     switch (tp_block_system_meets(system, required)) {
     case TP_DESIGN_MET:
       break;
     case TP_DESIGN_NOT_MET:
-      tp_cli_complain("%s: the required factor of safety %g is not met", a->scene, required);
+      tp_cli_complain("%s: the required factor of safety %g is not met", path, required);
       return TP_EXIT_REFUTED;
     case TP_DESIGN_OPEN:
       tp_cli_complain("%s: whether the required factor of safety %g is met is undecided: forces "
                       "can hold the blocks, and that a motion begins all the same is neither "
                       "excluded nor proven",
-                      a->scene, required);
+                      path, required);
       return tp_status_exit(TP_UNDECIDED);
     }
   }
   if (!tp_block_system_is_undecided(system)) return 0;
   tp_cli_complain("%s: undecided: the tilt is too close to the critical one, or some block is held "
                   "by corners alone",
-                  a->scene);
+                  path);
   return tp_status_exit(TP_UNDECIDED);
 }
 
@@ -68,9 +79,8 @@ typedef struct report {
 
 static tp_status print(const report *own) {
   char *text = NULL;
-  const tp_status status = own->words->json  ? tp_report_block_system_json(&text, own->system)
-                           : own->words->csv ? tp_report_block_system_csv(&text, own->system)
-                                             : tp_report_block_system(&text, own->system);
+  const tp_status status = own->words->json ? tp_report_block_system_json(&text, own->system)
+                                            : tp_report_block_system(&text, own->system);
   return tp_cli_print_report(status, text, own->ended);
 }
 
@@ -99,11 +109,33 @@ static tp_status write_report(const tp_scene *scene, const tp_block_system *syst
                          : status;
 }
 
+/* With --find the system is that of the scene as it is, whose notes hold for what is found. */
+static tp_status print_found(const tp_scene *scene, const tp_block_system *system,
+                             const tp_solve_words *a, int *ended, tp_message *message) {
+  tp_found *found = NULL;
+  char *text = NULL;
+  tp_find_options options = a->find;
+  if (a->least_force) options.least_over = options.key;
+  tp_status status = tp_find(&found, scene, &options, message);
+  if (status == TP_OK) {
+    status = a->json ? tp_report_found_block_system_json(&text, found, system)
+                     : tp_report_found(&text, found, &a->find);
+  }
+  status = tp_cli_print_report(status, text, ended);
+  tp_found_free(found);
+  return status;
+}
+
 tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, int *ended,
                               tp_message *message) {
   tp_block_system *system = NULL;
   const tp_solve_options options = tp_solve_options_default();
   tp_status status = tp_solve_block_system(&system, scene, &options, message);
+  if (status == TP_OK && a->find.key != NULL) {
+    status = print_found(scene, system, a, ended, message);
+    tp_block_system_free(system);
+    return status;
+  }
   if (status == TP_OK) {
     report own = {system, a, ended, TP_OK};
     status = a->figure != NULL ? print_and_draw(&own, scene, message) : print(&own);
@@ -111,7 +143,55 @@ tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, in
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
     status = write_report(scene, system, a, message);
   }
-  if (status == TP_OK && *ended == 0) *ended = judge(system, a);
+  if (status == TP_OK && *ended == 0 && a->animation != NULL) {
+    status = tp_report_block_system_animation_file(a->animation, scene, system, message);
+  }
+  if (status == TP_OK && *ended == 0) *ended = judge(system, a, a->scene);
   tp_block_system_free(system);
+  return status;
+}
+
+/* Each by itself: what is wrong with one is told, and the others go on. */
+static tp_status solve_each(tp_block_system **systems, const char **solved_paths, size_t *done,
+                            const tp_cli_solved *scenes, const char **paths, size_t count,
+                            int *ended, tp_message *message) {
+  const tp_solve_options options = tp_solve_options_default();
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = tp_solve_block_system(systems + *done, scenes[k].scene, &options, message);
+    if (status == TP_OK) {
+      solved_paths[(*done)++] = paths[k];
+    } else if (status == TP_BAD_INPUT || status == TP_NO_ANSWER || status == TP_UNDECIDED) {
+      *ended = tp_cli_graver(*ended, tp_cli_end(status, message, 0));
+      message->text[0] = '\0';
+      status = TP_OK;
+    }
+  }
+  return status;
+}
+
+tp_status tp_cli_solve_systems(const tp_cli_solved *scenes, const char **paths, size_t count,
+                               const tp_solve_words *a, int *ended, tp_message *message) {
+  tp_block_system **systems = calloc(count + 1, sizeof *systems);
+  const char **solved = calloc(count + 1, sizeof *solved);
+  size_t done = 0;
+  char *text = NULL;
+  tp_status status = systems != NULL && solved != NULL ? TP_OK : TP_OUT_OF_MEMORY;
+  if (status == TP_OK) {
+    status = solve_each(systems, solved, &done, scenes, paths, count, ended, message);
+  }
+  if (status == TP_OK && done > 0) {
+    const tp_block_system *const *all = (const tp_block_system *const *)systems;
+    status = a->csv ? tp_report_block_systems_csv(&text, all, done)
+                    : tp_report_block_systems_table(&text, all, done);
+    if (status == TP_OK) *ended = tp_cli_graver(*ended, tp_cli_print(text));
+  }
+  for (size_t k = 0; k < done && status == TP_OK; k++) {
+    *ended = tp_cli_graver(*ended, judge(systems[k], a, solved[k]));
+  }
+  for (size_t k = 0; k < done; k++) tp_block_system_free(systems[k]);
+  free(text);
+  free(solved);
+  free(systems);
   return status;
 }

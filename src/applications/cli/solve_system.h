@@ -6,14 +6,23 @@
 #ifndef TP_CLI_SOLVE_SYSTEM_H
 #define TP_CLI_SOLVE_SYSTEM_H
 
-#include "cli/solve_words.h"
+#include "cli/solve_cases.h"
 
-/* Options of a scene of one block are refused. */
+/* Options of a scene of one block are refused where there are many, and the other way about. */
 TP_MUST_USE tp_status tp_cli_check_system(const char *path, const tp_solve_words *words,
-                                          tp_message *message);
+                                          bool of_many, tp_message *message);
+
+/* A table is of scenes of one block, or of many. */
+TP_MUST_USE tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved,
+                                         const char **paths, size_t count, tp_message *message);
 
 /* Solved, printed, and judged by its factor. */
 TP_MUST_USE tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *words,
                                           int *ended, tp_message *message);
+
+/* Several in one table, judged each by its path. */
+TP_MUST_USE tp_status tp_cli_solve_systems(const tp_cli_solved *scenes, const char **paths,
+                                           size_t count, const tp_solve_words *words, int *ended,
+                                           tp_message *message);
 
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Table of argp options of topple solve, their readers, and the checks of what goes together. */
+/* Table of argp options of topple solve, and their readers. */
 
 #include "cli/solve_words.h"
 
 #include "cli/sheet.h"
+#include "cli/solve_check.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +27,8 @@ enum {
   KEY_REPORT,
   KEY_LANGUAGE,
   KEY_OUTLINES,
-  KEY_LEAST_FORCE
+  KEY_LEAST_FORCE,
+  KEY_ANIMATION
 };
 
 static const struct argp_option options[] = {
@@ -49,6 +51,8 @@ static const struct argp_option options[] = {
     {"elements", 'e', NULL, 0, "Also print the account of moments by elements", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the solution into FILE, which ends in .svg, .pdf, .png or .dxf", 0},
+    {"animation", KEY_ANIMATION, "FILE", 0,
+     "Draw how many blocks begin to move, magnified, into FILE, which ends in .svg", 0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"language", KEY_LANGUAGE, "CODE", 0,
@@ -67,7 +71,8 @@ static const struct argp_option options[] = {
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "so that critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos, "
-     "onset_angle or governing_fos has the value",
+     "onset_angle or governing_fos has the value; of many blocks fos, limit_angle, "
+     "fos_goodman_bray or critical_acceleration",
      1},
     {"from", KEY_FROM, "LOW", 0,
      "Begin of the search range (default 0, or ten times its present value if that is below 0)", 1},
@@ -106,7 +111,8 @@ static void read_target(tp_solve_words *a, const char *text, struct argp_state *
   if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
     tp_cli_refuse(state,
                   "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
-                  "sliding_fos, limit_angle, limit_fos, onset_angle, governing_fos; not '%s'",
+                  "sliding_fos, limit_angle, limit_fos, onset_angle, governing_fos, of many blocks "
+                  "also fos_goodman_bray, critical_acceleration; not '%s'",
                   text);
     return;
   }
@@ -137,77 +143,6 @@ static void read_design_fos(tp_solve_words *a, const char *text, struct argp_sta
   a->has_design_fos = true;
   if (!(a->design_fos > 0)) {
     tp_cli_refuse(state, "--fail-below takes a factor of safety above 0, not '%s'", text);
-  }
-}
-
-static void check_find(tp_solve_words *a, struct argp_state *state) {
-  const bool named = a->find.key != NULL;
-  if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
-  if ((a->find.has_low || a->find.has_high) && !named)
-    tp_cli_refuse(state, "--from and --to go with --find");
-  if (a->least_force && !named) tp_cli_refuse(state, "--least-force goes with --find");
-  if (named && a->figure != NULL) {
-    tp_cli_refuse(state, "--figure draws the solution of the scene as it is; leave out --find");
-  }
-  if (named && a->report != NULL) {
-    tp_cli_refuse(state, "--report needs the solution of the scene as it is; leave out --find");
-  }
-  if (named && a->has_design_fos) {
-    tp_cli_refuse(state,
-                  "--fail-below judges the solution of the scene as it is; leave out --find");
-  }
-}
-
-/* What goes with a table of blocks. */
-static void check_batch(tp_solve_words *a, struct argp_state *state) {
-  tp_cli_batch_check(&a->batch, state);
-  if (!a->batch.asked) return;
-  if (a->scene_count > 1) {
-    tp_cli_refuse(state, "--batch takes one table; '%s' is one too many", a->scenes[1]);
-  }
-  if (a->json + a->csv + a->table > 1) {
-    tp_cli_refuse(state, "the table is printed in one way: --json, --csv or --table");
-  }
-  if (a->elements || a->figure != NULL || a->find.key != NULL || a->verbose || a->watch ||
-      a->report != NULL || a->profile != NULL || a->outlines || a->has_design_fos ||
-      a->pivots != TP_PIVOTS_BY_COUNT || tp_cli_settings_given(&a->settings)) {
-    tp_cli_refuse(state, "--batch goes with --template, --output, --figures, --threads, --csv, "
-                         "--json, --table, --digits and --level; numbers that hold for all rows "
-                         "stand in the template, required_fos too");
-  }
-  a->batch.options.digits = a->digits;
-  a->batch.options.level = a->level;
-}
-
-/* What goes with what. */
-static void check(tp_solve_words *a, struct argp_state *state) {
-  const bool table = a->table || a->csv;
-  check_batch(a, state);
-  if (a->batch.asked) return;
-  check_find(a, state);
-  if (a->scene_count > 1 && !table) {
-    tp_cli_refuse(state,
-                  "one scene at a time, or several with --table or --csv; '%s' is one too many",
-                  a->scenes[1]);
-  }
-  if (table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL || a->verbose ||
-                a->report != NULL || a->profile != NULL || (a->table && a->csv))) {
-    tp_cli_refuse(state,
-                  "--table and --csv print a table alone; drop --json, --elements, --figure, "
-                  "--report, --find, --verbose, --write-profile and the other of the two");
-  }
-  tp_cli_check_language(a->language, a->report, state);
-  const tp_cli_written files[] = {
-      {"--report", a->report}, {"--figure", a->figure}, {"--write-profile", a->profile}};
-  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
-  if (table && a->watch) {
-    tp_cli_refuse(state, "--watch watches one scene; leave out --table and --csv");
-  }
-  if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
-    tp_cli_refuse(state, "--pivots goes with --json");
-  }
-  if (a->outlines && (!a->json || a->find.key != NULL)) {
-    tp_cli_refuse(state, "--outlines goes with --json, without --find");
   }
 }
 
@@ -256,6 +191,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_FIGURE:
     read_figure(a, argument, state);
     return 0;
+  case KEY_ANIMATION:
+    tp_cli_take_file(&a->animation, argument, "--animation", state);
+    return 0;
   case KEY_REPORT:
     tp_cli_take_sheet(&a->report, argument, state);
     return 0;
@@ -283,7 +221,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->find.has_high = true;
     return 0;
   case ARGP_KEY_END:
-    check(a, state);
+    tp_solve_words_check(a, state);
     return 0;
   case ARGP_KEY_ARGS: /* all that are left */
     a->scenes = state->argv + state->next;

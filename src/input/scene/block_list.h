@@ -12,13 +12,15 @@ typedef struct tp_listed_block {
   tp_place place;
   TP_OUTSIDE char *name;
   bool fixed; /* ground */
+  long layer; /* of a drawing that it is from, counted from 1 as its keys list them; 0: from none */
   tp_quantity at_x, at_y;
   tp_block_description shape;
   int *edge_sets; /* of a slope that joints cut, for each edge of the outline: the set that made it,
                      TP_EDGE_OF_BASE or TP_EDGE_OF_NONE; NULL: none did */
 } tp_listed_block;
 
-/* All contacts between two blocks, by their numbers in the list. */
+/* All contacts between two blocks, by their numbers in the list; or between those of layers of a
+ * drawing, which are numbers below 0: -1 the first. */
 typedef struct tp_joint_description {
   tp_place place;
   long between[2];

@@ -62,6 +62,11 @@ static const char *nearest_of(const tp_reader *reader, const char *text,
   return best;
 }
 
+bool tp_block_name_is(const tp_reader *reader, const char *name, const tp_block_name *names) {
+  return bsearch(name, names, (size_t)reader->scene->many.count, sizeof *names, compare_name) !=
+         NULL;
+}
+
 tp_status tp_block_name_find(const tp_reader *reader, long *number, const tp_node *node,
                              const tp_block_name *names) {
   const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";

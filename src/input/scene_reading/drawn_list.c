@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { MOST_NAME = 160 };
 static const char *const keys[] = {"blocks", "ground"};
@@ -64,6 +65,19 @@ tp_status tp_read_drawn_layers(const tp_reader *reader, const char **layers,
   return TP_OK;
 }
 
+long tp_drawn_layer_of(const tp_node *drawing, const char *name) {
+  long number = 0;
+  for (int k = 0; k < 2; k++) {
+    const tp_node *n = first_layer(drawing, keys[k]);
+    if (n == NULL && ++number > 0 && strcasecmp(name, "GROUND") == 0) return number;
+    for (; n != NULL; n = is_list(drawing, keys[k]) ? n->next : NULL) {
+      number++;
+      if (n->kind == TP_NODE_SCALAR && strcasecmp(name, n->text) == 0) return number;
+    }
+  }
+  return 0;
+}
+
 static char *name_of(const char *layer, bool ground, long number) {
   char text[MOST_NAME];
   if (!ground) {
@@ -88,6 +102,7 @@ static tp_status list_parts(const tp_reader *reader, long block_layers, long *co
     const bool ground = drawn->part_words[k] >= block_layers;
     tp_listed_block *own = tp_scene_next_block(scene, place, unit_weight);
     own->fixed = ground;
+    own->layer = drawn->part_words[k] + 1;
     own->name = name_of(drawn->part_layers[k], ground,
                         ++counts[ground ? block_layers : drawn->part_words[k]]);
     scene->block.form = TP_OUTLINE_VERTICES;

@@ -111,6 +111,8 @@ const tp_node *tp_read_blocks_given(const tp_node *root);
 /* Layers of a drawing of many blocks: how many a key of it names, `blocks` or `ground`, and all of
  * them in this order; and the blocks that stand there. */
 long tp_drawn_layer_count(const tp_node *drawing, const char *key);
+/* The number of one, from 1, as blocks have it; 0: neither key names it. */
+long tp_drawn_layer_of(const tp_node *drawing, const char *name);
 TP_MUST_USE tp_status tp_read_drawn_layers(const tp_reader *reader, const char **layers,
                                            const tp_node *drawing);
 TP_MUST_USE tp_status tp_read_drawn_blocks(const tp_reader *reader, const tp_node *drawing,

@@ -122,8 +122,20 @@ static tp_status read_common(const tp_reader *reader, const tp_node *node) {
 /* ---- joints ------------------------------------------------------------------------------------
  */
 
+/* A block by its name, or all of a layer of the drawing. */
+static tp_status read_end(const tp_reader *reader, long *number, const tp_node *node,
+                          const tp_block_name *names, const tp_node *drawing) {
+  const bool named = drawing != NULL && node->kind == TP_NODE_SCALAR &&
+                     !tp_block_name_is(reader, node->text, names);
+  const long layer = named ? tp_drawn_layer_of(drawing, node->text) : 0;
+  if (layer == 0) return tp_block_name_find(reader, number, node, names);
+  *number = -layer;
+  return TP_OK;
+}
+
 static tp_status read_joint(const tp_reader *reader, tp_joint_description *joint,
-                            const tp_node *node, const tp_block_name *names) {
+                            const tp_node *node, const tp_block_name *names,
+                            const tp_node *drawing) {
   const tp_node *between = NULL;
   joint->place = tp_node_place(node, reader->scene->path);
   tp_status status = tp_read_map(reader, joint, node, &tp_key_map_joints, "a joint");
@@ -133,17 +145,18 @@ static tp_status read_joint(const tp_reader *reader, tp_joint_description *joint
   if (status == TP_OK && (between->kind != TP_NODE_SEQUENCE || between->count != 2)) {
     status = tp_read_fail(reader, TP_FAULT_FORMAT, between, "'between' names two blocks: [B1, B2]");
   }
-  if (status == TP_OK) status = tp_block_name_find(reader, joint->between, between->first, names);
+  if (status == TP_OK) status = read_end(reader, joint->between, between->first, names, drawing);
   if (status == TP_OK) {
-    status = tp_block_name_find(reader, joint->between + 1, between->last, names);
+    status = read_end(reader, joint->between + 1, between->last, names, drawing);
   }
-  if (status == TP_OK && joint->between[0] == joint->between[1]) {
+  if (status == TP_OK && joint->between[0] == joint->between[1] && joint->between[0] >= 0) {
     status = tp_read_fail(reader, TP_FAULT_KEY, between, "a joint is between two blocks");
   }
   return status;
 }
 
-static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
+static tp_status read_joints(const tp_reader *reader, const tp_node *root) {
+  const tp_node *node = tp_node_get(root, "joints");
   tp_block_list *many = &reader->scene->many;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
@@ -160,7 +173,7 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *node) {
     for (size_t k = 0; k < tp_joint_numbers.count; k++) {
       fmpq_init(tp_member_number(own, tp_joint_numbers.items[k]));
     }
-    status = read_joint(reader, own, n, names);
+    status = read_joint(reader, own, n, names, tp_node_get(root, "drawing"));
   }
   free(names);
   return status;
@@ -250,7 +263,7 @@ tp_status tp_read_blocks(const tp_reader *reader, const tp_node *root) {
     tp_quantity_copy(&unit_weight, &all->unit_weight_kn_m3);
     status = read_bodies(reader, root, &unit_weight);
   }
-  if (status == TP_OK) status = read_joints(reader, tp_node_get(root, "joints"));
+  if (status == TP_OK) status = read_joints(reader, root);
   if (status == TP_OK) status = tp_read_column_joints(reader);
   tp_quantity_copy(&all->unit_weight_kn_m3, &unit_weight);
   all->form = TP_OUTLINE_OF_EACH;

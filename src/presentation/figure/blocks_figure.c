@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "figure/blocks.h"
 #include "figure/drawn_page.h"
+#include "figure/dxf_blocks.h"
 #include "figure/name.h"
 #include "figure/version.h"
 
@@ -50,7 +51,9 @@ static tp_status write_figure(const char *path, const tp_scene *scene,
   const tp_drawn_page page = {tp_blocks_page_width(), draw_page, figure};
   char *bytes = NULL;
   size_t length = 0;
-  tp_status status = tp_drawn_page_bytes(&bytes, &length, path, &page, message);
+  tp_status status = tp_figure_kind_of(path) == TP_FIGURE_DXF
+                         ? tp_cad_draw_blocks(&bytes, &length, figure, scene, message)
+                         : tp_drawn_page_bytes(&bytes, &length, path, &page, message);
   if (status == TP_OK) status = tp_figure_keep(path, bytes, length, scene, consent, message);
   free(bytes);
   return status;
@@ -75,10 +78,10 @@ tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *sce
   TP_REFUSE_NULL(message, system);
   TP_REFUSE_OTHER_VERSION(message);
   const tp_figure_kind kind = tp_figure_kind_of(path);
-  if (kind == TP_FIGURE_UNKNOWN || kind == TP_FIGURE_DXF) {
+  if (kind == TP_FIGURE_UNKNOWN) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                     "the ending of the name of a figure of many blocks is its format: .svg, .pdf "
-                     "or .png");
+                     "the ending of the name of a figure is its format: .svg, .pdf, .png or "
+                     ".dxf");
   }
   tp_blocks_figure figure;
   tp_status status = tp_blocks_figure_init(&figure, scene, system, message);

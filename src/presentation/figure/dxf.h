@@ -19,6 +19,7 @@ typedef enum tp_cad_layer {
   TP_CAD_WATER,
   TP_CAD_BOLTS,
   TP_CAD_FORCES,
+  TP_CAD_MECHANISM,
   TP_CAD_TEXT,
   TP_CAD_LAYERS
 } tp_cad_layer;

@@ -16,8 +16,9 @@
 static const struct {
   const char *name;
   int colour; /* of AutoCAD's index */
-} layers[TP_CAD_LAYERS] = {{"BLOCK", 7}, {"HOLE", 8},  {"PART", 2},   {"BASE", 8}, {"CONTACT", 3},
-                           {"WATER", 4}, {"BOLTS", 6}, {"FORCES", 1}, {"TEXT", 7}};
+} layers[TP_CAD_LAYERS] = {{"BLOCK", 7},     {"HOLE", 8},  {"PART", 2},  {"BASE", 8},
+                           {"CONTACT", 3},   {"WATER", 4}, {"BOLTS", 6}, {"FORCES", 1},
+                           {"MECHANISM", 5}, {"TEXT", 7}};
 
 static void add_group(tp_text *t, int code, const char *value) {
   tp_text_add(t, "%3d\n%s\n", code, value);

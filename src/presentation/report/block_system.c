@@ -185,40 +185,6 @@ tp_status tp_report_block_system(char **text, const tp_block_system *system) {
   return tp_text_finish(&t, text);
 }
 
-/* ---- CSV ---------------------------------------------------------------------------------------
- */
-
-static void add_csv_head(tp_text *t, const tp_settings *set) {
-  for (size_t k = 0; k < set->count; k++) {
-    tp_csv_setting_name(t, set->items[k].key, set->items[k].unit);
-    tp_text_add(t, ",");
-  }
-  tp_text_add(t, "scene");
-  tp_csv_names_of_system_row(t);
-  tp_text_add(t, "\n");
-}
-
-static void add_csv_row(tp_text *t, const tp_block_system *s, const tp_system_case *own) {
-  const tp_json_subject x = {.system = s};
-  for (size_t k = 0; k < s->settings.count; k++) {
-    tp_csv_setting_value(t, s->settings.items + k);
-    tp_text_add(t, ",");
-  }
-  tp_encode_csv(t, s->title != NULL ? s->title : "");
-  tp_csv_fields_of_system_row(t, own, &x);
-  tp_text_add(t, "\n");
-}
-
-tp_status tp_report_block_system_csv(char **text, const tp_block_system *system) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(NULL, text);
-  TP_REFUSE_NULL(NULL, system);
-  tp_text t = {0};
-  add_csv_head(&t, &system->settings);
-  for (size_t k = 0; k < system->case_count; k++) add_csv_row(&t, system, system->cases + k);
-  return tp_text_finish(&t, text);
-}
-
 tp_status tp_report_block_system_json(char **text, const tp_block_system *system) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);

@@ -52,6 +52,42 @@ static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target 
   tp_text_add(t, "; use --for governing_fos\n");
 }
 
+/* What the factor of limit analysis alone does not say. */
+static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
+  switch (b->verdict) {
+  case TP_SYSTEM_STANDS:
+    tp_text_add(t, "    the blocks stand there: no motion can begin");
+    if (b->has_standing_fos) {
+      tp_text_add(t, ", nor with strength over %.5g", b->standing_fos);
+    }
+    tp_text_add(t, "\n");
+    break;
+  case TP_SYSTEM_COLLAPSES:
+    tp_text_add(t, "    the blocks collapse there, as they lie\n");
+    break;
+  case TP_SYSTEM_UNDECIDED:
+    tp_text_add(t, "    what the blocks do there is undecided\n");
+    break;
+  case TP_SYSTEM_CAN_HOLD:
+  case TP_SYSTEM_MAY_MOVE:
+    if (!b->has_moving_fos) {
+      tp_text_add(t, "    Caution: forces can hold the blocks there; that a motion begins all the "
+                     "same is neither\n    excluded nor proven\n");
+    }
+    break;
+  }
+  if (b->has_moving_fos) {
+    tp_text_add(
+        t,
+        "    Caution: a motion can begin there with strength over %.5g, proven, though forces "
+        "can hold the\n    blocks\n",
+        b->moving_fos);
+  }
+  if (b->has_fos_goodman_bray && target != TP_FIND_FOS_GOODMAN_BRAY) {
+    tp_text_add(t, "    by Goodman and Bray the factor there is %.5g\n", b->fos_goodman_bray);
+  }
+}
+
 static const char *number_text(char out[TP_NUMBER_SIZE], double number, int digits) {
   return tp_text_significant(out, (tp_bounded){.value = number}, digits);
 }
@@ -81,8 +117,7 @@ static void add_stretch(tp_text *t, const tp_found_stretch *s, const tp_found *f
 /* The force to build for; or that there is no need of one. */
 static void add_design(tp_text *t, const tp_found *f, const tp_find_options *options) {
   const char *target = tp_find_target_name(options->target);
-  const bool bolt = strncmp(f->key, "loads.anchors.", strlen("loads.anchors.")) == 0;
-  const char *unit = bolt ? "kN" : "kPa";
+  const char *unit = strstr(f->key, ".force_kn") != NULL ? "kN" : "kPa";
   char n[TP_NUMBER_SIZE];
   if (!f->is_support || f->at_least_count == 0) return;
   const tp_found_stretch *first = f->at_least;
@@ -126,6 +161,7 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                   tp_text_significant(number, f->per_metre_kn[k], 9));
     }
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
+    if (f->blocks != NULL) add_blocks(&t, f->blocks + k, own.target);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
     tp_text_add(&t,
@@ -160,6 +196,23 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   tp_json_subject x = {.s = solution};
   tp_json_object(&j, "find", TP_JSON_LINE);
   tp_json_members_of_find(&j, f, &x);
+  tp_json_close(&j);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
+}
+
+tp_status tp_report_found_block_system_json(char **text, const tp_found *f,
+                                            const tp_block_system *system) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, system);
+  tp_json j = {0};
+  tp_json_subject x = {.system = system};
+  tp_json_report(&j);
+  tp_json_members_of_block_system(&j, system, &x);
+  tp_json_object(&j, "find", TP_JSON_LINE);
+  tp_json_members_of_block_find(&j, f, &x);
   tp_json_close(&j);
   tp_json_close(&j);
   return tp_json_finish(&j, text);

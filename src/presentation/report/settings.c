@@ -50,3 +50,41 @@ void tp_csv_setting_value(tp_text *t, const tp_setting *setting) {
     tp_text_add(t, "%.17g", setting->value.value);
   }
 }
+
+static bool has_column(const tp_setting_columns *columns, const char *key) {
+  for (size_t k = 0; k < columns->count; k++) {
+    if (strcmp(columns->items[k]->key, key) == 0) return true;
+  }
+  return false;
+}
+
+bool tp_setting_columns_gather(tp_setting_columns *columns, const tp_settings *const *lists,
+                               size_t count) {
+  size_t room = 1;
+  for (size_t k = 0; k < count; k++) room += lists[k]->count;
+  *columns = (tp_setting_columns){.items = calloc(room, sizeof *columns->items)};
+  for (size_t k = 0; k < count && columns->items != NULL; k++) {
+    for (size_t n = 0; n < lists[k]->count; n++) {
+      const tp_setting *own = lists[k]->items + n;
+      if (!has_column(columns, own->key)) columns->items[columns->count++] = own;
+    }
+  }
+  return columns->items != NULL;
+}
+
+void tp_csv_setting_columns_head(tp_text *t, const tp_setting_columns *columns) {
+  for (size_t k = 0; k < columns->count; k++) {
+    tp_csv_setting_name(t, columns->items[k]->key, columns->items[k]->unit);
+    tp_text_add(t, ",");
+  }
+}
+
+void tp_csv_setting_columns_row(tp_text *t, const tp_setting_columns *columns,
+                                const tp_settings *own) {
+  for (size_t k = 0; k < columns->count; k++) {
+    size_t n = 0;
+    while (n < own->count && strcmp(own->items[n].key, columns->items[k]->key) != 0) n++;
+    if (n < own->count) tp_csv_setting_value(t, own->items + n);
+    tp_text_add(t, ",");
+  }
+}

@@ -17,4 +17,19 @@ char *tp_text_setting(const tp_setting *setting);
 void tp_csv_setting_name(tp_text *text, const char *key, const char *unit);
 void tp_csv_setting_value(tp_text *text, const tp_setting *setting);
 
+/* The settings that come first under their keys in several lists; to be cleared by free(items).
+ * False when memory is exhausted. */
+typedef struct tp_setting_columns {
+  size_t count;
+  const tp_setting **items;
+} tp_setting_columns;
+
+TP_MUST_USE bool tp_setting_columns_gather(tp_setting_columns *columns,
+                                           const tp_settings *const *lists, size_t count);
+/* Each with a comma behind it: the head, and of a row each number that was set, or an empty field.
+ */
+void tp_csv_setting_columns_head(tp_text *text, const tp_setting_columns *columns);
+void tp_csv_setting_columns_row(tp_text *text, const tp_setting_columns *columns,
+                                const tp_settings *own);
+
 #endif

@@ -23,7 +23,8 @@ static void add_indices(tp_document *d, const tp_study_result *r) {
       "Sobol' indices, limit",
       "Sobol' indices, factor",
       "Sobol' indices, factor by Goodman and Bray",
-      "Sobol' indices, acceleration"};
+      "Sobol' indices, acceleration",
+      "Sobol' indices, support"};
   static const char *const heads[] = {"Key", "First order", "from", "to", "Total", "from", "to"};
   enum { COLUMNS = sizeof heads / sizeof heads[0] };
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {

@@ -112,8 +112,14 @@ static void add_tilts(tp_document *d, const tp_study_result *r) {
 /* ---- numbers -----------------------------------------------------------------------------------
  */
 
-static void add_number(tp_document *d, double value, int decimals) {
-  if (isinf(value)) {
+static void add_number(tp_document *d, double value, tp_study_quantity quantity) {
+  static const double kilo = 1e3;
+  const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
+  if (quantity == TP_STUDY_SUPPORT_N_M && isfinite(value)) {
+    tp_document_cell(d, "%.4g", value / kilo);
+  } else if (quantity == TP_STUDY_SUPPORT_N_M) {
+    tp_document_word(d, "no such force");
+  } else if (isinf(value)) {
     tp_document_word(d, value > 0 ? "always" : "never");
   } else {
     tp_document_cell(d, "%.*f", decimals, value);
@@ -137,8 +143,7 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
     if (own->samples == 0) continue;
     tp_document_word(d, tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
-      add_number(d, own->quantiles[k].value,
-                 tp_study_quantity_is_angle((tp_study_quantity)q) ? 2 : 3);
+      add_number(d, own->quantiles[k].value, (tp_study_quantity)q);
     }
   }
 }

@@ -66,8 +66,14 @@ static void add_tilts(tp_text *t, const tp_study_result *r) {
  */
 
 static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
+  enum { DIGITS = 4 };
+  static const double kilo = 1e3;
   char own[TP_NUMBER_SIZE];
-  if (isinf(value)) {
+  if (quantity == TP_STUDY_SUPPORT_N_M && isfinite(value)) {
+    tp_text_add(t, " %7.*g", DIGITS, value / kilo);
+  } else if (quantity == TP_STUDY_SUPPORT_N_M) {
+    tp_text_add(t, " %7s", "beyond");
+  } else if (isinf(value)) {
     tp_text_add(t, " %7s", value > 0 ? "always" : "never");
   } else {
     const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
@@ -77,7 +83,7 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
   const tp_study_spread *heads = NULL;
-  bool infinite = false;
+  bool infinite = false, unsupported = false;
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
     if (r->quantities[q].samples > 0) heads = r->quantities + q;
   }
@@ -93,7 +99,8 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "%-22s", tp_study_quantity_words((tp_study_quantity)q));
     for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
       add_number(t, spread->quantiles[k].value, (tp_study_quantity)q);
-      infinite = infinite || isinf(spread->quantiles[k].value);
+      const bool own = isinf(spread->quantiles[k].value);
+      *(q == TP_STUDY_SUPPORT_N_M ? &unsupported : &infinite) |= own;
     }
     tp_text_add(t, "\n");
   }
@@ -107,6 +114,7 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
               "acceleration, is enough or allowed.\n"
             : "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
   }
+  if (unsupported) tp_text_add(t, "beyond: no such support holds the blocks.\n");
 }
 
 /* The factor of each definition by itself, where more than one governs. */
@@ -145,7 +153,7 @@ typedef struct ranked {
   struct {
     tp_study_quantity quantity;
     const char *head;
-  } columns[TP_STUDY_FOS + 1];
+  } columns[TP_STUDY_FOS + 2];
 } ranked;
 
 static const ranked ranked_of_block = {4,
@@ -157,7 +165,8 @@ static const ranked ranked_of_many = {4,
                                       {{TP_STUDY_LIMIT_DEG, "limit"},
                                        {TP_STUDY_FOS, "factor"},
                                        {TP_STUDY_FOS_GOODMAN_BRAY, "FoS, G&B"},
-                                       {TP_STUDY_ACCELERATION_G, "accel."}}};
+                                       {TP_STUDY_ACCELERATION_G, "accel."},
+                                       {TP_STUDY_SUPPORT_N_M, "support"}}};
 
 static const ranked ranked_of_solid = {
     3,
@@ -184,9 +193,11 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
       any = any || r->variables[k].rank_correlations[q].known;
   }
   if (!any) return;
-  const ranked *with = r->of_solid         ? &ranked_of_solid
-                       : r->of_many_blocks ? &ranked_of_many
-                                           : &ranked_of_block;
+  ranked shown = r->of_solid         ? ranked_of_solid
+                 : r->of_many_blocks ? ranked_of_many
+                                     : ranked_of_block;
+  const ranked *with = &shown;
+  shown.count += r->quantities[TP_STUDY_SUPPORT_N_M].samples > 0; /* where one is asked for */
   tp_text_add(t, "\n%-*s", LABEL + 2, "Rank correlation with");
   for (size_t k = 0; k < with->count; k++) tp_text_add(t, " %10s", with->columns[k].head);
   tp_text_add(t, "\n");

@@ -12,8 +12,8 @@
 
 /* For the critical angle by moments, and both limits; not where none is known. */
 static void add_indices(tp_text *t, const tp_study_result *r) {
-  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset",    "limit",
-                                                          "factor",  "FoS, G&B", "acceleration"};
+  static const char *const labels[TP_STUDY_QUANTITIES] = {
+      "moments", "onset", "limit", "factor", "FoS, G&B", "acceleration", "support"};
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
     if (!r->variables[0].sobol_indices[q].known) continue;
     tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");

@@ -9,8 +9,8 @@
 
 const char *tp_study_quantity_words(tp_study_quantity quantity) {
   static const char *const words[TP_STUDY_QUANTITIES] = {
-      "critical angle °", "certain to stand to °", "static limit °",
-      "factor of safety", "FoS, Goodman and Bray", "acceleration g"};
+      "critical angle °",      "certain to stand to °", "static limit °", "factor of safety",
+      "FoS, Goodman and Bray", "acceleration g",        "support kN/m"};
   return words[quantity];
 }
 

@@ -5,7 +5,7 @@
 
 #include "common/host.h"
 #include "output/encode.h"
-#include "output/file.h"
+#include "report/kept_file.h"
 #include "report/results.h"
 #include "report/settings.h"
 #include "scene/scene.h"
@@ -170,19 +170,6 @@ static bool keep(void *context, const char *text) {
   return !own->failed;
 }
 
-/* No file of the scene is written over. */
-static tp_status write_text(const tp_scene *scene, const char *path, const tp_text *text,
-                            tp_message *message) {
-  const size_t count = tp_scene_source_count(scene);
-  const char **paths = calloc(count, sizeof *paths);
-  if (paths == NULL) return tp_fail_memory(message, "the table");
-  for (size_t k = 0; k < count; k++) paths[k] = tp_scene_source(scene, k);
-  const tp_file_sources sources = {count, paths};
-  const tp_status status = tp_file_write(path, text->data, text->length, sources, message);
-  free(paths);
-  return status;
-}
-
 tp_status tp_sweep_write_file(tp_sweep_summary *summary, const char *path, const tp_scene *scene,
                               const tp_sweep_options *options, tp_sweep_format format,
                               tp_message *message) {
@@ -196,7 +183,8 @@ tp_status tp_sweep_write_file(tp_sweep_summary *summary, const char *path, const
   tp_status status =
       tp_sweep_write(&sum, scene, options, format, (tp_text_sink){keep, &text}, message);
   if (status == TP_OK && text.failed) status = tp_fail_memory(message, "the table");
-  if (status == TP_OK) status = write_text(scene, path, &text, message);
+  if (status == TP_OK)
+    status = tp_report_keep_file(scene, path, text.data, text.length, "the table", message);
   if (status == TP_OK) *summary = sum;
   tp_text_drop(&text);
   return status;

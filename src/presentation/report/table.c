@@ -159,40 +159,13 @@ tp_status tp_report_table(char **text, const tp_solution *const *solutions, size
 /* ---- CSV ---------------------------------------------------------------------------------------
  */
 
-/* The settings that come first under their keys, in all solutions. */
-typedef struct keys {
-  size_t count;
-  const tp_setting **items;
-} keys;
-
-static const tp_setting *find(const tp_setting *const *items, size_t count, const char *key) {
-  for (size_t k = 0; k < count; k++) {
-    if (strcmp(items[k]->key, key) == 0) return items[k];
-  }
-  return NULL;
-}
-
-static bool gather(keys *all, const tp_solution *const *solutions, size_t count) {
-  size_t room = 1;
-  for (size_t k = 0; k < count; k++) room += solutions[k]->settings.count;
-  all->items = calloc(room, sizeof *all->items);
-  for (size_t k = 0; k < count && all->items != NULL; k++) {
-    for (size_t n = 0; n < solutions[k]->settings.count; n++) {
-      const tp_setting *own = solutions[k]->settings.items + n;
-      if (find(all->items, all->count, own->key) == NULL) all->items[all->count++] = own;
-    }
-  }
-  return all->items != NULL;
-}
-
-/* Each number that was set, or an empty field. */
-static void add_settings(tp_text *t, const tp_settings *settings, const keys *all) {
-  for (size_t k = 0; k < all->count; k++) {
-    size_t n = 0;
-    while (n < settings->count && strcmp(settings->items[n].key, all->items[k]->key) != 0) n++;
-    if (n < settings->count) tp_csv_setting_value(t, settings->items + n);
-    tp_text_add(t, ",");
-  }
+static bool gather(tp_setting_columns *all, const tp_solution *const *solutions, size_t count) {
+  const tp_settings **lists = calloc(count + 1, sizeof *lists);
+  if (lists == NULL) return false;
+  for (size_t k = 0; k < count; k++) lists[k] = &solutions[k]->settings;
+  const bool done = tp_setting_columns_gather(all, lists, count);
+  free(lists);
+  return done;
 }
 
 /* What is required, where any of the scenes requires something. */
@@ -212,13 +185,10 @@ static void add_required_fields(tp_text *t, const tp_governing_fos *g) {
   tp_csv_bounded(t, g->has_design_utilisation, g->design_utilisation);
 }
 
-static void write_csv(tp_text *t, const keys *all, const tp_solution *const *solutions,
-                      size_t count) {
+static void write_csv(tp_text *t, const tp_setting_columns *all,
+                      const tp_solution *const *solutions, size_t count) {
   const bool required = is_any_required(solutions, count);
-  for (size_t k = 0; k < all->count; k++) {
-    tp_csv_setting_name(t, all->items[k]->key, all->items[k]->unit);
-    tp_text_add(t, ",");
-  }
+  tp_csv_setting_columns_head(t, all);
   tp_text_add(t, "scene");
   tp_csv_names_of_verdict_row(t);
   if (required) {
@@ -230,7 +200,7 @@ static void write_csv(tp_text *t, const keys *all, const tp_solution *const *sol
     const tp_solution *s = solutions[k];
     const tp_json_subject x = {.s = s};
     for (size_t c = 0; c < s->case_count; c++) {
-      add_settings(t, &s->settings, all);
+      tp_csv_setting_columns_row(t, all, &s->settings);
       tp_encode_csv(t, s->title != NULL ? s->title : "");
       tp_csv_fields_of_verdict_row(t, s->cases + c, &x);
       if (required) add_required_fields(t, &s->cases[c].governing_fos);
@@ -244,7 +214,7 @@ tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
-  keys all = {.count = 0};
+  tp_setting_columns all;
   tp_text t = {0};
   if (!gather(&all, solutions, count)) return TP_OUT_OF_MEMORY;
   write_csv(&t, &all, solutions, count);

@@ -57,6 +57,7 @@ static tp_status read_sensitivity(const tp_study_reader *reader, const tp_node *
 
 tp_status tp_study_read_quantity(const tp_study_reader *reader, tp_study_quantity *quantity,
                                  const tp_node *node) {
+  enum { LEAST = 4 }; /* and a support where one is asked for */
   const char *known[TP_STUDY_QUANTITIES + 1] = {NULL};
   size_t count = 0;
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
@@ -73,9 +74,10 @@ tp_status tp_study_read_quantity(const tp_study_reader *reader, tp_study_quantit
     return tp_study_fail(reader, node, "of a solid a quantity is %s, %s or %s", known[0], known[1],
                          known[2]);
   }
-  return tp_study_fail(reader, node, "%sa quantity is %s, %s, %s or %s%s%s%s",
+  return tp_study_fail(reader, node, "%sa quantity is %s, %s, %s%s%s or %s%s%s%s",
                        tp_study_is_of_many(reader->study) ? "of many blocks " : "", known[0],
-                       known[1], known[2], known[3], nearest != NULL ? "; did you mean '" : "",
+                       known[1], known[2], count > LEAST ? ", " : "", count > LEAST ? known[3] : "",
+                       known[count - 1], nearest != NULL ? "; did you mean '" : "",
                        nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
 }
 
@@ -126,6 +128,11 @@ static tp_status read_reliability(const tp_study_reader *reader, const tp_node *
     return tp_study_fail(reader, quantity,
                          "reliability is of an angle at the tilt, or of a factor of safety; take "
                          "fos with the earthquake in the scene");
+  }
+  if (status == TP_OK && study->relied == TP_STUDY_SUPPORT_N_M) {
+    return tp_study_fail(reader, quantity,
+                         "reliability is of an angle at the tilt, or of a factor of safety; take "
+                         "fos with the support as one of the scene's loads: forces");
   }
   if (status == TP_OK) status = check_drawn(reader, node);
   if (status == TP_OK && !tp_study_has_stance(study)) {

@@ -69,6 +69,11 @@ static tp_status read_quantity(const tp_study_reader *reader, tp_wanted_design *
                                                        : TP_STUDY_MOMENTS_DEG;
   if (node == NULL) return TP_OK;
   const tp_status status = tp_study_read_quantity(reader, &design->quantity, node);
+  if (status == TP_OK && design->quantity == TP_STUDY_SUPPORT_N_M) {
+    return tp_study_fail(reader, node,
+                         "design values are of angles, factors of safety and accelerations; take "
+                         "fos with the support as one of the scene's loads: forces");
+  }
   if (status != TP_OK || !tp_study_quantity_is_factor(design->quantity) ||
       tp_study_has_stance(reader->study)) {
     return status;

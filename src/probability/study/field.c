@@ -30,6 +30,7 @@ typedef enum own_field {
   LIMIT,
   LIMIT_MECHANISM,
   ACCELERATION,
+  SUPPORT,
   COLLAPSE,
   DESIGN,
   STATUS,
@@ -51,6 +52,8 @@ static const own_field of_many[] = {OUTCOME,  FOS,   FOS_GOODMAN_BRAY, LIMIT, AC
 static const own_field of_solid[] = {OUTCOME,         FOS,          FOS_MECHANISM,
                                      FOS_MOMENTS,     FOS_SLIDING,  LIMIT,
                                      LIMIT_MECHANISM, ACCELERATION, DESIGN};
+static const own_field of_supported[] = {OUTCOME,      FOS,      FOS_GOODMAN_BRAY, LIMIT,
+                                         ACCELERATION, COLLAPSE, SUPPORT,          DESIGN};
 enum { LAST_FIELDS = 2 };
 
 typedef struct own_fields {
@@ -58,7 +61,8 @@ typedef struct own_fields {
   size_t count;
 } own_fields;
 
-/* Whether a factor is met stands where one is required. */
+/* A support stands where the scene asks for one, and whether a factor is met where one is required.
+ */
 static own_fields fields_of(const tp_study *study) {
   const size_t required = study->scene->required_fos.given ? 0 : 1;
   if (tp_study_is_of_solid(study)) {
@@ -67,7 +71,9 @@ static own_fields fields_of(const tp_study *study) {
   if (!tp_study_is_of_many(study)) {
     return (own_fields){of_block, sizeof of_block / sizeof of_block[0]};
   }
-  return (own_fields){of_many, sizeof of_many / sizeof of_many[0] - required};
+  return tp_study_has_quantity(study, TP_STUDY_SUPPORT_N_M)
+             ? (own_fields){of_supported, sizeof of_supported / sizeof of_supported[0] - required}
+             : (own_fields){of_many, sizeof of_many / sizeof of_many[0] - required};
 }
 
 typedef struct own_column {
@@ -91,6 +97,7 @@ static const own_column own_columns[] = {
     [LIMIT] = {"limit_deg", "deg", TP_FIELD_NUMBER},
     [LIMIT_MECHANISM] = {"limit_mechanism", NULL, TP_FIELD_WORDS},
     [ACCELERATION] = {"critical_acceleration_g", "g", TP_FIELD_NUMBER},
+    [SUPPORT] = {"support_n_m", "N/m", TP_FIELD_NUMBER},
     [COLLAPSE] = {"collapse", NULL, TP_FIELD_WORDS},
     [DESIGN] = {"meets_required", NULL, TP_FIELD_WORDS},
     [STATUS] = {"status", NULL, TP_FIELD_WORDS},
@@ -227,6 +234,8 @@ tp_study_place tp_study_field_place(const tp_study *study, tp_study_row *row, si
     return (tp_study_place){.words = &row->limit_mechanism};
   case ACCELERATION:
     return (tp_study_place){.number = quantity_at(row, TP_STUDY_ACCELERATION_G)};
+  case SUPPORT:
+    return (tp_study_place){.number = quantity_at(row, TP_STUDY_SUPPORT_N_M)};
   case DESIGN:
     return (tp_study_place){.design = &row->design};
   case TILT_OUTCOME:

@@ -62,6 +62,7 @@ bool tp_study_has_quantity(const tp_study *study, tp_study_quantity quantity) {
            quantity == TP_STUDY_ACCELERATION_G;
   }
   if (!tp_study_is_of_many(study)) return quantity <= TP_STUDY_FOS;
+  if (quantity == TP_STUDY_SUPPORT_N_M) return study->scene->many.support.place.file != NULL;
   return quantity != TP_STUDY_MOMENTS_DEG && quantity != TP_STUDY_ONSET_DEG;
 }
 

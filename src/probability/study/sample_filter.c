@@ -41,7 +41,7 @@ static bool take_case(tp_study_row *row, const tp_case_told *told) {
   double *q = row->quantities;
   row->first = row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(told->limit));
   q[TP_STUDY_ONSET_DEG] = q[TP_STUDY_MOMENTS_DEG] = INFINITY;
-  q[TP_STUDY_FOS_GOODMAN_BRAY] = q[TP_STUDY_ACCELERATION_G] = NAN;
+  for (int k = TP_STUDY_FOS + 1; k < TP_STUDY_QUANTITIES; k++) q[k] = NAN;
   return take_number(&row->pivot_x_m, told->pivot_x_m) &&
          take_number(&row->pivot_y_m, told->pivot_y_m) &&
          (told->never_topples || take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg)) &&

@@ -37,6 +37,20 @@ static double acceleration_g(const tp_system_case *own) {
   return own->verdict == TP_SYSTEM_COLLAPSES ? -INFINITY : (double)NAN;
 }
 
+static double support_n_m(const tp_system_case *own) {
+  if (!own->has_support) return NAN;
+  switch (own->support.state) {
+  case TP_SYSTEM_SUPPORT_NUMBER:
+    return own->support.force_n_m.value;
+  case TP_SYSTEM_SUPPORT_NOT_NEEDED:
+    return 0;
+  case TP_SYSTEM_SUPPORT_NONE:
+    return INFINITY;
+  default:
+    return NAN;
+  }
+}
+
 void tp_study_complete_system(tp_study_row *row) {
   row->fos_definition = isnan(row->quantities[TP_STUDY_FOS]) ? -1 : (int)TP_FOS_BY_REDUCTION;
 }
@@ -47,6 +61,7 @@ static void take_case(tp_study_row *row, const tp_system_case *own) {
   row->quantities[TP_STUDY_FOS] = fos_of(own);
   row->quantities[TP_STUDY_FOS_GOODMAN_BRAY] = goodman_bray_fos(&own->goodman_bray);
   row->quantities[TP_STUDY_ACCELERATION_G] = acceleration_g(own);
+  row->quantities[TP_STUDY_SUPPORT_N_M] = support_n_m(own);
   if (collapse != TP_STANDS) {
     row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(collapse));
   }
@@ -56,7 +71,8 @@ static void take_case(tp_study_row *row, const tp_system_case *own) {
 
 static bool is_open(const tp_system_case *own) {
   return own->verdict == TP_SYSTEM_UNDECIDED || own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
-         own->fos.state != TP_FOS_NUMBER || own->fos_is_least;
+         own->fos.state != TP_FOS_NUMBER || own->fos_is_least ||
+         (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {

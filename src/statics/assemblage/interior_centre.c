@@ -15,7 +15,7 @@ static double gradient_of(const tp_interior *s, long k) {
 }
 
 static bool recentre(tp_interior *s) {
-  static const double damping = 0.9;
+  static const double damping = 0.9, enough = 1e-12;
   const tp_force_program *p = s->p;
   for (long k = 0; k < s->n; k++) {
     const double rest = s->most[k] - s->x[k];
@@ -23,12 +23,11 @@ static bool recentre(tp_interior *s) {
                                            : s->x[k] * s->x[k];
   }
   if (!tp_normal_equations_factorise(&s->normal, s->d)) return false;
-  s->d[s->n] = 0; /* the load stays */
   for (long r = 0; r < p->rows; r++) s->rhs[r] = -s->rp[r];
   for (long k = 0; k < s->n; k++) {
     tp_interior_add(s->rhs, p->columns + k, -s->d[k] * gradient_of(s, k));
   }
-  tp_interior_solve(s);
+  tp_interior_solve(s, true, enough);
   for (long k = 0; k < s->n; k++) {
     s->dx[k] = -s->d[k] * (gradient_of(s, k) + tp_force_column_work(p->columns + k, s->dy));
   }

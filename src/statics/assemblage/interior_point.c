@@ -19,18 +19,17 @@ static double pull_of(const tp_interior *s, long k) {
 }
 
 /* A dx = rp, A^T dy + dz - dw = rd, z dx + x dz = centre, w du + u dw = centre_w with du = -dx. */
-static void find_step(tp_interior *s) {
+static void find_step(tp_interior *s, double enough) {
   const tp_force_program *p = s->p;
   memcpy(s->rhs, s->rp, (size_t)p->rows * sizeof *s->rhs);
   for (long k = 0; k < s->n; k++) {
     tp_interior_add(s->rhs, p->columns + k, s->d[k] * (s->rd[k] - pull_of(s, k)));
   }
-  const double own = s->d[s->n] * s->rd[s->n] - s->centre[s->n] / s->z[s->n];
-  for (long r = 0; r < p->rows; r++) s->rhs[r] += own * s->live[r];
-  tp_interior_solve(s);
-  for (long k = 0; k <= s->n; k++) {
-    const double power = k < s->n ? tp_force_column_work(p->columns + k, s->dy)
-                                  : tp_interior_dot(s->live, s->dy, p->rows);
+  s->rhs_load = s->rd[s->n] - s->centre[s->n] / s->x[s->n];
+  tp_interior_solve(s, false, enough);
+  s->dz[s->n] = (s->centre[s->n] - s->z[s->n] * s->dx[s->n]) / s->x[s->n];
+  for (long k = 0; k < s->n; k++) {
+    const double power = tp_force_column_work(p->columns + k, s->dy);
     if (tp_interior_is_bounded(s, k)) {
       s->dx[k] = s->d[k] * (power - s->rd[k] + pull_of(s, k));
       s->dz[k] = (s->centre[k] - s->z[k] * s->dx[k]) / s->x[k];
@@ -56,18 +55,66 @@ static void set_centre(tp_interior *s, double target, double known) {
   }
 }
 
-static void predict_and_correct(tp_interior *s) {
+/* A share of all products, towards which they are corrected. */
+static double predict(tp_interior *s) {
+  static const double enough = 1e-4;
   const long count = s->n + 1;
   set_centre(s, 0, 0);
-  find_step(s);
+  find_step(s, enough);
   const double of_x = tp_interior_reach_of_forces(s, 1), of_z = reach_of_z(s, 1);
   double after = tp_interior_bounded_products(s, of_x, of_z);
   for (long k = 0; k < count; k++) {
     after += (s->x[k] + of_x * s->dx[k]) * (s->z[k] + of_z * s->dz[k]);
   }
-  const double share = after / ((double)(count + s->bounded) * s->mu);
-  set_centre(s, share * share * share * s->mu, 1);
-  find_step(s);
+  return after / ((double)(count + s->bounded) * s->mu);
+}
+
+static void swap_step(tp_interior *s) {
+  const tp_interior_step own = {s->dx, s->dz, s->dw, s->dy};
+  s->dx = s->other.dx;
+  s->dz = s->other.dz;
+  s->dw = s->other.dw;
+  s->dy = s->other.dy;
+  s->other = own;
+}
+
+/* By how much a product is to change, to be within ten times the target; of a large one no more
+ * than that much less. */
+static double correction(double product, double target) {
+  static const double unlike = 10;
+  if (product < target / unlike) return target / unlike - product;
+  return product > unlike * target ? fmax(unlike * target - product, -unlike * target) : 0;
+}
+
+/* Products that a longer step would throw far off are aimed at once more, with the same factor
+ * (Gondzio 1996); kept where the step gets longer by it. */
+static bool centre_again(tp_interior *s, double target) {
+  static const double longer = 0.1, gain = 0.01, enough = 1e-6;
+  const double x_now = tp_interior_reach_of_forces(s, 1), z_now = reach_of_z(s, 1);
+  const double of_x = fmin(1, x_now + longer), of_z = fmin(1, z_now + longer);
+  if (x_now + z_now >= 2 - longer) return false;
+  for (long k = 0; k <= s->n; k++) {
+    const double z = s->z[k] + of_z * s->dz[k];
+    s->centre[k] += correction((s->x[k] + of_x * s->dx[k]) * z, target);
+    if (!tp_interior_is_bounded(s, k)) continue;
+    const double w = s->w[k] + of_z * s->dw[k];
+    s->centre_w[k] += correction((s->most[k] - s->x[k] - of_x * s->dx[k]) * w, target);
+  }
+  swap_step(s);
+  find_step(s, enough);
+  const double x_then = tp_interior_reach_of_forces(s, 1), z_then = reach_of_z(s, 1);
+  const bool is_longer = x_then + z_then >= x_now + z_now + gain;
+  if (!is_longer) swap_step(s);
+  return is_longer;
+}
+
+static void find_long_step(tp_interior *s) {
+  enum { MOST_CENTRINGS = 2 };
+  static const double enough = 1e-8;
+  const double share = predict(s), target = share * share * share * s->mu;
+  set_centre(s, target, 1);
+  find_step(s, enough);
+  for (int k = 0; k < MOST_CENTRINGS && centre_again(s, target); k++) continue;
 }
 
 static bool advance(tp_interior *s) {
@@ -82,7 +129,7 @@ static bool advance(tp_interior *s) {
   memcpy(s->solved, s->live, (size_t)s->p->rows * sizeof *s->solved);
   tp_normal_equations_solve(&s->normal, s->solved);
   s->live_live = tp_interior_dot(s->live, s->solved, s->p->rows);
-  predict_and_correct(s);
+  find_long_step(s);
   const double of_x = tp_interior_reach_of_forces(s, damping), of_z = reach_of_z(s, damping);
   for (long k = 0; k < count; k++) {
     s->x[k] += of_x * s->dx[k];

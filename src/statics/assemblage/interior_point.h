@@ -3,9 +3,9 @@
 
 /* The program of forces between blocks by a primal-dual interior point method with Mehrotra's
  * predictor and corrector (Mehrotra 1992), in doubles. The normal equations are as sparse as the
- * blocks touch each other, and factorised by CXSparse; s, whose column is full, by the formula of
- * Sherman and Morrison. Nothing here is certain: its iterates, forces above zero and twists that
- * open every contact, are what assemblage/load_bracket.h proves a bracket from. */
+ * blocks touch each other, and factorised once a step. Nothing here is certain: its iterates,
+ * forces above zero and twists that open every contact, are what assemblage/load_bracket.h proves a
+ * bracket from. */
 
 #ifndef TP_ASSEMBLAGE_INTERIOR_POINT_H
 #define TP_ASSEMBLAGE_INTERIOR_POINT_H

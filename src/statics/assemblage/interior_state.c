@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The normal equations are solved by their factor and conjugate gradients after it. */
+/* M0 dy + w1 ds = r, w1 . dy - ds / d_s = r_s, M0 = A D A^T, by elimination of dy, and once more
+ * for what that leaves: near the collapse M0 is next to singular along its mechanism, and what ds
+ * is stays known where dy alone would cancel. */
 
 #include "assemblage/interior_state.h"
 
@@ -45,51 +47,64 @@ void tp_interior_find_residuals(tp_interior *s) {
           (double)(s->n + 1 + s->bounded);
 }
 
-/* M0^-1 of r less what s adds (Sherman and Morrison). */
-static void solve_once(tp_interior *s, double *own) {
-  tp_normal_equations_solve(&s->normal, own);
-  const double share =
-      s->d[s->n] * tp_interior_dot(s->live, own, s->p->rows) / (1 + s->d[s->n] * s->live_live);
-  for (long r = 0; r < s->p->rows; r++) own[r] -= share * s->solved[r];
-}
-
-/* The normal equations times v. */
+/* A D A^T times v. */
 static void multiply(double *product, const tp_interior *s, const double *v) {
-  const long rows = s->p->rows;
-  const double share = s->d[s->n] * tp_interior_dot(s->live, v, rows);
-  for (long r = 0; r < rows; r++) product[r] = share * s->live[r];
+  memset(product, 0, (size_t)s->p->rows * sizeof *product);
   for (long k = 0; k < s->n; k++) {
-    tp_interior_add(product, s->p->columns + k,
-                    s->d[k] * tp_force_column_work(s->p->columns + k, v));
+    const double share = s->d[k] * tp_force_column_work(s->p->columns + k, v);
+    tp_interior_add(product, s->p->columns + k, share);
   }
 }
 
-/* dy of the right-hand side: by conjugate gradients, preconditioned by the factor, as near the
- * collapse what the formula subtracts cancels. */
-void tp_interior_solve(tp_interior *s) {
+static void add(double *sum, double share, const double *other, long count) {
+  for (long r = 0; r < count; r++) sum[r] += share * other[r];
+}
+
+/* By the factor: dy in place of its right-hand side; ds. */
+static double eliminate(tp_interior *s, double *rows, double rhs_load, bool load_stays) {
+  tp_normal_equations_solve(&s->normal, rows);
+  if (load_stays) return 0;
+  const double of_rows = tp_interior_dot(s->live, rows, s->p->rows) - rhs_load;
+  const double ds = of_rows / (s->live_live + 1 / s->d[s->n]);
+  add(rows, -ds, s->solved, s->p->rows);
+  return ds;
+}
+
+/* What the first elimination leaves, by conjugate gradients: `way` and the ds with it keep the last
+ * equation, w1 . dy = ds / d_s. */
+static double better(tp_interior *s, double ds, double least, bool load_stays) {
   enum { MOST_ROUNDS = 30 };
-  static const double enough = 1e-14;
   const long rows = s->p->rows;
-  double *rest = s->rest, *guess = s->guess, *way = s->way, *product = s->product;
-  memcpy(rest, s->rhs, (size_t)rows * sizeof *rest);
-  memset(s->dy, 0, (size_t)rows * sizeof *s->dy);
-  const double size = tp_interior_dot(rest, rest, rows);
-  double before = 0;
-  for (int round = 0;
-       round < MOST_ROUNDS && tp_interior_dot(rest, rest, rows) > enough * enough * size; round++) {
-    memcpy(guess, rest, (size_t)rows * sizeof *guess);
-    solve_once(s, guess);
-    const double power = tp_interior_dot(rest, guess, rows), share = round > 0 ? power / before : 0;
-    for (long r = 0; r < rows; r++) way[r] = guess[r] + share * way[r];
-    multiply(product, s, way);
-    const double length = power / tp_interior_dot(way, product, rows);
+  double before = 0, way_ds = 0;
+  for (int k = 0; k < MOST_ROUNDS && tp_interior_dot(s->rest, s->rest, rows) > least; k++) {
+    memcpy(s->guess, s->rest, (size_t)rows * sizeof *s->guess);
+    const double guess_ds = eliminate(s, s->guess, 0, load_stays);
+    const double power = tp_interior_dot(s->rest, s->guess, rows);
+    const double share = k > 0 ? power / before : 0;
+    for (long r = 0; r < rows; r++) s->way[r] = s->guess[r] + share * s->way[r];
+    way_ds = guess_ds + share * way_ds;
+    multiply(s->product, s, s->way);
+    const double own = load_stays ? 0 : way_ds * way_ds / s->d[s->n];
+    const double length = power / (tp_interior_dot(s->way, s->product, rows) + own);
     if (!(power > 0 && isfinite(length))) break;
-    for (long r = 0; r < rows; r++) {
-      s->dy[r] += length * way[r];
-      rest[r] -= length * product[r];
-    }
+    add(s->product, way_ds, s->live, rows);
+    add(s->dy, length, s->way, rows);
+    add(s->rest, -length, s->product, rows);
+    ds += length * way_ds;
     before = power;
   }
+  return ds;
+}
+
+void tp_interior_solve(tp_interior *s, bool load_stays, double enough) {
+  const long rows = s->p->rows;
+  const double size = tp_interior_dot(s->rhs, s->rhs, rows);
+  memcpy(s->dy, s->rhs, (size_t)rows * sizeof *s->dy);
+  const double ds = eliminate(s, s->dy, s->rhs_load, load_stays);
+  multiply(s->product, s, s->dy);
+  for (long r = 0; r < rows; r++) s->rest[r] = s->rhs[r] - s->product[r] - ds * s->live[r];
+  const double found = better(s, ds, enough * enough * size, load_stays);
+  s->dx[s->n] = found;
 }
 
 /* The share of a step, at most all of it, that keeps all above zero by so much of what would not.
@@ -113,37 +128,37 @@ double tp_interior_reach_of_forces(const tp_interior *s, double damping) {
   return most;
 }
 
-/* What is left of the blocks' equilibrium, taken up by the forces in proportion to D with the load
- * as it is: near the collapse a step's own errors are far above those of one so small. And what is
- * left of the twists' conditions, moved from contacts that bear much, where the least would refute
- * a proof, to those that open far. */
+/* What is left of the blocks' equilibrium, taken up by the forces, and by the load, in proportion
+ * to D: near the collapse a step's own errors are far above those of one so small. And what is left
+ * of the twists' conditions, moved from contacts that bear much, where the least would refute a
+ * proof, to those that open far. */
 void tp_interior_restore(tp_interior *s) {
   enum { ROUNDS = 2 };
-  static const double damping = 0.5;
-  const double of_load = s->d[s->n];
-  s->d[s->n] = 0;
+  static const double damping = 0.5, enough = 1e-8;
   for (int round = 0; round < ROUNDS; round++) {
     tp_interior_find_residuals(s);
     memcpy(s->rhs, s->rp, (size_t)s->p->rows * sizeof *s->rhs);
-    tp_interior_solve(s);
+    s->rhs_load = 0;
+    tp_interior_solve(s, false, enough);
     for (long k = 0; k < s->n; k++)
       s->dx[k] = s->d[k] * tp_force_column_work(s->p->columns + k, s->dy);
-    s->dx[s->n] = 0;
     const double share = tp_interior_reach_of_forces(s, damping);
-    for (long k = 0; k < s->n; k++) s->x[k] += share * s->dx[k];
+    for (long k = 0; k <= s->n; k++) s->x[k] += share * s->dx[k];
   }
   tp_interior_find_residuals(s);
   memset(s->rhs, 0, (size_t)s->p->rows * sizeof *s->rhs);
   for (long k = 0; k < s->n; k++) tp_interior_add(s->rhs, s->p->columns + k, s->d[k] * s->rd[k]);
-  tp_interior_solve(s);
+  s->rhs_load = s->rd[s->n];
+  tp_interior_solve(s, false, enough);
   for (long r = 0; r < s->p->rows; r++) s->y[r] += s->dy[r];
-  s->d[s->n] = of_load;
 }
 
 void tp_interior_clear(tp_interior *s) {
-  double *all[] = {s->x,     s->z,   s->dx,      s->dz,   s->d,    s->centre, s->rd,
-                   s->y,     s->dy,  s->rp,      s->rhs,  s->live, s->solved, s->rest,
-                   s->guess, s->way, s->product, s->most, s->w,    s->dw,     s->centre_w};
+  double *all[] = {s->x,        s->z,        s->dx,       s->dz,       s->d,
+                   s->centre,   s->rd,       s->y,        s->dy,       s->rp,
+                   s->rhs,      s->live,     s->solved,   s->rest,     s->most,
+                   s->w,        s->dw,       s->centre_w, s->other.dx, s->other.dz,
+                   s->other.dw, s->other.dy, s->guess,    s->way,      s->product};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) free(all[k]);
   tp_normal_equations_clear(&s->normal);
 }
@@ -151,10 +166,11 @@ void tp_interior_clear(tp_interior *s) {
 tp_status tp_interior_init(tp_interior *s, const tp_force_program *p, tp_message *message) {
   s->p = p;
   s->n = p->count;
-  double **variables[] = {&s->x,  &s->z,    &s->dx, &s->dz, &s->d,       &s->centre,
-                          &s->rd, &s->most, &s->w,  &s->dw, &s->centre_w};
-  double **rows[] = {&s->y,      &s->dy,   &s->rp,    &s->rhs, &s->live,
-                     &s->solved, &s->rest, &s->guess, &s->way, &s->product};
+  double **variables[] = {&s->x,        &s->z,        &s->dx,       &s->dz,      &s->d,
+                          &s->centre,   &s->rd,       &s->most,     &s->w,       &s->dw,
+                          &s->centre_w, &s->other.dx, &s->other.dz, &s->other.dw};
+  double **rows[] = {&s->y,    &s->dy,       &s->rp,    &s->rhs, &s->live,   &s->solved,
+                     &s->rest, &s->other.dy, &s->guess, &s->way, &s->product};
   const tp_status status = tp_normal_equations_init(&s->normal, p, message);
   if (status != TP_OK) return status;
   bool done = true;
@@ -167,13 +183,14 @@ tp_status tp_interior_init(tp_interior *s, const tp_force_program *p, tp_message
     done = done && *rows[k] != NULL;
   }
   if (!done) return tp_fail_memory(message, "the forces between blocks");
+  static const double force = 10, price = 1; /* weights of a block */
   for (long k = 0; k <= s->n; k++) {
-    s->x[k] = 2; /* forces of some weight of a block */
-    s->z[k] = 1;
+    s->x[k] = force;
+    s->z[k] = price;
     s->most[k] = k < s->n ? p->columns[k].most.value : INFINITY;
     if (!tp_interior_is_bounded(s, k)) continue;
     s->x[k] = s->most[k] / 2;
-    s->w[k] = 1;
+    s->w[k] = s->z[k];
     s->bounded++;
   }
   for (long r = 0; r < p->rows; r++) s->live[r] = p->live[r].value;

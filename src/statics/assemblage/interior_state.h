@@ -5,8 +5,9 @@
  *
  * minimise -s:  A f + s w1 = -w0,  A^T y + z_f = 0,  w1 . y + z_s = -1,  x z = mu, with s + 1 as
  * the last variable: what falls without the load has a limit below zero. A factor that is bounded,
- * x + u = b, has a second multiplier: A^T y + z - w = 0, u w = mu. A step solves (A D A^T + d_s w1
- * w1^T) dy = r,  D = diag(1 / (z / x + w / u)), twice with one factorisation. */
+ * x + u = b, has a second multiplier: A^T y + z - w = 0, u w = mu. A step solves A D A^T dy + w1 ds
+ * = r, w1 . dy - ds / d_s = r_s,  D = diag(1 / (z / x + w / u)), more than once with one
+ * factorisation. */
 
 #ifndef TP_ASSEMBLAGE_INTERIOR_STATE_H
 #define TP_ASSEMBLAGE_INTERIOR_STATE_H
@@ -14,6 +15,11 @@
 #include "assemblage/normal_equations.h"
 
 #include <math.h>
+
+/* A step beside the one at hand. */
+typedef struct tp_interior_step {
+  double *dx, *dz, *dw, *dy;
+} tp_interior_step;
 
 /* Variables: forces, then s - TP_LEAST_LOAD. */
 typedef struct tp_interior {
@@ -24,8 +30,10 @@ typedef struct tp_interior {
   double *most, *w, *dw,
       *centre_w; /* n + 1: bounds, an infinity where there is none; then w is 0 */
   long bounded;  /* how many have one */
-  double *y, *dy, *rp, *rhs, *live, *solved, *rest, *guess, *way, *product; /* rows */
-  double mu, live_live;                                                     /* w1 . M0^-1 w1 */
+  double *y, *dy, *rp, *rhs, *live, *solved, *rest, *guess, *way,
+      *product;                   /* rows; solved: M0^-1 w1 */
+  double rhs_load, mu, live_live; /* w1 . M0^-1 w1 */
+  tp_interior_step other;
 } tp_interior;
 
 /* Forces of some weight of a block. On failure it is still to be cleared. */
@@ -45,8 +53,9 @@ double tp_interior_bounded_products(const tp_interior *s, double of_x, double of
 
 /* rp, rd and mu. */
 void tp_interior_find_residuals(tp_interior *s);
-/* dy of the right-hand side. */
-void tp_interior_solve(tp_interior *s);
+/* dy and ds of both right-hand sides, to a share of the first; or dy of that,
+ * and ds = 0, where the load stays. */
+void tp_interior_solve(tp_interior *s, bool load_stays, double enough);
 /* Forces and twists, nearer to equilibrium and to their conditions, with the load as it is. */
 void tp_interior_restore(tp_interior *s);
 

@@ -1,157 +1,253 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The upper triangle by columns; its places are found once, and filled by contact. */
+/* Each part's front is put together from the matrix and from what the parts that hang on it left,
+ * and leaves what its columns take from the rows behind them. */
 
 #include "assemblage/normal_equations.h"
 
+#include "assemblage/front.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include <suitesparse/cs.h>
 
-/* Of two free blocks that a contact joins. */
-typedef struct joined {
-  long earlier, later, contact;
-} joined;
+enum { SIDE = TP_BLOCK_ROWS, SQUARE = SIDE * SIDE };
 
-static int compare_joined(const void *first, const void *second) {
-  const joined *a = first, *b = second;
-  if (a->later != b->later) return a->later < b->later ? -1 : 1;
-  return a->earlier < b->earlier ? -1 : a->earlier > b->earlier;
+/* ---- the matrix --------------------------------------------------------------------------------
+ */
+
+static int compare_numbers(const void *first, const void *second) {
+  const long a = *(const long *)first, b = *(const long *)second;
+  return a < b ? -1 : a > b;
 }
 
-static long contact_count(const tp_force_program *p) {
-  return p->count > 0 ? p->columns[p->count - 1].contact + 1 : 0;
+/* Which block of a contact comes later in the order. */
+static int later_of(const tp_normal_equations *n, const long row[2]) {
+  const long *place = n->plan.dissection.place;
+  return place[row[0] / SIDE] < place[row[1] / SIDE];
 }
 
-static long gather(joined *pairs, const tp_force_program *p) {
-  long count = 0;
-  const long contacts = contact_count(p);
-  for (long k = 0; k < contacts; k++) {
-    const long *row = p->columns[p->first[k]].row;
-    if (row[0] < 0 || row[1] < 0) continue;
-    pairs[count++] = (joined){(row[0] < row[1] ? row[0] : row[1]) / 3,
-                              (row[0] < row[1] ? row[1] : row[0]) / 3, k};
-  }
-  qsort(pairs, (size_t)count, sizeof *pairs, compare_joined);
-  return count;
-}
-
-static bool is_new(const joined *pairs, long k) {
-  return k == 0 || compare_joined(pairs + k - 1, pairs + k) != 0;
-}
-
-static long different(const joined *pairs, long count) {
-  long found = 0;
-  for (long k = 0; k < count; k++) found += is_new(pairs, k);
-  return found;
-}
-
-static void set_rows(cs_dl *m, long *at, long block) {
-  for (int e = 0; e < 3; e++) m->i[(*at)++] = 3 * block + e;
-}
-
-/* The columns of one block: pairs first … end - 1 have it as the later one. */
-static void set_columns(tp_normal_equations *n, long block, const joined *pairs, long first,
-                        long end, long *at) {
-  cs_dl *m = n->matrix;
-  for (int c = 0; c < 3; c++) {
-    m->p[3 * block + c] = *at;
-    for (long k = first; k < end; k++) {
-      if (is_new(pairs, k)) set_rows(m, at, pairs[k].earlier);
-      n->pair_place[3 * pairs[k].contact + c] = *at - 3;
-    }
-    n->own_place[3 * block + c] = *at;
-    for (int e = 0; e <= c; e++) m->i[(*at)++] = 3 * block + e;
-  }
-}
-
-static bool set_pattern(tp_normal_equations *n, joined *pairs) {
+static void find_pairs(tp_normal_equations *n) {
+  const tp_dissection *d = &n->plan.dissection;
   const tp_force_program *p = n->program;
-  const long count = gather(pairs, p), blocks = p->rows / 3;
-  const long entries = 9 * different(pairs, count) + 6 * blocks;
-  cs_dl *m = cs_dl_spalloc(p->rows, p->rows, entries, 1, 0);
-  n->matrix = m;
-  if (m == NULL) return false;
-  long at = 0, pair = 0;
-  for (long b = 0; b < blocks; b++) {
-    const long first = pair;
-    while (pair < count && pairs[pair].later == b) pair++;
-    set_columns(n, b, pairs, first, pair, &at);
+  for (long k = 0; k < p->assemblage->contact_count; k++) {
+    const long *row = p->columns[p->first[k]].row;
+    n->pair[k] = -1;
+    if (row[0] < 0 || row[1] < 0) continue;
+    const int later = later_of(n, row);
+    const long first = d->first[row[!later] / SIDE], end = d->first[row[!later] / SIDE + 1];
+    const long other = row[later] / SIDE;
+    const long *found = bsearch(&other, d->neighbours + first, (size_t)(end - first), sizeof other,
+                                compare_numbers);
+    n->pair[k] = found - d->neighbours;
   }
-  m->p[p->rows] = at;
-  n->symbolic = cs_dl_schol(1, m);
-  return n->symbolic != NULL;
 }
 
-tp_status tp_normal_equations_init(tp_normal_equations *n, const tp_force_program *p,
-                                   tp_message *message) {
-  memset(n, 0, sizeof *n);
-  n->program = p;
-  const long contacts = contact_count(p);
-  joined *pairs = calloc((size_t)contacts + 1, sizeof *pairs);
-  n->pair_place = calloc(3 * (size_t)contacts + 1, sizeof *n->pair_place);
-  n->own_place = calloc((size_t)p->rows + 1, sizeof *n->own_place);
-  n->work = calloc((size_t)p->rows + 1, sizeof *n->work);
-  const bool done = pairs != NULL && n->pair_place != NULL && n->own_place != NULL &&
-                    n->work != NULL && set_pattern(n, pairs);
-  free(pairs);
-  return done ? TP_OK : tp_fail_memory(message, "the forces between blocks");
+/* So much of the products of a column's entries, by columns. */
+static void add_square(double *square, const tp_near *rows, const tp_near *columns, double d) {
+  for (int c = 0; c < SIDE; c++) {
+    const double own = d * columns[c].value;
+    for (int r = 0; r < SIDE; r++) square[SIDE * c + r] += own * rows[r].value;
+  }
 }
 
-void tp_normal_equations_clear(tp_normal_equations *n) {
-  cs_dl_spfree(n->matrix);
-  cs_dl_sfree(n->symbolic);
-  cs_dl_nfree(n->factor);
-  free(n->pair_place);
-  free(n->own_place);
-  free(n->work);
-}
-
-/* One column's share: its own blocks' 3 x 3, and that of both. */
-static void add_share(tp_normal_equations *n, const tp_force_column *column, double d) {
-  double *x = ((cs_dl *)n->matrix)->x;
-  for (int k = 0; k < 2; k++) {
-    if (column->row[k] < 0) continue;
-    for (int c = 0; c < 3; c++) {
-      const double own = d * column->entry[k][c].value;
-      double *place = x + n->own_place[column->row[k] + c];
-      for (int e = 0; e <= c; e++) place[e] += own * column->entry[k][e].value;
-    }
+static void add_column(tp_normal_equations *n, const tp_force_column *c, double d) {
+  for (int side = 0; side < 2; side++) {
+    if (c->row[side] < 0) continue;
+    add_square(n->own_squares + SIDE * c->row[side], c->entry[side], c->entry[side], d);
   }
-  if (column->row[0] < 0 || column->row[1] < 0) return;
-  const int later = column->row[0] < column->row[1];
-  for (int c = 0; c < 3; c++) {
-    const double own = d * column->entry[later][c].value;
-    double *place = x + n->pair_place[3 * column->contact + c];
-    for (int e = 0; e < 3; e++) place[e] += own * column->entry[!later][e].value;
-  }
+  if (n->pair[c->contact] < 0) return;
+  const int later = later_of(n, c->row);
+  add_square(n->pair_squares + SQUARE * n->pair[c->contact], c->entry[later], c->entry[!later], d);
 }
 
 /* A little more on the diagonal than rounding takes from it. */
 static void stiffen(tp_normal_equations *n) {
   static const double share = 1e-14;
-  double *x = ((cs_dl *)n->matrix)->x;
-  for (long r = 0; r < n->program->rows; r++) x[n->own_place[r] + r % 3] *= 1 + share;
+  for (long r = 0; r < n->program->rows; r++) {
+    n->own_squares[SIDE * r + r % SIDE] *= 1 + share;
+  }
+}
+
+static void set_matrix(tp_normal_equations *n, const double *diagonal) {
+  const tp_dissection *d = &n->plan.dissection;
+  const size_t pairs = (size_t)d->first[d->block_count];
+  memset(n->own_squares, 0, (size_t)(SIDE * n->program->rows) * sizeof *n->own_squares);
+  memset(n->pair_squares, 0, SQUARE * pairs * sizeof *n->pair_squares);
+  for (long k = 0; k < n->program->count; k++) {
+    add_column(n, n->program->columns + k, diagonal[k]);
+  }
+  stiffen(n);
+}
+
+/* ---- fronts ------------------------------------------------------------------------------------
+ */
+
+/* An entry, by its rows in the front: of its columns, or of what it leaves. */
+static double *entry_of(const tp_factor_front *f, double *columns, double *rest, long row,
+                        long column) {
+  return column < f->own ? columns + column * f->rows + row
+                         : rest + (column - f->own) * (f->rows - f->own) + row - f->own;
+}
+
+static void set_rows(tp_normal_equations *n, long part) {
+  const tp_factor_front *f = n->plan.fronts + part;
+  const tp_dissected_part *own = n->plan.dissection.parts + part;
+  for (long k = own->first; k < own->end; k++) n->row_of[k] = SIDE * (k - own->first);
+  for (long k = 0; k < (f->rows - f->own) / SIDE; k++) {
+    n->row_of[n->plan.behind[f->behind + k]] = f->own + SIDE * k;
+  }
+}
+
+static void put(double *columns, const tp_factor_front *f, long row, long column,
+                const double *square) {
+  for (int c = 0; c < SIDE; c++) {
+    double *to = columns + (column + c) * f->rows + row;
+    for (int r = 0; r < SIDE; r++) to[r] = square[SIDE * c + r];
+  }
+}
+
+static void put_matrix(double *columns, const tp_normal_equations *n, long part) {
+  const tp_dissection *d = &n->plan.dissection;
+  const tp_factor_front *f = n->plan.fronts + part;
+  for (long k = d->parts[part].first; k < d->parts[part].end; k++) {
+    const long block = d->order[k];
+    put(columns, f, n->row_of[k], n->row_of[k], n->own_squares + SQUARE * block);
+    for (long e = d->first[block]; e < d->first[block + 1]; e++) {
+      const long place = d->place[d->neighbours[e]];
+      if (place > k) {
+        put(columns, f, n->row_of[place], n->row_of[k], n->pair_squares + SQUARE * e);
+      }
+    }
+  }
+}
+
+/* What a part left, to the front that it hangs on. */
+static void add_rest(const tp_normal_equations *n, const tp_factor_front *f, double *columns,
+                     double *rest, const tp_factor_front *of, const double *left) {
+  const long *behind = n->plan.behind + of->behind, rows = of->rows - of->own;
+  for (long c = 0; c < rows; c++) {
+    const long column = n->row_of[behind[c / SIDE]] + c % SIDE;
+    double *to = entry_of(f, columns, rest, 0, column);
+    const double *from = left + c * rows;
+    for (long b = c / SIDE; b < rows / SIDE; b++) {
+      const long row = n->row_of[behind[b]];
+      for (int e = 0; e < SIDE; e++) to[row + e] += from[SIDE * b + e];
+    }
+  }
+}
+
+/* The rests of those that hang on a part are the last on the stack, up to `top`; its own takes
+ * their place. */
+static bool factorise_part(tp_normal_equations *n, long part, double **top) {
+  const tp_factor_plan *plan = &n->plan;
+  const tp_factor_front *f = plan->fronts + part;
+  double *columns = n->factor + f->columns, *rest = *top, *left = *top;
+  const size_t size = (size_t)((f->rows - f->own) * (f->rows - f->own));
+  memset(columns, 0, (size_t)(f->rows * f->own) * sizeof *columns);
+  memset(rest, 0, size * sizeof *rest);
+  set_rows(n, part);
+  put_matrix(columns, n, part);
+  for (long c = plan->last_child[part]; c >= 0; c = plan->child_before[c]) {
+    const tp_factor_front *of = plan->fronts + c;
+    left -= (of->rows - of->own) * (of->rows - of->own);
+    add_rest(n, f, columns, rest, of, left);
+  }
+  if (!tp_front_factorise(columns, f->rows, f->own, rest)) return false;
+  memmove(left, rest, size * sizeof *rest);
+  *top = left + size;
+  return true;
 }
 
 bool tp_normal_equations_factorise(tp_normal_equations *n, const double *diagonal) {
-  cs_dl *m = n->matrix;
-  memset(m->x, 0, (size_t)m->p[m->n] * sizeof *m->x);
-  for (long k = 0; k < n->program->count; k++) {
-    add_share(n, n->program->columns + k, diagonal[k]);
+  double *top = n->rests;
+  set_matrix(n, diagonal);
+  for (long k = 0; k < n->plan.dissection.part_count; k++) {
+    if (!factorise_part(n, k, &top)) return false;
   }
-  stiffen(n);
-  cs_dl_nfree(n->factor);
-  n->factor = cs_dl_chol(m, n->symbolic);
-  return n->factor != NULL;
+  return true;
 }
 
-void tp_normal_equations_solve(tp_normal_equations *n, double *rows) {
-  const cs_dls *symbolic = n->symbolic;
-  const cs_dln *factor = n->factor;
-  cs_dl_ipvec(symbolic->pinv, rows, n->work, n->program->rows);
-  cs_dl_lsolve(factor->L, n->work);
-  cs_dl_ltsolve(factor->L, n->work);
-  cs_dl_pvec(symbolic->pinv, n->work, rows, n->program->rows);
+/* ---- solutions ---------------------------------------------------------------------------------
+ */
+
+static void solve_part(const tp_normal_equations *n, long part) {
+  const tp_factor_front *f = n->plan.fronts + part;
+  const long *behind = n->plan.behind + f->behind, count = (f->rows - f->own) / SIDE;
+  double *own = n->rows + SIDE * n->plan.dissection.parts[part].first;
+  memcpy(n->local, own, (size_t)f->own * sizeof *own);
+  memset(n->local + f->own, 0, (size_t)(f->rows - f->own) * sizeof *own);
+  tp_front_solve(n->local, n->factor + f->columns, f->rows, f->own);
+  memcpy(own, n->local, (size_t)f->own * sizeof *own);
+  for (long k = 0; k < count; k++) {
+    for (int e = 0; e < SIDE; e++) {
+      n->rows[SIDE * behind[k] + e] += n->local[f->own + SIDE * k + e];
+    }
+  }
+}
+
+static void solve_part_back(const tp_normal_equations *n, long part) {
+  const tp_factor_front *f = n->plan.fronts + part;
+  const long *behind = n->plan.behind + f->behind, count = (f->rows - f->own) / SIDE;
+  double *own = n->rows + SIDE * n->plan.dissection.parts[part].first;
+  memcpy(n->local, own, (size_t)f->own * sizeof *own);
+  for (long k = 0; k < count; k++) {
+    memcpy(n->local + f->own + SIDE * k, n->rows + SIDE * behind[k], SIDE * sizeof *own);
+  }
+  tp_front_solve_back(n->local, n->factor + f->columns, f->rows, f->own);
+  memcpy(own, n->local, (size_t)f->own * sizeof *own);
+}
+
+void tp_normal_equations_solve(const tp_normal_equations *n, double *rows) {
+  const tp_dissection *d = &n->plan.dissection;
+  for (long k = 0; k < d->block_count; k++) {
+    memcpy(n->rows + SIDE * k, rows + SIDE * d->order[k], SIDE * sizeof *rows);
+  }
+  for (long k = 0; k < d->part_count; k++) solve_part(n, k);
+  for (long k = d->part_count - 1; k >= 0; k--) solve_part_back(n, k);
+  for (long k = 0; k < d->block_count; k++) {
+    memcpy(rows + SIDE * d->order[k], n->rows + SIDE * k, SIDE * sizeof *rows);
+  }
+}
+
+/* ---- memory ------------------------------------------------------------------------------------
+ */
+
+static double *numbers(long count) {
+  return malloc(((size_t)count + 1) * sizeof(double));
+}
+
+tp_status tp_normal_equations_init(tp_normal_equations *n, const tp_force_program *p,
+                                   tp_message *message) {
+  *n = (tp_normal_equations){.program = p};
+  if (!tp_factor_plan_init(&n->plan, p))
+    return tp_fail_memory(message, "the forces between blocks");
+  const tp_dissection *d = &n->plan.dissection;
+  n->own_squares = numbers(SQUARE * d->block_count);
+  n->pair_squares = numbers(SQUARE * d->first[d->block_count]);
+  n->pair = calloc((size_t)p->assemblage->contact_count + 1, sizeof *n->pair);
+  n->factor = numbers(n->plan.entries);
+  n->rests = numbers(n->plan.rest_room);
+  n->row_of = calloc((size_t)d->block_count + 1, sizeof *n->row_of);
+  n->rows = numbers(p->rows);
+  n->local = numbers(n->plan.most_rows);
+  if (n->own_squares == NULL || n->pair_squares == NULL || n->pair == NULL || n->factor == NULL ||
+      n->rests == NULL || n->row_of == NULL || n->rows == NULL || n->local == NULL) {
+    return tp_fail_memory(message, "the forces between blocks");
+  }
+  find_pairs(n);
+  return TP_OK;
+}
+
+void tp_normal_equations_clear(tp_normal_equations *n) {
+  tp_factor_plan_clear(&n->plan);
+  free(n->own_squares);
+  free(n->pair_squares);
+  free(n->pair);
+  free(n->factor);
+  free(n->rests);
+  free(n->row_of);
+  free(n->rows);
+  free(n->local);
+  *n = (tp_normal_equations){.program = NULL};
 }

@@ -17,6 +17,7 @@
 #include "back_analysis/find_search.h"
 #include "back_analysis/find_stretches.h"
 #include "back_analysis/find_support.h"
+#include "back_analysis/find_system.h"
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
@@ -39,6 +40,7 @@ void tp_found_free(tp_found *found) {
   free(found->touching);
   free(found->intervals);
   free(found->governing);
+  free(found->blocks);
   free(found->per_metre_kn);
   free(found->least_over);
   free(found->at_least);
@@ -79,6 +81,7 @@ static tp_status check_reach(const tp_search *s) {
   tp_reach reach;
   const tp_status status = tp_scene_key_reach(&reach, s->varied.keys, s->varied.scene, s->message);
   if (status != TP_OK || reach.other) return status;
+  if (s->of_many && (reach.friction || reach.tilt)) return TP_OK;
   const tp_quote key = tp_quote_all(s->options->key);
   if (!reach.friction && !reach.tilt) {
     return tp_fail(s->message, TP_NO_ANSWER, number_place(s),
@@ -104,6 +107,12 @@ static tp_status check_target(const tp_search *s) {
   const tp_find_target target = s->options->target;
   const tp_scene *scene = s->varied.scene;
   const tp_place place = {scene->path, 0, 0};
+  if (s->of_many) return tp_search_check_system(s);
+  if (target > TP_FIND_GOVERNING_FOS) {
+    return tp_refuse(s->message, TP_FAULT_ARGUMENT, place,
+                     "%s is of scenes of many blocks, and this one has one block",
+                     tp_find_target_name(target));
+  }
   if (target >= TP_FIND_SLIDING_ANGLE && !scene->friction_angle_deg.given) {
     return tp_refuse(s->message, TP_FAULT_KEY, place,
                      "%s needs friction; give the scene its 'friction_angle_deg: …'",
@@ -117,11 +126,20 @@ static tp_status check_target(const tp_search *s) {
                    tp_find_target_name(target));
 }
 
+/* Many blocks take longer to solve, and are told less closely (block_system/): to 1e-6. */
+static void set_search(tp_search *s) {
+  enum { POINTS_OF_MANY = 64 };
+  static const double some_doubles = 1e-14, of_many = 1e-9;
+  s->points = s->of_many ? POINTS_OF_MANY : TP_SEARCH_POINTS;
+  s->close = s->of_many ? of_many : some_doubles;
+}
+
 /* All that the target does not take is left out. */
-static void set_options(tp_solve_options *solve, tp_find_target target) {
+static void set_options(tp_solve_options *solve, tp_find_target target, bool of_many) {
   *solve = tp_solve_options_default();
   solve->digits = 15;
-  solve->strength_reduction = target == TP_FIND_LIMIT_FOS || target == TP_FIND_GOVERNING_FOS;
+  solve->strength_reduction = target == TP_FIND_LIMIT_FOS || target == TP_FIND_GOVERNING_FOS ||
+                              (of_many && target == TP_FIND_FOS);
   solve->limit =
       target == TP_FIND_LIMIT_ANGLE || target == TP_FIND_ONSET_ANGLE || solve->strength_reduction;
 }
@@ -138,7 +156,9 @@ static void take_governing(tp_governing_fos *governing, const tp_solution *solut
 /* Which factor governs at what was found. */
 static void tell_governing(tp_search *s) {
   tp_found *found = s->found;
-  if (!tp_find_target_is_factor(s->options->target) || found->count == 0) return;
+  if (found->count == 0) return;
+  if (s->of_many) tp_search_tell_blocks(s);
+  if (s->of_many || !tp_find_target_is_factor(s->options->target)) return;
   found->governing = calloc(found->count, sizeof *found->governing);
   if (found->governing == NULL) {
     s->status = tp_fail_memory(s->message, "the solutions");
@@ -191,7 +211,7 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   tp_find_options taken = tp_find_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->key);
-  if ((int)options->target < 0 || options->target > TP_FIND_GOVERNING_FOS) {
+  if ((int)options->target < 0 || options->target > TP_FIND_ACCELERATION) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0},
                      "there is no such result to find for");
   }
@@ -200,8 +220,12 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
     return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
                      "the value to find for and the range to look in must be finite numbers");
   }
-  tp_search s = {.options = options, .varied = {.scene = scene, .count = 1}, .message = message};
-  set_options(&s.varied.options, options->target);
+  tp_search s = {.options = options,
+                 .varied = {.scene = scene, .count = 1},
+                 .of_many = tp_scene_block_count(scene) > 0,
+                 .message = message};
+  set_search(&s);
+  set_options(&s.varied.options, options->target, s.of_many);
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
   own->size = sizeof *own;

@@ -20,13 +20,13 @@
 enum { STEPS = 200 };
 enum { LEVEL_DIGITS = 30, LEAST_DIGITS = 20 }; /* asked of the result, and enough of them */
 
-/* Shares of a number: neighbours, a few doubles apart; as near as a solution is bisected; and as
- * far apart as the ends of a stretch have to be. */
-static const double neighbours = 1e-15, bisected = 1e-14, stretch = 1e-13;
+/* Shares of what a solution is bisected to: neighbours, a few doubles apart; and how far apart the
+ * ends of a stretch have to be. */
+static const double neighbours = 0.1, stretch = 10;
 
 /* Two neighbours, as far as is worth telling. */
-static bool is_narrow(double low, double high, double middle) {
-  return !(middle > low && middle < high) || high - low <= neighbours * fabs(middle);
+static bool is_narrow(const tp_search *s, double low, double high, double middle) {
+  return !(middle > low && middle < high) || high - low <= neighbours * s->close * fabs(middle);
 }
 
 /* The width shrinks by 1000 between the two gaps, and that of what is continuous does likewise. */
@@ -41,7 +41,7 @@ void tp_search_cross(tp_search *s, tp_sample low, tp_sample high) {
   while (count < STEPS && s->status == TP_OK) {
     const double x = low.x + (high.x - low.x) / 2;
     gaps[count++] = fabs(high.gap.value - low.gap.value);
-    if (high.x - low.x <= bisected * fabs(x) || x <= low.x || x >= high.x) break;
+    if (high.x - low.x <= s->close * fabs(x) || x <= low.x || x >= high.x) break;
     const tp_sample middle = tp_search_sample(s, x);
     if (!middle.known) break;
     if (tp_search_side(&middle) == 0) {
@@ -61,7 +61,7 @@ void tp_search_cross(tp_search *s, tp_sample low, tp_sample high) {
 static void narrow(tp_search *s, tp_sample *told, tp_sample *level) {
   for (int k = 0; k < STEPS && s->status == TP_OK; k++) {
     const double x = told->x + (level->x - told->x) / 2;
-    if (is_narrow(fmin(told->x, level->x), fmax(told->x, level->x), x)) return;
+    if (is_narrow(s, fmin(told->x, level->x), fmax(told->x, level->x), x)) return;
     const tp_sample middle = tp_search_sample(s, x);
     if (!middle.known) return;
     *(tp_search_side(&middle) == 0 ? level : told) = middle;
@@ -71,7 +71,7 @@ static void narrow(tp_search *s, tp_sample *told, tp_sample *level) {
 /* Beyond an end of the range the nearest point that is told from the wanted value. */
 static bool sample_beyond(tp_search *s, tp_sample *told, const tp_sample *end, int way) {
   const double scale = end->x != 0 ? fabs(end->x) : s->step;
-  for (double h = neighbours * scale; h < s->step && s->status == TP_OK; h *= 4) {
+  for (double h = neighbours * s->close * scale; h < s->step && s->status == TP_OK; h *= 4) {
     *told = tp_search_sample(s, end->x + way * h);
     if (!told->known) return false;
     if (tp_search_side(told) != 0) return true;
@@ -101,7 +101,7 @@ static bool is_same(const tp_sample *a, const tp_sample *b) {
 static bool stays(tp_search *s, double low, double high, tp_sample *middle) {
   enum { PIECES = 10 };
   const double x = low + (high - low) / 2;
-  if (is_narrow(low, high, x) || high - low <= stretch * fabs(x)) return false;
+  if (is_narrow(s, low, high, x) || high - low <= stretch * s->close * fabs(x)) return false;
   *middle = sample_closely(s, x);
   for (int k = 1; k < PIECES && s->status == TP_OK; k++) {
     const tp_sample own = sample_closely(s, low + (high - low) * k / PIECES);
@@ -117,7 +117,7 @@ static void find_end(tp_search *s, double ends[2], const tp_sample *middle, doub
   if (is_same(&own, middle)) inside = end;
   while (s->status == TP_OK && inside != end) {
     const double x = inside + (outside - inside) / 2;
-    if (is_narrow(fmin(inside, outside), fmax(inside, outside), x)) break;
+    if (is_narrow(s, fmin(inside, outside), fmax(inside, outside), x)) break;
     own = sample_closely(s, x);
     *(is_same(&own, middle) ? &inside : &outside) = x;
   }

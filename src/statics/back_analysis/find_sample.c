@@ -6,6 +6,7 @@
 
 #include "back_analysis/find_sample.h"
 
+#include "back_analysis/find_system.h"
 #include "common/grow.h"
 #include "evaluation/case_numbers.h"
 
@@ -38,13 +39,16 @@ bool tp_search_value(tp_bounded *value, const tp_case *own, tp_find_target targe
   case TP_FIND_LIMIT_FOS:
     *value = own->limit.fos.value;
     return own->limit.fos.state == TP_FOS_NUMBER;
+  case TP_FIND_FOS_GOODMAN_BRAY:
+  case TP_FIND_ACCELERATION:
+    break;
   }
   return false;
 }
 
 bool tp_find_target_is_factor(tp_find_target target) {
   return target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS ||
-         target == TP_FIND_GOVERNING_FOS;
+         target == TP_FIND_GOVERNING_FOS || target == TP_FIND_FOS_GOODMAN_BRAY;
 }
 
 /* A factor that is no number, as nothing drives the block. */
@@ -63,6 +67,8 @@ static bool is_unbounded(const tp_case *own, tp_find_target target) {
   case TP_FIND_SLIDING_ANGLE:
   case TP_FIND_LIMIT_ANGLE:
   case TP_FIND_ONSET_ANGLE:
+  case TP_FIND_FOS_GOODMAN_BRAY:
+  case TP_FIND_ACCELERATION:
     break;
   }
   return false;
@@ -93,29 +99,38 @@ static void note_tried(tp_search *s, const tp_sample *at, bool unbounded) {
   all[s->tried_count++] = (tp_tried){.x = at->x, .standing = standing};
 }
 
+/* Of one block. */
+static tp_status take_from_case(tp_sample *at, bool *unbounded, tp_search *s) {
+  tp_solution *solution = NULL;
+  const tp_status status = tp_varied_solve(&solution, &s->varied, &at->x, &s->why);
+  if (status == TP_OK && solution->case_count > 0) {
+    at->known = tp_search_value(&at->result, solution->cases, s->options->target);
+    take_digits(at->digits, at->result);
+    at->result.digits = NULL;
+    *unbounded = !at->known && is_unbounded(solution->cases, s->options->target);
+    at->governing = solution->cases[0].governing_fos.fos;
+    at->governing.value.digits = NULL;
+  }
+  tp_solution_free(solution);
+  return status;
+}
+
 /* Solve the scene with the number replaced. */
 tp_sample tp_search_sample(tp_search *s, double x) {
   tp_sample at = {.x = x};
   bool unbounded = false;
-  tp_solution *solution = NULL;
-  const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
-  if (status == TP_OK && solution->case_count > 0) {
-    at.known = tp_search_value(&at.gap, solution->cases, s->options->target);
-    take_digits(at.digits, at.gap);
-    at.gap.digits = NULL;
-    if (at.known) note_result(s->found, at.gap);
-    unbounded = !at.known && is_unbounded(solution->cases, s->options->target);
-    at.result = at.gap;
-    at.governing = solution->cases[0].governing_fos.fos;
-    at.governing.value.digits = NULL;
+  const tp_status status =
+      s->of_many ? tp_search_take_system(&at, &unbounded, s) : take_from_case(&at, &unbounded, s);
+  if (at.known) {
+    note_result(s->found, at.result);
+    at.gap = at.result;
     at.gap.value -= s->options->value;
     /* the difference is rounded once */
     at.gap.error += fabs(at.gap.value) * 0x1p-52;
   }
-  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED || status == TP_DEPENDENCY_FAILED) {
     s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
   }
-  tp_solution_free(solution);
   if (s->status == TP_OK) note_tried(s, &at, unbounded);
   return at;
 }

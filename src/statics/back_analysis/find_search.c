@@ -17,17 +17,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the range: solutions nearer to each other than two of them may be missed. */
-enum { POINTS = 512 };
-
 /* The last point with an answer between one that has some and one that has none. */
 static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) {
   enum { STEPS = 200 };
-  static const double near_enough = 1e-14; /* a share of the number, some 50 doubles */
   for (int k = 0; k < STEPS && s->status == TP_OK; k++) {
     const double x = inside.x + (outside.x - inside.x) / 2;
     if (x == inside.x || x == outside.x) break;
-    if (fabs(outside.x - inside.x) < near_enough * fmax(fabs(x), fabs(s->own))) break;
+    if (fabs(outside.x - inside.x) < s->close * fmax(fabs(x), fabs(s->own))) break;
     const tp_sample middle = tp_search_sample(s, x);
     if (middle.known) {
       inside = middle;
@@ -93,7 +89,7 @@ static void search_row(tp_search *s, const tp_sample *row, size_t count) {
 
 /* A row as it grows, and the ends of all rows. */
 typedef struct rows {
-  tp_sample row[POINTS + 2];
+  tp_sample row[TP_SEARCH_POINTS + 2];
   size_t count;
   bool any;
   double first, last;
@@ -111,9 +107,9 @@ static void end_row(tp_search *s, rows *r) {
 static void sample_all(tp_search *s, rows *r) {
   const tp_found *found = s->found;
   tp_sample last = {0};
-  for (int k = 0; k < POINTS && s->status == TP_OK; k++) {
+  for (int k = 0; k < s->points && s->status == TP_OK; k++) {
     const tp_sample next =
-        tp_search_sample(s, k == POINTS - 1 ? found->high : found->low + k * s->step);
+        tp_search_sample(s, k == s->points - 1 ? found->high : found->low + k * s->step);
     if (k > 0 && last.known && !next.known) { /* the domain ends between them */
       const tp_sample edge = domain_edge(s, last, next);
       if (edge.x > last.x) r->row[r->count++] = edge;
@@ -147,11 +143,11 @@ void tp_search_scan(tp_search *s) {
     s->status = tp_fail_memory(s->message, "the points of the range");
     return;
   }
-  s->step = width / (POINTS - 1);
+  s->step = width / (s->points - 1);
   sample_all(s, r);
   if (s->status == TP_OK && r->any && r->last > r->first && r->last - r->first < width / 2) {
     start_again(s, r); /* few of the points had an answer */
-    s->step = (found->high - found->low) / (POINTS - 1);
+    s->step = (found->high - found->low) / (s->points - 1);
     sample_all(s, r);
   }
   if (s->status == TP_OK && !r->any) {
@@ -159,7 +155,9 @@ void tp_search_scan(tp_search *s) {
         tp_fail(s->message, TP_NO_ANSWER, tp_scene_key_place(s->varied.keys, s->varied.scene),
                 "nowhere from %g to %g the scene has a %s; %s", found->low, found->high,
                 tp_find_target_name(s->options->target),
-                s->why.text[0] != '\0' ? s->why.text : "the block does not begin to move there");
+                s->why.text[0] != '\0' ? s->why.text
+                : s->of_many           ? "it is unbounded there, or not known"
+                                       : "the block does not begin to move there");
   } else if (s->status == TP_OK) {
     found->low = r->first;
     found->high = r->last;

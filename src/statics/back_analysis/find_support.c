@@ -57,6 +57,7 @@ void tp_search_per_metre(tp_search *s) {
 
 static bool is_support(const char *key) {
   return entry_of(key, "loads.anchors.", ".force_kn") > 0 ||
+         entry_of(key, "loads.forces.", ".force_kn") > 0 ||
          entry_of(key, "loads.support_pressures.", ".kpa") > 0;
 }
 
@@ -71,7 +72,9 @@ static double round_up(double number, int digits) {
 static bool is_enough(const tp_search *s, const tp_sample *at) {
   const tp_fos *g = &at->governing;
   if (!at->known || tp_search_side(at) <= 0) return false;
-  if (s->options->target == TP_FIND_GOVERNING_FOS || g->state == TP_FOS_NO_OVERTURNING) return true;
+  if (s->of_many || s->options->target == TP_FIND_GOVERNING_FOS ||
+      g->state == TP_FOS_NO_OVERTURNING)
+    return true;
   return g->state == TP_FOS_NUMBER && g->value.value - g->value.error >= s->options->value;
 }
 

@@ -43,14 +43,26 @@ static int compare_joints(const void *first, const void *second) {
   return 0;
 }
 
-/* Where the joint of a contact stands among those that are sorted; -1: it has none of its own. */
-static long find_joint(const tp_joint_description **sorted, long count,
+/* Where the joint of a contact stands among those that are sorted, that of its two blocks before
+ * those of a block and a layer of the drawing, and these before that of two layers; -1: it has none
+ * of its own. */
+static long find_joint(const tp_built_system *s, const tp_joint_description **sorted,
                        const tp_block_contact *contact) {
-  const tp_joint_description key = {.between = {contact->block[0], contact->block[1]}};
-  const tp_joint_description *own = &key;
-  const tp_joint_description **found =
-      bsearch(&own, sorted, (size_t)count, sizeof *sorted, compare_joints);
-  return found != NULL ? found - sorted : -1;
+  const tp_block_list *many = &s->scene->many;
+  const long one = contact->block[0], other = contact->block[1];
+  const long one_layer = -many->blocks[one].layer, other_layer = -many->blocks[other].layer;
+  const tp_joint_description keys[] = {{.between = {one, other}},
+                                       {.between = {one, other_layer}},
+                                       {.between = {one_layer, other}},
+                                       {.between = {one_layer, other_layer}}};
+  const int count = one_layer < 0 ? 4 : 1; /* of a drawing all blocks have layers, else none */
+  for (int k = 0; k < count; k++) {
+    const tp_joint_description *own = keys + k;
+    const tp_joint_description **found =
+        bsearch(&own, sorted, (size_t)many->joint_count, sizeof *sorted, compare_joints);
+    if (found != NULL) return found - sorted;
+  }
+  return -1;
 }
 
 static tp_status check_joints(tp_built_system *s, const tp_joint_description **sorted,
@@ -59,10 +71,16 @@ static tp_status check_joints(tp_built_system *s, const tp_joint_description **s
   for (long k = 0; k < s->scene->many.joint_count && status == TP_OK; k++) {
     if (k > 0 && compare_joints(sorted + k - 1, sorted + k) == 0) {
       return tp_refuse(message, TP_FAULT_KEY, sorted[k]->place,
-                       "the joint between these two blocks is given twice, also in line %d",
+                       "the joint between these two is given twice, also in line %d",
                        sorted[k - 1]->place.line);
     }
     if (used[k]) continue;
+    if (sorted[k]->between[0] < 0 || sorted[k]->between[1] < 0) {
+      status = tp_notes_add(&s->notes, message, TP_CAUTION, sorted[k]->place,
+                            "of these two no blocks touch along an edge, or all that do have "
+                            "joints of their own: this joint acts nowhere");
+      continue;
+    }
     status =
         tp_notes_add(&s->notes, message, TP_CAUTION, sorted[k]->place,
                      "blocks '%s' and '%s' do not touch along an edge: this joint acts nowhere",
@@ -137,7 +155,7 @@ static void set_strength(tp_built_system *s, long contact) {
 /* Contacts of a joint follow each other rarely: each takes a search. Those of one set do. */
 static void set_contacts(tp_built_system *s, const tp_joint_description **sorted, bool *used) {
   for (long k = 0; k < s->assemblage.contact_count; k++) {
-    const long joint = find_joint(sorted, s->scene->many.joint_count, s->assemblage.contacts + k);
+    const long joint = find_joint(s, sorted, s->assemblage.contacts + k);
     s->joints[k] = joint >= 0 ? sorted[joint] : NULL;
     if (joint >= 0) used[joint] = true;
     if (k > 0 && s->joints[k] == s->joints[k - 1] && set_of(s, k) == set_of(s, k - 1)) {

@@ -22,6 +22,7 @@ static const double most_factor = 1000;
 typedef struct solving {
   const tp_built_system *s;
   const tp_solve_options *options;
+  bool limits_alone; /* no motions that can begin */
   tp_block_system *system;
 } solving;
 
@@ -120,7 +121,8 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                       .target = d->resultant.target,
                                       .from = 0,
                                       .step = log(2),
-                                      .most = log(most_factor)};
+                                      .most = log(most_factor),
+                                      .limit = &d->limits.side};
   tp_fos *fos = &d->own->fos;
   fos->state = TP_FOS_NOT_ASKED;
   if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
@@ -185,7 +187,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
     status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
   }
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
-  if (status == TP_OK) status = find_motions(d, message);
+  if (status == TP_OK && !d->x->limits_alone) status = find_motions(d, message);
   if (status != TP_OK) return status;
   return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                               tp_system_is_weighed(d->x->system), message);
@@ -220,12 +222,9 @@ static tp_status solve_cases(const solving *x, tp_message *message) {
   return status;
 }
 
-tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
-                                const tp_solve_options *options, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, system);
-  TP_REFUSE_NULL(message, scene);
-  TP_REFUSE_NULL(message, options);
+static tp_status solve_whole(tp_block_system **system, const tp_scene *scene,
+                             const tp_solve_options *options, bool limits_alone,
+                             tp_message *message) {
   if (scene->many.count == 0) {
     return tp_refuse(message, TP_FAULT_KEY, scene->block.place,
                      "this scene is of one block: tp_solve takes it");
@@ -233,7 +232,7 @@ tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
   tp_built_system built;
   tp_status status = tp_built_system_init(&built, scene, message);
   if (status != TP_OK) return status;
-  solving x = {.s = &built, .options = options};
+  solving x = {.s = &built, .options = options, .limits_alone = limits_alone};
   status = tp_block_system_describe(&x.system, &built, message);
   if (status == TP_OK) status = solve_cases(&x, message);
   if (status == TP_OK) {
@@ -243,6 +242,20 @@ tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
   }
   tp_built_system_clear(&built);
   return status;
+}
+
+tp_status tp_block_system_solve_limits(tp_block_system **system, const tp_scene *scene,
+                                       const tp_solve_options *options, tp_message *message) {
+  return solve_whole(system, scene, options, true, message);
+}
+
+tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
+                                const tp_solve_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, system);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
+  return solve_whole(system, scene, options, false, message);
 }
 
 bool tp_block_system_is_undecided(const tp_block_system *system) {

@@ -8,6 +8,12 @@
 
 #include "block_system/built_system.h"
 
+/* As tp_solve_block_system, but the motions that can begin are not looked for, so that blocks that
+ * do not collapse `can be held`: for many solves in a row. */
+TP_MUST_USE tp_status tp_block_system_solve_limits(tp_block_system **system, const tp_scene *scene,
+                                                   const tp_solve_options *options,
+                                                   tp_message *message);
+
 /* Without cases, and with room for two; to be freed by tp_block_system_free. */
 TP_MUST_USE tp_status tp_block_system_describe(tp_block_system **system,
                                                const tp_built_system *built, tp_message *message);

@@ -11,87 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- limits ------------------------------------------------------------------------------------
- */
-
-void tp_limits_clear(tp_limits *l) {
-  tp_load_bracket_clear(&l->side);
-  tp_load_bracket_clear(&l->other);
-}
-
-static tp_system_state reversed(const tp_system_state *state) {
-  tp_system_state own = *state;
-  for (int axis = 0; axis < 2; axis++) own.loads.live[axis] = tp_near_neg(own.loads.live[axis]);
-  return own;
-}
-
-static const double limit_share = 1e-6; /* of itself, to which a limit is proven */
-static const double small_step = 1e-6;  /* of x, over which a slope is taken */
-
-static tp_status find_program(tp_force_program *program, const tp_built_system *s,
-                              const tp_system_state *state, tp_message *message) {
-  return tp_built_system_program(program, s, &state->loads, state->divisor, message);
-}
-
-static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
-                            const tp_system_state *state, const tp_bracket_aim *aim,
-                            tp_message *message) {
-  tp_force_program program;
-  tp_status status = find_program(&program, s, state, message);
-  if (status != TP_OK) return status;
-  status = tp_load_bracket_find(b, &program, aim, message);
-  tp_force_program_clear(&program);
-  return status;
-}
-
-static const tp_bracket_aim limit_itself = {limit_share, false, INFINITY};
-
-tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *s,
-                              const tp_system_state *state, tp_message *message) {
-  return find_limit(limit, s, state, &limit_itself, message);
-}
-
-/* Is a load held; is one the other way? */
-static tp_bracket_aim held_to_side(tp_near load) {
-  return (tp_bracket_aim){limit_share, false, load.value + load.error};
-}
-
-static tp_bracket_aim held_to_other(tp_near load) {
-  return held_to_side(tp_near_neg(load));
-}
-
-static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
-                             const tp_bracket_aim *aim, tp_near load, tp_message *message) {
-  const tp_system_state other = reversed(state);
-  const tp_bracket_aim aim_of_other = held_to_other(load);
-  memset(l, 0, sizeof *l);
-  tp_status status = find_limit(&l->side, s, state, aim, message);
-  if (status == TP_OK) status = find_limit(&l->other, s, &other, &aim_of_other, message);
-  if (status != TP_OK) tp_limits_clear(l);
-  return status;
-}
-
-tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
-                         tp_near load, tp_message *message) {
-  return find_limits(l, s, state, &limit_itself, load, message);
-}
-
-/* Forces that hold one load and forces that hold one the other way hold, mixed, all between. */
-bool tp_limits_hold(const tp_limits *l, tp_near load) {
-  return l->side.is_held && l->other.is_held && l->side.held >= load.value + load.error &&
-         l->other.held >= -(load.value - load.error);
-}
-
-static bool exceeds(const tp_load_bracket *b, tp_near load) {
-  return b->is_bounded && b->bound < load.value - load.error;
-}
-
-bool tp_limits_fail(const tp_limits *l, tp_near load) {
-  return exceeds(&l->side, load) || exceeds(&l->other, tp_near_neg(load));
-}
-
 /* ---- search ------------------------------------------------------------------------------------
  */
+
+static const double small_step = 1e-6; /* of x, over which a slope is taken */
 
 typedef struct searching {
   const tp_threshold_search *of;
@@ -113,42 +36,48 @@ static margin margin_of(const tp_load_bracket *b, double change, double load, do
   return (margin){atan(b->bound) - atan(load), change / size, tp_load_width(b, share) / size};
 }
 
-/* The limit and its slope, from the program a little farther. */
-static tp_status find_slope(tp_load_bracket *b, double *slope, const searching *x, double share,
-                            const tp_system_state *state, const tp_system_state *farther) {
-  const tp_bracket_aim bound = {share, true, INFINITY};
-  tp_force_program own, to;
-  tp_status status = find_program(&own, x->of->system, state, x->message);
+/* Of a limit, from the program a little farther. */
+static tp_status find_slope(double *slope, const tp_load_bracket *b, const tp_force_program *own,
+                            const searching *x, const tp_system_state *farther) {
+  tp_force_program to;
+  const tp_status status = tp_state_program(&to, x->of->system, farther, x->message);
   if (status != TP_OK) return status;
-  status = tp_load_bracket_find(b, &own, &bound, x->message);
-  if (status == TP_OK && b->is_bounded) {
-    status = find_program(&to, x->of->system, farther, x->message);
-    if (status == TP_OK) {
-      *slope = tp_limit_change(b, &own, &to) / small_step;
-      tp_force_program_clear(&to);
-    } else {
-      tp_load_bracket_clear(b);
-    }
+  *slope = tp_limit_change(b, own, &to) / small_step;
+  tp_force_program_clear(&to);
+  return TP_OK;
+}
+
+/* The limit is searched for, but where it is known. */
+static tp_status find_change(margin *own, const searching *x, double at, double share,
+                             bool to_side) {
+  const tp_bracket_aim bound = {share, true, INFINITY};
+  const double load = to_side ? x->of->target.value : -x->of->target.value;
+  tp_system_state state = x->of->state(x->of->context, at);
+  tp_system_state farther = x->of->state(x->of->context, at + small_step);
+  if (!to_side) {
+    state = tp_state_reversed(&state);
+    farther = tp_state_reversed(&farther);
   }
-  tp_force_program_clear(&own);
+  tp_force_program program;
+  tp_load_bracket found = {.forces = NULL};
+  const bool is_known = x->of->limit != NULL && at == x->of->from && to_side;
+  const tp_load_bracket *b = is_known ? x->of->limit : &found;
+  double slope = NAN;
+  tp_status status = tp_state_program(&program, x->of->system, &state, x->message);
+  if (status != TP_OK) return status;
+  if (!is_known) status = tp_load_bracket_find(&found, &program, &bound, x->message);
+  if (status == TP_OK && b->is_bounded) status = find_slope(&slope, b, &program, x, &farther);
+  *own = margin_of(b, slope, load, is_known ? TP_LIMIT_SHARE : share);
+  tp_load_bracket_clear(&found);
+  tp_force_program_clear(&program);
   return status;
 }
 
 static bool add_margin(margin *least, searching *x, double at, double share, bool to_side) {
-  tp_system_state state = x->of->state(x->of->context, at);
-  tp_system_state farther = x->of->state(x->of->context, at + small_step);
-  if (!to_side) {
-    state = reversed(&state);
-    farther = reversed(&farther);
-  }
-  tp_load_bracket b;
-  double slope = NAN;
-  x->status = find_slope(&b, &slope, x, share, &state, &farther);
+  margin own;
+  x->status = find_change(&own, x, at, share, to_side);
   if (x->status != TP_OK) return false;
-  const margin own =
-      margin_of(&b, slope, to_side ? x->of->target.value : -x->of->target.value, share);
   if (own.value < least->value) *least = own;
-  tp_load_bracket_clear(&b);
   return true;
 }
 
@@ -187,14 +116,15 @@ typedef enum search_end {
   SEARCH_ENDED
 } search_end;
 
-/* Far from the zero limits are found to less; and where roundings keep a search from its end. */
-static search_end find_zero(double *zero, searching *x) {
+/* From `zero` on. Far from it limits are found to less; and where roundings keep a search from its
+ * end. In haste the last step is not looked at: it misses by its square. */
+static search_end find_zero(double *zero, searching *x, bool in_haste) {
   enum { MOST = 60, NEWTON = 12 };
   static const double width = 2e-7, near = 1e-3; /* the first: a fifth of what is proven */
   static const double coarser = 32;
   const tp_threshold_search *of = x->of;
   stretch s = {-INFINITY, INFINITY};
-  double at = of->from, share = near, finest = limit_share;
+  double at = *zero, share = in_haste ? near : TP_LIMIT_SHARE, finest = TP_LIMIT_SHARE;
   for (int k = 0; k < MOST; k++) {
     margin m;
     if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
@@ -211,8 +141,8 @@ static search_end find_zero(double *zero, searching *x) {
     if (m.value >= 0 && at >= of->from + of->most) return SEARCH_HELD;
     if (m.value < 0 && at <= of->from - of->most) return SEARCH_ENDED;
     *zero = next_of(of, &s, at, &m, k >= NEWTON);
-    const double move = fabs(*zero - at);
-    if ((move < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
+    const double move = fabs(*zero - at), missed = in_haste ? move * move / 2 : move;
+    if ((missed < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
     share = move < near || k >= NEWTON ? finest : near;
     at = *zero;
   }
@@ -222,11 +152,12 @@ static search_end find_zero(double *zero, searching *x) {
 /* ---- proofs ------------------------------------------------------------------------------------
  */
 
+static const double nearest = 1e-6; /* to the zero, of proofs */
+
 static bool prove_held(tp_threshold *own, searching *x, double at) {
   const tp_system_state state = x->of->state(x->of->context, at);
-  const tp_bracket_aim aim = held_to_side(x->of->target);
   tp_limits l;
-  x->status = find_limits(&l, x->of->system, &state, &aim, x->of->target, x->message);
+  x->status = tp_limits_try(&l, x->of->system, &state, x->of->target, x->message);
   if (x->status != TP_OK) return false;
   own->is_held = tp_limits_hold(&l, x->of->target);
   own->held = at;
@@ -237,34 +168,44 @@ static bool prove_held(tp_threshold *own, searching *x, double at) {
 /* Is the limit exceeded? Then the collapse is the one to that side. */
 static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *state,
                        tp_near load) {
-  x->status = find_limit(&own->collapse, x->of->system, state, &limit_itself, x->message);
+  x->status = tp_state_limit_find(&own->collapse, x->of->system, state, x->message);
   if (x->status != TP_OK) return false;
-  own->is_bounded = exceeds(&own->collapse, load);
+  own->is_bounded = tp_load_exceeds(&own->collapse, load);
   if (!own->is_bounded) tp_load_bracket_clear(&own->collapse);
   return true;
 }
 
 static bool prove_bound(tp_threshold *own, searching *x, double at) {
-  const tp_system_state state = x->of->state(x->of->context, at), other = reversed(&state);
+  const tp_system_state state = x->of->state(x->of->context, at), other = tp_state_reversed(&state);
   own->bound = at;
   if (!take_bound(own, x, &state, x->of->target)) return false;
   return own->is_bounded || take_bound(own, x, &other, tp_near_neg(x->of->target));
 }
 
-static tp_status prove(tp_threshold *own, searching *x, double zero) {
-  static const double first = 1e-6, last = 1e-2, growth = 4;
-  for (double away = first; away < last; away *= growth) {
-    if (!own->is_held && !prove_held(own, x, zero - away)) break;
-    if (!own->is_bounded && !prove_bound(own, x, zero + away)) break;
-    if (own->is_held && own->is_bounded) break;
-  }
-  return x->status;
+static bool is_proven(const tp_threshold *own) {
+  return own->is_held && own->is_bounded;
 }
 
+/* Both proofs, no farther away than that from the zero. */
+static void prove(tp_threshold *own, searching *x, double zero, double farthest) {
+  static const double growth = 4;
+  for (double away = nearest; away <= farthest && !is_proven(own); away *= growth) {
+    if (!own->is_held && !prove_held(own, x, zero - away)) break;
+    if (!own->is_bounded && !prove_bound(own, x, zero + away)) break;
+  }
+}
+
+/* Where the zero that was found in haste does not do, with care. */
 static tp_status search(tp_threshold *own, searching *x) {
+  static const double farthest = 1e-2;
   double zero = x->of->from;
-  const search_end end = find_zero(&zero, x);
-  if (end == SEARCH_FOUND) return prove(own, x, zero);
+  search_end end = find_zero(&zero, x, true);
+  if (end == SEARCH_FOUND) {
+    prove(own, x, zero, nearest);
+    if (x->status != TP_OK || is_proven(own)) return x->status;
+    end = find_zero(&zero, x, false);
+  }
+  if (end == SEARCH_FOUND) prove(own, x, zero, farthest);
   if (end == SEARCH_HELD) (void)prove_held(own, x, zero);
   return x->status;
 }

@@ -26,21 +26,27 @@ static tp_status read_values(fmpq *numbers, const tp_varied *varied, const doubl
   return TP_OK;
 }
 
-tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const double *values,
+tp_status tp_varied_scene(tp_scene **scene, const tp_varied *varied, const double *values,
                           tp_message *message) {
   fmpq numbers[TP_VARIED_MAX];
-  tp_scene *scene = NULL;
   for (size_t k = 0; k < TP_VARIED_MAX; k++) fmpq_init(numbers + k);
   tp_status status = read_values(numbers, varied, values, message);
   if (status == TP_OK) {
-    status = tp_scene_vary(&scene, varied->scene, varied->keys, numbers, varied->count, message);
+    status = tp_scene_vary(scene, varied->scene, varied->keys, numbers, varied->count, message);
   }
+  for (size_t k = 0; k < TP_VARIED_MAX; k++) fmpq_clear(numbers + k);
+  return status;
+}
+
+tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const double *values,
+                          tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_status status = tp_varied_scene(&scene, varied, values, message);
   if (status == TP_OK) {
     scene->base.all_poses = false; /* of one number after another nobody reads them */
     status = tp_solve(solution, scene, &varied->options, message);
   }
   tp_scene_free(scene);
-  for (size_t k = 0; k < TP_VARIED_MAX; k++) fmpq_clear(numbers + k);
   return status;
 }
 

@@ -17,7 +17,10 @@ typedef struct tp_varied {
   tp_solve_options options;
 } tp_varied;
 
-/* Solve the scene with `values` for the numbers, each the decimal of 17 digits that names it. */
+/* The scene with `values` for the numbers, each the decimal of 17 digits that names it; and that
+ * solved. */
+TP_MUST_USE tp_status tp_varied_scene(tp_scene **scene, const tp_varied *varied,
+                                      const double *values, tp_message *message);
 TP_MUST_USE tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied,
                                       const double *values, tp_message *message);
 

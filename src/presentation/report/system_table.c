@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Scenes of many blocks in one table, a row for each direction: in CSV for other programs, in
+ * Markdown to be read. */
+
+#include "common/host.h"
+#include "output/encode.h"
+#include "report/results.h"
+#include "report/settings.h"
+#include "report/system_words.h"
+#include "report/words.h"
+#include "terms/names.h"
+
+#include <stdlib.h>
+
+/* ---- CSV ---------------------------------------------------------------------------------------
+ */
+
+static void add_csv_rows(tp_text *t, const tp_setting_columns *set, const tp_block_system *s) {
+  const tp_json_subject x = {.system = s};
+  for (size_t k = 0; k < s->case_count; k++) {
+    tp_csv_setting_columns_row(t, set, &s->settings);
+    tp_encode_csv(t, s->title != NULL ? s->title : "");
+    tp_csv_fields_of_system_row(t, s->cases + k, &x);
+    tp_text_add(t, "\n");
+  }
+}
+
+tp_status tp_report_block_systems_csv(char **text, const tp_block_system *const *systems,
+                                      size_t count) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, systems);
+  for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, systems[k]);
+  tp_setting_columns set = {.count = 0};
+  const tp_settings **lists = calloc(count + 1, sizeof *lists);
+  for (size_t k = 0; k < count && lists != NULL; k++) lists[k] = &systems[k]->settings;
+  const bool gathered = lists != NULL && tp_setting_columns_gather(&set, lists, count);
+  free(lists);
+  if (!gathered) return TP_OUT_OF_MEMORY;
+  tp_text t = {0};
+  tp_csv_setting_columns_head(&t, &set);
+  tp_text_add(&t, "scene");
+  tp_csv_names_of_system_row(&t);
+  tp_text_add(&t, "\n");
+  for (size_t k = 0; k < count; k++) add_csv_rows(&t, &set, systems[k]);
+  free(set.items);
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_block_system_csv(char **text, const tp_block_system *system) {
+  return tp_report_block_systems_csv(text, &system, 1);
+}
+
+/* ---- Markdown ----------------------------------------------------------------------------------
+ */
+
+static void add_goodman_bray(tp_text *t, const tp_goodman_bray *own) {
+  tp_text_add(t, " | ");
+  if (!own->applies) {
+    tp_text_add(t, "-");
+  } else if (!own->has_fos) {
+    tp_text_add(t, "no friction is enough");
+  } else {
+    tp_text_add(t, "%s%.5g", own->fos_is_least ? "above " : "", own->fos);
+  }
+}
+
+static void add_support(tp_text *t, const tp_system_case *c) {
+  static const double kilo = 1e3;
+  static const char *const words[] = {[TP_SYSTEM_SUPPORT_NOT_NEEDED] = "none needed",
+                                      [TP_SYSTEM_SUPPORT_NONE] = "no such force",
+                                      [TP_SYSTEM_SUPPORT_UNDECIDED] = "undecided"};
+  if (!c->has_support) {
+    tp_text_add(t, " | -");
+  } else if (c->support.state == TP_SYSTEM_SUPPORT_NUMBER) {
+    tp_text_add(t, " | %.5g kN/m", c->support.force_n_m.value / kilo);
+  } else {
+    tp_text_add(t, " | %s", words[c->support.state]);
+  }
+}
+
+static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  const tp_mechanism collapse = tp_system_case_mechanism(c);
+  tp_text_add(t, "| ");
+  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+  tp_text_add(t, " | %s | %s° | %s | ", tp_direction_name(c->towards),
+              tp_text_fixed(n, c->tilt_angle_deg, 3), tp_system_verdict_name(c->verdict));
+  tp_text_system_factor(t, c);
+  if (c->has_required_fos) {
+    tp_text_add(t, " (%s required: %s)", tp_text_significant(n, s->required_fos, 5),
+                tp_design_name(c->meets_required));
+  }
+  add_goodman_bray(t, &c->goodman_bray);
+  tp_text_add(t, " | ");
+  tp_text_system_limit(t, c);
+  tp_text_add(t, " | %s", collapse != TP_STANDS ? tp_mechanism_name(collapse) : "-");
+  add_support(t, c);
+  tp_text_add(t, " |\n");
+}
+
+/* Below the table: what was set, and the notes of each scene, by its name. */
+static void add_below(tp_text *t, const tp_block_system *s) {
+  for (size_t k = 0; k < s->settings.count; k++) {
+    char *text = tp_text_setting(s->settings.items + k);
+    tp_text_add(t, "- ");
+    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+    tp_text_add(t, ", set: ");
+    tp_encode_markdown(t, text != NULL ? text : "");
+    tp_text_add(t, "\n");
+    t->failed = t->failed || text == NULL;
+    free(text);
+  }
+  for (size_t k = 0; k < s->notes.count; k++) {
+    const tp_note *note = s->notes.items + k;
+    tp_text_add(t, "- ");
+    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+    tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
+    tp_encode_markdown(t, note->text);
+    tp_text_add(t, "\n");
+  }
+}
+
+tp_status tp_report_block_systems_table(char **text, const tp_block_system *const *systems,
+                                        size_t count) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, systems);
+  for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, systems[k]);
+  tp_text t = {0};
+  tp_text_add(&t, "| scene | towards | tilt or dip | verdict | FoS, strength reduction | FoS, "
+                  "Goodman and Bray | greatest tilt or dip | collapse | support |\n"
+                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  bool any = false;
+  for (size_t k = 0; k < count; k++) {
+    const tp_block_system *s = systems[k];
+    any = any || s->notes.count + s->settings.count > 0;
+    for (size_t c = 0; c < s->case_count; c++) add_row(&t, s, s->cases + c);
+  }
+  if (any) tp_text_add(&t, "\n");
+  for (size_t k = 0; k < count; k++) add_below(&t, systems[k]);
+  return tp_text_finish(&t, text);
+}

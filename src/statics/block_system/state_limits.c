@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The limit to the other side is that of the program with the live load turned round. */
+
+#include "block_system/state_limits.h"
+
+#include <math.h>
+#include <string.h>
+
+void tp_limits_clear(tp_limits *l) {
+  tp_load_bracket_clear(&l->side);
+  tp_load_bracket_clear(&l->other);
+}
+
+tp_system_state tp_state_reversed(const tp_system_state *state) {
+  tp_system_state own = *state;
+  for (int axis = 0; axis < 2; axis++) own.loads.live[axis] = tp_near_neg(own.loads.live[axis]);
+  return own;
+}
+
+tp_status tp_state_program(tp_force_program *program, const tp_built_system *s,
+                           const tp_system_state *state, tp_message *message) {
+  return tp_built_system_program(program, s, &state->loads, state->divisor, message);
+}
+
+static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
+                            const tp_system_state *state, const tp_bracket_aim *aim,
+                            tp_message *message) {
+  tp_force_program program;
+  tp_status status = tp_state_program(&program, s, state, message);
+  if (status != TP_OK) return status;
+  status = tp_load_bracket_find(b, &program, aim, message);
+  tp_force_program_clear(&program);
+  return status;
+}
+
+static const tp_bracket_aim limit_itself = {TP_LIMIT_SHARE, false, INFINITY};
+
+tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *s,
+                              const tp_system_state *state, tp_message *message) {
+  return find_limit(limit, s, state, &limit_itself, message);
+}
+
+/* Is a load held; is one the other way? */
+static tp_bracket_aim held_to_side(tp_near load) {
+  return (tp_bracket_aim){TP_LIMIT_SHARE, false, load.value + load.error};
+}
+
+static tp_bracket_aim held_to_other(tp_near load) {
+  return held_to_side(tp_near_neg(load));
+}
+
+static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
+                             const tp_bracket_aim *aim, tp_near load, tp_message *message) {
+  const tp_system_state other = tp_state_reversed(state);
+  const tp_bracket_aim aim_of_other = held_to_other(load);
+  memset(l, 0, sizeof *l);
+  tp_status status = find_limit(&l->side, s, state, aim, message);
+  if (status == TP_OK) status = find_limit(&l->other, s, &other, &aim_of_other, message);
+  if (status != TP_OK) tp_limits_clear(l);
+  return status;
+}
+
+tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
+                         tp_near load, tp_message *message) {
+  return find_limits(l, s, state, &limit_itself, load, message);
+}
+
+tp_status tp_limits_try(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
+                        tp_near load, tp_message *message) {
+  const tp_bracket_aim aim = held_to_side(load);
+  return find_limits(l, s, state, &aim, load, message);
+}
+
+/* Forces that hold one load and forces that hold one the other way hold, mixed, all between. */
+bool tp_limits_hold(const tp_limits *l, tp_near load) {
+  return l->side.is_held && l->other.is_held && l->side.held >= load.value + load.error &&
+         l->other.held >= -(load.value - load.error);
+}
+
+bool tp_load_exceeds(const tp_load_bracket *b, tp_near load) {
+  return b->is_bounded && b->bound < load.value - load.error;
+}
+
+bool tp_limits_fail(const tp_limits *l, tp_near load) {
+  return tp_load_exceeds(&l->side, load) || tp_load_exceeds(&l->other, tp_near_neg(load));
+}
