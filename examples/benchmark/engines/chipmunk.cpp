@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/* The benchmark by Chipmunk 7, double precision: convex polygons on segments without radius that
+ * know their neighbours; 30 iterations, a slop of 0.01 of an engine's unit, no sleep. c++ -O2
+ * chipmunk.cpp -lchipmunk -o chipmunk */
+
+#include "scene.hpp"
+
+#include <algorithm>
+#include <chipmunk/chipmunk.h>
+
+static cpVect at(const std::array<double, 2> &p) {
+  return cpv(p[0], p[1]);
+}
+
+static void free_shape(cpSpace *space, void *shape, void *) {
+  cpSpaceRemoveShape(space, static_cast<cpShape *>(shape));
+  cpShapeFree(static_cast<cpShape *>(shape));
+}
+
+static void mark_shape(cpShape *shape, void *space) {
+  cpSpaceAddPostStepCallback(static_cast<cpSpace *>(space), free_shape, shape, nullptr);
+}
+
+static cpBody *add_block(cpSpace *space, const scene &own) {
+  double mass = 0;
+  cpVect centre = cpvzero;
+  std::vector<std::vector<cpVect>> rings;
+  for (const auto &piece : own.pieces) {
+    rings.emplace_back();
+    for (const auto &p : piece) rings.back().push_back(at(p));
+    const int count = static_cast<int>(piece.size());
+    const double area = cpAreaForPoly(count, rings.back().data(), 0);
+    mass += area;
+    centre = cpvadd(centre, cpvmult(cpCentroidForPoly(count, rings.back().data()), area));
+  }
+  centre = cpvmult(centre, 1 / mass);
+  double inertia = 0;
+  for (const auto &ring : rings) {
+    const int count = static_cast<int>(ring.size());
+    inertia += cpMomentForPoly(cpAreaForPoly(count, ring.data(), 0), count, ring.data(),
+                               cpvneg(centre), 0);
+  }
+  cpBody *block = cpSpaceAddBody(space, cpBodyNew(mass, inertia));
+  cpBodySetPosition(block, centre);
+  for (const auto &ring : rings) {
+    cpShape *shape = cpPolyShapeNew(block, static_cast<int>(ring.size()), ring.data(),
+                                    cpTransformTranslate(cpvneg(centre)), 0);
+    cpShapeSetFriction(shape, own.friction);
+    cpSpaceAddShape(space, shape);
+  }
+  return block;
+}
+
+static bool moves(const scene &own, const double gravity[2]) {
+  cpSpace *space = cpSpaceNew();
+  cpSpaceSetGravity(space, cpv(gravity[0], gravity[1]));
+  cpSpaceSetIterations(space, 30);
+  cpSpaceSetCollisionSlop(space, 0.01);
+  for (size_t k = 0; k + 1 < own.rock.size(); k++) {
+    cpShape *edge =
+        cpSegmentShapeNew(cpSpaceGetStaticBody(space), at(own.rock[k]), at(own.rock[k + 1]), 0);
+    const size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 2, own.rock.size() - 1);
+    cpSegmentShapeSetNeighbors(edge, at(own.rock[before]), at(own.rock[after]));
+    cpShapeSetFriction(edge, 1); // the product of both counts
+    cpSpaceAddShape(space, edge);
+  }
+  cpBody *block = add_block(space, own);
+  const cpVect start = cpBodyGetPosition(block);
+  bool is_far = false;
+  for (int k = 0; k < own.steps && !is_far; k++) {
+    for (const auto &load : own.loads)
+      cpBodyApplyForceAtLocalPoint(block, cpvmult(cpv(load[2], load[3]), cpBodyGetMass(block)),
+                                   cpvsub(cpv(load[0], load[1]), start));
+    cpSpaceStep(space, own.step);
+    is_far = cpvdist(cpBodyGetPosition(block), start) > own.far;
+  }
+  cpSpaceEachShape(
+      space, [](cpShape *shape, void *all) { mark_shape(shape, all); }, space);
+  cpSpaceRemoveBody(space, block);
+  cpBodyFree(block);
+  cpSpaceFree(space);
+  return is_far;
+}
+
+int main() {
+  scene own;
+  double gravity[2];
+  while (next_question(own, gravity)) std::cout << moves(own, gravity) << std::endl;
+}

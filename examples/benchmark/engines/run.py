@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Runs the benchmark by an engine of rigid bodies and writes its answers for score.py.
+
+    python3 run.py RESULTS.csv CORNERS COMMAND...
+
+CORNERS is the most that a convex piece of a block may have, COMMAND a driver of this folder, as built from its first lines. Each block lies as its coordinates say, on rock that is
+fixed, and is let go at a tilt; it moves where its centroid is displaced by more than FAR of its extent within STEPS steps of
+1 ms. The tilt is halved between level and upright down to a few thousandths of a degree. Lengths are scaled so that the
+extent of every block is EXTENT of the engine's units, gravity being that of a block of 1 m, and the first corner is put into
+the origin exactly, without which single precision has nothing to work with far away."""
+
+import math
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).parent
+sys.path.insert(0, str(HERE.parent))
+
+import confirm  # noqa: E402
+import pieces  # noqa: E402
+import score  # noqa: E402
+
+EXTENT, FAR, STEPS, HALVINGS = 100, 0.002, 2000, 16
+GRAVITY = 9.80665 * EXTENT
+
+
+class Engine:
+    def __init__(self, corners, command):
+        self.corners = corners
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def say(self, *words):
+        print(*words, file=self.process.stdin, flush=True)
+
+    def describe(self, own):
+        """One case, with the block's pieces in the engine's units."""
+        ring, base = confirm.points(own["block"]), confirm.points(own["base"])
+        origin = ring[0]
+        extent = max(max(p[k] for p in ring) - min(p[k] for p in ring) for k in (0, 1))
+        scale = EXTENT / extent
+
+        def numbers(points):
+            return [len(points), *(f"{float((v - o) * scale):.17g}" for p in points for v, o in zip(p, origin))]
+        self.say("case")
+        self.say("friction", math.tan(math.radians(float(own["friction_deg"]))))
+        self.say("time", 0.001, STEPS, FAR * EXTENT)
+        self.say("rock", *numbers(base))
+        for piece in pieces.convex(ring, self.corners):
+            self.say("piece", *numbers(piece))
+        block = confirm.Single({**own, "towards": "left"})
+        for load in own["loads"]:
+            if load["type"] != "seismic":
+                at, force = block.pushed(load)
+                self.say("load", *numbers([at])[1:], *(float(v / block.weight) * GRAVITY for v in force))
+
+    def moves(self, own, tilt):
+        k = sum(float(load["horizontal"]) for load in own["loads"] if load["type"] == "seismic")
+        sine, cosine = math.sin(math.radians(tilt)), math.cos(math.radians(tilt))
+        x, y = -sine - k * cosine, -cosine + k * sine
+        self.say("go", GRAVITY * (x if own["towards"] == "left" else -x), GRAVITY * y)
+        for line in self.process.stdout:  # engines may greet
+            if line.strip() in ("0", "1"):
+                return line.strip() == "1"
+        raise RuntimeError("the engine has ended")
+
+
+def first_motion(engine, own):
+    """The tilt between one at which it stands and one at which it moves; 0 where it does not stand level."""
+    engine.describe(own)
+    low, high = 0.0, 90.0
+    if engine.moves(own, low):
+        return "0"
+    if not engine.moves(own, 89.9):
+        return "never"
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if engine.moves(own, middle) else (middle, high)
+    return f"{(low + high) / 2:.3f}"
+
+
+def main(path, corners, command):
+    manifest, _ = score.load()
+    with open(path, "w", encoding="utf-8") as file:
+        print("case,quantity,value", file=file)
+        engine = None
+        for name, own in manifest.items():
+            engine = engine or Engine(corners, command)
+            try:
+                value = first_motion(engine, own)
+            except (RuntimeError, BrokenPipeError):
+                value, engine = "", None
+            print(f"{name},moves_deg,{value}", file=file, flush=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        raise SystemExit(__doc__)
+    main(sys.argv[1], int(sys.argv[2]), sys.argv[3:])

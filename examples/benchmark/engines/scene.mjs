@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+// What run.py says to an engine, as scene.hpp reads it: answers each `go gx gy` by `moves(scene, gravity)`.
+
+import { createInterface } from 'node:readline';
+
+const pairs = (numbers) => Array.from({ length: numbers[0] }, (_, k) => ({ x: numbers[1 + 2 * k], y: numbers[2 + 2 * k] }));
+
+export async function answer(moves) {
+  let own = {};
+  for await (const line of createInterface({ input: process.stdin })) {
+    const [word, ...rest] = line.split(' ');
+    const numbers = rest.map(Number);
+    if (word === 'case') own = { pieces: [], loads: [] };
+    if (word === 'friction') own.friction = numbers[0];
+    if (word === 'time') [own.step, own.steps, own.far] = numbers;
+    if (word === 'rock') own.rock = pairs(numbers);
+    if (word === 'piece') own.pieces.push(pairs(numbers));
+    if (word === 'load') own.loads.push(numbers);
+    if (word === 'go') console.log(moves(own, { x: numbers[0], y: numbers[1] }) ? 1 : 0);
+  }
+}

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The benchmark of examples/benchmark: made anew it is the same to the byte, what shares no code with Topple confirms its
+answers, and docs/benchmark_cases.md prints what is in its files.
+
+The story: somebody has a program of their own, reads coordinates and answers, and holds the one against the other without ours.
+Then no answer may be wrong, the scorer must say by how much theirs are, and the page what the numbers mean."""
+
+import csv
+import json
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+from harness import LONG, PROGRAM, ROOT, main
+
+FOLDER = ROOT / "examples" / "benchmark"
+sys.path[:0] = [str(FOLDER), str(FOLDER / "engines")]
+sys.dont_write_bytecode = True
+
+import confirm  # noqa: E402
+import exact  # noqa: E402
+import make  # noqa: E402
+import pieces  # noqa: E402
+import score  # noqa: E402
+
+PAGE = (ROOT / "docs" / "benchmark_cases.md").read_text(encoding="utf-8")
+MANIFEST, ANSWERS = score.load()
+BRIEF = ("slabs_03", "slabs_08", "teeth_11", "worn_corners_06", "notches_02", "notches_03", "far_origins_07", "slivers_03", "loads_07")
+
+
+def tables(path):
+    """A file of answers without what is said of it above."""
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def cell(found, names):
+    """What the page says of an engine's answers to a group: how many lie within a tenth of a degree and within one, the
+    largest that is outside, and how many there are not."""
+    rows = [found[name] for name in names if name in found]
+    if not rows:
+        return "none"
+    size = [math.inf if by is None else abs(by) for by in rows]
+    worst = rows[size.index(max(size))]
+    said = "never, or not" if worst is None else f"{worst:+.2f}" if abs(worst) >= 0.005 else "0"
+    none = f" ({len(names) - len(rows)} none)" if len(rows) < len(names) else ""
+    return f"{sum(s <= 0.1 for s in size)}, {sum(s <= 1 for s in size)}, {said}{none}"
+
+
+class Benchmark(unittest.TestCase):
+    def test_made_anew_it_is_the_same(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            make.make(PROGRAM, folder)
+            made = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+        kept = {path.relative_to(FOLDER): path.read_bytes() for place in ("*.json", f"{make.PLACE}/*") for path in FOLDER.glob(place)}
+        self.assertEqual(made.keys(), kept.keys())
+        for path, text in made.items():
+            self.assertEqual(text, kept[path], f"{path}: make it anew by examples/benchmark/make.py, and say why it differs")
+
+    def test_answers_are_confirmed(self):
+        for name in MANIFEST if LONG else BRIEF:
+            with self.subTest(name):
+                self.assertEqual(confirm.check_single(MANIFEST[name], ANSWERS[name]), [])
+
+    def test_a_wrong_answer_is_found(self):
+        """Brackets moved by twice their width, either way: all of a slab, the onset and the limit where they differ."""
+        for name, asked in (("slabs_03", ANSWERS["slabs_03"].keys() - {"moves_deg"}), ("teeth_11", ("stand_deg", "limit_deg"))):
+            for quantity in asked:
+                bracket = ANSWERS[name][quantity]
+                for way in (-1, 1):
+                    step = 2 * way * (bracket["high"] - bracket["low"])
+                    moved = {key: bracket[key] + step for key in ("low", "high")}
+                    wrong = confirm.check_single(MANIFEST[name], {**ANSWERS[name], quantity: moved})
+                    self.assertEqual(wrong, [quantity], (name, way))
+
+    def test_closed_forms(self):
+        """A rectangle on a plane slides at its friction or topples at width over height; three teeth by docs/limit.md."""
+        for name in [f"slabs_{k:02}" for k in range(1, 9)]:
+            ring = confirm.points(MANIFEST[name]["block"])
+            topples = math.degrees(math.atan(ring[2][0] / ring[2][1]))
+            for quantity, angle in (("topple_deg", topples), ("limit_deg", min(topples, float(MANIFEST[name]["friction_deg"])))):
+                self.assertAlmostEqual(ANSWERS[name][quantity]["low"], angle, delta=2.1e-9)
+        a, b, c, mu = 0.03, 0.12, 0.005, math.tan(math.radians(30))
+        over = 9 * (2 * b + c) * (a * a + c * c) * (a * mu + c) + 2 * a * a * c * (9 * b + 4 * c) * (1 + mu * mu)
+        under = 9 * (2 * b + c) * (a * a + c * c) * (a - c * mu) + 6 * a * c * (3 * b * b - c * c) * (1 + mu * mu)
+        self.assertAlmostEqual(ANSWERS["teeth_03"]["limit_deg"]["low"], math.degrees(math.atan(over / under)), delta=2.1e-9)
+
+    def test_halves_of_statics_are_in_order(self):
+        parted = 0
+        for name, own in ANSWERS.items():
+            if own["stand_deg"].get("never"):
+                continue
+            self.assertLessEqual(own["stand_deg"]["low"], own["limit_deg"].get("high", 90), name)
+            self.assertEqual(own["moves_deg"]["low"], own["stand_deg"]["low"])
+            parted += own["stand_deg"]["high"] < own["limit_deg"].get("low", 90)
+        self.assertIn(f"in {parted} of them the two differ", PAGE)
+
+    def test_the_scorer(self):
+        rows = [{"case": name, "quantity": quantity, "value": "never" if "low" not in bracket else str(bracket["low"])}
+                for name, own in ANSWERS.items() for quantity, bracket in own.items()]
+        self.assertEqual({by for _, _, by in score.scores(rows, MANIFEST, ANSWERS)}, {0.0})
+        slab, peg = ANSWERS["slabs_02"]["limit_deg"], ANSWERS["notches_09"]["limit_deg"]
+        self.assertAlmostEqual(score.outside(slab, "18.6"), 18.6 - 18.434948824, delta=1e-12)
+        self.assertAlmostEqual(score.outside(slab, "18"), 18 - 18.434948822, delta=1e-12)
+        self.assertEqual([score.outside(slab, "never"), score.outside(peg, "70"), score.outside(peg, "never")], [None, None, 0])
+        found = [("slabs_01", "limit_deg", -0.05), ("slabs_02", "limit_deg", 3.0), ("slabs_03", "limit_deg", 0.0)]
+        self.assertEqual(score.tally(found, MANIFEST), {("slabs", "limit_deg"): [1, 0, 1, 0, 1, 3.0]})
+
+    def test_convex_pieces_are_the_block(self):
+        for name, own in MANIFEST.items():
+            ring = confirm.points(own["block"])
+            for corners in (3, 8):
+                parts = pieces.convex(ring, corners)
+                self.assertEqual(sum(exact.moments(part)[0] for part in parts), exact.moments(ring)[0], name)
+                self.assertTrue(all(len(part) <= corners and pieces.is_convex(part) for part in parts), name)
+
+    def test_the_page_prints_the_files(self):
+        groups = {}
+        for name, own in MANIFEST.items():
+            groups.setdefault(own["group"], []).append(name)
+        self.assertIn(f"{len(MANIFEST)} cases", PAGE)
+        engines = sorted((FOLDER / "scores").glob("*.csv"))
+        found = [{name: by for name, _, by in score.scores(tables(path), MANIFEST, ANSWERS)} for path in engines]
+        for path in engines:
+            said = path.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+            self.assertIn(said, PAGE.replace("\n", " "))
+        for group, names in groups.items():
+            cells = [cell(own, names) for own in found]
+            self.assertIn(f"| {group} | {len(names)} | {' | '.join(cells)} |", PAGE)
+        for quantity in {key for own in ANSWERS.values() for key in own}:
+            self.assertIn(f"`{quantity}`", PAGE)
+
+    def test_every_bracket_is_narrow(self):
+        for name, own in ANSWERS.items():
+            for quantity, bracket in own.items():
+                if "low" in bracket and quantity != "moves_deg":
+                    self.assertLessEqual(Fraction(str(bracket["high"])) - Fraction(str(bracket["low"])), Fraction(2, 10**9), (name, quantity))
+
+
+if __name__ == "__main__":
+    main()
