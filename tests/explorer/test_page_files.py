@@ -3,12 +3,14 @@
 """What goes into the explorer and out of it: every example, files of all kinds, saved scenes, links that carry one,
 and all of it without a network."""
 
+import json
 import pathlib
+import re
 import tempfile
 import time
 import unittest
 
-from page_case import ADDRESS, ROOT, PageCase, main
+from page_case import ADDRESS, ROOT, PageCase, main, run
 
 EXAMPLES = ROOT / "examples"
 BLOCK = "document.querySelector('.shape.block').getAttribute('d')"
@@ -78,6 +80,8 @@ class Files(PageCase):
     def test_link_carries_the_scene_and_its_files(self):
         """The address of a page that opened a boulder from a CSV, opened anew, shows that boulder."""
         self.example("boulder")
+        self.drag("tilt.angle_deg", -5, -30)  # as it stands in the menu its link would be its name
+        self.answered()
         drawn, text = self.value(BLOCK), self.text()
         self.click("#link")
         fragment = self.awaits("location.hash.length > 10 && location.hash")
@@ -111,6 +115,67 @@ class Files(PageCase):
         printed = base64.b64decode(self.browser.call("Page.printToPDF")["data"])
         self.assertTrue(printed.startswith(b"%PDF"))
         self.assertGreater(len(printed), 10_000)
+
+    def test_short_link_of_an_example(self):
+        """An example that nobody changed has a link by its name; changed, the link carries all of it."""
+        self.example("slab_left")
+        self.click("#link")
+        self.awaits("location.hash === '#example=slab_left.yaml'")
+        self.load("#example=slab_left.yaml")
+        self.assertEqual(self.value("document.getElementById('examples').value"), "slab_left.yaml")
+        self.drag("tilt.angle_deg", -5, -30)
+        self.answered()
+        self.assertEqual(self.value("location.hash"), "")
+        self.click("#link")
+        self.awaits("location.hash.startsWith('#z=')")
+
+    def test_within_another_page(self):
+        """#embed shows the drawing with its verdict alone, or the tabs that are named beside it, of the scene of a link; what
+        the reader keeps stays as it was; the line that is offered does that."""
+        self.load("#embed&example=slab_left.yaml")
+        self.assertEqual(self.value("document.getElementById('examples').value"), "slab_left.yaml")
+        for hidden in ("header", ".side"):
+            self.assertEqual(self.value(f"getComputedStyle(document.querySelector('{hidden}')).display"), "none")
+        self.assertGreater(self.value("document.getElementById('drawing').getBoundingClientRect().width"), 1200)
+        self.assertIsNone(self.value("localStorage.getItem('topple.scene')"))
+        self.load("#embed=forces,map")
+        self.assertEqual(self.value("[...document.querySelectorAll('[role=tab]')].filter(t => !t.hidden).map(t => t.id)"), ["tab-forces", "tab-map"])
+        self.assertEqual(self.value("getComputedStyle(document.querySelector('header')).display"), "none")
+        self.load()
+        self.example("slab")
+        self.click("#tab-curves")
+        self.click("#embed")
+        self.awaits("!document.getElementById('message').hidden")
+        line = self.message()
+        if line.startswith("<iframe"):  # where no clipboard is given to a page
+            self.load("#" + re.search(r'src="[^#]*#([^"]*)"', line).group(1).replace("&amp;", "&"))
+            self.assertEqual(self.value("document.querySelector('[aria-selected=true]').id"), "tab-curves")
+            self.assertIn("slab", self.value("document.getElementById('scene-title').title"))
+
+    def test_many_blocks(self):
+        """Of many blocks the core's own figure is drawn, with the factor that the native program finds; the dip follows its
+        slider; other panels say what they are of; and one block is drawn again as before."""
+        self.example("wet_columns")
+        status, out, err = run("solve", "--json", "examples/blocks/wet_columns.yaml", folder=ROOT)
+        self.assertEqual(status, 0, err)
+        fos = json.loads(out)["cases"][0]["fos"]["value"]
+        self.assertAlmostEqual(float(self.value("document.querySelector('#factor-said strong').textContent")), fos, delta=0.0006)
+        picture = "document.querySelector('image.picture')"
+        self.awaits(f"{picture}.getAttribute('href')?.startsWith('blob:')")
+        before = self.value(f"{picture}.getAttribute('href')")
+        self.assertEqual(self.value("document.querySelectorAll('.handle').length"), 0)
+        self.awaits("document.querySelector('#panel-verdict pre')?.textContent.includes('strength reduction')")
+        self.click("#tab-pivots")
+        self.frame()
+        self.assertIn("of scenes of one block", self.value("document.querySelector('#panel-pivots').textContent"))
+        self.value("(() => { const s = document.querySelector('#numbers input[type=range]'); s.value = '10';"
+                   " s.dispatchEvent(new Event('input')); s.dispatchEvent(new Event('change')); })()")
+        self.answered()
+        self.assertIn("dip_deg: 10", self.text())
+        self.awaits(f"{picture}.getAttribute('href') !== '{before}'")
+        self.example("block_e_valley")
+        self.assertEqual(self.value(f"{picture}.getAttribute('display')"), "none")
+        self.assertGreater(self.value("document.querySelectorAll('.handle').length"), 4)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The scenes of examples/ and the files that they name, as JSON for the page: [{"name", "title", "text", "files"}],
-sorted by name."""
+"""The scenes of examples/ and of examples/blocks/, and the files that they name, as JSON for the page:
+[{"name", "group", "title", "text", "files"}], sorted by group and name."""
 
 import pathlib
 import re
@@ -10,13 +10,16 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 NAMED = re.compile(r"[A-Za-z0-9_./-]+\.(?:csv|dxf|svg|wkt|geojson|ply|obj|stl|at2)\b")
 
 
-def example(path):
+GROUPS = {"Examples": ".", "Many blocks": "blocks"}
+
+
+def example(path, group):
     text = path.read_text(encoding="utf-8")
     title = re.search(r"^title: *(.*)$", text, re.M)
     named = (path.parent / name for name in sorted(set(NAMED.findall(text))))
     files = {str(file.relative_to(path.parent)): file.read_text(encoding="utf-8") for file in named if file.is_file()}
-    return {"name": path.name, "title": title.group(1).strip("\"'") if title else path.stem, "text": text, "files": files}
+    return {"name": path.name, "group": group, "title": title.group(1).strip("\"'") if title else path.stem, "text": text, "files": files}
 
 
 def examples():
-    return [example(path) for path in sorted(EXAMPLES.glob("*.yaml"))]
+    return [example(path, group) for group, folder in GROUPS.items() for path in sorted((EXAMPLES / folder).glob("*.yaml"))]

@@ -18,11 +18,12 @@ import { waterPath } from "./water.js";
 import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
 import { nearPath } from "./thin_path.js";
 import { symbolsOf } from "./symbols.js";
+import { Picture } from "./picture.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
 import { drawArc } from "./tilt_handle.js";
-import { layersOf } from "./layers.js";
+import { emptied, layersOf } from "./layers.js";
 import { isElsewhere, roomOf } from "./room.js";
 import { drawScale } from "./scale_bar.js";
 
@@ -54,6 +55,7 @@ export class Drawing extends EventTarget {
     this.context = null;
     this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", "Drawing of the block on its base");
     this.layers = layersOf(this.svg);
+    this.picture = new Picture(this.svg);
     this.frame = this.layers.frame;
     this.zooming = zoom().scaleExtent([0.05, ZOOM_MAX]).filter((event) => this.#zooms(event)).on("zoom", (event) => this.#zoomed(event.transform));
     this.svg.call(this.zooming).on("dblclick.zoom", null);
@@ -131,10 +133,13 @@ export class Drawing extends EventTarget {
     const stale = store.solution === null;
     this.svg.classed("stale", stale && store.problem !== null);
     this.context = null;
+    const isPicture = answer !== null && answer.kind !== "block";
+    this.picture.put(isPicture ? this.store.figure : null, this.view, "Figure of the blocks");
+    if (isPicture) this.#leaveOut(answer.kind === "solid" ? "A solid is not drawn here; its report stands beside this" : "");
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
     if (!isDrawable(outlines)) {
-      this.#leaveOut();
+      this.#leaveOut("No browser can draw a block of this size; its numbers stand beside this");
       return;
     }
     this.#fitOnce(outlines);
@@ -146,15 +151,13 @@ export class Drawing extends EventTarget {
   }
 
   /** Nothing of the scene, and why. */
-  #leaveOut() {
-    const { layers } = this;
+  #leaveOut(why) {
     this.#drawn = null;
     this.#fitted = -1;
-    drawShapes(layers, []);
-    for (const path of [layers.water, layers.preview]) path.attr("d", "");
-    layers.symbols.selectAll("g").remove();
+    drawShapes(this.layers, []);
+    emptied(this.layers);
     this.handles.set([]);
-    layers.note.text("No browser can draw a block of this size; its numbers stand beside this");
+    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(why);
   }
 
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
@@ -195,7 +198,7 @@ export class Drawing extends EventTarget {
 
   #drawPreview(stale) {
     const { outlines } = this.store.lastSolution;
-    const path = (stale ? previewPath(this.context) : null) ?? "";
+    const path = (stale ? previewPath(this.context, 1 / this.view.dotsPerMetre) : null) ?? "";
     this.layers.water.attr("d", waterPath(this.context, outlines, this.view.turn));
     this.layers.preview.attr("d", nearPath(path, reachOf(outlines))).classed("wrong", this.store.problem !== null);
   }

@@ -28,3 +28,10 @@ export function layersOf(svg) {
   }
   return layers;
 }
+
+/** What no shape is, taken away. @param {Record<string, object>} layers */
+export function emptied(layers) {
+  for (const path of [layers.water, layers.preview, layers.arc.select("path"), layers.scale.select("path")]) path.attr("d", "");
+  for (const name of ["arc", "scale"]) layers[name].select("text").text("");
+  layers.symbols.selectAll("g").remove();
+}

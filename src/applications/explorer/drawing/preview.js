@@ -9,15 +9,24 @@
 import { teethOf } from "./block_handles.js";
 import { pointsOf } from "./points.js";
 
-/** @param {import("./handle.js").Context} context @returns {string|null} a path in the frame of the drawing */
-export function previewPath(context) {
+/**
+ * @param {import("./handle.js").Context} context
+ * @param {number} dot the length of a dot of the screen: of vertices that lie within one of each other the first is drawn
+ * @returns {string|null} a path in the frame of the drawing
+ */
+export function previewPath(context, dot) {
   if (context.block === null) return null;
   const ring = slabRing(context) ?? teethRing(context) ?? outlineRing(context);
   if (ring === null || ring.length < 3) return null;
-  return ring.map(({ x, y }, i) => {
+  const pieces = [];
+  let last = null;
+  for (const { x, y } of ring) {
     const at = context.block.toFrame(x, y);
-    return (i === 0 ? "M" : "L") + at.x + " " + at.y;
-  }).join("") + "Z";
+    if (last !== null && Math.abs(at.x - last.x) < dot && Math.abs(at.y - last.y) < dot) continue;
+    pieces.push((last === null ? "M" : "L") + at.x + " " + at.y);
+    last = at;
+  }
+  return pieces.join("") + "Z";
 }
 
 function slabRing(context) {

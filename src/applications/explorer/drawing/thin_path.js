@@ -3,7 +3,7 @@
 
 /** Paths with more points than a screen has dots are drawn with fewer: what lies within a dot of the point before goes. */
 
-const LONG = 60_000;
+const LONG = 20_000;
 const FAR_NUMBER = /e\+?(1[5-9]|[2-9]\d|\d{3})/;
 const COMMAND = /([MLCZ])([^MLCZ]*)/g;
 

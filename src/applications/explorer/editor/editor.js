@@ -27,6 +27,7 @@ export class Editor {
   constructor(element, store) {
     this.store = store;
     this.view = new EditorView({ parent: element, state: EditorState.create({ doc: plainEnds(store.text), extensions: this.#extensions() }) });
+    this.view.scrollDOM.tabIndex = 0; // what is beyond its edge is reached by keys
     store.addEventListener("text", () => this.#follow());
     store.addEventListener("solution", () => this.#mark(null));
     store.addEventListener("problem", () => this.#mark(store.problem));

@@ -6,30 +6,34 @@
 import examples from "topple:examples";
 import { TEMPLATES } from "./templates.js";
 
-const GROUPS = [["Begin your own", TEMPLATES], ["Examples", examples]];
-const ALL = GROUPS.flatMap(([, scenes]) => scenes);
+const ALL = [...TEMPLATES.map((each) => ({ ...each, group: "Begin your own" })), ...examples];
+const GROUPS = [...new Set(ALL.map(({ group }) => group))];
 
 export class ExamplesMenu {
   /** @param {HTMLSelectElement} select @param {import("../scene/store.js").SceneStore} store */
   constructor(select, store) {
     this.select = select;
     this.store = store;
-    for (const [label, scenes] of GROUPS) {
+    for (const label of GROUPS) {
       const group = document.createElement("optgroup");
       group.label = label;
-      group.append(...scenes.map(({ name, title }) => new Option(title, name)));
+      group.append(...ALL.filter((each) => each.group === label).map(({ name, title }) => new Option(title, name)));
       select.append(group);
     }
     select.addEventListener("change", () => this.open(select.value));
-    store.addEventListener("text", () => {
-      const found = ALL.find((one) => one.name === store.name);
-      select.value = found !== undefined && found.text === store.text ? found.name : "";
-    });
+    store.addEventListener("text", () => (select.value = this.present ?? ""));
   }
 
-  /** @param {string} name as block_e_valley.yaml */
+  /** The name of the scene that is on the page, as it stands in the menu; null: it is another one. @returns {string|null} */
+  get present() {
+    const found = ALL.find((one) => one.name === this.store.name);
+    return found !== undefined && found.text === this.store.text ? found.name : null;
+  }
+
+  /** @param {string} name as block_e_valley.yaml @returns {boolean} whether there is one */
   open(name) {
     const found = ALL.find((one) => one.name === name);
     if (found !== undefined) this.store.open({ name, text: found.text, files: found.files });
+    return found !== undefined;
   }
 }

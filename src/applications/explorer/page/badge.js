@@ -11,7 +11,7 @@ export function badge(element, drawing, store) {
   const show = () => {
     const kase = drawing.case;
     element("badge").classList.toggle("of-before", store.problem !== null);
-    element("badge").dataset.kind = COLOUR_CLASS[kase?.mechanism] ?? "undecided";
+    element("badge").dataset.kind = COLOUR_CLASS[kase?.mechanism ?? kase?.verdict] ?? "undecided";
     element("verdict-said").textContent = kase === null ? "" : verdictWords(kase);
     element("factor-said").replaceChildren(...(kase === null ? [] : factorWords(kase)));
   };
@@ -21,16 +21,20 @@ export function badge(element, drawing, store) {
 
 /** @param {any} kase of the answer @returns {string} */
 export function verdictWords(kase) {
-  const does = sentence(kase.mechanism);
+  const does = sentence(kase.mechanism ?? kase.verdict);
   return kase.tilt_angle_deg ? does + " at " + degreesText(kase.tilt_angle_deg) : does + " first, as it is tilted";
 }
 
 /** The number stands out, and what it is against follows. */
-function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset }) {
-  if (governing === undefined) return [];
+function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fos }) {
+  if (governing === undefined) return fos ? ["FoS ", strong(fosText(fos)), " by strength reduction"] : [];
   if (!tilt && onset?.kind === "angle") return ["Certain to stand up to " + degreesText(onset.critical_angle_deg)];
   if (governing.fos === null) return ["FoS " + (governing.fos_is ?? "none")];
-  const number = document.createElement("strong");
-  number.textContent = fosText(governing.fos);
-  return ["FoS" + (governing.complete ? " " : " at most "), number, " against " + againstText(governing.mechanism)];
+  return ["FoS" + (governing.complete ? " " : " at most "), strong(fosText(governing.fos)), " against " + againstText(governing.mechanism)];
+}
+
+function strong(text) {
+  const made = document.createElement("strong");
+  made.textContent = text;
+  return made;
 }

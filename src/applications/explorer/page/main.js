@@ -9,9 +9,10 @@ import { SceneStore } from "../scene/store.js";
 import { Drawing } from "../drawing/drawing.js";
 import { ExamplesMenu } from "../examples/menu.js";
 import { keepScene, keptScene } from "../scene/kept.js";
-import { carriesScene, sceneOfLink } from "../scene/link.js";
+import { carriesScene, exampleOfLink, sceneOfLink } from "../scene/link.js";
 import { badge } from "./badge.js";
 import { drawingTools } from "./drawing_tools.js";
+import { readEmbed, showEmbedded } from "./embed.js";
 import { firstGesture } from "./first_gesture.js";
 import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
@@ -45,24 +46,27 @@ async function begin() {
   new Player(element("play"), element("film"), { drawing, store, core: background, messages });
   numbersForm(element("numbers"), store);
   sceneWords(element, store);
-  sceneTools(element, store, messages);
+  sceneTools(element, { store, menu, messages, tabs });
+  const embedded = readEmbed(location.hash);
+  if (embedded !== null) showEmbedded(embedded, tabs);
   const told = (words) => (element("told").textContent = words);
-  if (await openFirst(store, menu, messages)) store.addEventListener("solution", () => firstGesture(store, told), { once: true });
-  keepScene(store);
+  if (await openFirst(store, menu, messages, embedded)) store.addEventListener("solution", () => firstGesture(store, told), { once: true });
+  // a page within another one neither takes nor leaves the reader's own scene
+  if (embedded === null) keepScene(store);
   store.addEventListener("text", () => forgetLink());
-  addEventListener("hashchange", () => openLink(store, messages));
+  addEventListener("hashchange", () => openLink(store, menu, messages));
 }
 
 /**
  * A link says which scene is meant; else it is the one that was left here, or the first example.
  * @returns {Promise<boolean>} whether it is the example
  */
-async function openFirst(store, menu, messages) {
-  if (await openLink(store, messages)) return false;
-  const kept = keptScene();
+async function openFirst(store, menu, messages, embedded) {
+  if (await openLink(store, menu, messages, embedded?.link)) return false;
+  const kept = embedded === null ? keptScene() : null;
   if (kept === null) menu.open(FIRST);
   else store.open(kept);
-  return kept === null;
+  return kept === null && embedded === null;
 }
 
 /** The scene is no more the one that the address carries: a reload would bring that one back. */
@@ -71,9 +75,11 @@ function forgetLink() {
 }
 
 /** @returns {Promise<boolean>} whether the page's address carried a scene */
-async function openLink(store, messages) {
+async function openLink(store, menu, messages, link = location.hash) {
   try {
-    const state = await sceneOfLink(location.hash);
+    const example = exampleOfLink(link);
+    if (example !== null && menu.open(example)) return true;
+    const state = await sceneOfLink(link);
     if (state === null) return false;
     store.open(state);
     return true;

@@ -13,7 +13,7 @@ function lawOfFriction(scene) {
 }
 
 const NUMBERS = [
-  { path: ["tilt", "angle_deg"], label: "Tilt, °", max: 60, greatest: 90 },
+  { path: ["tilt", "angle_deg"], or: ["slope", "dip_deg"], label: "Tilt, °", max: 60, greatest: 90 },
   { path: ["friction_angle_deg"], label: "Friction angle, °", max: 60, greatest: 89.9, other: lawOfFriction },
 ];
 
@@ -25,7 +25,7 @@ export function numbersForm(form, store) {
 }
 
 /** @returns {() => void} brings it up to the scene */
-function numberRow(form, store, { path, label, max, greatest, other = () => null }) {
+function numberRow(form, store, { path: own, or = own, label, max, greatest, other = () => null }) {
   const row = document.createElement("label");
   const slider = input("range", { min: 0, max, step: 0.1 });
   const field = input("text", { inputmode: "decimal", autocomplete: "off", size: 6, "aria-label": label });
@@ -36,6 +36,7 @@ function numberRow(form, store, { path, label, max, greatest, other = () => null
   form.append(row);
   let typing = false;
   const present = () => {
+    const path = store.parsed.scalar(or) === null ? own : or;
     const found = quantity(store.parsed, path, parameterValues(store.parsed));
     return { ...found, fixed: found.fixed ?? other(store.parsed) };
   };
@@ -45,7 +46,7 @@ function numberRow(form, store, { path, label, max, greatest, other = () => null
   };
   const put = (text) => {
     const now = present();
-    if (now.fixed === null) store.setNumber(now.path, text, { mergeWith: "slide " + path.join(".") });
+    if (now.fixed === null) store.setNumber(now.path, text, { mergeWith: "slide " + own.join(".") });
   };
   const update = () => {
     if (store.parsed.unread !== null) return;

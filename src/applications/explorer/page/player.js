@@ -141,7 +141,7 @@ export class Player {
   }
 
   #canPlay() {
-    this.button.disabled = this.#film === null && this.store.solution === null;
+    this.button.disabled = this.#film === null && this.store.solution?.kind !== "block";
   }
 }
 

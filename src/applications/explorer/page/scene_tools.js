@@ -3,12 +3,13 @@
 
 /** Open, save, undo, redo, and a link that carries the scene. */
 
-import { linkOfScene } from "../scene/link.js";
+import { linkOfExample, linkOfScene } from "../scene/link.js";
 import { readFiles } from "../scene/open.js";
+import { embedLine } from "./embed.js";
 import { offer } from "./offer.js";
 
-/** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store @param messages */
-export function sceneTools(element, store, messages) {
+/** @param {(id: string) => HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, menu: object, messages: object, tabs: object}} page */
+export function sceneTools(element, { store, menu, messages, tabs }) {
   const openFiles = async (files) => {
     try {
       messages.clear();
@@ -29,7 +30,8 @@ export function sceneTools(element, store, messages) {
   });
   const save = () => offer(store.name, store.text, "application/yaml");
   element("save").addEventListener("click", save);
-  element("link").addEventListener("click", () => copyLink(store, messages));
+  element("link").addEventListener("click", () => copyLink(store, menu, messages));
+  element("embed").addEventListener("click", () => copyEmbed(store, messages, tabs));
   undoTools(element, store);
   addEventListener("keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "s") {
@@ -57,9 +59,23 @@ function undoTools(element, store) {
   });
 }
 
-async function copyLink(store, messages) {
+async function copyEmbed(store, messages, tabs) {
   try {
-    const hash = await linkOfScene({ name: store.name, text: store.text, files: store.files });
+    const line = await embedLine(location.href.split("#")[0], { name: store.name, text: store.text, files: store.files }, tabs.opened);
+    try {
+      await navigator.clipboard.writeText(line);
+      messages.say("The line for another page is copied; that page shows the drawing, and the tab that is open here.");
+    } catch {
+      messages.say(line);
+    }
+  } catch (error) {
+    messages.say(error.message);
+  }
+}
+
+async function copyLink(store, menu, messages) {
+  try {
+    const hash = menu.present === null ? await linkOfScene({ name: store.name, text: store.text, files: store.files }) : linkOfExample(menu.present);
     history.replaceState(null, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);

@@ -11,6 +11,10 @@ import texts from "topple:licence_texts";
 const VERSION_MAX_MS = 5000;
 
 export class AboutPanel extends Panel {
+  get takes() {
+    return ["block", "blocks", "solid"];
+  }
+
   constructor(place, context) {
     super(place, context);
     const version = element("strong", {}, "topple");

@@ -117,7 +117,7 @@ export class DerivePanel extends Panel {
       "section",
       {},
       element(
-        "h4", {}, pivot.kind + " at (", inline(pivot.x), ", ", inline(pivot.y), "), towards the " + pivot.towards + ", ",
+        "h3", {}, pivot.kind + " at (", inline(pivot.x), ", ", inline(pivot.y), "), towards the " + pivot.towards + ", ",
         this.terms.word(state, "admissible pivot"),
       ),
       equation(symbol("tan", "α_crit"), fraction(pivot.tan_critical_angle)),
@@ -126,7 +126,7 @@ export class DerivePanel extends Panel {
   }
 
   #limitFormula(title, angle, derived) {
-    const heading = element("h4", {}, title + ", towards the " + derived.towards + ": " + (derived.mechanism ?? ""));
+    const heading = element("h3", {}, title + ", towards the " + derived.towards + ": " + (derived.mechanism ?? ""));
     if (derived.same_as_limit) return element("section", {}, heading, element("p", {}, "The formula of the limit serves for both."));
     const quotient = derived.tan_critical_angle;
     if (!quotient) return element("section", {}, heading, element("p", {}, "No formula: " + (derived.reason ?? "it has none") + "."));

@@ -51,6 +51,11 @@ export class Panel {
     throw new Error("a panel draws " + solution);
   }
 
+  /** Of which kinds of scenes it has something to show. @returns {string[]} */
+  get takes() {
+    return ["block"];
+  }
+
   /** What runs for it can be left. */
   hidden() {}
 
@@ -81,6 +86,12 @@ export class Panel {
     }
     if (solution === null || solution === this.#drawn) return;
     this.#drawn = solution;
+    this.body.hidden = !this.takes.includes(solution.kind);
+    if (this.body.hidden) {
+      this.stale.hidden = false;
+      this.stale.textContent = "This is of scenes of one block; what was found of this one stands under Verdict.";
+      return;
+    }
     this.place.dataset.scene = this.store.name;
     this.draw(solution);
     this.terms.forget();

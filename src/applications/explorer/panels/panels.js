@@ -30,8 +30,11 @@ class ResultsPanel {
   constructor(place, context) {
     for (const { id, title, Panel } of RESULTS) {
       const body = element("div", {});
-      place.append(element("section", { id: "panel-" + id, "aria-labelledby": "head-" + id }, element("h2", { id: "head-" + id }, title), body));
-      new Panel(body, context).show();
+      const section = element("div", { id: "panel-" + id }, element("h2", {}, title), body);
+      place.append(section);
+      const panel = new Panel(body, context);
+      panel.show();
+      context.store.addEventListener("solution", () => (section.hidden = !panel.takes.includes(context.store.solution.kind)));
     }
   }
 

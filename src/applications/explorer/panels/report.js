@@ -23,6 +23,10 @@ const FILES = [
 ];
 
 export class ReportPanel extends Panel {
+  get takes() {
+    return ["block", "blocks", "solid"];
+  }
+
   #asked = 0;
 
   constructor(place, context) {

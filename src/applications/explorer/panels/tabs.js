@@ -44,6 +44,19 @@ export class Tabs {
     }
   }
 
+  /** The tab that is open. */
+  get opened() {
+    return this.entries.find(({ sheet }) => !sheet.hidden).id;
+  }
+
+  /** These tabs and no others, the first of them open. @param {string[]} ids those that are none are passed over */
+  keep(ids) {
+    const kept = this.entries.filter(({ id }) => ids.includes(id));
+    if (kept.length === 0) return;
+    for (const { id, tab } of this.entries) tab.hidden = !ids.includes(id);
+    this.open(kept[0].id);
+  }
+
   /** @param {string} id @returns {import("./panel.js").Panel} shown */
   panel(id) {
     this.open(id);
@@ -54,8 +67,8 @@ export class Tabs {
     const hop = HOPS[event.key];
     if (hop === undefined) return;
     event.preventDefault();
-    const at = this.entries.findIndex(({ tab }) => tab === event.currentTarget);
-    const next = this.entries[hop(at, this.entries.length)];
+    const seen = this.entries.filter(({ tab }) => !tab.hidden);
+    const next = seen[hop(seen.findIndex(({ tab }) => tab === event.currentTarget), seen.length)];
     this.open(next.id);
     next.tab.focus();
   }

@@ -9,6 +9,7 @@
 import { alpha, element } from "./element.js";
 import { degreesText, fosText } from "./certain.js";
 import { lengthUnit, pointText } from "./lengths.js";
+import { otherReport } from "./other_report.js";
 import { Panel } from "./panel.js";
 import { windowGauge } from "./window_gauge.js";
 import { COLOUR_CLASS, againstText, definitionText, directionText, sentence, termOfDefinition } from "./words.js";
@@ -17,6 +18,10 @@ import { COLOUR_CLASS, againstText, definitionText, directionText, sentence, ter
 const STILL = 600;
 
 export class VerdictPanel extends Panel {
+  get takes() {
+    return ["block", "blocks", "solid"];
+  }
+
   #told = 0;
 
   constructor(place, context) {
@@ -26,6 +31,10 @@ export class VerdictPanel extends Panel {
   }
 
   draw(solution) {
+    if (solution.kind !== "block") {
+      this.body.replaceChildren(otherReport(this));
+      return;
+    }
     this.body.replaceChildren(
       ...solution.cases.map((each) => this.#direction(each)),
       ...solution.notes.map((note) =>

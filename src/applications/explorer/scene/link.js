@@ -10,6 +10,7 @@ const LINK_MAX = 2_000_000; // characters of a fragment
 const SCENE_MAX = 8_000_000; // bytes unpacked: a fragment of zeros could unpack to a thousand times its size
 const NAME_MAX = 250; // characters of a file's name, ...
 const FOLDERS_MAX = 3; // ... with the folders it lies in
+const EXAMPLE = "#example=";
 const PACKED = "#z=";
 const PLAIN = "#t=";
 
@@ -28,12 +29,22 @@ export async function linkOfScene({ name, text, files }) {
 
 /** @param {string} hash of an address */
 export function carriesScene(hash) {
-  return hash.startsWith(PACKED) || hash.startsWith(PLAIN);
+  return [PACKED, PLAIN, EXAMPLE].some((head) => hash.startsWith(head));
+}
+
+/** The short link of a scene that every copy of the page has. @param {string} name */
+export function linkOfExample(name) {
+  return EXAMPLE + name;
+}
+
+/** @param {string} hash of an address @returns {string|null} the name of the example that it leads to */
+export function exampleOfLink(hash) {
+  return hash.startsWith(EXAMPLE) ? hash.slice(EXAMPLE.length) : null;
 }
 
 /** @param {string} hash of an address @returns {Promise<import("./store.js").State|null>} null: it carries none */
 export async function sceneOfLink(hash) {
-  if (!carriesScene(hash)) return null;
+  if (!hash.startsWith(PACKED) && !hash.startsWith(PLAIN)) return null;
   const packed = hash.startsWith(PACKED);
   if (hash.length > LINK_MAX) throw new Error("it is longer than a link of this page can be");
   const body = fromBase64(hash.slice(PACKED.length));

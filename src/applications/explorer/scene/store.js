@@ -10,11 +10,20 @@
  */
 
 import { History } from "./history.js";
+import { kindOf } from "./kind.js";
 import { SceneText } from "./scene_text.js";
 import { readComplaint } from "./complaint.js";
 
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
+
+/** How the core is asked for each kind of scene; of many blocks its figure is drawn. */
+const FIGURE = ".figure.svg";
+const ASKED = {
+  block: ["solve", "--json", "--outlines"],
+  blocks: ["solve", "--json", "--figure", FIGURE],
+  solid: ["solve", "--json"],
+};
 
 /** How long a solve may hold up that of a newer text, milliseconds. */
 const PATIENCE_MS = 2_000;
@@ -38,10 +47,12 @@ export class SceneStore extends EventTarget {
   constructor(core) {
     super();
     this.core = core;
-    /** The answer for the present text, JSON of `topple solve`; null while there is none. */
+    /** The answer for the present text, JSON of `topple solve`, with the kind of its scene; null while there is none. */
     this.solution = null;
     /** The last answer there was, of whatever text: what the drawing keeps. */
     this.lastSolution = null;
+    /** Of many blocks the figure of the last answer, an SVG. @type {Uint8Array|null} */
+    this.figure = null;
     /** @type {import("./complaint.js").Complaint|null} */
     this.problem = null;
     /** How many scenes were opened: another number, another scene. */
@@ -148,15 +159,16 @@ export class SceneStore extends EventTarget {
     const now = performance.now();
     for (const [control, since] of this.#pending) if (now - since > PATIENCE_MS) control.abort();
     const control = new AbortController();
+    const kind = kindOf(this.parsed);
     this.#pending.set(control, now);
     this.#tellBusy();
     try {
       const answer = await this.core.run(
-        ["solve", "--json", "--outlines", this.argument],
+        [...ASKED[kind], this.argument],
         { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal, collect: kind === "blocks" ? [FIGURE] : [] },
       );
-      if (asked === this.#asked) this.#answered(answer);
+      if (asked === this.#asked) this.#answered(answer, kind);
     } catch (error) {
       // a request that a later one replaced says so by the usual name, and is no failure
       if (asked === this.#asked && error.name !== "AbortError") this.#failed(error);
@@ -166,9 +178,10 @@ export class SceneStore extends EventTarget {
     }
   }
 
-  #answered(answer) {
+  #answered(answer, kind) {
     if (answer.out !== "") {
-      this.solution = JSON.parse(answer.out);
+      this.solution = { kind, cases: [], notes: [], ...JSON.parse(answer.out) };
+      this.figure = answer.files?.[FIGURE] ?? null;
       this.lastSolution = this.solution;
       this.problem = null;
       this.#tell("solution");
