@@ -276,25 +276,30 @@ class Drawn(DrawnCase):
         self.assertAlmostEqual(self.value(scale), first, places=4)
 
     def test_drags_at_sixty_frames_a_second(self):
-        """Blocks of 6, 30 and 100 vertices, some two seconds each; the frames of the page are counted while one vertex is
-        dragged, and the time that its thread works for each report of the hand, which leaves room in a sixtieth."""
+        """Blocks of 6 to 5000 vertices, some two seconds each; the frames of the page are counted while one vertex is
+        dragged, and the time that its thread works for each report of the hand, which leaves room in a sixtieth; of 5000 in
+        a thirtieth."""
         self.browser.call("Performance.enable", timeDomain="threadTicks")
-        for count in (6, 30, 100):
+        for count in (6, 30, 100, 5000):
             self.type_scene(polygon(count))
             self.answered()
+            self.click("#tab-results")
+            self.frame()
             self.value("""(() => { window.gaps = []; window.counting = true; let last = 0;
               const step = (now) => { if (last) gaps.push(now - last); last = now; if (counting) requestAnimationFrame(step); };
               requestAnimationFrame(step); })()""")
             before = self.worked()
-            self.drag(f"block.outline.{count // 2}", 60, -40, steps=REPORTS, pace=0.005)
+            key = self.value("[...document.querySelectorAll('.handle')].map(h => h.dataset.handle).filter(k => k.startsWith('block.')).at(-1)")
+            self.drag(key, 60, -40, steps=REPORTS, pace=0.005)
             work = 1000 * (self.worked() - before) / REPORTS
             gaps = sorted(self.value("(window.counting = false, gaps)"))
             late = sum(gap > 25 for gap in gaps) / len(gaps)
             print(f"\n{count} vertices: {1000 * len(gaps) / sum(gaps):.0f} frames a second, median "
                   f"{gaps[len(gaps) // 2]:.1f} ms, greatest {gaps[-1]:.0f} ms, {100 * late:.1f} % late; {work:.1f} ms of work each")
             # the machine of a test may be loaded: half of the frames in time is asked for, the rest printed
-            self.assertLess(gaps[len(gaps) // 2], 25)
-            self.assertLess(work, 1000 / 60)
+            if count <= 100:
+                self.assertLess(gaps[len(gaps) // 2], 25)
+            self.assertLess(work, 1000 / (60 if count <= 100 else 30))
             self.answered()
         self.browser.call("Performance.disable")
 

@@ -9,7 +9,7 @@ import unittest
 
 import firefox
 import picture
-from page_case import ADDRESS, BUILT, PAGE, PageCase, main
+from page_case import ADDRESS, BUILT, PAGE, ROOT, PageCase, main
 
 # A text, and all grounds below it from the root to itself, painted one on the other by the browser
 PAIRS = """(() => {
@@ -31,6 +31,7 @@ PAIRS = """(() => {
 TOO_WIDE = """[...document.querySelectorAll('main *, header *')].filter(e => e.getClientRects().length > 0 &&
   !e.closest('.toolbar, .tabs, .cm-scroller, svg, .wide, table, math') && e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map(e => e.outerHTML.slice(0, 90))"""
+AXE = ROOT / "src" / "applications" / "explorer" / "node_modules" / "axe-core" / "axe.min.js"
 CONTRAST = 4.5  # WCAG 2, AA
 
 
@@ -90,6 +91,29 @@ class Looks(PageCase):
                 self.assertGreaterEqual(contrast(of("block", "stroke"), of("block", "fill")), 3)
                 self.assertGreaterEqual(contrast(of("contact", "stroke"), of("block", "fill")), 3)
                 self.assertGreaterEqual(contrast(of("contact", "stroke"), of("rock", "fill")), 3)
+
+    @unittest.skipUnless(AXE.is_file(), f"there is no {AXE}: ./run --explorer installs it")
+    def test_axe_finds_nothing(self):
+        """The rules of axe, on every tab, wide and narrow, in the tour and with a complaint."""
+        rules = AXE.read_text(encoding="utf-8")
+        for width, height in ((1440, 900), (390, 844)):
+            self.load(width=width, height=height)
+            self.browser.call("Runtime.evaluate", expression=rules)
+            for tab in self.value("[...document.querySelectorAll('[role=tab]')].map(t => t.id)"):
+                self.click("#" + tab)
+                self.frame()
+                self.assertEqual(self.axe(), [], (width, tab))
+            self.click("#tour-begin button")
+            self.answered()
+            self.assertEqual(self.axe(), [], (width, "tour"))
+            self.type_scene("topple: 1\noops: 1\n")
+            self.refused()
+            self.assertEqual(self.axe(), [], (width, "a complaint"))
+
+    def axe(self):
+        """What it has to complain of."""
+        told = "axe.run(document).then(r => r.violations.map(v => v.id + ': ' + v.nodes.map(n => n.html.slice(0, 120)).join(' | ')))"
+        return self.browser.call("Runtime.evaluate", awaitPromise=True, returnByValue=True, expression=told)["result"]["value"]
 
     def test_narrow_window(self):
         """On a telephone nothing leaves the page, and the drawing is as wide as it."""
