@@ -265,9 +265,9 @@ class BlockSystem(GoverningCase):
             status, out, err = run(command, EXAMPLE)
             self.assertEqual((status, out), (3, ""))
             self.assertIn("many blocks", err)
-        status, out, err = run("solve", "--find", "friction_angle_deg", "--for", "fos=1.3", EXAMPLE)
+        status, out, err = run("solve", "--elements", EXAMPLE)
         self.assertEqual(status, 3)
-        self.assertIn("--find", err)
+        self.assertIn("--elements", err)
 
 
 if __name__ == "__main__":

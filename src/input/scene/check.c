@@ -196,9 +196,10 @@ tp_status tp_check_one_block(const tp_block_description *block, tp_message *mess
                      "study' take, without options of one block in a section");
   }
   if (block->form != TP_OUTLINE_OF_EACH) return TP_OK;
-  return tp_refuse(message, TP_FAULT_KEY, block->place,
-                   "this scene has many blocks, which 'topple solve' takes alone, without options "
-                   "of one block");
+  return tp_refuse(
+      message, TP_FAULT_KEY, block->place,
+      "this scene has many blocks, which 'topple solve', 'sweep', 'study' and 'chart map' "
+      "take, without options of one block; all else is of one");
 }
 
 tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place, tp_message *message) {

@@ -10,14 +10,11 @@
 
 #include <stdio.h>
 
-/* Of an edge of the grid 2^-64 is left, within the last digit of all numbers but those near 0,
- * where doubles go on to 1e-308 */
-enum { STEPS = 64 };
-
 const char *tp_regime_name(tp_regime regime) {
   static const char *const names[] = {
-      "no answer", "stands",      "slides",         "topples",         "slides and topples", "tie",
-      "may move",  "interlocked", "does not stand", "leaves its base", "undecided"};
+      "no answer",   "stands",   "slides",      "topples",        "slides and topples",
+      "tie",         "may move", "interlocked", "does not stand", "leaves its base",
+      "can be held", "undecided"};
   return names[regime];
 }
 
@@ -37,6 +34,7 @@ tp_chart_style tp_regime_region(tp_regime regime) {
   case TP_REGIME_TIE:
     return tp_region_both;
   case TP_REGIME_MAY_MOVE:
+  case TP_REGIME_CAN_HOLD:
     return tp_region_history;
   case TP_REGIME_STANDS: /* no map has both */
   case TP_REGIME_INTERLOCKED:
@@ -144,6 +142,7 @@ static void note_tilt(tp_map *map, const tp_solution *solution) {
 }
 
 tp_map_sample tp_map_take_sample(tp_map *map, const double *values) {
+  if (map->of_many) return tp_map_take_system(map, values);
   tp_map_sample sample = {.regime = TP_REGIME_NONE};
   tp_solution *solution = NULL;
   for (size_t k = 0; k < map->varied.count; k++) sample.values[k] = values[k];
@@ -190,7 +189,7 @@ static bool tell_regime(tp_map_sample *sample, const tp_map *map, const double *
 }
 
 void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high) {
-  for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
+  for (int step = 0; step < map->border_steps && map->status == TP_OK; step++) {
     double middle[TP_VARIED_MAX];
     bool moved = false;
     for (size_t k = 0; k < map->varied.count; k++) {

@@ -24,6 +24,7 @@ typedef enum tp_regime {
   TP_REGIME_INTERLOCKED, /* nothing does */
   TP_REGIME_NOWHERE,     /* it does not stand at any tilt */
   TP_REGIME_LEAVES_BASE,
+  TP_REGIME_CAN_HOLD, /* many blocks, by some forces */
   TP_REGIME_UNDECIDED
 } tp_regime;
 
@@ -35,14 +36,17 @@ typedef struct tp_map {
   tp_chart *chart;
   const tp_chart_map_options *options;
   tp_varied varied;
-  tp_message *message;     /* not NULL */
-  tp_status status;        /* of the system: memory; that a scene has no answer is none */
-  tp_message why;          /* why the last scene had no answer */
-  bool patton;             /* its friction is Patton's law */
-  bool at_tilt;            /* regimes are what the block does at the scene's tilt: */
-  bool has_tilt;           /* a sample had one */
-  bool tilts_differ;       /* it is a number that an axis takes along */
-  double tilt_deg;         /* else this */
+  tp_message *message;    /* not NULL */
+  tp_status status;       /* of the system: memory; that a scene has no answer is none */
+  tp_message why;         /* why the last scene had no answer */
+  bool of_many;           /* of many blocks, which take longer and are told less closely: */
+  int side, border_steps; /* samples along an axis; halvings of an edge between two */
+  double flat, bracket;   /* shares of a level and of an edge, as near as a contour is looked for */
+  bool patton;            /* its friction is Patton's law */
+  bool at_tilt;           /* regimes are what the block does at the scene's tilt: */
+  bool has_tilt;          /* a sample had one */
+  bool tilts_differ;      /* it is a number that an axis takes along */
+  double tilt_deg;        /* else this */
   tp_keyed_filter *filter; /* where borders are looked for: tells regimes in doubles; or NULL */
 } tp_map;
 
@@ -74,6 +78,9 @@ typedef struct tp_map_sample {
 
 /* Solve the scene with the values. */
 tp_map_sample tp_map_take_sample(tp_map *map, const double *values);
+
+/* The same of a scene of many blocks (map_system.c). */
+tp_map_sample tp_map_take_system(tp_map *map, const double *values);
 
 /* Are the regimes the same, and the motions of the strips, one after the other? */
 bool tp_map_sample_is_like(const tp_map_sample *one, const tp_map_sample *other);

@@ -57,9 +57,26 @@ static tp_status check_levels(const tp_chart_list *levels, tp_message *message) 
   return TP_OK;
 }
 
+/* Many blocks have no onset to be followed from level on. */
+static tp_status check_blocks(const tp_chart_map_options *o, tp_message *message) {
+  const tp_place place = {o->scene->path, 0, 0};
+  if (is_tilt(&o->x) || is_tilt(&o->y)) {
+    return tp_refuse(message, TP_FAULT_KEY, place,
+                     "a map of many blocks is over two numbers of the scene, as --x "
+                     "friction_angle_deg --y slope.dip_deg, or tilt.angle_deg for one of them");
+  }
+  if (!o->any_tilt) return TP_OK;
+  return tp_refuse(message, TP_FAULT_KEY, place,
+                   "a map of many blocks is of what they do as they lie; drop any tilt");
+}
+
 static tp_status check_contours(const tp_chart_map_options *o, tp_message *message) {
   const tp_place place = {o->scene->path, 0, 0};
   const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
+  if (tp_scene_block_count(o->scene) > 0) {
+    const tp_status status = check_blocks(o, message);
+    return status == TP_OK ? check_levels(&o->levels, message) : status;
+  }
   if (along_one && (o->governing_fos || o->levels.count > 0)) {
     return tp_refuse(
         message, TP_FAULT_KEY, place,
@@ -103,7 +120,7 @@ static tp_status find_numbers(tp_map *map) {
   }
   double own = 0;
   if (status == TP_OK) status = tp_varied_check(&own, &map->varied, map->message);
-  if (status == TP_OK && !scene->friction_angle_deg.given) {
+  if (status == TP_OK && !map->of_many && !scene->friction_angle_deg.given) {
     status =
         tp_refuse(map->message, TP_FAULT_KEY, (tp_place){scene->path, 0, 0},
                   "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
@@ -164,6 +181,7 @@ static void add_legend_of_plane(tp_chart *chart) {
       {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
       {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
       {"governing_fos", NULL, "factor of safety that governs", tp_line_contour},
+      {"fos", NULL, "factor of safety, strength reduction", tp_line_contour},
   };
   add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }
@@ -213,7 +231,7 @@ static void draw(tp_map *map) {
   char labels[2][LABEL_SIZE];
   const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
   tp_chart_add_panel(map->chart, NULL, x, y);
-  map->at_tilt = !along_one && !o->any_tilt && has_tilt(o->scene);
+  map->at_tilt = !along_one && !o->any_tilt && (map->of_many || has_tilt(o->scene));
   map->varied.options.strength_reduction = o->governing_fos;
   if (along_one) {
     tp_map_draw_line(map, is_tilt(&o->y));
@@ -227,6 +245,17 @@ static void draw(tp_map *map) {
   } else {
     add_legend_of_plane(map->chart);
   }
+}
+
+/* Of an edge of the grid 2^-64 is left between regimes of one block, within the last digit of all
+ * numbers but those near 0, where doubles go on to 1e-308. */
+static void set_closeness(tp_map *map) {
+  enum { SIDE = 49, HALVINGS = 64, SIDE_OF_MANY = 25, HALVINGS_OF_MANY = 20 };
+  map->of_many = tp_scene_block_count(map->options->scene) > 0;
+  map->side = map->of_many ? SIDE_OF_MANY : SIDE;
+  map->border_steps = map->of_many ? HALVINGS_OF_MANY : HALVINGS;
+  map->flat = map->of_many ? 1e-6 : 1e-11;
+  map->bracket = map->of_many ? 0x1p-20 : 0x1p-36;
 }
 
 TP_OPTIONS_END(tp_chart_map_options, levels);
@@ -250,6 +279,7 @@ tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp
   map.varied.options = tp_solve_options_default();
   map.varied.options.digits = 15;
   map.varied.options.strength_reduction = false;
+  set_closeness(&map);
   map.status = check(options, &own);
   if (map.status == TP_OK) map.status = find_numbers(&map);
   if (map.status == TP_OK) draw(&map);

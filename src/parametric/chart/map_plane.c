@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60, DIGITS_OF_GRID = 9 };
+enum { CONTOURS = 10, SEARCH_LOOKS = 60, DIGITS_OF_GRID = 9 };
 
 /* A number of a sample that has contours. */
 typedef bool (*reader)(tp_bounded *value, const tp_map_sample *sample);
@@ -40,15 +40,20 @@ typedef struct plane {
   double level; /* likewise */
 } plane;
 
-static double coordinate(const tp_chart_range *range, int k) {
-  return k == SIDE - 1 ? range->to : range->from + (range->to - range->from) * k / (SIDE - 1);
+static double coordinate(const plane *p, const tp_chart_range *range, int k) {
+  const int last = p->map->side - 1;
+  return k == last ? range->to : range->from + (range->to - range->from) * k / last;
+}
+
+static int sample_count(const plane *p) {
+  return p->map->side * p->map->side;
 }
 
 static bool scan(const plane *p) {
   bool any = false;
-  for (int k = 0; k < LOOKS && p->map->status == TP_OK; k++) {
-    const double values[2] = {coordinate(&p->map->options->x.range, k % SIDE),
-                              coordinate(&p->map->options->y.range, k / SIDE)};
+  for (int k = 0; k < sample_count(p) && p->map->status == TP_OK; k++) {
+    const double values[2] = {coordinate(p, &p->map->options->x.range, k % p->map->side),
+                              coordinate(p, &p->map->options->y.range, k / p->map->side)};
     p->grid[k] = tp_map_take_sample(p->map, values);
     any |= p->grid[k].regime != TP_REGIME_NONE;
   }
@@ -99,7 +104,7 @@ static tp_map_sample between(const plane *p, const tp_map_sample *low, const tp_
  * line of the grid follows lies, it goes beyond. */
 static tp_crossing bracket(const plane *p, const tp_map_sample *low, const tp_map_sample *high,
                            double share) {
-  for (double h = 0x1p-36; h < 1 && p->map->status == TP_OK; h *= 16) {
+  for (double h = p->map->bracket; h < 1 && p->map->status == TP_OK; h *= 16) {
     const tp_map_sample below = between(p, low, high, share - h),
                         above = between(p, low, high, share + h);
     if (side_of(p, &below) * side_of(p, &above) < 0) return middle_of(&below, &above);
@@ -137,7 +142,7 @@ static tp_crossing cross_level(void *context, tp_map_sample low, tp_map_sample h
   if (!p->read(&first, &low) || !p->read(&last, &high)) return (tp_crossing){0};
   edge e = {.p = p, .low = &low, .high = &high};
   const tp_root_search search = {
-      .value = gap_at, .context = &e, .flat = 1e-11 * fabs(p->level), .most = SEARCH_LOOKS};
+      .value = gap_at, .context = &e, .flat = p->map->flat * fabs(p->level), .most = SEARCH_LOOKS};
   tp_root root;
   const bool found = tp_root_find(&root, &search, (tp_root_end){0, first.value - p->level},
                                   (tp_root_end){1, last.value - p->level});
@@ -161,7 +166,8 @@ static void add_level(const plane *p, size_t count) {
   const tp_chart *chart = p->map->chart;
   char text[32];
   snprintf(text, sizeof text, p->read == read_fos ? "%.4g" : "%.4g°", p->level);
-  for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > SIDE / 6; k++) {
+  for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > (size_t)p->map->side / 6;
+       k++) {
     const tp_map_point at = p->points[(size_t)((double)count * shares[k])];
     bool is_free = true;
     for (size_t j = 0; j < chart->label_count; j++) is_free &= !is_near(p, at, chart->labels + j);
@@ -196,7 +202,7 @@ static void add_regions(tp_map *map, const tp_pieces *pieces) {
 static void add_curves(plane *p, const tp_map_field *field, tp_chart_style style,
                        const char *series, bool levels) {
   tp_pieces pieces = {0};
-  tp_trace(&pieces, p->map, field, p->grid, SIDE, SIDE);
+  tp_trace(&pieces, p->map, field, p->grid, p->map->side, p->map->side);
   free(p->points);
   p->points = calloc(pieces.count + 2, sizeof *p->points);
   if (pieces.failed || p->points == NULL) {
@@ -248,7 +254,7 @@ static void add_contour(plane *p, const contours *of, double level) {
 static void add_round_levels(plane *p, const contours *of) {
   double low = INFINITY, high = -INFINITY;
   tp_bounded own;
-  for (int k = 0; k < LOOKS; k++) {
+  for (int k = 0; k < sample_count(p); k++) {
     if (!of->read(&own, p->grid + k)) continue;
     low = fmin(low, own.value);
     high = fmax(high, own.value);
@@ -279,15 +285,17 @@ static void add_borders(plane *p) {
   const tp_map_field field = {p, regime_region, cross_regimes};
   map->varied.options.strength_reduction = false;
   map->varied.options.digits = DIGITS_OF_GRID;
-  map->status = tp_keyed_filter_new(&map->filter, map->varied.scene, map->varied.keys,
-                                    map->varied.count, false, map->message);
+  if (!map->of_many) {
+    map->status = tp_keyed_filter_new(&map->filter, map->varied.scene, map->varied.keys,
+                                      map->varied.count, false, map->message);
+  }
   if (map->status == TP_OK) add_curves(p, &field, tp_line_border, "border", false);
   tp_keyed_filter_free(map->filter);
   map->filter = NULL;
 }
 
 void tp_map_draw_plane(tp_map *map) {
-  plane p = {.map = map, .grid = calloc(LOOKS, sizeof *p.grid)};
+  plane p = {.map = map, .grid = calloc((size_t)map->side * (size_t)map->side, sizeof *p.grid)};
   if (p.grid == NULL) {
     map->status = tp_fail_memory(map->message, "the map");
     return;
@@ -300,7 +308,8 @@ void tp_map_draw_plane(tp_map *map) {
   solve->digits = digits;
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
   if (map->status == TP_OK && map->options->governing_fos) {
-    add_contours(&p, (contours){read_fos, tp_line_contour, "governing_fos"});
+    const char *series = map->of_many ? "fos" : "governing_fos";
+    add_contours(&p, (contours){read_fos, tp_line_contour, series});
   } else if (map->status == TP_OK) {
     add_contours(&p, (contours){read_limit, tp_line_contour, "limit"});
     add_contours(&p, (contours){read_onset, tp_line_stands, "certain to stand"});
