@@ -8,6 +8,7 @@
 #define TOPPLE_FIGURE_H
 
 #include "topple_block_system.h"
+#include "topple_solid.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -53,6 +54,14 @@ TP_MUST_USE tp_status tp_report_figure_block_system_if(const char *path, const t
                                                        const tp_block_system *system,
                                                        tp_figure_consent consent,
                                                        tp_message *message);
+
+/* The same of a solid, as .svg, .pdf or .png: the rock on its base at its tilt, shaded, with the
+ * edge that governs; what of it touches, seen from above; and the rose of its critical tilts. The
+ * mesh is read again; bad input: it is not the one that was solved. */
+TP_MUST_USE tp_status tp_report_figure_solid(const char *path, const tp_solid *solid,
+                                             tp_message *message);
+TP_MUST_USE tp_status tp_report_figure_solid_if(const char *path, const tp_solid *solid,
+                                                tp_figure_consent consent, tp_message *message);
 
 #ifdef __cplusplus
 }

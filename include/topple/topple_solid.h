@@ -138,7 +138,8 @@ typedef struct tp_solid_band {
 /* A solid; owns what it points to. */
 typedef struct tp_solid {
   size_t size;               /* of this struct, as the library has it (TP_HAS_MEMBER) */
-  TP_OUTSIDE char *file;     /* the mesh */
+  TP_OUTSIDE char *file;     /* the mesh, */
+  TP_OUTSIDE char *object;   /* and the one object of it that is meant; NULL: all of it */
   const char *length_unit;   /* a static string: of the mesh; of a scene, its own */
   double metres_per_unit;    /* of a length of the mesh */
   tp_notes notes;            /* on what was read */

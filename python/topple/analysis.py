@@ -68,6 +68,11 @@ class SolidMethods:
         """A row for every azimuth of every band."""
         return written(lib.tp_report_solid_csv, struct_of(self))
 
+    def write_figure(self, path: File) -> None:
+        """Draw the rock, what of it touches, and the rose into a file: .svg, .pdf or .png. The mesh is
+        read again, and must be as it was."""
+        checked(drawing().lib.tp_report_figure_solid, c_path(path), struct_of(self))
+
     def row_csv(self) -> str:
         """Of a scene: what `topple solve --csv` prints, a row of the band that governs."""
         return written(lib.tp_report_solid_row_csv, struct_of(self))

@@ -39,6 +39,23 @@ START_TEST(scenes) {
 }
 END_TEST
 
+START_TEST(figures_of_solids) {
+  const tp_solid_options options = tp_solid_options_default();
+  const tp_figure_consent none = {0};
+  tp_solid *own = NULL;
+  ck_assert_int_eq(
+      tp_solid_of_file(&own, TP_EXAMPLES "/meshes/balanced_rock.obj", &options, &message), TP_OK);
+  REFUSED(tp_report_figure_solid(NULL, own, &message), "'path'");
+  REFUSED(tp_report_figure_solid("/tmp/x.svg", NULL, &message), "'solid'");
+  REFUSED(tp_report_figure_solid_if(NULL, own, none, &message), "'path'");
+  REFUSED(tp_report_figure_solid_if("/tmp/x.svg", NULL, none, &message), "'solid'");
+  REFUSED(tp_report_figure_solid("/tmp/x.dxf", own, &message), ".pdf or .png");
+  own->triangles++;
+  REFUSED(tp_report_figure_solid("/tmp/x.svg", own, &message), "has changed");
+  tp_solid_free(own);
+}
+END_TEST
+
 START_TEST(figures_of_many_blocks) {
   const tp_solve_options options = tp_solve_options_default();
   const tp_figure_consent none = {0};
@@ -296,6 +313,7 @@ SUITE(arguments) {
   tcase_set_timeout(tests, 600);
   tcase_add_test(tests, scenes);
   tcase_add_test(tests, solutions);
+  tcase_add_test(tests, figures_of_solids);
   tcase_add_test(tests, figures_of_many_blocks);
   tcase_add_test(tests, older_options);
   tcase_add_test(tests, defaults);

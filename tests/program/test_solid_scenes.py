@@ -10,6 +10,7 @@ import csv
 import io
 import json
 import math
+import pathlib
 import random
 import re
 import unittest
@@ -250,6 +251,35 @@ class Varied(SceneCase):
             self.assertEqual(ended, status, err)
 
 
+class Figures(SceneCase):
+    def test_drawn(self):
+        """The same bytes each time, in three formats; what is said stands in the text; a mesh that has changed is refused."""
+        for name in ("rock.svg", "rock.pdf", "rock.png"):
+            paths = [f"{self.folder}/{k}{name}" for k in (1, 2)]
+            for path in paths:
+                status, out, err = run("solve", "--figure", path, ROCK)
+                self.assertEqual((status, err), (0, ""))
+                self.assertIn("factor of safety", out.replace("The factor is", "factor of safety"))
+            one, other = (pathlib.Path(path).read_bytes() for path in paths)
+            self.assertGreater(len(one), 5000)
+            if not name.endswith("pdf"):
+                self.assertEqual(one, other)
+        status, out, err = run("solid", "--unit=m", "--figure", f"{self.folder}/a.svg", "examples/meshes/balanced_rock.obj")
+        self.assertEqual((status, err), (0, ""))
+        for path, told in ((f"{self.folder}/a.dxf", ".svg, .pdf or .png"), (ROCK, ".svg, .pdf, .png"), ("/nowhere/a.svg", "nowhere")):
+            status, out, err = run("solve", "--figure", path, ROCK)
+            self.assertNotEqual(status, 0)
+            self.assertIn(told, err)
+
+    def test_shape(self):
+        """A box is drawn as wide as it is tall where it is: from above its corners lie where they are, and the support with them."""
+        self.put("rock.obj", exact_obj(*box((0, 0, 0), (2, 1, 4))))
+        status, out, err = run("solve", "--figure", f"{self.folder}/b.svg", self.scene("azimuths: 8"))
+        self.assertEqual((status, err), (0, ""))
+        text = pathlib.Path(f"{self.folder}/b.svg").read_text(encoding="utf-8")
+        self.assertEqual(text.count("<image"), 2)
+
+
 class Refused(SceneCase):
     def test_messages(self):
         self.put("rock.obj", exact_obj(*PRISM))
@@ -273,7 +303,7 @@ class Refused(SceneCase):
         self.wrong(self.scene(""), "rock.obj", "open")
 
     def test_other_commands(self):
-        for words in (("tilt", ROCK), ("derive", ROCK), ("solve", "--figure", "/dev/null.svg", ROCK), ("solve", ROCK, "--elements"),
+        for words in (("tilt", ROCK), ("derive", ROCK), ("solve", ROCK, "--elements"),
                       ("solve", ROCK, "--find", "friction_angle_deg", "--for", "fos=1")):
             status, out, err = run(*words)
             self.assertNotEqual(status, 0, words)

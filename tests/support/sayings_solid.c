@@ -5,7 +5,26 @@
 
 #include "sayings.h"
 
+#include <stdio.h>
+
 #define EXAMPLE(name) TP_EXAMPLES "/" name
+
+static bool agree_once(void *context) {
+  ++*(int *)context;
+  return true;
+}
+
+static void say_solid_figure(sayings *s, const tp_solid *solid) {
+  tp_message message = {.text = ""};
+  char path[100];
+  int asked = 0;
+  const tp_figure_consent ask = {agree_once, &asked};
+  snprintf(path, sizeof path, "%s/solid.svg", s->folder);
+  note_status(s, tp_report_figure_solid(path, solid, &message), &message);
+  say_file(s, path);
+  note_status(s, tp_report_figure_solid_if(path, solid, ask, &message), &message);
+  note_number(s, asked);
+}
 
 static void say_solid_of_scene(sayings *s) {
   tp_solid *solid = NULL;
@@ -18,6 +37,7 @@ static void say_solid_of_scene(sayings *s) {
   note_number(s, tp_solid_is_undecided(solid));
   note_number(s, (long)tp_solid_meets(solid, 1.5));
   if (solid != NULL && tp_report_solid_row_csv(next_saying(s), solid) != TP_OK) s->count--;
+  if (solid != NULL) say_solid_figure(s, solid);
   tp_solid_free(solid);
   tp_scene_free(scene);
 }

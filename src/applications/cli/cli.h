@@ -47,6 +47,9 @@ TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
 TP_MUST_USE tp_status tp_cli_draw_system(const char *path, const tp_scene *scene,
                                          const tp_block_system *system, tp_figure_consent consent,
                                          tp_message *message);
+/* tp_report_figure_solid_if, likewise. */
+TP_MUST_USE tp_status tp_cli_draw_solid(const char *path, const tp_solid *solid,
+                                        tp_figure_consent consent, tp_message *message);
 
 /* tp_report_sheet and its kin, likewise. */
 TP_MUST_USE tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,

@@ -158,6 +158,7 @@ typedef struct solved {
   const tp_solution *solution; /* or: */
   const tp_block_system *system;
   const tp_sheet_options *options;
+  const tp_solid *solid;
 } solved;
 
 static tp_status draw_figure(void *call, const void *what, tp_figure_consent consent,
@@ -182,7 +183,7 @@ static tp_status draw_sheet(void *call, const void *what, tp_figure_consent cons
 
 tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
                       tp_figure_consent consent, tp_message *message) {
-  const solved own = {path, scene, solution, NULL, NULL};
+  const solved own = {.path = path, .scene = scene, .solution = solution};
   return draw(draw_figure, "tp_report_figure_if", &own, consent, message);
 }
 
@@ -197,8 +198,22 @@ static tp_status draw_blocks(void *call, const void *what, tp_figure_consent con
 
 tp_status tp_cli_draw_system(const char *path, const tp_scene *scene, const tp_block_system *system,
                              tp_figure_consent consent, tp_message *message) {
-  const solved own = {path, scene, NULL, system, NULL};
+  const solved own = {.path = path, .scene = scene, .system = system};
   return draw(draw_blocks, "tp_report_figure_block_system_if", &own, consent, message);
+}
+
+static tp_status draw_solid(void *call, const void *what, tp_figure_consent consent,
+                            tp_message *message) {
+  tp_status (*function)(const char *, const tp_solid *, tp_figure_consent, tp_message *) = NULL;
+  const solved *own = what;
+  *(void **)&function = call;
+  return function(own->path, own->solid, consent, message);
+}
+
+tp_status tp_cli_draw_solid(const char *path, const tp_solid *solid, tp_figure_consent consent,
+                            tp_message *message) {
+  const solved own = {.path = path, .solid = solid};
+  return draw(draw_solid, "tp_report_figure_solid_if", &own, consent, message);
 }
 
 static bool agree(void *context) {
@@ -208,7 +223,7 @@ static bool agree(void *context) {
 
 tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_solution *solution,
                              const tp_sheet_options *options, tp_message *message) {
-  const solved own = {path, scene, solution, NULL, options};
+  const solved own = {.path = path, .scene = scene, .solution = solution, .options = options};
   return draw(draw_sheet, "tp_report_sheet", &own, (tp_figure_consent){agree, NULL}, message);
 }
 
@@ -225,7 +240,7 @@ static tp_status draw_system_sheet(void *call, const void *what, tp_figure_conse
 tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
                                     const tp_block_system *system, const tp_sheet_options *options,
                                     tp_message *message) {
-  const solved own = {path, scene, NULL, system, options};
+  const solved own = {.path = path, .scene = scene, .system = system, .options = options};
   return draw(draw_system_sheet, "tp_report_sheet_block_system", &own,
               (tp_figure_consent){agree, NULL}, message);
 }

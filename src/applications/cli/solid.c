@@ -11,7 +11,7 @@
 #include <string.h>
 
 typedef struct arguments {
-  const char *file;
+  const char *file, *figure;
   bool json, csv;
   tp_solid_options options;
   double bands[TP_SOLID_BANDS];
@@ -25,6 +25,7 @@ enum {
   KEY_UP,
   KEY_BAND,
   KEY_AZIMUTHS,
+  KEY_FIGURE,
   KEY_CSV
 };
 
@@ -39,6 +40,8 @@ static const struct argp_option options[] = {
      "mesh: the noise of the survey",
      0},
     {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
+    {"figure", KEY_FIGURE, "FILE", 0,
+     "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png", 0},
     {"json", 'j', NULL, 0, "Print the numbers as JSON", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the tilt towards each azimuth as CSV", 0},
     {0}};
@@ -119,6 +122,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_CSV:
     a->csv = true;
     return 0;
+  case KEY_FIGURE:
+    a->figure = argument;
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->file, argument, "file", state);
     return 0;
@@ -142,16 +148,44 @@ static const struct argp parser = {
            "FILE is a closed mesh: STL, PLY or OBJ. Azimuths run clockwise from y (north) to x "
            "(east). docs/solids.md explains each number."};
 
+/* The report, and what becomes of it where a figure goes with it. */
+typedef struct report {
+  const tp_solid *solid;
+  const arguments *words;
+  int *ended;
+  tp_status status;
+} report;
+
+static tp_status tell(const report *own) {
+  char *text = NULL;
+  const tp_status status = own->words->json  ? tp_report_solid_json(&text, own->solid)
+                           : own->words->csv ? tp_report_solid_csv(&text, own->solid)
+                                             : tp_report_solid(&text, own->solid);
+  return tp_cli_print_report(status, text, own->ended);
+}
+
+/* The figure is ready: it is left behind only if the report is written. */
+static bool tell_with_figure(void *context) {
+  report *own = context;
+  own->status = tell(own);
+  return own->status == TP_OK && *own->ended == 0;
+}
+
+static tp_status tell_and_draw(report *own, tp_message *message) {
+  const tp_status drawn = tp_cli_draw_solid(own->words->figure, own->solid,
+                                            (tp_figure_consent){tell_with_figure, own}, message);
+  if (own->status == TP_OK && *own->ended == 0) return drawn;
+  message->text[0] = '\0'; /* not that of the figure, for want of the report */
+  return own->status;
+}
+
 static tp_status solve_and_tell(const void *words, int *ended, tp_message *message) {
   const arguments *a = words;
   tp_solid *solid = NULL;
-  char *text = NULL;
   tp_status status = tp_solid_of_file(&solid, a->file, &a->options, message);
   if (status == TP_OK) {
-    status = a->json  ? tp_report_solid_json(&text, solid)
-             : a->csv ? tp_report_solid_csv(&text, solid)
-                      : tp_report_solid(&text, solid);
-    status = tp_cli_print_report(status, text, ended);
+    report own = {solid, a, ended, TP_OK};
+    status = a->figure != NULL ? tell_and_draw(&own, message) : tell(&own);
   }
   tp_solid_free(solid);
   return status;

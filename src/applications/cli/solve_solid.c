@@ -8,6 +8,8 @@
 #include "cli/sheet.h"
 
 #include <stdio.h>
+#include <string.h>
+#include <strings.h>
 
 tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_message *message) {
   const char *option = a->find.key != NULL            ? "--find"
@@ -16,10 +18,15 @@ tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_messa
                        : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
                        : a->outlines                  ? "--outlines"
                        : a->elements                  ? "--elements"
-                       : a->figure != NULL            ? "--figure"
                        : a->animation != NULL         ? "--animation"
                        : a->report != NULL            ? "--report"
                                                       : NULL;
+  const char *ending = a->figure != NULL ? strrchr(a->figure, '.') : NULL;
+  if (option == NULL && ending != NULL && strcasecmp(ending, ".dxf") == 0) {
+    snprintf(message->text, sizeof message->text,
+             "%s: the figure of a solid is .svg, .pdf or .png, not '%s'", path, a->figure);
+    return TP_BAD_INPUT;
+  }
   if (option == NULL) return TP_OK;
   snprintf(message->text, sizeof message->text,
            "%s: %s is of scenes of a block in a section, and this one has a solid: leave it out; "
@@ -48,16 +55,44 @@ static int judge_solid(const tp_solid *solid, const tp_solve_words *a) {
   return tp_status_exit(TP_UNDECIDED);
 }
 
+/* The report, and what becomes of it where a figure goes with it. */
+typedef struct report {
+  const tp_solid *solid;
+  const tp_solve_words *words;
+  int *ended;
+  tp_status status;
+} report;
+
+static tp_status print(const report *own) {
+  char *text = NULL;
+  const tp_status status = own->words->json  ? tp_report_solid_json(&text, own->solid)
+                           : own->words->csv ? tp_report_solid_row_csv(&text, own->solid)
+                                             : tp_report_solid(&text, own->solid);
+  return tp_cli_print_report(status, text, own->ended);
+}
+
+/* The figure is ready: it is left behind only if the report is written. */
+static bool print_with_figure(void *context) {
+  report *own = context;
+  own->status = print(own);
+  return own->status == TP_OK && *own->ended == 0;
+}
+
+static tp_status print_and_draw(report *own, tp_message *message) {
+  const tp_status drawn = tp_cli_draw_solid(own->words->figure, own->solid,
+                                            (tp_figure_consent){print_with_figure, own}, message);
+  if (own->status == TP_OK && *own->ended == 0) return drawn;
+  message->text[0] = '\0'; /* not that of the figure, for want of the report */
+  return own->status;
+}
+
 tp_status tp_cli_solve_solid(const tp_scene *scene, const tp_solve_words *a, int *ended,
                              tp_message *message) {
   tp_solid *solid = NULL;
-  char *text = NULL;
   tp_status status = tp_solve_solid(&solid, scene, message);
   if (status == TP_OK) {
-    status = a->json  ? tp_report_solid_json(&text, solid)
-             : a->csv ? tp_report_solid_row_csv(&text, solid)
-                      : tp_report_solid(&text, solid);
-    status = tp_cli_print_report(status, text, ended);
+    report own = {solid, a, ended, TP_OK};
+    status = a->figure != NULL ? print_and_draw(&own, message) : print(&own);
   }
   if (status == TP_OK && *ended == 0) *ended = judge_solid(solid, a);
   tp_solid_free(solid);

@@ -93,10 +93,9 @@ tp_status tp_mesh_add_vertex(tp_mesh *mesh, int *index, const fmpq coordinates[3
   int *slot = find_slot(mesh, coordinates);
   if (*slot == 0) {
     if (mesh->vertex_count == TP_MESH_MOST) {
-      return tp_refuse(
-          message, TP_FAULT_RANGE, (tp_place){mesh->file, 0, 0},
-          "more than 20 million vertices; thin the mesh out, or cut away what lies far "
-          "from the section");
+      return tp_refuse(message, TP_FAULT_RANGE, (tp_place){mesh->file, 0, 0},
+                       "more than 20 million vertices; thin the mesh out, or cut away what is not "
+                       "needed");
     }
     fmpq *vertices =
         tp_grow(mesh->vertices, mesh->vertex_count, &mesh->vertex_room, 3 * sizeof *mesh->vertices);
@@ -169,10 +168,9 @@ tp_status tp_mesh_add_face(tp_mesh *mesh, const int *corners, long count, int li
                            tp_message *message) {
   const int number = ++mesh->face_numbers;
   if (number > TP_MESH_MOST) {
-    return tp_refuse(
-        message, TP_FAULT_RANGE, (tp_place){mesh->file, line, 0},
-        "more than 20 million faces; thin the mesh out, or cut away what lies far from "
-        "the section");
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){mesh->file, line, 0},
+                     "more than 20 million faces; thin the mesh out, or cut away what is not "
+                     "needed");
   }
   tp_mesh_face *faces =
       tp_grow(mesh->faces, mesh->face_count, &mesh->face_room, sizeof *mesh->faces);

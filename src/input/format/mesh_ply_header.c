@@ -89,8 +89,8 @@ static tp_status read_element(tp_ply_header *header, tp_mesh_source *source) {
   }
   if ((own.is_vertex || own.is_face) && own.count > TP_MESH_MOST) {
     return tp_mesh_fail_word(source, count,
-                             "more than 20 million; thin the mesh out, or cut away what lies far "
-                             "from the section");
+                             "more than 20 million; thin the mesh out, or cut away what is not "
+                             "needed");
   }
   if (header->element_count == TP_PLY_ELEMENTS) {
     return tp_mesh_fail_word(source, name, "more than 16 kinds of elements");

@@ -25,8 +25,8 @@ tp_status tp_mesh_read_bytes(tp_mesh *mesh, tp_mesh_format format, const char *b
   if (status == TP_OK && mesh->face_count == 0) {
     status = tp_mesh_fail_file(&source, mesh->left_out > 0
                                             ? "none of its faces has three different corners"
-                                            : "there is no face in it; a section is cut through "
-                                              "faces, so make a mesh of points first");
+                                            : "there is no face in it; points alone bound "
+                                              "nothing, so make a mesh of them first");
   }
   if (status != TP_OK) tp_mesh_clear(mesh);
   return status;
@@ -42,8 +42,7 @@ static tp_status read_all(char **bytes, size_t *length, FILE *file, const char *
   }
   if (about.st_size > TP_MESH_BYTES) {
     return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
-                     "is larger than 1 GiB; thin the mesh out, or cut away what lies far from the "
-                     "section");
+                     "is larger than 1 GiB; thin the mesh out, or cut away what is not needed");
   }
   const size_t room = (size_t)about.st_size;
   *bytes = malloc(room + 1);

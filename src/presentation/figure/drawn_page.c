@@ -108,12 +108,53 @@ static void drop_surface_number(tp_sink *s) {
   s->length -= (size_t)(end + 1 - id);
 }
 
+/* The number behind `"image` or `#image`, where one stands there; else 0. */
+static unsigned long image_number(const char *at, const char *past, size_t *digits) {
+  static const char word[] = "image";
+  const size_t length = strlen(word);
+  *digits = 0;
+  if ((size_t)(past - at) <= length + 1 || (*at != '"' && *at != '#')) return 0;
+  if (memcmp(at + 1, word, length) != 0) return 0;
+  const char *first = at + 1 + length;
+  unsigned long number = 0;
+  while (first + *digits < past && first[*digits] >= '0' && first[*digits] <= '9') {
+    number = 10 * number + (unsigned long)(first[(*digits)++] - '0');
+  }
+  return number;
+}
+
+/* So are pictures named: they are counted from 1 in the order in which they stand in the file. */
+static void number_images(tp_sink *s) {
+  enum { MOST = 8, PREFIX = 6 };
+  unsigned long known[MOST];
+  size_t count = 0, digits = 0, kept = 0;
+  const char *past = s->bytes + s->length;
+  for (const char *at = s->bytes; at < past;) {
+    const unsigned long number = image_number(at, past, &digits);
+    size_t k = 0;
+    while (k < count && known[k] != number) k++;
+    if (digits == 0 || k == MOST) {
+      s->bytes[kept++] = *at++;
+      continue;
+    }
+    if (k == count) known[count++] = number;
+    memmove(s->bytes + kept, at, PREFIX);
+    s->bytes[kept + PREFIX] = (char)('1' + (int)k);
+    kept += PREFIX + 1;
+    at += PREFIX + digits;
+  }
+  s->length = kept;
+}
+
 tp_status tp_drawn_page_bytes(char **bytes, size_t *length, const char *path,
                               const tp_drawn_page *page, tp_message *message) {
   tp_sink s = {0};
   const cairo_status_t drawn = write_page(tp_figure_kind_of(path), &s, page);
   if (!s.failed && drawn == CAIRO_STATUS_SUCCESS) {
-    if (tp_figure_kind_of(path) == TP_FIGURE_SVG) drop_surface_number(&s);
+    if (tp_figure_kind_of(path) == TP_FIGURE_SVG) {
+      drop_surface_number(&s);
+      number_images(&s);
+    }
     *bytes = s.bytes;
     *length = s.length;
     return TP_OK;

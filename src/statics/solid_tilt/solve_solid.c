@@ -23,6 +23,7 @@
 void tp_solid_free(tp_solid *solid) {
   if (solid == NULL) return;
   free(solid->file);
+  free(solid->object);
   free(solid->title);
   free(solid->scene);
   tp_notes_clear(&solid->notes);
@@ -193,8 +194,12 @@ tp_status tp_solid_find(tp_solid *solid, const tp_solid_body *body, tp_solid_giv
                         tp_message *message) {
   work w = {.solid = solid, .body = body, .given = given, .message = message};
   solid->size = sizeof *solid;
+  const char *object = body->object >= 0 ? body->mesh->objects[body->object].name : NULL;
   solid->file = strdup(body->mesh->file);
-  if (solid->file == NULL) return tp_fail_memory(message, "a solid");
+  if (object != NULL) solid->object = strdup(object);
+  if (solid->file == NULL || (solid->object == NULL) != (object == NULL)) {
+    return tp_fail_memory(message, "a solid");
+  }
   describe(&w);
   tp_status status = add_notes(&w);
   if (status != TP_OK) return status;

@@ -104,6 +104,7 @@ bool tp_solid_is_undecided(const tp_solid *solid) {
 
 /* Without a factor it stands, or falls, whatever is required. */
 tp_design tp_solid_meets(const tp_solid *solid, double required) {
+  TP_GUARD_HOST;
   const tp_solid_band *own = governing_band(solid);
   if (own == NULL) return TP_DESIGN_OPEN;
   if (!own->has_stance) return TP_DESIGN_NOT_MET;

@@ -11,6 +11,11 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
   return tp_report_figure_if(path, scene, solution, consent, message);
 }
 
+tp_status tp_cli_draw_solid(const char *path, const tp_solid *solid, tp_figure_consent consent,
+                            tp_message *message) {
+  return tp_report_figure_solid_if(path, solid, consent, message);
+}
+
 tp_status tp_cli_draw_system(const char *path, const tp_scene *scene, const tp_block_system *system,
                              tp_figure_consent consent, tp_message *message) {
   return tp_report_figure_block_system_if(path, scene, system, consent, message);

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The mesh of a solid for drawing: read again, put on its lattice, which knows no far origin, and
+ * turned upright about the foot of its centroid, in doubles. */
+
+#include "figure/solid.h"
+
+#include "common/message.h"
+#include "format/mesh.h"
+#include "solid/azimuth.h"
+#include "solid/sides.h"
+#include "solid/solid_sums.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double radian = 3.14159265358979323846 / 180;
+
+/* ---- the frame of the base ---------------------------------------------------------------------
+ */
+
+/* Across the base: up, or the normal of a base that dips. */
+static void set_normal(tp_near up[3], const tp_solid *solid) {
+  const double dip = radian * solid->tilt_angle_deg, way = radian * solid->tilt_azimuth_deg;
+  const double dipping[3] = {sin(dip) * sin(way), sin(dip) * cos(way), cos(dip)};
+  for (int k = 0; k < 3; k++) {
+    up[k] = (tp_near){solid->is_on_slope ? dipping[k] : solid->up[k], 0};
+  }
+}
+
+static double along(const tp_near axis[3], const double point[3]) {
+  return axis[0].value * point[0] + axis[1].value * point[1] + axis[2].value * point[2];
+}
+
+static void set_points(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid,
+                       const double centre[3], double metres) {
+  tp_near up[3];
+  tp_map_frame frame;
+  double lowest = INFINITY;
+  set_normal(up, solid);
+  tp_map_frame_init(&frame, up);
+  const double length =
+      sqrt(up[0].value * up[0].value + up[1].value * up[1].value + up[2].value * up[2].value);
+  for (long v = 0; v < mesh->vertex_count; v++) {
+    double way[3];
+    for (int k = 0; k < 3; k++) way[k] = (surface->near[3 * v + k] - centre[k]) * metres;
+    double *own = mesh->points + 3 * v;
+    own[0] = along(frame.east, way);
+    own[1] = along(frame.north, way);
+    own[2] = along(up, way) / length;
+    lowest = fmin(lowest, own[2]);
+  }
+  mesh->height = -lowest;
+  for (long v = 0; v < mesh->vertex_count; v++) {
+    double *own = mesh->points + 3 * v;
+    own[2] -= lowest;
+    mesh->size = fmax(mesh->size, sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]));
+  }
+}
+
+/* Two sides of an edge lie one behind the other. */
+static bool set_edges(tp_solid_mesh *mesh) {
+  tp_sides sides;
+  bool done = tp_sides_init(&sides, mesh->triangles, mesh->triangle_count, mesh->vertex_count);
+  mesh->edges = malloc((3 * (size_t)mesh->triangle_count / 2 + 1) * sizeof *mesh->edges);
+  done = done && mesh->edges != NULL;
+  for (long v = 0; v < mesh->vertex_count && done; v++) {
+    for (long k = sides.starts[v]; k + 1 < sides.starts[v + 1]; k += 2) {
+      int *own = mesh->edges[mesh->edge_count++];
+      own[0] = (int)v;
+      own[1] = sides.items[k].other;
+      own[2] = sides.items[k].triangle;
+      own[3] = sides.items[k + 1].triangle;
+    }
+  }
+  tp_sides_clear(&sides);
+  return done;
+}
+
+static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid) {
+  tp_near sums[TP_SOLID_SUM_COUNT];
+  double centre[3];
+  const size_t corners = 3 * (size_t)surface->triangle_count;
+  *mesh = (tp_solid_mesh){.vertex_count = surface->vertex_count,
+                          .triangle_count = surface->triangle_count};
+  mesh->points = malloc(3 * (size_t)surface->vertex_count * sizeof *mesh->points);
+  mesh->triangles = malloc(corners * sizeof *mesh->triangles);
+  if (mesh->points == NULL || mesh->triangles == NULL) return false;
+  memcpy(mesh->triangles, surface->triangles, corners * sizeof *mesh->triangles);
+  tp_solid_sums_near(sums, surface);
+  for (int k = 0; k < 3; k++) {
+    centre[k] = sums[TP_SOLID_X24 + k].value / (4 * sums[TP_SOLID_V6].value);
+  }
+  const double metres =
+      solid->metres_per_unit * ldexp(1, (int)surface->exponent) / fmpz_get_d(surface->divisor);
+  set_points(mesh, surface, solid, centre, metres);
+  return set_edges(mesh);
+}
+
+/* ---- the mesh ----------------------------------------------------------------------------------
+ */
+
+static tp_status refuse_other(const tp_solid *solid, tp_message *message) {
+  return tp_refuse(message, TP_FAULT_KEY, (tp_place){solid->file, 0, 0},
+                   "the mesh has changed since it was solved: solve it again");
+}
+
+static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid *solid,
+                              tp_message *message) {
+  long object = -1;
+  for (long k = 0; solid->object != NULL && k < mesh->object_count; k++) {
+    if (strcmp(mesh->objects[k].name, solid->object) == 0) object = k;
+  }
+  if (solid->object != NULL && object < 0) return refuse_other(solid, message);
+  const tp_status status = tp_surface_init(surface, mesh, object, message);
+  if (status != TP_OK) return status;
+  if (surface->triangle_count == (long)solid->triangles &&
+      surface->vertex_count == (long)solid->vertices) {
+    return TP_OK;
+  }
+  tp_surface_clear(surface);
+  return refuse_other(solid, message);
+}
+
+tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, const tp_solid *solid, tp_message *message) {
+  tp_mesh read;
+  tp_surface surface;
+  tp_status status = tp_mesh_read(&read, solid->file, message);
+  if (status != TP_OK) return status;
+  status = read_surface(&surface, &read, solid, message);
+  if (status == TP_OK) {
+    if (!fill(mesh, &surface, solid)) {
+      tp_solid_mesh_clear(mesh);
+      status = tp_fail_memory(message, "the figure");
+    }
+    tp_surface_clear(&surface);
+  }
+  tp_mesh_clear(&read);
+  return status;
+}
+
+void tp_solid_mesh_clear(tp_solid_mesh *mesh) {
+  free(mesh->points);
+  free(mesh->triangles);
+  free(mesh->edges);
+}
