@@ -134,6 +134,27 @@ class Oracle:
             found.append((tuple(x / size for x in map(float, normal)), shares[facet], tan2))
         return found
 
+    def persistences(self):
+        """Of each pose but the lowest, the least rise on a way to a pose as low or lower: the lowest passes between all pairs of
+        facets, by trying every facet between (Floyd and Warshall)."""
+        facets = list(self.facets)
+        heights = [float(dot(self.facets[f], minus(self.points[min(f)], self.centroid))) / math.sqrt(dot(self.facets[f], self.facets[f]))
+                   for f in facets]
+        sides = {edge: k for k, f in enumerate(facets) for edge in self.edges(f)}
+        arms = {edge: self.arm2(facets[k], edge) for edge, k in sides.items()}
+        lowest = [[math.inf] * len(facets) for _ in facets]
+        for (i, j), k in sides.items():
+            other, own, beyond = sides[j, i], arms[i, j], arms[j, i]
+            within = own > 0 and beyond > 0
+            lowest[k][other] = max(heights[k], heights[other], math.sqrt(heights[k] ** 2 + float(own)) if within else 0)
+        for via in range(len(facets)):
+            for a in range(len(facets)):
+                for b in range(len(facets)):
+                    lowest[a][b] = min(lowest[a][b], max(lowest[a][via], lowest[via][b]))
+        poses = [k for k, f in enumerate(facets) if min(self.arm2(f, edge) for edge in self.edges(f)) > 0]
+        order = sorted(poses, key=lambda k: heights[k])
+        return sorted(min(lowest[k][g] for g in order[:n]) - heights[k] for n, k in enumerate(order) if n > 0)
+
     def lies(self, band):
         """As it lies: does it stand, its least tan², and its tilt towards an azimuth in degrees."""
         low = min(p[2] for p in self.points)

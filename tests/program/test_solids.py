@@ -13,7 +13,7 @@ import struct
 import unittest
 from fractions import Fraction
 
-from harness import main, run
+from harness import main, rounds, run
 from mesh_case import box, obj, octahedron, triangles
 from solid_oracle import Oracle, ball, minus
 
@@ -153,6 +153,10 @@ class AgainstFractions(Case):
             self.assertAlmostEqual(sum(a * b for a, b in zip(normal, pose["down"])), 1, 12)
             self.assertAlmostEqual(pose["share"]["value"], share, 11)
             self.is_angle(pose["least"]["tilt_deg"], tan2)
+        rises = sorted(pose["persistence_m"]["value"] for pose in got["poses"] if "persistence_m" in pose)
+        self.assertEqual(len(rises), len(poses) - 1)
+        for rise, truth in zip(rises, oracle.persistences()):
+            self.assertAlmostEqual(rise, truth, 11)
         for band in got["bands"]:
             stands, tan2, towards = oracle.lies(Fraction(band["band"]))
             self.assertEqual(band["stands"], stands)
@@ -165,7 +169,7 @@ class AgainstFractions(Case):
 
     def test_convex(self):
         draw = random.Random(36)
-        for _ in range(14):
+        for _ in range(rounds(14, 7000)):
             points = [tuple(draw.randint(-40, 40) for _ in range(3)) for _ in range(8)]
             hull = Oracle(points, [])
             used = sorted({k for facet in hull.facets for k in facet})
@@ -176,7 +180,7 @@ class AgainstFractions(Case):
         """Far from convex: each point of a small ball is moved along its own ray."""
         draw = random.Random(63)
         points, faces = octahedron(level=1)
-        for _ in range(5):
+        for _ in range(rounds(5, 3000)):
             self.check([tuple(x * draw.randint(6, 20) for x in p) for p in points], faces, 8)
 
     def test_cuboid_that_stands(self):
