@@ -176,6 +176,14 @@ class AgainstFractions(Case):
             faces = [tuple(used.index(k) for k in hull.ring(facet)) for facet in hull.facets]
             self.check([points[k] for k in used], faces, 8)
 
+    def test_tetrahedra(self):
+        """In either order of their points: CGAL makes the hull of four points as they come, half of them inside out."""
+        draw = random.Random(74)
+        for _ in range(8):
+            points = [tuple(draw.randint(-40, 40) for _ in range(3)) for _ in range(4)]
+            hull = Oracle(points, [])
+            self.check(points, [tuple(hull.ring(facet)) for facet in hull.facets], 8)
+
     def test_star_shaped(self):
         """Far from convex: each point of a small ball is moved along its own ray."""
         draw = random.Random(63)

@@ -156,6 +156,21 @@ private:
   const int *triangles_;
 };
 
+/* Of four points CGAL (5.5) makes a tetrahedron as they come, which turns it inside out for half of
+ * them: do its faces run clockwise seen from outside? */
+template <class Point>
+bool is_inside_out(const std::vector<Point> &corners,
+                   const std::vector<std::array<int, 3>> &faces) {
+  const auto &face = faces.front();
+  for (const Point &corner : corners) {
+    const auto side = CGAL::orientation(corners[static_cast<size_t>(face[0])],
+                                        corners[static_cast<size_t>(face[1])],
+                                        corners[static_cast<size_t>(face[2])], corner);
+    if (side != CGAL::COPLANAR) return side == CGAL::POSITIVE;
+  }
+  return false;
+}
+
 template <class Kernel> tp_geom_status hull_of(tp_geom_hull *hull, const tp_geom_points &points) {
   using Point = typename Kernel::Point_3;
   const Space<Kernel> space(points);
@@ -184,8 +199,9 @@ template <class Kernel> tp_geom_status hull_of(tp_geom_hull *hull, const tp_geom
 
   auto *own = static_cast<int *>(std::malloc(3 * faces.size() * sizeof(int)));
   if (own == nullptr) return TP_GEOM_OUT_OF_MEMORY;
+  const bool turned = is_inside_out(corners, faces);
   for (size_t k = 0; k < faces.size(); k++) {
-    for (size_t c = 0; c < 3; c++) own[3 * k + c] = found[faces[k][c]];
+    for (size_t c = 0; c < 3; c++) own[3 * k + (turned ? 2 - c : c)] = found[faces[k][c]];
   }
   *hull = tp_geom_hull{faces.size(), own};
   return TP_GEOM_OK;
