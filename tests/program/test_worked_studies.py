@@ -65,6 +65,14 @@ class WorkedStudies(unittest.TestCase):
         (of_e,) = [row for row in rows if row.startswith("| E | 2")]
         self.assertGreater(float(of_e.split("|")[2].split("°")[0]), 37.4 - math.degrees(math.atan2(5, 30)) - 0.75)
 
+    def test_scanned_rock(self):
+        """What touches doubles the least tilt, which never falls as more touches; sections promise more than the rock has in places."""
+        rows = self.run_study("scanned_rock")
+        self.assertEqual(len(rows), (2 + 6) + (2 + 2) + (2 + 8))
+        tilts = [float(row.split("|")[4].strip(" °")) for row in rows[3:8]]
+        self.assertEqual(tilts, sorted(tilts))
+        self.assertGreater(float(rows[10].split("|")[6].strip(" °")), 5)
+
     def test_reliability_of_toppling(self):
         """A row a case of the benchmark, a member of the family, an index, and a rule; and EQU's factor fails a slender block whose
         dip is known to 2 degrees once in six times."""
