@@ -311,6 +311,8 @@ class BlockLoads(GoverningCase):
                 (bolt.format("direction_deg: -90, length: 2, into: ground"), "ends outside it"),
                 ("loads: {anchors: [{block: ground, at: [5, -1], to: [5, -2], force_kn: 5}]}", "lies within block 'ground'"),
                 ("loads: {water: {height: 2}}", "'height' is of one block"),
+                ("loads: {water: {level: 2, tension_crack: {level: 2}}}", "draw that up to where it stands in the crack"),
+                ("loads: {water: {level: 2, ice_kpa: 150, ice_thickness: 0.5}}", "give the pressure of ice as 'pressures"),
                 ("loads: {water: {uplift: full}}", "water needs"),
                 ("loads: {water: {level: 1, uplift: triangular}}", "uplift: none"),
                 ("loads: {water: {level: 1, faces: front}}", "'behind'"),

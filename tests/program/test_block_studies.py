@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Studies, sweeps, tables and back-analyses of scenes of many blocks: each row is what `topple solve` says of the same numbers; of a slab and a column
+"""Studies, sweeps, tables, surveys, maps and back-analyses of scenes of many blocks: each row is what `topple solve` says of the same numbers; of a slab and a column
 on a slope shares, factors, reliability and design values are those of their closed forms; the same bytes by any number of threads,
 in shards, and where a study goes on; and plain words for what is of one block alone."""
 
@@ -208,6 +208,37 @@ class BlockSweeps(unittest.TestCase):
         status, out, err = run("solve", "--csv", scenes[0], ROOT / "examples" / "slab.yaml")
         self.assertEqual((status, out), (3, ""))
         self.assertIn("make two of them", err)
+
+
+class BlockBatches(StudyCase):
+    def test_rows_are_solves(self):
+        """A table over a scene of columns: each row what a solve with its numbers says, the worst first; what forces can hold and no
+        proof makes stand is undecided, with the factor by Goodman and Bray beside it; a figure each."""
+        (self.folder / "row.yaml").write_text(ROW[:ROW.index("joints")])
+        rows = {"A": (36, 2), "B": (30, 1.5), "C": (25, 1.5)}
+        table = self.folder / "table.csv"
+        table.write_text("name,friction_angle_deg,columns.width\n" + "".join(f"{name},{phi},{width}\n" for name, (phi, width) in rows.items()))
+        status, out, err = run("solve", "--batch", "--csv", "--template", self.folder / "row.yaml", "--figures", self.folder / "figures", table)
+        self.assertEqual(status, 1, err)
+        told = [*csv.DictReader(io.StringIO(out))]
+        self.assertEqual([row["name"] for row in told], ["C", "B", "A"])
+        for row in told:
+            phi, width = rows[row["name"]]
+            case = json.loads(run("solve", "--json", "--set", f"friction_angle_deg={phi}", "--set", f"columns.width={width}",
+                                  self.folder / "row.yaml")[1])["cases"][0]
+            self.assertEqual(float(row["fos"]), case["fos"]["value"])
+            self.assertEqual(row["meets_required"], case["meets_required"])
+            self.assertEqual(row["standing"], {"collapses": "fails", "may move": "fails", "can be held": "undecided"}[case["verdict"]])
+            self.assertIn(f"by Goodman and Bray the factor is {case['goodman_bray']['fos']:.5g}", row["remark"])
+        self.assertEqual(len([*(self.folder / "figures").iterdir()]), 3)
+
+    def test_stands(self):
+        """The slab with friction for more than the factor required holds, with less it is below, with less still it fails."""
+        (self.folder / "slab.yaml").write_text(SLAB)
+        (self.folder / "table.csv").write_text("name,friction_angle_deg\nA,40\nB,33\nC,20\n")
+        out = run("solve", "--batch", "--csv", "--template", self.folder / "slab.yaml", self.folder / "table.csv")[1]
+        self.assertEqual([(row["name"], row["standing"], row["verdict"]) for row in csv.DictReader(io.StringIO(out))],
+                         [("C", "fails", "slides"), ("B", "below required", "stands"), ("A", "holds", "stands")])
 
 
 class BlockMaps(StudyCase):

@@ -115,17 +115,25 @@ static tp_status read_support(const tp_reader *reader, const tp_node *node,
 
 /* Water is a level or a surface; it stands in all joints below, or in none. */
 static tp_status check_water(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"height",  "stays_level",   "tension_crack",
-                                     "ice_kpa", "ice_thickness", NULL};
+  static const char level[] = "water in and about many blocks has a 'level', or a 'surface' of "
+                              "points from left to right";
+  static const char ice[] = "give the pressure of ice as 'pressures: [{block: …, from: …, to: …, "
+                            "kpa: …}]' on each block that it presses on";
+  static const struct {
+    const char *key, *instead;
+  } keys[] = {{"height", level},
+              {"stays_level", level},
+              {"tension_crack", "between many blocks water stands in every joint below the "
+                                "'surface': draw that up to where it stands in the crack"},
+              {"ice_kpa", ice},
+              {"ice_thickness", ice}};
   const tp_water_description *water = &reader->scene->loads.water;
   if (node == NULL) return TP_OK;
-  for (size_t k = 0; keys[k] != NULL; k++) {
-    const tp_node *own = tp_node_get(node, keys[k]);
+  for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+    const tp_node *own = tp_node_get(node, keys[k].key);
     if (own == NULL) continue;
-    return tp_read_fail(reader, TP_FAULT_KEY, own,
-                        "'%s' is of one block on its base: water in and about many blocks has a "
-                        "'level', or a 'surface' of points from left to right",
-                        keys[k]);
+    return tp_read_fail(reader, TP_FAULT_KEY, own, "'%s' is of one block on its base: %s",
+                        keys[k].key, keys[k].instead);
   }
   if (water->shape == TP_WATER_UPLIFT_TRIANGULAR) {
     return tp_read_fail(reader, TP_FAULT_KEY, tp_node_get(node, "uplift"),

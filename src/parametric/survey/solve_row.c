@@ -5,6 +5,7 @@
  * cases, of which the one that governs is told, as tp_solve_load_cases chooses it. */
 
 #include "survey/judge.h"
+#include "survey/judge_system.h"
 
 #include "scene/scene.h"
 #include "topple_load_cases.h"
@@ -22,9 +23,20 @@ void tp_batch_row_clear(tp_batch_row *row) {
   *row = (tp_batch_row){0};
 }
 
+static tp_status solve_blocks(tp_batch_row *row, const tp_scene *scene,
+                              const tp_solve_options *options, tp_message *message) {
+  tp_block_system *system = NULL;
+  tp_status status = tp_solve_block_system(&system, scene, options, message);
+  if (status == TP_OK) status = tp_batch_judge_system(row, system, message);
+  tp_block_system_free(system);
+  return status;
+}
+
 static tp_status solve(tp_batch_row *row, tp_severity *severity, tp_scene *scene,
                        const tp_solve_options *options, tp_message *message) {
   tp_solution *solution = NULL;
+  *severity = (tp_severity){0}; /* of many blocks, which have no load cases to be compared */
+  if (tp_scene_block_count(scene) > 0) return solve_blocks(row, scene, options, message);
   scene->base.all_poses = false; /* a row has no place for them */
   tp_status status = tp_solve(&solution, scene, options, message);
   if (status == TP_OK) status = tp_batch_judge(row, solution, message);

@@ -7,6 +7,7 @@
 #include "report/batch.h"
 #include "common/host.h"
 #include "common/message.h"
+#include "figure/blocks.h"
 #include "figure/figure.h"
 #include "figure/name.h"
 #include "figure/sheet_name.h"
@@ -45,6 +46,25 @@ static tp_status read_row(tp_scene **scene, const tp_batch_row *row, tp_message 
   return status;
 }
 
+/* Many blocks have one figure, for a page too. */
+static tp_status draw_blocks(bytes *own, const tp_scene *scene, const tp_solve_options *options,
+                             tp_message *message) {
+  tp_block_system *system = NULL;
+  tp_blocks_figure figure;
+  char name[16];
+  snprintf(name, sizeof name, "x%s", own->ending != NULL ? own->ending : ".svg");
+  tp_status status = tp_solve_block_system(&system, scene, options, message);
+  if (status == TP_OK) {
+    status = tp_blocks_figure_init(&figure, scene, system, message);
+    if (status == TP_OK) {
+      status = tp_blocks_figure_bytes(&own->text, &own->length, name, &figure, scene, message);
+      tp_blocks_figure_clear(&figure);
+    }
+  }
+  tp_block_system_free(system);
+  return status;
+}
+
 /* A figure of the row, to be freed. */
 static tp_status draw_row(bytes *own, const tp_batch_row *row, tp_message *message) {
   tp_scene *scene = NULL;
@@ -52,8 +72,12 @@ static tp_status draw_row(bytes *own, const tp_batch_row *row, tp_message *messa
   tp_solve_options options = tp_solve_options_default();
   options.pivots = TP_PIVOTS_ALL;
   tp_status status = read_row(&scene, row, message);
-  if (status == TP_OK) status = tp_solve(&solution, scene, &options, message);
-  if (status == TP_OK) status = tp_figure_prepare(scene, solution, draw, own, message);
+  if (status == TP_OK && tp_scene_block_count(scene) > 0) {
+    status = draw_blocks(own, scene, &options, message);
+  } else if (status == TP_OK) {
+    status = tp_solve(&solution, scene, &options, message);
+    if (status == TP_OK) status = tp_figure_prepare(scene, solution, draw, own, message);
+  }
   tp_solution_free(solution);
   tp_scene_free(scene);
   return status;

@@ -78,6 +78,10 @@ double tp_blocks_page_width(void);
 TP_MUST_USE tp_status tp_blocks_figure_init(tp_blocks_figure *figure, const tp_scene *scene,
                                             const tp_block_system *system, tp_message *message);
 void tp_blocks_figure_clear(tp_blocks_figure *figure);
+/* As a file of the kind that a name ends in, to be freed. */
+TP_MUST_USE tp_status tp_blocks_figure_bytes(char **bytes, size_t *length, const char *name,
+                                             const tp_blocks_figure *figure, const tp_scene *scene,
+                                             tp_message *message);
 TP_MUST_USE bool tp_blocks_page(double *height, cairo_t *cr, const tp_blocks_figure *figure);
 
 #endif

@@ -45,15 +45,21 @@ static bool draw_page(double *height, cairo_t *cr, const void *what) {
   return tp_blocks_page(height, cr, what);
 }
 
+tp_status tp_blocks_figure_bytes(char **bytes, size_t *length, const char *name,
+                                 const tp_blocks_figure *figure, const tp_scene *scene,
+                                 tp_message *message) {
+  const tp_drawn_page page = {tp_blocks_page_width(), draw_page, figure};
+  return tp_figure_kind_of(name) == TP_FIGURE_DXF
+             ? tp_cad_draw_blocks(bytes, length, figure, scene, message)
+             : tp_drawn_page_bytes(bytes, length, name, &page, message);
+}
+
 static tp_status write_figure(const char *path, const tp_scene *scene,
                               const tp_blocks_figure *figure, tp_figure_consent consent,
                               tp_message *message) {
-  const tp_drawn_page page = {tp_blocks_page_width(), draw_page, figure};
   char *bytes = NULL;
   size_t length = 0;
-  tp_status status = tp_figure_kind_of(path) == TP_FIGURE_DXF
-                         ? tp_cad_draw_blocks(&bytes, &length, figure, scene, message)
-                         : tp_drawn_page_bytes(&bytes, &length, path, &page, message);
+  tp_status status = tp_blocks_figure_bytes(&bytes, &length, path, figure, scene, message);
   if (status == TP_OK) status = tp_figure_keep(path, bytes, length, scene, consent, message);
   free(bytes);
   return status;

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What is told of many blocks that a row makes. */
+
+#ifndef TP_SURVEY_JUDGE_SYSTEM_H
+#define TP_SURVEY_JUDGE_SYSTEM_H
+
+#include "topple_batch.h"
+#include "topple_block_system.h"
+
+TP_MUST_USE tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *system,
+                                            tp_message *message);
+
+#endif
