@@ -18,6 +18,10 @@ def tilted(angle, side="left"):
     return f"tilt: {{towards: {side}, angle_deg: {angle}}}"
 
 
+def decimals(pile):
+    return pile.moved(lambda x, y: (float(x), float(y)))
+
+
 def on_ground():
     return Pile().add("g", box(-50, -1, 60, 0), True)
 
@@ -45,6 +49,16 @@ class BlockMotions(GoverningCase):
         self.assertEqual(self.case(stack, 30, "required_fos: 2")["meets_required"], "met")
         over = on_ground().add("a", box(0, 0, 2, 1)).add("b", box(1, 1, 4, 2))
         self.assertEqual(self.case(over, 30)["verdict"], "collapses")
+
+    def test_many_without_friction(self):
+        """177 bricks in a wall need none, wherever it lies; nor a block in a notch, that pushes aside. Tilted by a hair they need some, and
+        then so many are not decided."""
+        own = wall(13, 13)
+        for pile in (own, own.moved(lambda x, y: (Fraction(x) / 8 - 10**6, Fraction(y) / 8 + 999)), own.moved(lambda x, y: (x, 3 * y))):
+            self.assertEqual(self.case(decimals(pile), 0)["standing_fos_is"], "at least this")
+        self.assertEqual(self.case(own, 30, tilted(1e-9))["verdict"], "can be held")
+        notch = Pile().add("g", [(-9, -5), (9, -5), (9, 2), (2, 2), (0, 0), (-1, 2), (-9, 2)], True).add("wedge", [(0, 0), (2, 2), (0.5, 4), (-1, 2)])
+        self.assertEqual(self.case(notch, 0)["verdict"], "stands")
 
     def test_slopes(self):
         """One box, and two on each other: it stands up to tan φ / tan α, and to φ where it does not topple before. The required factor is

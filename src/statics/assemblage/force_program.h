@@ -45,7 +45,8 @@ typedef struct tp_force_program {
   long rows, count;
   long *block;              /* by number of a free block: which it is */
   tp_force_column *columns; /* those of one contact follow each other */
-  long *first;              /* by contact, and `count` at the end; cones before cohesion */
+  long *first;              /* by contact, and `count` at the end; cones before cohesion; of some
+                               programs a contact has none */
   tp_near *dead, *live;     /* w0 and w1, by row */
 } tp_force_program;
 

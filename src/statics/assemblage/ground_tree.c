@@ -25,7 +25,7 @@ static bool find_neighbours(neighbours *n, const tp_force_program *p, long conta
   if (n->first == NULL || n->contacts == NULL) return false;
   for (int fills = 0; fills < 2; fills++) {
     for (long k = 0; k < contact_count; k++) {
-      for (int side = 0; side < 2; side++) {
+      for (int side = 0; side < 2 && p->first[k] < p->first[k + 1]; side++) {
         const long row = p->columns[p->first[k]].row[side];
         const long block = row < 0 ? blocks : row / 3;
         if (fills == 0) {
@@ -149,7 +149,7 @@ void tp_tree_link_share(tp_near factors[3], const tp_tree_link *link, const tp_f
   for (int k = 0; k < 3; k++) own[k] = p->columns[link->columns[k]].entry[link->sides[k]];
   const tp_near volume = tp_near_determinant(own[0], own[1], own[2]);
   for (int k = 0; k < 3; k++) {
-    const tp_near part = tp_near_determinant(wrench, own[(k + 1) % 3], own[(k + 2) % 3]);
-    factors[k] = tp_near_div(part, volume);
+    const tp_near part = tp_sparse_determinant(wrench, own[(k + 1) % 3], own[(k + 2) % 3]);
+    factors[k] = tp_near_is_zero(part) ? part : tp_near_div(part, volume);
   }
 }

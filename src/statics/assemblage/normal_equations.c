@@ -31,8 +31,9 @@ static void find_pairs(tp_normal_equations *n) {
   const tp_dissection *d = &n->plan.dissection;
   const tp_force_program *p = n->program;
   for (long k = 0; k < p->assemblage->contact_count; k++) {
-    const long *row = p->columns[p->first[k]].row;
     n->pair[k] = -1;
+    if (p->first[k] == p->first[k + 1]) continue;
+    const long *row = p->columns[p->first[k]].row;
     if (row[0] < 0 || row[1] < 0) continue;
     const int later = later_of(n, row);
     const long first = d->first[row[!later] / SIDE], end = d->first[row[!later] / SIDE + 1];
@@ -61,11 +62,12 @@ static void add_column(tp_normal_equations *n, const tp_force_column *c, double 
   add_square(n->pair_squares + SQUARE * n->pair[c->contact], c->entry[later], c->entry[!later], d);
 }
 
-/* A little more on the diagonal than rounding takes from it. */
+/* A little more on the diagonal than rounding takes from it; and one where no column acts. */
 static void stiffen(tp_normal_equations *n) {
   static const double share = 1e-14;
   for (long r = 0; r < n->program->rows; r++) {
-    n->own_squares[SIDE * r + r % SIDE] *= 1 + share;
+    double *own = n->own_squares + SIDE * r + r % SIDE;
+    *own = *own > 0 ? *own * (1 + share) : 1;
   }
 }
 

@@ -20,6 +20,7 @@ static int compare(const void *first, const void *second) {
 static long gather(joined *pairs, const tp_force_program *p) {
   long count = 0;
   for (long k = 0; k < p->assemblage->contact_count; k++) {
+    if (p->first[k] == p->first[k + 1]) continue;
     const long *row = p->columns[p->first[k]].row;
     if (row[0] < 0 || row[1] < 0) continue;
     pairs[count++] = (joined){row[0] / 3, row[1] / 3};

@@ -8,13 +8,14 @@
 #include "block_system/beginnings.h"
 
 #include "block_system/collapse.h"
+#include "block_system/frictionless_blocks.h"
 #include "block_system/moving.h"
 #include "block_system/standing.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_BLOCKS = 24, MOST_WHOLE = 100 }; /* free ones: for motions, for frictionless blocks */
+enum { MOST_BLOCKS = 24 }; /* free ones, for motions */
 static const double most_factor = 1000;
 
 typedef struct beginnings {
@@ -44,23 +45,6 @@ static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *conte
 
 /* ---- as they lie -------------------------------------------------------------------------------
  */
-
-static tp_status try_frictionless(beginnings *b, tp_message *message) {
-  const bool few = b->task->system->assemblage.free_count <= MOST_WHOLE;
-  if (!few || b->task->resultant->beyond) return TP_OK;
-  tp_blocks_at at;
-  long work = 0;
-  tp_status status = tp_fail_memory(message, "the motions");
-  if (tp_blocks_at_init(&at, &b->resting)) {
-    status = tp_blocks_at_rest(&at, &b->resting, b->task->resultant, message);
-  }
-  if (status == TP_OK) {
-    const tp_modes_question q = {.resting = &b->resting, .loads = {at.loads}, .load_count = 1};
-    status = tp_exclusion_frictionless(&b->frictionless, &work, &q, message);
-  }
-  tp_blocks_at_clear(&at);
-  return status;
-}
 
 static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
   *excluded = false;
@@ -298,7 +282,8 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
   own->sought = how_far(task->system);
   tp_status status = tp_resting_init(&b.resting, &task->system->assemblage, message);
   if (status != TP_OK) return status;
-  if (own->verdict != TP_SYSTEM_COLLAPSES) status = try_frictionless(&b, message);
+  if (own->verdict != TP_SYSTEM_COLLAPSES)
+    status = tp_frictionless_blocks(&b.frictionless, &b.resting, task->resultant, message);
   if (status == TP_OK && own->sought == TP_SYSTEM_SOUGHT && !task->resultant->beyond) {
     status = search(&b, message);
   }

@@ -30,17 +30,22 @@ void tp_blocks_at_divisor(tp_blocks_at *at, const tp_built_system *s, double div
   }
 }
 
-tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const tp_resultant *r,
-                            tp_message *message) {
+tp_near tp_blocks_loads(tp_weight_loads *loads, const tp_resultant *r) {
   arb_t angle;
   arb_init(angle);
   arb_add(angle, r->tilt_deg, r->earthquake_deg, BITS);
   const bool is_level = arb_is_zero(angle) && arb_is_zero(r->across);
   arb_clear(angle);
-  tp_weight_loads loads = r->loads;
-  if (is_level) loads.dead[0] = (tp_near){0, 0};
-  return tp_resting_loads(at->loads, at->central, resting, &loads,
-                          is_level ? (tp_near){0, 0} : r->target, message);
+  *loads = r->loads;
+  if (is_level) loads->dead[0] = (tp_near){0, 0};
+  return is_level ? (tp_near){0, 0} : r->target;
+}
+
+tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const tp_resultant *r,
+                            tp_message *message) {
+  tp_weight_loads loads;
+  const tp_near live = tp_blocks_loads(&loads, r);
+  return tp_resting_loads(at->loads, at->central, resting, &loads, live, message);
 }
 
 /* Weights alone: by the tangent of the angle of their resultant. */
