@@ -5,8 +5,10 @@ and the film of a tilt test against the numbers that `topple tilt` prints. And w
 
 import json
 import math
+import pathlib
 import random
 import sys
+import tempfile
 import time
 import unittest
 
@@ -108,6 +110,49 @@ class Parts(unittest.TestCase):
                 status, out, err = run("solve", "--json", path.name, folder=folder)
                 self.assertEqual(status, 0, err)
                 self.assertEqual(json.loads(out)["cases"][0]["mechanism"], "stands")
+
+    def test_additions_are_solved(self):
+        """What the menu adds is read by the program and counts: each load is among its effects; a second anchor is one more;
+        corners in place of a slab's or of teeth's numbers make the same block."""
+        scenes = {"slab": (ROOT / "examples/slab_left.yaml").read_text(encoding="utf-8"),
+                  "teeth": (ROOT / "examples/block_e_valley.yaml").read_text(encoding="utf-8"),
+                  "lines": "topple: 1\nlength_unit: m\nblock:\n  slab:\n    width: 1\n    height: 2   # its height\n\n  unit_weight_kn_m3: 26\n"
+                           "friction_angle_deg: 30\ntilt:\n  towards: left\n  angle_deg: 5\n"}
+        rings = {"slab": [[0, 0], [50, 0], [50, 100], [0, 100]], "teeth": [[0, 0], [30, 5], [60, 0], [90, 5], [90, 125], [0, 125]],
+                 "lines": [[0, 0], [1, 0], [1, 2], [0, 2]]}
+        body = """const {SceneText} = await import(given.text); const out = {};
+          for (const [name, text] of Object.entries(given.scenes)) {
+            const ring = given.rings[name].map(([x, y]) => ({x, y}));
+            const height = Math.max(...ring.map(({y}) => y));
+            const sizes = {height, centroid: {x: ring[2].x / 2, y: height / 2}, weightKn: 52, ring};
+            for (const [kind, addition] of Object.entries(it.ADDITIONS)) {
+              const once = addition.text(new SceneText(text), sizes);
+              out[name + " " + kind] = kind === "anchor" ? addition.text(new SceneText(once), sizes) : once;
+            } }
+          return out;"""
+        given = {"text": (EXPLORER / "scene" / "scene_text.js").as_uri(), "scenes": scenes, "rings": rings}
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        areas = {}
+        for name, text in scenes.items():
+            areas[name] = self.solved(folder, text)["block"]["area_m2"]["value"]
+        for name, text in node(EXPLORER / "scene" / "additions.js", body, given).items():
+            with self.subTest(name):
+                scene, kind = name.split()
+                case = self.solved(folder, text)
+                self.assertAlmostEqual(case["block"]["area_m2"]["value"], areas[scene], places=12)
+                if kind == "outline":
+                    self.assertIn("outline: [[0, 0], ", text)
+                    self.assertNotRegex(text, "slab:|teeth:")
+                else:
+                    told = json.dumps([case.get("loads"), case["effects"]])
+                    self.assertIn({"water": "water", "anchor": "anchor", "earthquake": "seismic", "cohesion": "cohesion"}[kind], told)
+                    self.assertEqual(text.count("force_kn"), 2 if kind == "anchor" else 0)
+
+    def solved(self, folder, text):
+        (folder / "scene.yaml").write_text(text, encoding="utf-8")
+        status, out, err = run("solve", "--json", "scene.yaml", folder=folder)
+        self.assertEqual(status, 0, err)
+        return json.loads(out)["cases"][0]
 
     def test_clock_that_ticks(self):
         """A measurement shorter than a tick of the clock stands at the shortest that was measured, and never at nothing."""

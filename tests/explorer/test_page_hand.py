@@ -182,6 +182,30 @@ class Hand(DrawnCase):
             self.click("#undo")
         self.assertEqual(self.text(), before)
 
+    def add(self, name):
+        """By the menu, as a hand does it."""
+        self.value("(() => { const s = document.getElementById('add'); s.dispatchEvent(new Event('focus'));"
+                   f" s.value = '{name}'; s.dispatchEvent(new Event('change')); }})()")
+        self.answered()
+
+    def test_loads_by_the_menu(self):
+        """A slab gets corners of its own, water and an anchor without a word of YAML; each has handles, is in the answer, and
+        is one step of undo."""
+        self.example("slab")
+        before = self.text()
+        for name, handle in (("outline", "block.outline.2"), ("water", "height of the water"), ("anchor", "loads.anchors.0.at")):
+            self.add(name)
+            self.assertIn(handle, self.value("[...document.querySelectorAll('.handle')].map(h => h.dataset.handle)"))
+        self.drag("height of the water", 0, -30)
+        self.answered()
+        loads = {each["name"] for each in self.solved()["cases"][0]["loads"]}
+        self.assertTrue(any("water" in name for name in loads) and any("anchor" in name for name in loads), loads)
+        self.value("document.getElementById('add').dispatchEvent(new Event('focus'))")
+        self.assertEqual(self.value("[...document.querySelectorAll('#add option:disabled')].map(o => o.value)"), ["water", "outline"])
+        for _ in range(4):
+            self.click("#undo")
+        self.assertEqual(self.text(), before)
+
     def test_many_vertices(self):
         """Of 600 vertices those near the pointer have handles, wherever it is."""
         self.type_scene(polygon(600).replace("], [", "],\n    ["))

@@ -16,7 +16,7 @@ import { pointsOf } from "./points.js";
  */
 export function previewPath(context, dot) {
   if (context.block === null) return null;
-  const ring = slabRing(context) ?? teethRing(context) ?? outlineRing(context);
+  const ring = ringOf(context);
   if (ring === null || ring.length < 3) return null;
   const pieces = [];
   let last = null;
@@ -27,6 +27,11 @@ export function previewPath(context, dot) {
     last = at;
   }
   return pieces.join("") + "Z";
+}
+
+/** @param {import("./handle.js").Context} context @returns {import("./handle.js").Point[]|null} in the scene's coordinates; null: it has arcs, or cannot be told */
+export function ringOf(context) {
+  return slabRing(context) ?? teethRing(context) ?? outlineRing(context);
 }
 
 function slabRing(context) {

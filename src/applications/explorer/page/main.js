@@ -10,6 +10,7 @@ import { Drawing } from "../drawing/drawing.js";
 import { ExamplesMenu } from "../examples/menu.js";
 import { keepScene, keptScene } from "../scene/kept.js";
 import { carriesScene, exampleOfLink, sceneOfLink } from "../scene/link.js";
+import { addMenu } from "./add_menu.js";
 import { badge } from "./badge.js";
 import { drawingTools } from "./drawing_tools.js";
 import { readEmbed, showEmbedded } from "./embed.js";
@@ -42,6 +43,7 @@ async function begin() {
   text.messages = messages;
   drawingTools(element, drawing, store);
   badge(element, drawing, store);
+  addMenu(element("add"), drawing, store, messages);
   sheet(element("grip"));
   new Player(element("play"), element("film"), { drawing, store, core: background, messages });
   numbersForm(element("numbers"), store);
