@@ -132,6 +132,19 @@ class Hand(DrawnCase):
         self.assertFalse(self.value("document.activeElement.classList.contains('cm-content')"))
         self.assertEqual(self.text(), before)
 
+    def test_keys_are_explained(self):
+        """Where the cursor is in the text, it is said what its key means, in the program's own words."""
+        self.type_scene(POLYGON)
+        self.answered()
+        x, y = self.value("(() => { const r = [...document.querySelectorAll('.cm-line')].find(l => l.textContent.startsWith('tilt:'))"
+                          ".getBoundingClientRect(); return [r.x + 15, r.y + r.height / 2]; })()")
+        self.mouse("mousePressed", x, y)
+        self.mouse("mouseReleased", x, y)
+        self.awaits("/^tilt, a key of scenes/.test(document.getElementById('key-help').textContent)")
+        said = self.value("document.getElementById('key-help').textContent")
+        word = run("explain", "tilt")[1].split("\ntilt, a key of scenes\n")[1].split("\n")[0].strip()
+        self.assertIn(word, said)
+
     def test_fields_say_what_they_do_not_take(self):
         """95, -5 and abc change nothing, are called out while they stand there, and are gone when the field is left; a
         comma is a point; without a tilt the slider stands at its beginning."""

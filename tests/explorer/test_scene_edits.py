@@ -304,6 +304,18 @@ class Texts(unittest.TestCase):
                 self.assertEqual(back, text)
                 self.assertEqual(left, [*before[:at], *before[at + 1:]])
 
+    def test_key_at_a_place(self):
+        """Of each word of an example the key that it belongs to, by the path that the program explains."""
+        text = (ROOT / "examples" / "block_under_water.yaml").read_text(encoding="utf-8")
+        places = {"direction_deg": "loads.anchors[].direction_deg", "[0, 4]": "loads.anchors[].at", "width": "block.slab.width", "35": "friction_angle_deg",
+                  "3, uplift": "loads.water.height", "towards: left": "tilt.towards", "# docs": None}
+        offsets = [text.index(word) for word in places]
+        found = node(SCENE / "scene_text.js", """const {keyAt} = await import(given.module); const scene = new it.SceneText(given.text);
+          return given.offsets.map((at) => keyAt(scene, at)?.path ?? null);""", {"module": (SCENE / "key_at.js").as_uri(), "text": text, "offsets": offsets})
+        self.assertEqual(found, list(places.values()))
+        for path in filter(None, places.values()):
+            self.assertIn(f"{path}, a key of scenes", run("explain", path)[1])
+
     def test_random_scenes_read_back(self):
         """Edits of examples: what the program reads at the place is the number that was put there, and a second edit
         that puts the old one back gives the old text."""

@@ -23,9 +23,10 @@ export class Editor {
   #timer = null;
   #marked = 0; // lines with a complaint
 
-  /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
-  constructor(element, store) {
+  /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store @param {object[]} help extensions that explain */
+  constructor(element, store, help) {
     this.store = store;
+    this.help = help;
     this.view = new EditorView({ parent: element, state: EditorState.create({ doc: plainEnds(store.text), extensions: this.#extensions() }) });
     this.view.scrollDOM.tabIndex = 0; // what is beyond its edge is reached by keys
     store.addEventListener("text", () => this.#follow());
@@ -44,7 +45,7 @@ export class Editor {
   #extensions() {
     return [
       lineNumbers(), drawSelection(), highlightActiveLine(), bracketMatching(), indentOnInput(), highlightSelectionMatches(),
-      lintGutter(), yaml(), syntaxHighlighting(colours),
+      ...this.help, lintGutter(), yaml(), syntaxHighlighting(colours),
       // Tab leads on to what comes next on the page: Ctrl+] and Ctrl+[ indent
       keymap.of([...this.#historyKeys(), ...searchKeymap, ...defaultKeymap]),
       EditorView.contentAttributes.of({ "aria-label": "The scene as text, in YAML" }),

@@ -5,18 +5,20 @@
 
 import { fixedShapes } from "../drawing/fixed_shapes.js";
 import { Editor } from "../editor/editor.js";
+import { keyHelp } from "../editor/key_help.js";
 import { element } from "../panels/element.js";
 import { pointsButtons } from "./points_into_scene.js";
 
 /** It is no panel of results: it follows the text by itself, shown or not. */
 export class TextPanel {
-  /** @param {HTMLElement} place @param {{store: import("../scene/store.js").SceneStore}} context */
-  constructor(place, { store }) {
+  /** @param {HTMLElement} place @param {{store: import("../scene/store.js").SceneStore, terms: import("../panels/terms.js").Terms}} context */
+  constructor(place, { store, terms }) {
     const name = element("p", { class: "quiet", id: "scene-name" });
     const fixed = element("ul", { class: "quiet", id: "fixed" });
     const room = element("div", { id: "editor" });
-    place.append(name, fixed, room);
-    this.editor = new Editor(room, store);
+    const help = element("p", { class: "quiet", id: "key-help", role: "status" });
+    place.append(name, fixed, room, help);
+    this.editor = new Editor(room, store, keyHelp(store, (path) => terms.explainKey(path), help));
     // Its messages come later, when there is a strip for them.
     this.messages = null;
     store.addEventListener("text", () => {

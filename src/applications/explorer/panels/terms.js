@@ -7,25 +7,9 @@
  */
 
 import { element } from "./element.js";
+import { readExplanation } from "./explanation.js";
 
-const LABELS = /^(Symbol|Formula|Unit|Range|Default|Source|Also|Keys|Page)\s{2,}(.*)$/;
 const EXPLAIN_MAX_MS = 5000;
-
-/**
- * What explain printed of its first meaning, as a title and paragraphs, the lines of each joined.
- * @param {string} printed
- */
-function readExplanation(printed) {
-  const [title, ...lines] = printed.split("\n\n", 1)[0].split("\n");
-  const rows = [];
-  for (const line of lines.map((each) => each.trim())) {
-    const found = LABELS.exec(line);
-    if (found !== null) rows.push({ label: found[1], text: found[2] });
-    else if (rows.length === 0) rows.push({ label: "", text: line });
-    else rows[rows.length - 1].text += " " + line;
-  }
-  return { title, rows };
-}
 
 export class Terms {
   #asked = new Map();
@@ -93,11 +77,16 @@ export class Terms {
     this.bubble.hidden = true;
   }
 
-  /** @param {string} term */
-  #explanation(term) {
+  /** What a key of scenes means, by its path. @param {string} path as loads.anchors[].at */
+  explainKey(path) {
+    return this.#explanation(path, path + ", a key of scenes");
+  }
+
+  /** @param {string} term @param {string} [heading] of the meaning that is wanted */
+  #explanation(term, heading = "") {
     if (!this.#asked.has(term)) {
       const asked = this.core.run(["explain", ...term.split(" ")], {}, { timeoutMs: EXPLAIN_MAX_MS }).then(
-        (answer) => readExplanation(answer.status === 0 ? answer.out : answer.err),
+        (answer) => readExplanation(answer.status === 0 ? answer.out : answer.err, heading),
         (error) => {
           this.#asked.delete(term); // a core that was stopped is asked again
           return { title: term, rows: [{ label: "", text: error.message }] };
