@@ -18,6 +18,7 @@ from harness import main
 
 EXPLORER = ROOT / "src" / "applications" / "explorer"
 DRAWING = EXPLORER / "drawing"
+YAML = EXPLORER / "node_modules" / "yaml"
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
@@ -111,6 +112,7 @@ class Parts(unittest.TestCase):
                 self.assertEqual(status, 0, err)
                 self.assertEqual(json.loads(out)["cases"][0]["mechanism"], "stands")
 
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
     def test_additions_are_solved(self):
         """What the menu adds is read by the program and counts: each load is among its effects; a second anchor is one more;
         corners in place of a slab's or of teeth's numbers make the same block."""
