@@ -65,6 +65,19 @@ class Blocks(unittest.TestCase):
             self.assertEqual(own.svg(), figure.read_text(encoding="utf-8"))
             own.write_report(pathlib.Path(folder) / "sheet.md", letterhead={"language": "de"})
             self.assertIn("Annahmen", (pathlib.Path(folder) / "sheet.md").read_text(encoding="utf-8"))
+            run("solve", "--animation", figure, path)
+            self.assertEqual(own.animation_svg(), figure.read_text(encoding="utf-8"))
+            own.write_animation(pathlib.Path(folder) / "moving.svg")
+            self.assertEqual((pathlib.Path(folder) / "moving.svg").read_bytes(), figure.read_bytes())
+        self.assertEqual(topple.table([own]), printed("solve", "--table", path))
+        self.assertEqual(topple.csv([own]), printed("solve", "--csv", path))
+        with self.assertRaisesRegex(TypeError, "make two of them"):
+            topple.table([own, topple.Scene.read(ROOT / "examples" / "slab.yaml").solve()])
+        found = topple.find(scene, "friction_angle_deg", "fos_goodman_bray", 1, 38, 38.3)
+        words = "solve", "--find", "friction_angle_deg", "--for", "fos_goodman_bray=1", "--from", "38", "--to", "38.3"
+        self.assertEqual(found.report(), printed(*words, path))
+        self.assertEqual(json.loads(found.to_json(own)), json.loads(printed(*words, "--json", path)))
+        self.assertAlmostEqual(found.blocks[0].fos_goodman_bray, 1, delta=1e-8)
         self.assertIsNone(scene.solve_block_system(strength_reduction=False).cases[0].fos.value)
         with self.assertRaisesRegex(topple.BadInput, "many blocks"):
             scene.solve()
