@@ -83,6 +83,10 @@ class OutOfMemory(unittest.TestCase):
     def test_solve_under_loads(self):
         self.every(20, "solve", EXAMPLES / "block_under_water.yaml")
 
+    def test_solve_many_blocks(self):
+        """In the program of forces and in the proofs too: it is not called undecided."""
+        self.every(20, "solve", EXAMPLES / "blocks" / "wet_columns.yaml")
+
     def test_solve_outline_of_file(self):
         self.every(20, "solve", EXAMPLES / "boulder.yaml")
 
