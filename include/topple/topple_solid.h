@@ -205,6 +205,14 @@ TP_MUST_USE tp_status tp_report_solid_json(char **text, const tp_solid *solid);
 TP_MUST_USE tp_status tp_report_solid_csv(char **text, const tp_solid *solid);
 TP_MUST_USE tp_status tp_report_solid_row_csv(char **text, const tp_solid *solid);
 
+/* The upright section through the centroid at an azimuth as a scene of a block, of which the path
+ * of the mesh is that of the solid; what touches is as high over its own lowest point as the band
+ * that governs. Comments at its head say at which tilt it topples both ways, and at which the solid
+ * does. Bad input: a mesh that has no unit by name, or neither z nor y upwards, or whose section is
+ * none. */
+TP_MUST_USE tp_status tp_report_solid_section(char **text, const tp_solid *solid,
+                                              double azimuth_deg, tp_message *message);
+
 #ifdef __cplusplus
 }
 #endif

@@ -12,7 +12,7 @@ from .chart import Chart, made
 from .errors import checked
 from .given import File, c_path, c_text
 from .record import Record, struct_of
-from .report import drawing, sheet_options, written
+from .report import drawing, sheet_options, taken, written
 from .solution import BlockSystemMethods
 from .words import (Design, FosDefinition, ProfileDetrend, ProfileResampling, ProfileWindow, StudyOutcome,
                     StudyQuantity)
@@ -67,6 +67,13 @@ class SolidMethods:
     def csv(self) -> str:
         """A row for every azimuth of every band."""
         return written(lib.tp_report_solid_csv, struct_of(self))
+
+    def section(self, azimuth_deg: float) -> str:
+        """The section through the centroid at an azimuth, as the text of a scene of a block; its head
+        says how far off that is."""
+        receives = ffi.new("char **")
+        checked(lib.tp_report_solid_section, receives, struct_of(self), azimuth_deg)
+        return taken(receives[0])
 
     def write_figure(self, path: File) -> None:
         """Draw the rock, what of it touches, and the rose into a file: .svg, .pdf or .png. The mesh is

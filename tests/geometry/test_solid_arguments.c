@@ -97,6 +97,9 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_solid_csv(&text, NULL));
   UNWRITTEN(tp_report_solid_row_csv(NULL, own));
   UNWRITTEN(tp_report_solid_row_csv(&text, NULL));
+  REFUSED(tp_report_solid_section(NULL, own, 45, &message), "'text'");
+  REFUSED(tp_report_solid_section(&text, NULL, 45, &message), "'solid'");
+  REFUSED(tp_report_solid_section(&text, own, NAN, &message), "azimuth");
   ck_assert_ptr_eq(text, &untouched);
   tp_solid_free(NULL);
   tp_solid_free(own);

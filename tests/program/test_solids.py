@@ -134,6 +134,18 @@ class References(Case):
         for case in json.loads(out)["cases"]:
             rose = got["bands"][0]["rose"][1 if case["towards"] == "right" else 3]
             self.assertAlmostEqual(rose["toppling_deg"]["value"], case["toppling"]["critical_angle_deg"]["value"], 11)
+        mesh = self.put("rock.obj", exact_obj(points, faces))
+        status, cut, err = run("solid", "--unit=m", "--band=0", "--section=90", mesh)
+        self.assertEqual(status, 0, err)
+        self.assertIn("to the left, the section topples at 42.483°, the rock at 42.483°.\n", cut)
+        status, again, err = run("solve", "--json", self.put("cut.yaml", cut))
+        self.assertEqual(status, 0, err)
+        for one, other in zip(json.loads(out)["cases"], json.loads(again)["cases"]):
+            self.assertAlmostEqual(one["toppling"]["critical_angle_deg"]["value"], other["toppling"]["critical_angle_deg"]["value"], 7)
+        for words, told in ((["--up=1,1,0"], "z or y upwards"), (["--section=400"], "-360 and 360"), (["--json"], "no other output")):
+            status, none, err = run("solid", "--unit=m", "--band=0", "--section=45", mesh, *words)
+            self.assertEqual((status in (2, 3), none), (True, ""), err)
+            self.assertIn(told, err)
 
 
 class AgainstFractions(Case):

@@ -56,6 +56,9 @@ void say_solids(sayings *s) {
     if (tp_report_solid(next_saying(s), solid) != TP_OK) s->count--;
     if (tp_report_solid_json(next_saying(s), solid) != TP_OK) s->count--;
     if (tp_report_solid_csv(next_saying(s), solid) != TP_OK) s->count--;
+    const tp_status cut = tp_report_solid_section(next_saying(s), solid, 45, &message);
+    if (cut != TP_OK) s->count--;
+    note_status(s, cut, &message);
     tp_solid_free(solid);
   }
   say_solid_of_scene(s);

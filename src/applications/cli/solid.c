@@ -12,7 +12,8 @@
 
 typedef struct arguments {
   const char *file, *figure;
-  bool json, csv;
+  bool json, csv, cuts;
+  double section_deg;
   tp_solid_options options;
   double bands[TP_SOLID_BANDS];
 } arguments;
@@ -26,6 +27,7 @@ enum {
   KEY_BAND,
   KEY_AZIMUTHS,
   KEY_FIGURE,
+  KEY_SECTION,
   KEY_CSV
 };
 
@@ -42,6 +44,11 @@ static const struct argp_option options[] = {
     {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png", 0},
+    {"section", KEY_SECTION, "DEG", 0,
+     "Print the section through the centroid at this azimuth as a scene of a block, and how far "
+     "off "
+     "that is",
+     0},
     {"json", 'j', NULL, 0, "Print the numbers as JSON", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the tilt towards each azimuth as CSV", 0},
     {0}};
@@ -122,6 +129,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_CSV:
     a->csv = true;
     return 0;
+  case KEY_SECTION:
+    a->cuts = true;
+    a->section_deg = read_number("section", argument, state);
+    return 0;
   case KEY_FIGURE:
     a->figure = argument;
     return 0;
@@ -133,6 +144,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
       tp_cli_refuse(state, "give a mesh, for example examples/meshes/balanced_rock.obj");
     }
     if (a->json && a->csv) tp_cli_refuse(state, "one of --json and --csv");
+    if (a->cuts && (a->json || a->csv || a->figure != NULL)) {
+      tp_cli_refuse(state, "--section prints a scene, and goes with no other output");
+    }
     return 0;
   default:
     return parse_solid(key, argument, state);
@@ -183,7 +197,11 @@ static tp_status solve_and_tell(const void *words, int *ended, tp_message *messa
   const arguments *a = words;
   tp_solid *solid = NULL;
   tp_status status = tp_solid_of_file(&solid, a->file, &a->options, message);
-  if (status == TP_OK) {
+  if (status == TP_OK && a->cuts) {
+    char *scene = NULL;
+    status = tp_report_solid_section(&scene, solid, a->section_deg, message);
+    if (status == TP_OK) status = tp_cli_print_report(status, scene, ended);
+  } else if (status == TP_OK) {
     report own = {solid, a, ended, TP_OK};
     status = a->figure != NULL ? tell_and_draw(&own, message) : tell(&own);
   }
