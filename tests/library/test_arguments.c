@@ -72,8 +72,7 @@ START_TEST(figures_of_many_blocks) {
   REFUSED(tp_report_figure_block_system_if("/tmp/x.svg", NULL, own, none, &message), "'scene'");
   REFUSED(tp_report_figure_block_system_if("/tmp/x.svg", scene, NULL, none, &message), "'system'");
   REFUSED(tp_report_figure_block_system("/tmp/x.svg", plain, own, &message), "of this scene");
-  REFUSED(tp_report_figure_block_system("/tmp/x.dxf", scene, own, &message), ".pdf or .png");
-  REFUSED(tp_report_figure_block_system("/tmp/x.txt", scene, own, &message), ".pdf or .png");
+  REFUSED(tp_report_figure_block_system("/tmp/x.txt", scene, own, &message), ".png or .dxf");
   REFUSED(tp_report_sheet_block_system(NULL, scene, own, &sheet, &message), "'path'");
   REFUSED(tp_report_sheet_block_system("/tmp/x.html", NULL, own, &sheet, &message), "'scene'");
   REFUSED(tp_report_sheet_block_system("/tmp/x.html", scene, NULL, &sheet, &message), "'system'");
