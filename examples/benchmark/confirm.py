@@ -15,52 +15,13 @@ import sys
 from fractions import Fraction
 
 import exact
+from rational import frictions, rational_tilt
 
 HERE = pathlib.Path(__file__).parent
 HAIR = Fraction(1, 10**10)  # degrees by which a tilt lies outside its bracket, a tenth of the last place
+NEAR = Fraction(1, 10**9)  # metres by which a block at rest may miss its base, as the digits of its pose do
 BELOW = (Fraction(1, 2), Fraction(9, 10))  # of the onset: no motion begins there either
 MODES = 8  # contact points up to which contact modes are tried
-
-
-def pi(digits=40):
-    """By Machin's formula, a rational within 10^-digits."""
-    def arctangent(n):
-        total, term, k, least = Fraction(0), Fraction(1, n), 1, Fraction(1, 10**(digits + 3))
-        while term > least:
-            total += term / k if k % 4 == 1 else -term / k
-            term /= n * n
-            k += 2
-        return total
-    return 4 * (4 * arctangent(5) - arctangent(239))
-
-
-PI = pi()
-
-
-def trigonometry(degrees):
-    """Sine and cosine of an angle in degrees within 1e-30, by Taylor's series."""
-    angle = Fraction(degrees) * PI / 180
-    angle = Fraction(round(angle * 10**40), 10**40)
-    sine, cosine, term, k = Fraction(0), Fraction(0), Fraction(1), 0
-    while abs(term) > Fraction(1, 10**35):
-        sine, cosine = ((sine, cosine + term), (sine + term, cosine), (sine, cosine - term), (sine - term, cosine))[k % 4]
-        k += 1
-        term = Fraction(round(term * angle / k * 10**40), 10**40)
-    return sine, cosine
-
-
-def rational_tilt(degrees):
-    """Exact sine and cosine of a tilt within 1e-18 degrees of this one."""
-    sine, cosine = trigonometry(Fraction(degrees))
-    t = Fraction(round(sine / (1 + cosine) * 10**20), 10**20)
-    return 2 * t / (1 + t * t), (1 - t * t) / (1 + t * t)
-
-
-def frictions(degrees):
-    """Rationals just below and just above the tangent of the friction angle."""
-    sine, cosine = trigonometry(Fraction(degrees))
-    middle = Fraction(round(sine / cosine * 10**20), 10**20)
-    return middle - Fraction(1, 10**19), middle + Fraction(1, 10**19)
 
 
 def points(name):
@@ -68,11 +29,35 @@ def points(name):
         return [(Fraction(row["x_m"]), Fraction(row["y_m"])) for row in csv.DictReader(file)]
 
 
+def placed(ring, about, answers):
+    """A block as its answers say that it comes to rest: turned about its centroid, which moved."""
+    turned, *moved = (sum(Fraction(str(answers[name][end])) for end in ("low", "high")) / 2
+                      for name in ("turned_deg", "moved_x_m", "moved_y_m"))
+    sine, cosine = rational_tilt(turned)
+    arms = [exact.minus(p, about) for p in ring]
+    return [(about[0] + moved[0] + cosine * x - sine * y, about[1] + moved[1] + sine * x + cosine * y) for x, y in arms]
+
+
+def near(ring, base):
+    """Contact points of a block that touches but for NEAR: vertices of one beside an edge of the other."""
+    found = []
+    for chain, lines, of_block in ((ring, exact.edges(base, False), False), (base, exact.edges(ring, True), True)):
+        for a, b in lines:
+            d = exact.minus(b, a)
+            for p in chain:
+                r = exact.minus(p, a)
+                if exact.cross(d, r)**2 < NEAR**2 * exact.dot(d, d) and 0 < exact.dot(r, d) < exact.dot(d, d):
+                    found.append((p, exact.lowest(d)))
+    return found
+
+
 class Single:
     """One block on one base; tilted to the right it is its own mirror image."""
 
-    def __init__(self, own):
+    def __init__(self, own, answers=None):
         block, base = points(own["block"]), points(own["base"])
+        if "place" in own and answers:
+            block = placed(block, exact.moments(block)[1], answers)
         self.first, self.is_mirrored = block[0], own["towards"] == "right"
         self.area, centroid, self.gyration = exact.moments(block)
         self.offset = exact.minus(centroid, self.first)
@@ -80,7 +65,7 @@ class Single:
             block, base = [(-x, y) for x, y in reversed(block)], [(-x, y) for x, y in reversed(base)]
             centroid = (-centroid[0], centroid[1])
         block, base = ([exact.minus(p, centroid) for p in chain] for chain in (block, base))
-        self.contacts = exact.touching(block, base[::-1], False)
+        self.contacts = near(block, base) if "place" in own else exact.touching(block, base[::-1], False)
         self.centroid, self.block, self.loads = centroid, block, own["loads"]
         self.weight = self.area * Fraction(own.get("unit_weight_kn_m3", 1))
         self.friction = frictions(own["friction_deg"])
@@ -126,6 +111,91 @@ class Single:
         return False
 
 
+def outlines(name):
+    """Many blocks by their names."""
+    found = {}
+    with open(HERE / name, encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            found.setdefault(row["block"], []).append((Fraction(row["x_m"]), Fraction(row["y_m"])))
+    return found
+
+
+class Many:
+    """Many blocks on rock, of the same density."""
+
+    def __init__(self, own):
+        blocks = outlines(own["blocks"])
+        ground = blocks.pop("ground")
+        self.blocks, self.friction = list(blocks.values()), frictions(own["friction_deg"])
+        self.contacts = []
+        for k, ring in enumerate(self.blocks):
+            self.contacts += [(k, None, contact) for contact in exact.touching(ring, ground)]
+            for j in range(k):
+                self.contacts += [(k, j, contact) for contact in exact.touching(ring, self.blocks[j])]
+
+    def holds(self, degrees, friction):
+        sine, cosine = rational_tilt(degrees)
+        applied = []
+        for ring in self.blocks:
+            area, (x, y), _ = exact.moments(ring)
+            applied.append((-area * sine, -area * cosine, area * (y * sine - x * cosine)))
+        return exact.holds(len(self.blocks), [(*contact, friction) for contact in self.contacts], applied)
+
+
+def check_many(own, answers):
+    blocks, (low, high) = Many(own), sides(answers["limit_deg"])
+    right = blocks.holds(low, blocks.friction[0]) and not blocks.holds(high, blocks.friction[1])
+    return [] if right else ["limit_deg"]
+
+
+def solid_of(name):
+    """Corners and triangles of an OBJ."""
+    lines = [line.split() for line in (HERE / name).read_text().splitlines()]
+    return ([tuple(map(Fraction, words[1:])) for words in lines if words[0] == "v"],
+            [tuple(int(v) - 1 for v in words[1:]) for words in lines if words[0] == "f"])
+
+
+def lowest_edges(points):
+    """Edges of the convex hull, seen from above, of the points that touch the table."""
+    low = min(p[2] for p in points)
+    flat = sorted({p[:2] for p in points if p[2] == low})
+    for p in flat:
+        for q in flat:
+            turns = [exact.cross(exact.minus(q, p), exact.minus(r, p)) for r in flat]
+            if p != q and min(turns) >= 0 and all(turn or exact.dot(exact.minus(r, p), exact.minus(r, q)) <= 0
+                                                  for turn, r in zip(turns, flat)):
+                yield p, q
+
+
+def check_solid(own, answers):
+    """Tetrahedra about the first corner; the arm of the weight about each edge of the support."""
+    points, faces = solid_of(own["solid"])
+    about = [tuple(v - o for v, o in zip(p, points[0])) for p in points]
+    volume, first = Fraction(0), [Fraction(0)] * 3
+    for (ax, ay, az), (bx, by, bz), (cx, cy, cz) in ([about[k] for k in face] for face in faces):
+        part = (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6
+        volume += part
+        first = [f + part * (a + b + c) / 4 for f, a, b, c in zip(first, (ax, ay, az), (bx, by, bz), (cx, cy, cz))]
+    centroid = [f / volume for f in first]
+    truths = {"volume_m3": volume, **{f"centroid_d{axis}_m": v for axis, v in zip("xyz", centroid)}}
+    wrong = [name for name, truth in truths.items() if name in answers and not within(answers[name], truth)]
+    height = centroid[2] - min(p[2] for p in about)
+    arms = [(exact.cross(exact.minus(q, p), exact.minus(centroid[:2], p)), exact.minus(q, p)) for p, q in lowest_edges(about)]
+    tangents = {"least_tilt_deg": min(arm * arm / exact.dot(way, way) for arm, way in arms) / height**2}
+    for azimuth, (east, north) in {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}.items():
+        reach = min(arm / out for arm, (dx, dy) in arms for out in [dy * east - dx * north] if out > 0)
+        tangents[f"moves_{azimuth}_deg"] = min(reach / height, frictions(own["friction_deg"])[0])**2
+    for name, square in tangents.items():
+        low, high = (rational_tilt(tilt) for tilt in sides(answers[name]))
+        if not (low[0] / low[1])**2 < square < (high[0] / high[1])**2:
+            wrong.append(name)
+    return wrong
+
+
+def check(own, answers):
+    return (check_single if "base" in own else check_many if "blocks" in own else check_solid)(own, answers)
+
+
 def within(bracket, value):
     return Fraction(str(bracket["low"])) <= value <= Fraction(str(bracket["high"]))
 
@@ -138,32 +208,49 @@ def sides(bracket):
 
 def check_single(own, answers):
     """What is wrong with the answers of a case of one block; an empty list where nothing is."""
-    block, wrong = Single(own), []
+    block, wrong = Single(own, answers), []
     truths = {"area_m2": block.area, "centroid_dx_m": block.offset[0], "centroid_dy_m": block.offset[1]}
     wrong += [name for name, truth in truths.items() if name in answers and not within(answers[name], truth)]
+    if "place" in own:
+        wrong += [] if is_at_rest(block) else ["turned_deg"]
     if "topple_deg" in answers:
         low, high = sides(answers["topple_deg"])
-        if block.toppling(low) or not block.toppling(high):
-            wrong.append("topple_deg")
-    if answers["limit_deg"].get("never"):
-        if not all(block.holds(tilt, block.friction[0]) for tilt in (0, 30, 60, 89, Fraction("89.999"))):
-            wrong.append("limit_deg")
-    else:
-        low, high = sides(answers["limit_deg"])
-        if not block.holds(low, block.friction[0]) or block.holds(high, block.friction[1]):
-            wrong.append("limit_deg")
+        wrong += ["topple_deg"] if block.toppling(low) or not block.toppling(high) else []
+    for name, way in (("limit_deg", 1), ("holds_from_deg", -1)):
+        if name in answers and not is_limit(block, answers[name], way):
+            wrong.append(name)
     if len(block.contacts) <= MODES:
-        wrong += check_onset(block, answers["stand_deg"])
+        wrong += check_onset(block, answers)
     return wrong
 
 
-def check_onset(block, answer):
-    """No motion begins below the bracket, one does just above, whichever way the friction is rounded."""
+def is_at_rest(block):
+    """Two contacts or more, with the weight between them. That it came to lie so is for a search in small steps to tell."""
+    xs = [x for (x, _), _ in block.contacts]
+    return len(xs) >= 2 and min(xs) < 0 < max(xs)
+
+
+def is_limit(block, answer, way):
+    """Forces hold the block on one side of the bracket, and none do on the other; or at every tilt."""
     if answer.get("never"):
-        quiet, moving = [Fraction(tilt) for tilt in (15, 45, 75, 89)], []
-    else:
-        low, high = sides(answer)
-        quiet, moving = [low, *(part * low for part in BELOW)], [high]
+        return all(block.holds(tilt, block.friction[0]) for tilt in (0, 30, 60, 89, Fraction("89.999")))
+    inside, outside = sides(answer)[::way]
+    return block.holds(inside, block.friction[0]) and not block.holds(outside, block.friction[1])
+
+
+def check_onset(block, answers):
+    """No motion begins between both ends of the tilts at which it stands, and one does just beyond, whichever way the friction is
+    rounded."""
+    first, last, moving = Fraction(0), Fraction(90), []
+    if "stands_from_deg" in answers:
+        before, first = sides(answers["stands_from_deg"])
+        moving.append(before)
+    if not answers["stand_deg"].get("never"):
+        last, after = sides(answers["stand_deg"])
+        moving.append(after)
+    quiet = [first + part * (last - first) for part in (*BELOW, 1)] + ([first] if first else [])
+    if last == 90:
+        quiet = [Fraction(tilt) for tilt in (15, 45, 75, 89)]
     right = (all(not block.begins(tilt, mu) for tilt in quiet for mu in block.friction)
              and all(block.begins(tilt, mu) for tilt in moving for mu in block.friction))
     return [] if right else ["stand_deg"]
@@ -175,7 +262,7 @@ def main(names):
     for name, own in manifest.items():
         if names and name not in names:
             continue
-        found = check_single(own, answers[name])
+        found = check(own, answers[name])
         print(f"{name}: {'wrong: ' + ', '.join(found) if found else 'confirmed'}", flush=True)
         wrong += bool(found)
     return 1 if wrong else 0

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chipmunk/chipmunk.h>
+#include <cmath>
 
 static cpVect at(const std::array<double, 2> &p) {
   return cpv(p[0], p[1]);
@@ -23,11 +24,12 @@ static void mark_shape(cpShape *shape, void *space) {
   cpSpaceAddPostStepCallback(static_cast<cpSpace *>(space), free_shape, shape, nullptr);
 }
 
-static cpBody *add_block(cpSpace *space, const scene &own) {
+static cpBody *add_block(cpSpace *space, const std::vector<scene::points> &pieces,
+                         double friction) {
   double mass = 0;
   cpVect centre = cpvzero;
   std::vector<std::vector<cpVect>> rings;
-  for (const auto &piece : own.pieces) {
+  for (const auto &piece : pieces) {
     rings.emplace_back();
     for (const auto &p : piece) rings.back().push_back(at(p));
     const int count = static_cast<int>(piece.size());
@@ -47,10 +49,20 @@ static cpBody *add_block(cpSpace *space, const scene &own) {
   for (const auto &ring : rings) {
     cpShape *shape = cpPolyShapeNew(block, static_cast<int>(ring.size()), ring.data(),
                                     cpTransformTranslate(cpvneg(centre)), 0);
-    cpShapeSetFriction(shape, own.friction);
+    cpShapeSetFriction(shape, friction);
     cpSpaceAddShape(space, shape);
   }
   return block;
+}
+
+static void add_rock(cpSpace *space, const scene::points &line, double friction) {
+  for (size_t k = 0; k + 1 < line.size(); k++) {
+    cpShape *edge = cpSegmentShapeNew(cpSpaceGetStaticBody(space), at(line[k]), at(line[k + 1]), 0);
+    const size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 2, line.size() - 1);
+    cpSegmentShapeSetNeighbors(edge, at(line[before]), at(line[after]));
+    cpShapeSetFriction(edge, friction);
+    cpSpaceAddShape(space, edge);
+  }
 }
 
 static bool moves(const scene &own, const double gravity[2]) {
@@ -58,28 +70,30 @@ static bool moves(const scene &own, const double gravity[2]) {
   cpSpaceSetGravity(space, cpv(gravity[0], gravity[1]));
   cpSpaceSetIterations(space, 30);
   cpSpaceSetCollisionSlop(space, 0.01);
-  for (size_t k = 0; k + 1 < own.rock.size(); k++) {
-    cpShape *edge =
-        cpSegmentShapeNew(cpSpaceGetStaticBody(space), at(own.rock[k]), at(own.rock[k + 1]), 0);
-    const size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 2, own.rock.size() - 1);
-    cpSegmentShapeSetNeighbors(edge, at(own.rock[before]), at(own.rock[after]));
-    cpShapeSetFriction(edge, 1); // the product of both counts
-    cpSpaceAddShape(space, edge);
+  const double friction = std::sqrt(own.friction); // the product of both counts
+  for (const auto &line : own.rock) add_rock(space, line, friction);
+  std::vector<cpBody *> blocks;
+  std::vector<cpVect> starts;
+  for (const auto &pieces : own.blocks) {
+    blocks.push_back(add_block(space, pieces, friction));
+    starts.push_back(cpBodyGetPosition(blocks.back()));
   }
-  cpBody *block = add_block(space, own);
-  const cpVect start = cpBodyGetPosition(block);
   bool is_far = false;
   for (int k = 0; k < own.steps && !is_far; k++) {
     for (const auto &load : own.loads)
-      cpBodyApplyForceAtLocalPoint(block, cpvmult(cpv(load[2], load[3]), cpBodyGetMass(block)),
-                                   cpvsub(cpv(load[0], load[1]), start));
+      cpBodyApplyForceAtLocalPoint(blocks[0],
+                                   cpvmult(cpv(load[2], load[3]), cpBodyGetMass(blocks[0])),
+                                   cpvsub(cpv(load[0], load[1]), starts[0]));
     cpSpaceStep(space, own.step);
-    is_far = cpvdist(cpBodyGetPosition(block), start) > own.far;
+    for (size_t b = 0; b < blocks.size(); b++)
+      is_far = is_far || cpvdist(cpBodyGetPosition(blocks[b]), starts[b]) > own.far;
   }
   cpSpaceEachShape(
       space, [](cpShape *shape, void *all) { mark_shape(shape, all); }, space);
-  cpSpaceRemoveBody(space, block);
-  cpBodyFree(block);
+  for (cpBody *block : blocks) {
+    cpSpaceRemoveBody(space, block);
+    cpBodyFree(block);
+  }
   cpSpaceFree(space);
   return is_far;
 }

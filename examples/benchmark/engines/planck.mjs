@@ -11,17 +11,23 @@ import { answer } from './scene.mjs';
 await answer((own, gravity) => {
   const world = new World({ gravity, allowSleep: false });
   const rock = world.createBody();
-  for (let k = 0; k + 1 < own.rock.length; k++) rock.createFixture(new Edge(own.rock[k], own.rock[k + 1]), { friction: own.friction });
-  const block = world.createDynamicBody();
-  for (const piece of own.pieces) block.createFixture(new Polygon(piece), { density: 1, friction: own.friction });
-  const start = Vec2.clone(block.getWorldCenter());
+  for (const line of own.rock) {
+    for (let k = 0; k + 1 < line.length; k++) rock.createFixture(new Edge(line[k], line[k + 1]), { friction: own.friction });
+  }
+  const blocks = own.blocks.map((pieces) => {
+    const block = world.createDynamicBody();
+    for (const piece of pieces) block.createFixture(new Polygon(piece), { density: 1, friction: own.friction });
+    return block;
+  });
+  const starts = blocks.map((block) => Vec2.clone(block.getWorldCenter()));
   for (let k = 0; k < own.steps; k++) {
+    const first = blocks[0];
     for (const [x, y, fx, fy] of own.loads) {
-      const force = block.getWorldVector(Vec2(fx * block.getMass(), fy * block.getMass()));
-      block.applyForce(force, block.getWorldPoint(Vec2(x, y)), true);
+      const force = first.getWorldVector(Vec2(fx * first.getMass(), fy * first.getMass()));
+      first.applyForce(force, first.getWorldPoint(Vec2(x, y)), true);
     }
     world.step(own.step, 8, 3);
-    if (Vec2.distance(block.getWorldCenter(), start) > own.far) return true;
+    if (blocks.some((block, b) => Vec2.distance(block.getWorldCenter(), starts[b]) > own.far)) return true;
   }
   return false;
 });

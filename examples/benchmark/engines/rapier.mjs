@@ -15,29 +15,32 @@ await answer((own, gravity) => {
   const world = new RAPIER.World(gravity);
   world.timestep = own.step;
   const average = RAPIER.CoefficientCombineRule.Average;
-  for (let k = 0; k + 1 < own.rock.length; k++) {
-    world.createCollider(RAPIER.ColliderDesc.segment(own.rock[k], own.rock[k + 1]).setFriction(own.friction)
-      .setFrictionCombineRule(average));
+  for (const line of own.rock) {
+    for (let k = 0; k + 1 < line.length; k++) {
+      world.createCollider(RAPIER.ColliderDesc.segment(line[k], line[k + 1]).setFriction(own.friction).setFrictionCombineRule(average));
+    }
   }
-  const block = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setCanSleep(false));
-  for (const piece of own.pieces) {
-    const shape = RAPIER.ColliderDesc.convexPolyline(flat(piece)) ?? RAPIER.ColliderDesc.convexHull(flat(piece));
-    if (shape) world.createCollider(shape.setDensity(1).setFriction(own.friction).setFrictionCombineRule(average), block);
-  }
+  const blocks = own.blocks.map((pieces) => {
+    const block = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setCanSleep(false));
+    for (const piece of pieces) {
+      const shape = RAPIER.ColliderDesc.convexPolyline(flat(piece)) ?? RAPIER.ColliderDesc.convexHull(flat(piece));
+      if (shape) world.createCollider(shape.setDensity(1).setFriction(own.friction).setFrictionCombineRule(average), block);
+    }
+    return block;
+  });
   world.step();
-  const start = block.worldCom();
+  const starts = blocks.map((block) => block.worldCom()), [first] = blocks;
   let isFar = false;
   for (let k = 1; k < own.steps && !isFar; k++) {
-    block.resetForces(true);
-    block.resetTorques(true);
-    const turn = block.rotation(), place = block.translation(), c = Math.cos(turn), s = Math.sin(turn);
+    first.resetForces(true);
+    first.resetTorques(true);
+    const turn = first.rotation(), place = first.translation(), c = Math.cos(turn), s = Math.sin(turn);
     for (const [x, y, fx, fy] of own.loads) {
-      const force = { x: (c * fx - s * fy) * block.mass(), y: (s * fx + c * fy) * block.mass() };
-      block.addForceAtPoint(force, { x: place.x + c * x - s * y, y: place.y + s * x + c * y }, true);
+      const force = { x: (c * fx - s * fy) * first.mass(), y: (s * fx + c * fy) * first.mass() };
+      first.addForceAtPoint(force, { x: place.x + c * x - s * y, y: place.y + s * x + c * y }, true);
     }
     world.step();
-    const now = block.worldCom();
-    isFar = Math.hypot(now.x - start.x, now.y - start.y) > own.far;
+    isFar = blocks.some((block, b) => Math.hypot(block.worldCom().x - starts[b].x, block.worldCom().y - starts[b].y) > own.far);
   }
   world.free();
   return isFar;

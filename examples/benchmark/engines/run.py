@@ -4,11 +4,12 @@
 
     python3 run.py RESULTS.csv CORNERS COMMAND...
 
-CORNERS is the most that a convex piece of a block may have, COMMAND a driver of this folder, as built from its first lines. Each block lies as its coordinates say, on rock that is
-fixed, and is let go at a tilt; it moves where its centroid is displaced by more than FAR of its extent within STEPS steps of
-1 ms. The tilt is halved between level and upright down to a few thousandths of a degree. Lengths are scaled so that the
-extent of every block is EXTENT of the engine's units, gravity being that of a block of 1 m, and the first corner is put into
-the origin exactly, without which single precision has nothing to work with far away."""
+CORNERS is the most that a convex piece of a block may have, COMMAND a driver of this folder, as built from its first lines; run_solids.py
+takes those of solids. Each block lies as its coordinates say, on rock that is fixed, and is let go at a tilt; it moves where its
+centroid, or that of any of many blocks, is displaced by more than FAR of the largest extent within STEPS steps of 1 ms. The tilt
+is halved between level and upright down to a few thousandths of a degree. Lengths are scaled so that the largest extent is EXTENT of
+the engine's units, gravity being that of a block of 1 m, and the first corner is put into the origin exactly, without which
+single precision has nothing to work with far away."""
 
 import math
 import pathlib
@@ -26,6 +27,15 @@ EXTENT, FAR, STEPS, HALVINGS = 100, 0.002, 2000, 16
 GRAVITY = 9.80665 * EXTENT
 
 
+def shapes(own):
+    """Outlines of the blocks of a case, and the line of its rock; the ground of many blocks is closed."""
+    if "base" in own:
+        return [confirm.points(own["block"])], confirm.points(own["base"])
+    outlines = confirm.outlines(own["blocks"])
+    ground = outlines.pop("ground")
+    return list(outlines.values()), ground[::-1] + ground[-1:]
+
+
 class Engine:
     def __init__(self, corners, command):
         self.corners = corners
@@ -35,57 +45,67 @@ class Engine:
         print(*words, file=self.process.stdin, flush=True)
 
     def describe(self, own):
-        """One case, with the block's pieces in the engine's units."""
-        ring, base = confirm.points(own["block"]), confirm.points(own["base"])
-        origin = ring[0]
-        extent = max(max(p[k] for p in ring) - min(p[k] for p in ring) for k in (0, 1))
-        scale = EXTENT / extent
+        """One case, with the pieces of its blocks in the engine's units: those of the largest block."""
+        blocks, rock = shapes(own)
+        origin = blocks[0][0]
+        scale = EXTENT / max(max(p[k] for p in ring) - min(p[k] for p in ring) for ring in blocks for k in (0, 1))
 
         def numbers(points):
             return [len(points), *(f"{float((v - o) * scale):.17g}" for p in points for v, o in zip(p, origin))]
         self.say("case")
         self.say("friction", math.tan(math.radians(float(own["friction_deg"]))))
         self.say("time", 0.001, STEPS, FAR * EXTENT)
-        self.say("rock", *numbers(base))
-        for piece in pieces.convex(ring, self.corners):
-            self.say("piece", *numbers(piece))
-        block = confirm.Single({**own, "towards": "left"})
-        for load in own["loads"]:
-            if load["type"] != "seismic":
+        self.say("rock", *numbers(rock))
+        for ring in blocks:
+            self.say("block")
+            for piece in pieces.convex(ring, self.corners):
+                self.say("piece", *numbers(piece))
+        if any(load["type"] != "seismic" for load in own.get("loads", ())):
+            block = confirm.Single({**own, "towards": "left"})
+            for load in own["loads"]:
                 at, force = block.pushed(load)
                 self.say("load", *numbers([at])[1:], *(float(v / block.weight) * GRAVITY for v in force))
 
-    def moves(self, own, tilt):
-        k = sum(float(load["horizontal"]) for load in own["loads"] if load["type"] == "seismic")
-        sine, cosine = math.sin(math.radians(tilt)), math.cos(math.radians(tilt))
-        x, y = -sine - k * cosine, -cosine + k * sine
-        self.say("go", GRAVITY * (x if own["towards"] == "left" else -x), GRAVITY * y)
+    def go(self, *gravity):
+        self.say("go", *gravity)
         for line in self.process.stdout:  # engines may greet
             if line.strip() in ("0", "1"):
                 return line.strip() == "1"
         raise RuntimeError("the engine has ended")
 
+    def moves(self, own, tilt):
+        k = sum(float(load["horizontal"]) for load in own.get("loads", ()) if load["type"] == "seismic")
+        sine, cosine = math.sin(math.radians(tilt)), math.cos(math.radians(tilt))
+        x, y = -sine - k * cosine, -cosine + k * sine
+        return self.go(GRAVITY * (x if own["towards"] == "left" else -x), GRAVITY * y)
+
 
 def first_motion(engine, own):
     """The tilt between one at which it stands and one at which it moves; 0 where it does not stand level."""
     engine.describe(own)
+    return halved(lambda tilt: engine.moves(own, tilt))
+
+
+def halved(moves):
     low, high = 0.0, 90.0
-    if engine.moves(own, low):
+    if moves(low):
         return "0"
-    if not engine.moves(own, 89.9):
+    if not moves(89.9):
         return "never"
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        low, high = (low, middle) if engine.moves(own, middle) else (middle, high)
+        low, high = (low, middle) if moves(middle) else (middle, high)
     return f"{(low + high) / 2:.3f}"
 
 
 def main(path, corners, command):
-    manifest, _ = score.load()
+    manifest, answers = score.load()
     with open(path, "w", encoding="utf-8") as file:
         print("case,quantity,value", file=file)
         engine = None
         for name, own in manifest.items():
+            if "moves_deg" not in answers[name]:
+                continue
             engine = engine or Engine(corners, command)
             try:
                 value = first_motion(engine, own)

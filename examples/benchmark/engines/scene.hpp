@@ -16,8 +16,8 @@ struct scene {
   using points = std::vector<std::array<double, 2>>;
   double friction = 0, step = 0, far = 0;
   int steps = 0;
-  points rock;
-  std::vector<points> pieces;
+  std::vector<points> rock;                // lines
+  std::vector<std::vector<points>> blocks; // each of convex pieces
   std::vector<std::array<double, 4>> loads;
 };
 
@@ -36,8 +36,9 @@ inline bool next_question(scene &own, double gravity[2]) {
     if (word == "case") own = {};
     if (word == "friction") std::cin >> own.friction;
     if (word == "time") std::cin >> own.step >> own.steps >> own.far;
-    if (word == "rock") own.rock = read_points();
-    if (word == "piece") own.pieces.push_back(read_points());
+    if (word == "rock") own.rock.push_back(read_points());
+    if (word == "block") own.blocks.emplace_back();
+    if (word == "piece") own.blocks.back().push_back(read_points());
     if (word == "load") {
       own.loads.emplace_back();
       for (double &v : own.loads.back()) std::cin >> v;

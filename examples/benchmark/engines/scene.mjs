@@ -12,11 +12,12 @@ export async function answer(moves) {
   for await (const line of createInterface({ input: process.stdin })) {
     const [word, ...rest] = line.split(' ');
     const numbers = rest.map(Number);
-    if (word === 'case') own = { pieces: [], loads: [] };
+    if (word === 'case') own = { rock: [], blocks: [], loads: [] };
     if (word === 'friction') own.friction = numbers[0];
     if (word === 'time') [own.step, own.steps, own.far] = numbers;
-    if (word === 'rock') own.rock = pairs(numbers);
-    if (word === 'piece') own.pieces.push(pairs(numbers));
+    if (word === 'rock') own.rock.push(pairs(numbers));
+    if (word === 'block') own.blocks.push([]);
+    if (word === 'piece') own.blocks.at(-1).push(pairs(numbers));
     if (word === 'load') own.loads.push(numbers);
     if (word === 'go') console.log(moves(own, { x: numbers[0], y: numbers[1] }) ? 1 : 0);
   }
