@@ -24,7 +24,8 @@ static const double most_steps = 1e6;
 /* Evenly within (-1, 1), an odd multiple of 2^-32. */
 static void random_even(fmpq_t u, uint64_t stream, long k) {
   const int64_t bits = (int64_t)(tp_random_bits(stream, (uint64_t)k) >> 32);
-  fmpq_set_si(u, 2 * bits + 1 - (INT64_C(1) << 32), 1);
+  fmpz_one(fmpq_denref(u));
+  tp_word_set(fmpq_numref(u), 2 * bits + 1 - (INT64_C(1) << 32));
   fmpq_div_2exp(u, u, 32);
 }
 
