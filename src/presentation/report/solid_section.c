@@ -21,7 +21,7 @@ typedef struct section {
   const tp_solid *solid;
   const tp_solid_band *band;
   double azimuth_deg;
-  const char *unit; /* of the mesh */
+  const char *length_unit; /* of the mesh */
   bool y_is_up;
   tp_message *message;
 } section;
@@ -34,14 +34,14 @@ static bool find_unit(section *x) {
   static const char *const names[] = {"mm", "cm", "m", "km", "in", "ft"};
   fmpq_t metres;
   fmpq_init(metres);
-  for (size_t k = 0; k < sizeof names / sizeof names[0] && x->unit == NULL; k++) {
+  for (size_t k = 0; k < sizeof names / sizeof names[0] && x->length_unit == NULL; k++) {
     const char *name = names[k];
     if (tp_unit_find(metres, &name) && tp_surface_nearest(metres) == x->solid->metres_per_unit) {
-      x->unit = name;
+      x->length_unit = name;
     }
   }
   fmpq_clear(metres);
-  return x->unit != NULL;
+  return x->length_unit != NULL;
 }
 
 static tp_status check(section *x) {
@@ -73,12 +73,12 @@ static void add_point(tp_text *t, const section *x) {
 
 static void add_scene(tp_text *t, const section *x, const double *below) {
   char n[TP_SHORTEST_SIZE];
-  tp_text_add(t, "topple: 1\nlength_unit: %s\nsection: {at: ", x->unit);
+  tp_text_add(t, "topple: 1\nlength_unit: %s\nsection: {at: ", x->length_unit);
   add_point(t, x);
   tp_text_add(t, ", azimuth_deg: %s", tp_shortest(n, x->azimuth_deg));
   tp_text_add(t, "%s}\nblock:\n  outline:\n    mesh: ", x->y_is_up ? ", up: y" : "");
   tp_encode_json(t, x->solid->file);
-  tp_text_add(t, "\n    unit: %s\n    take: largest\n", x->unit);
+  tp_text_add(t, "\n    unit: %s\n    take: largest\n", x->length_unit);
   if (x->solid->object != NULL) {
     tp_text_add(t, "    object: ");
     tp_encode_json(t, x->solid->object);
