@@ -200,7 +200,7 @@ class Sources(unittest.TestCase):
                 marked = marked - {"text"}
             if source.name == "profile.c":
                 marked = marked - {"source"}  # the publication of a correlation
-            use = re.compile(r"->(%s)\b(?!\s*[!=]=|\(|\.)" % "|".join(sorted(marked)))
+            use = re.compile(r"->(%s)\b(?!\s*[!=]=|\(|\.|->)" % "|".join(sorted(marked)))
             text = re.sub(r"'(?:\\.|[^'\\])'", "0", re.sub(r'"(?:\\.|[^"\\])*"', '""', source.read_text(encoding="utf-8")))
             if source != ROOT / "src/applications/cli/words.c":
                 self.assertNotIn("fprintf(stderr", text, source)
