@@ -93,7 +93,7 @@ class Writer:
         if how == "lines":
             lines = ["if (k > 0) tp_json_break(j);", *lines]
         if len(parts) > 2:
-            lines = [f"if (!{c(parts[2])}) continue;", *lines]
+            lines = [f"if (!({c(parts[2])})) continue;", *lines]
         return [f"tp_json_array(j, {key}, {shape});", f"for (size_t k = 0; k < {count}; k++) {{", *lines, "}", "tp_json_close(j);"]
 
     def member(self, row):
