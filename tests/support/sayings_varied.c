@@ -84,6 +84,9 @@ static void say_block_figures(sayings *s, const tp_scene *scene, const tp_block_
   snprintf(path, sizeof path, "%s/blocks.md", s->folder);
   SAY(tp_report_sheet_block_system(path, scene, system, &options, &message));
   say_file(s, path);
+  snprintf(path, sizeof path, "%s/moving.svg", s->folder);
+  SAY(tp_report_block_system_animation_file(path, scene, system, &message));
+  say_file(s, path);
 }
 
 /* For which friction have they a factor by Goodman and Bray? */
