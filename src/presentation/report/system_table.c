@@ -50,6 +50,9 @@ tp_status tp_report_block_systems_csv(char **text, const tp_block_system *const 
 }
 
 tp_status tp_report_block_system_csv(char **text, const tp_block_system *system) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, system);
   return tp_report_block_systems_csv(text, &system, 1);
 }
 
