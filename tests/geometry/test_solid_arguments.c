@@ -65,7 +65,7 @@ END_TEST
 START_TEST(scenes) {
   tp_solid *solid = UNTOUCHED(tp_solid);
   tp_scene *scene = NULL, *plain = NULL;
-  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("balanced_rock.yaml"), &message), TP_OK);
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("solids/balanced_rock.yaml"), &message), TP_OK);
   ck_assert_int_eq(tp_scene_read(&plain, EXAMPLE("slab.yaml"), &message), TP_OK);
   REFUSED(tp_solve_solid(NULL, scene, &message), "'solid'");
   REFUSED(tp_solve_solid(&solid, NULL, &message), "'scene'");

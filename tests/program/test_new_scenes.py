@@ -63,10 +63,9 @@ class Examples(Folder):
                 self.assertEqual(ended[0][0], ended[1][0])
                 self.assertIn(ended[0][0], (0, 1), name)  # 1: a required factor is not met
                 here, there = (json.loads(out) for _, out, _ in ended)
-                part = "bands" if "bands" in here else "cases"  # of a solid
-                for one in here[part] + there[part]:
+                for one in here["cases"] + there["cases"]:
                     one.pop("effects", None)  # of many blocks there are none
-                places = json.dumps(here[part]).replace(str(written), ""), json.dumps(there[part]).replace(
+                places = json.dumps(here["cases"]).replace(str(written), ""), json.dumps(there["cases"]).replace(
                     str(EXAMPLES / (name + ".yaml")), "")
                 self.assertEqual(*places)
         self.assertGreater(count, 25)

@@ -320,10 +320,10 @@ class Schema(unittest.TestCase):
     def test_2_solid(self):
         self.prints("solid", "--json", "--unit-weight=26", "--friction=30", "--band=0,0.1", ROOT / "examples" / "meshes" / "scanned_boulder.obj",
                     "--object=boulder")
-        rock = ROOT / "examples" / "balanced_rock.yaml"
+        rock = ROOT / "examples" / "solids" / "balanced_rock.yaml"
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         with tempfile.TemporaryDirectory() as folder:
-            text = rock.read_text(encoding="utf-8").replace("meshes/", f"{rock.parent}/meshes/")
+            text = rock.read_text(encoding="utf-8").replace("../meshes", str(rock.parent.parent / "meshes"))
             (pathlib.Path(folder) / "rock.yaml").write_text(text.replace("horizontal: 0.05", "horizontal: 0.05, azimuth_deg: 3")
                                                             + "required_fos: 1.2\n")
             for words in ((), ("--set", "tilt.angle_deg=4")):

@@ -20,7 +20,7 @@ from harness import main, run
 from mesh_case import box, triangles
 from test_solids import FRUSTUM, PRISM, SIX, Case, exact_obj
 
-ROCK = "examples/balanced_rock.yaml"
+ROCK = "examples/solids/balanced_rock.yaml"
 STEPS = 360
 
 
@@ -229,7 +229,7 @@ class Varied(SceneCase):
     def test_study(self):
         """Rows of a study are those of solve with its numbers; the share that moves adds up."""
         rows = self.put("unused", "") + ".csv"
-        status, out, err = run("study", "examples/balanced_rock_study.yaml", "--csv", rows, "--json")
+        status, out, err = run("study", "examples/solids/balanced_rock_study.yaml", "--csv", rows, "--json")
         self.assertEqual(status, 0, err)
         told = json.loads(out)
         with open(rows, encoding="utf-8") as text:

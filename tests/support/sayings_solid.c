@@ -30,7 +30,7 @@ static void say_solid_of_scene(sayings *s) {
   tp_solid *solid = NULL;
   tp_scene *scene = NULL;
   tp_message message = {.text = ""};
-  tp_status status = tp_scene_read(&scene, EXAMPLE("balanced_rock.yaml"), &message);
+  tp_status status = tp_scene_read(&scene, EXAMPLE("solids/balanced_rock.yaml"), &message);
   note_number(s, tp_scene_is_solid(scene));
   if (status == TP_OK) status = tp_solve_solid(&solid, scene, &message);
   note_status(s, status, &message);
