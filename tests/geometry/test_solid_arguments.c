@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#define BLOCK EXAMPLE("meshes/balanced_rock.obj")
+#define BLOCK EXAMPLE("solids/balanced_rock.obj")
 
 START_TEST(solids) {
   tp_solid *solid = UNTOUCHED(tp_solid);

@@ -44,7 +44,7 @@ START_TEST(figures_of_solids) {
   const tp_figure_consent none = {0};
   tp_solid *own = NULL;
   ck_assert_int_eq(
-      tp_solid_of_file(&own, TP_EXAMPLES "/meshes/balanced_rock.obj", &options, &message), TP_OK);
+      tp_solid_of_file(&own, TP_EXAMPLES "/solids/balanced_rock.obj", &options, &message), TP_OK);
   REFUSED(tp_report_figure_solid(NULL, own, &message), "'path'");
   REFUSED(tp_report_figure_solid("/tmp/x.svg", NULL, &message), "'solid'");
   REFUSED(tp_report_figure_solid_if(NULL, own, none, &message), "'path'");

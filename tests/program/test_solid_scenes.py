@@ -264,7 +264,7 @@ class Figures(SceneCase):
             self.assertGreater(len(one), 5000)
             if not name.endswith("pdf"):
                 self.assertEqual(one, other)
-        status, out, err = run("solid", "--unit=m", "--figure", f"{self.folder}/a.svg", "examples/meshes/balanced_rock.obj")
+        status, out, err = run("solid", "--unit=m", "--figure", f"{self.folder}/a.svg", "examples/solids/balanced_rock.obj")
         self.assertEqual((status, err), (0, ""))
         for path, told in ((f"{self.folder}/a.dxf", ".svg, .pdf or .png"), (ROCK, ".svg, .pdf, .png"), ("/nowhere/a.svg", "nowhere")):
             status, out, err = run("solve", "--figure", path, ROCK)

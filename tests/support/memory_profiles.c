@@ -106,7 +106,7 @@ void solve_solid(void) {
   tp_solid_options options = tp_solid_options_default();
   options.friction_angle_deg = 30;
   tp_status status =
-      tp_solid_of_file(&solid, EXAMPLE("meshes/balanced_rock.obj"), &options, &message);
+      tp_solid_of_file(&solid, EXAMPLE("solids/balanced_rock.obj"), &options, &message);
   if (done(status, solid, &message)) {
     char *text = NULL, *json = NULL, *csv = NULL;
     status = tp_report_solid(&text, solid);

@@ -43,7 +43,7 @@ static void say_solid_of_scene(sayings *s) {
 }
 
 void say_solids(sayings *s) {
-  static const char *const files[] = {EXAMPLE("meshes/balanced_rock.obj"),
+  static const char *const files[] = {EXAMPLE("solids/balanced_rock.obj"),
                                       EXAMPLE("meshes/hollow_block.obj")};
   for (size_t k = 0; k < 2; k++) {
     tp_solid *solid = NULL;

@@ -141,7 +141,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (a->file == NULL) {
-      tp_cli_refuse(state, "give a mesh, for example examples/meshes/balanced_rock.obj");
+      tp_cli_refuse(state, "give a mesh, for example examples/solids/balanced_rock.obj");
     }
     if (a->json && a->csv) tp_cli_refuse(state, "one of --json and --csv");
     if (a->cuts && (a->json || a->csv || a->figure != NULL)) {
