@@ -232,7 +232,7 @@ class Accuracy(unittest.TestCase):
 
 
 class Solids(unittest.TestCase):
-    ROCK = ROOT / "examples" / "meshes" / "balanced_rock.obj"
+    ROCK = ROOT / "examples" / "solids" / "balanced_rock.obj"
 
     def test_file(self):
         """What the program prints, and the same numbers in the records."""
