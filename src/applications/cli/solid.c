@@ -3,7 +3,7 @@
 
 /* topple solid FILE: the mesh of a rock. */
 
-#include "cli/cli.h"
+#include "cli/drawn_report.h"
 
 #include <argp.h>
 #include <math.h>
@@ -162,35 +162,26 @@ static const struct argp parser = {
            "FILE is a closed mesh: STL, PLY or OBJ. Azimuths run clockwise from y (north) to x "
            "(east). docs/solids.md explains each number."};
 
-/* The report, and what becomes of it where a figure goes with it. */
-typedef struct report {
+typedef struct solved {
   const tp_solid *solid;
   const arguments *words;
-  int *ended;
-  tp_status status;
-} report;
+} solved;
 
-static tp_status tell(const report *own) {
+static tp_status tell(const void *of, int *ended, tp_message *message) {
+  const solved *own = of;
   char *text = NULL;
+  (void)message;
   const tp_status status = own->words->json  ? tp_report_solid_json(&text, own->solid)
                            : own->words->csv ? tp_report_solid_csv(&text, own->solid)
                                              : tp_report_solid(&text, own->solid);
-  return tp_cli_print_report(status, text, own->ended);
+  return tp_cli_print_report(status, text, ended);
 }
 
-/* The figure is ready: it is left behind only if the report is written. */
-static bool tell_with_figure(void *context) {
-  report *own = context;
-  own->status = tell(own);
-  return own->status == TP_OK && *own->ended == 0;
-}
-
-static tp_status tell_and_draw(report *own, tp_message *message) {
+static tp_status tell_and_draw(const solved *own, int *ended, tp_message *message) {
+  tp_cli_drawn_report report = {.print = tell, .of = own, .ended = ended};
   const tp_status drawn = tp_cli_draw_solid(own->words->figure, own->solid,
-                                            (tp_figure_consent){tell_with_figure, own}, message);
-  if (own->status == TP_OK && *own->ended == 0) return drawn;
-  message->text[0] = '\0'; /* not that of the figure, for want of the report */
-  return own->status;
+                                            tp_cli_drawn_report_consent(&report), message);
+  return tp_cli_drawn_report_end(&report, drawn, message);
 }
 
 static tp_status solve_and_tell(const void *words, int *ended, tp_message *message) {
@@ -202,8 +193,8 @@ static tp_status solve_and_tell(const void *words, int *ended, tp_message *messa
     status = tp_report_solid_section(&scene, solid, a->section_deg, message);
     if (status == TP_OK) status = tp_cli_print_report(status, scene, ended);
   } else if (status == TP_OK) {
-    report own = {solid, a, ended, TP_OK};
-    status = a->figure != NULL ? tell_and_draw(&own, message) : tell(&own);
+    const solved own = {solid, a};
+    status = a->figure != NULL ? tell_and_draw(&own, ended, message) : tell(&own, ended, message);
   }
   tp_solid_free(solid);
   return status;

@@ -6,6 +6,7 @@
 
 #define _GNU_SOURCE /* asprintf */
 
+#include "cli/drawn_report.h"
 #include "cli/sheet.h"
 #include "cli/signals.h"
 #include "cli/solve_cases.h"
@@ -157,26 +158,29 @@ static tp_status solve_alone(const tp_scene *scene, const tp_solve_words *a, int
                                   : tp_cli_solve_system(scene, a, ended, message);
 }
 
+static tp_status print_solved(const tp_cli_solved *solved, const char **paths, size_t count,
+                              const tp_solve_words *a, int *ended, tp_message *message) {
+  if (count == 1 && tp_scene_is_solid(solved[0].scene)) {
+    return solve_alone(solved[0].scene, a, ended, message);
+  }
+  bool of_many = false;
+  tp_status status = tp_cli_check_kinds(&of_many, solved, paths, count, message);
+  if (status != TP_OK || count == 0) return status;
+  if (of_many) return tp_cli_solve_systems(solved, paths, count, a, ended, message);
+  status = tp_cli_print_rows(a, solved, count, ended);
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
+  }
+  return status;
+}
+
 static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *message) {
   size_t count = 0;
   tp_cli_solved *solved = calloc((size_t)a->scene_count, sizeof *solved);
   const char **paths = calloc((size_t)a->scene_count, sizeof *paths);
   tp_status status = solved != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
   if (status == TP_OK) status = solve_all(solved, paths, &count, ended, a, message);
-  const bool is_alone = count == 1 && tp_scene_is_solid(solved[0].scene);
-  bool of_many = false;
-  if (status == TP_OK && is_alone) status = solve_alone(solved[0].scene, a, ended, message);
-  if (status == TP_OK && !is_alone) {
-    status = tp_cli_check_kinds(&of_many, solved, paths, count, message);
-  }
-  if (status == TP_OK && of_many) {
-    status = tp_cli_solve_systems(solved, paths, count, a, ended, message);
-  }
-  of_many = of_many || is_alone;
-  if (status == TP_OK && count > 0 && !of_many) status = tp_cli_print_rows(a, solved, count, ended);
-  for (size_t k = 0; k < count && status == TP_OK && !of_many; k++) {
-    *ended = tp_cli_graver(*ended, end(solved + k, a, paths[k]));
-  }
+  if (status == TP_OK) status = print_solved(solved, paths, count, a, ended, message);
   for (size_t k = 0; solved != NULL && k < count; k++) tp_cli_solved_clear(solved + k);
   free(solved);
   free(paths);
@@ -186,30 +190,23 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
 /* ---- one scene ---------------------------------------------------------------------------------
  */
 
-/* The report that goes with a figure. */
-typedef struct report {
+typedef struct reported {
   const tp_cli_solved *solved;
   const tp_solve_words *words;
-  int *ended;
-  tp_status status;
-  tp_message message;
-} report;
+} reported;
 
-/* The figure is ready: it is left behind only if the report is written. */
-static bool print_with_figure(void *context) {
-  report *own = context;
-  own->status = print_solution(own->solved, own->words, own->ended, &own->message);
-  return own->status == TP_OK && *own->ended == 0;
+static tp_status print_reported(const void *of, int *ended, tp_message *message) {
+  const reported *own = of;
+  return print_solution(own->solved, own->words, ended, message);
 }
 
 static tp_status print_and_draw(const tp_solve_words *a, const tp_cli_solved *solved, int *ended,
                                 tp_message *message) {
-  report own = {solved, a, ended, TP_OK, {.text = ""}};
+  const reported own = {solved, a};
+  tp_cli_drawn_report report = {.print = print_reported, .of = &own, .ended = ended};
   const tp_status drawn = tp_cli_draw(a->figure, solved->scene, solved->solution,
-                                      (tp_figure_consent){print_with_figure, &own}, message);
-  if (own.status == TP_OK && *ended == 0) return drawn;
-  *message = own.message; /* not that of the figure, for want of the report */
-  return own.status;
+                                      tp_cli_drawn_report_consent(&report), message);
+  return tp_cli_drawn_report_end(&report, drawn, message);
 }
 
 static tp_status write_report(const tp_solve_words *a, const tp_cli_solved *own,

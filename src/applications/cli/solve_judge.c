@@ -76,6 +76,21 @@ static int judge(const tp_solution *solution, const tp_solve_words *a, const cha
   return TP_EXIT_REFUTED;
 }
 
+int tp_cli_judge_required(tp_design meets, double required, const char *scene, const char *open) {
+  switch (meets) {
+  case TP_DESIGN_NOT_MET:
+    tp_cli_complain("%s: the required factor of safety %g is not met", scene, required);
+    return TP_EXIT_REFUTED;
+  case TP_DESIGN_OPEN:
+    tp_cli_complain("%s: whether the required factor of safety %g is met is undecided%s", scene,
+                    required, open);
+    return tp_status_exit(TP_UNDECIDED);
+  case TP_DESIGN_MET:
+    break;
+  }
+  return 0;
+}
+
 /* After the report: what it leaves open is a failure of its own, and so is a design factor that is
  * not met, which is certain and comes before it. */
 int tp_cli_judge(const tp_solution *solution, const tp_solve_words *a, const char *scene) {

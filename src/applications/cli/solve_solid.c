@@ -5,7 +5,9 @@
  * certainly not met, 4 where that or the verdict is open. */
 
 #include "cli/solve_solid.h"
+#include "cli/drawn_report.h"
 #include "cli/sheet.h"
+#include "cli/solve_judge.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +15,7 @@
 
 tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_message *message) {
   const char *option = a->find.key != NULL            ? "--find"
-                       : a->profile != NULL           ? "--profile"
+                       : a->profile != NULL           ? "--write-profile"
                        : a->table                     ? "--table"
                        : a->csv && a->scene_count > 1 ? "--csv with other scenes beside it"
                        : a->outlines                  ? "--outlines"
@@ -38,52 +40,35 @@ tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_messa
 static int judge_solid(const tp_solid *solid, const tp_solve_words *a) {
   if (a->has_design_fos || solid->has_required_fos) {
     const double required = a->has_design_fos ? a->design_fos : solid->required_fos;
-    switch (tp_solid_meets(solid, required)) {
-    case TP_DESIGN_MET:
-      break;
-    case TP_DESIGN_NOT_MET:
-      tp_cli_complain("%s: the required factor of safety %g is not met", a->scene, required);
-      return TP_EXIT_REFUTED;
-    case TP_DESIGN_OPEN:
-      tp_cli_complain("%s: whether the required factor of safety %g is met is undecided", a->scene,
-                      required);
-      return tp_status_exit(TP_UNDECIDED);
-    }
+    const int ended =
+        tp_cli_judge_required(tp_solid_meets(solid, required), required, a->scene, "");
+    if (ended != 0) return ended;
   }
   if (!tp_solid_is_undecided(solid)) return 0;
   tp_cli_complain("%s: undecided: the tilt is too close to the critical one", a->scene);
   return tp_status_exit(TP_UNDECIDED);
 }
 
-/* The report, and what becomes of it where a figure goes with it. */
-typedef struct report {
+typedef struct solved {
   const tp_solid *solid;
   const tp_solve_words *words;
-  int *ended;
-  tp_status status;
-} report;
+} solved;
 
-static tp_status print(const report *own) {
+static tp_status print(const void *of, int *ended, tp_message *message) {
+  const solved *own = of;
   char *text = NULL;
+  (void)message;
   const tp_status status = own->words->json  ? tp_report_solid_json(&text, own->solid)
                            : own->words->csv ? tp_report_solid_row_csv(&text, own->solid)
                                              : tp_report_solid(&text, own->solid);
-  return tp_cli_print_report(status, text, own->ended);
+  return tp_cli_print_report(status, text, ended);
 }
 
-/* The figure is ready: it is left behind only if the report is written. */
-static bool print_with_figure(void *context) {
-  report *own = context;
-  own->status = print(own);
-  return own->status == TP_OK && *own->ended == 0;
-}
-
-static tp_status print_and_draw(report *own, tp_message *message) {
+static tp_status print_and_draw(const solved *own, int *ended, tp_message *message) {
+  tp_cli_drawn_report report = {.print = print, .of = own, .ended = ended};
   const tp_status drawn = tp_cli_draw_solid(own->words->figure, own->solid,
-                                            (tp_figure_consent){print_with_figure, own}, message);
-  if (own->status == TP_OK && *own->ended == 0) return drawn;
-  message->text[0] = '\0'; /* not that of the figure, for want of the report */
-  return own->status;
+                                            tp_cli_drawn_report_consent(&report), message);
+  return tp_cli_drawn_report_end(&report, drawn, message);
 }
 
 tp_status tp_cli_solve_solid(const tp_scene *scene, const tp_solve_words *a, int *ended,
@@ -91,8 +76,8 @@ tp_status tp_cli_solve_solid(const tp_scene *scene, const tp_solve_words *a, int
   tp_solid *solid = NULL;
   tp_status status = tp_solve_solid(&solid, scene, message);
   if (status == TP_OK) {
-    report own = {solid, a, ended, TP_OK};
-    status = a->figure != NULL ? print_and_draw(&own, message) : print(&own);
+    const solved own = {solid, a};
+    status = a->figure != NULL ? print_and_draw(&own, ended, message) : print(&own, ended, message);
   }
   if (status == TP_OK && *ended == 0) *ended = judge_solid(solid, a);
   tp_solid_free(solid);

@@ -5,7 +5,9 @@
  * met, 4 where that or the verdict is open. */
 
 #include "cli/solve_system.h"
+#include "cli/drawn_report.h"
 #include "cli/sheet.h"
+#include "cli/solve_judge.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,19 +50,11 @@ tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved, const c
 static int judge(const tp_block_system *system, const tp_solve_words *a, const char *path) {
   if (a->has_design_fos || system->has_required_fos) {
     const double required = a->has_design_fos ? a->design_fos : system->required_fos.value;
-    switch (tp_block_system_meets(system, required)) {
-    case TP_DESIGN_MET:
-      break;
-    case TP_DESIGN_NOT_MET:
-      tp_cli_complain("%s: the required factor of safety %g is not met", path, required);
-      return TP_EXIT_REFUTED;
-    case TP_DESIGN_OPEN:
-      tp_cli_complain("%s: whether the required factor of safety %g is met is undecided: forces "
-                      "can hold the blocks, and that a motion begins all the same is neither "
-                      "excluded nor proven",
-                      path, required);
-      return tp_status_exit(TP_UNDECIDED);
-    }
+    const int ended = tp_cli_judge_required(
+        tp_block_system_meets(system, required), required, path,
+        ": forces can hold the blocks, and that a motion begins all the same is neither excluded "
+        "nor proven");
+    if (ended != 0) return ended;
   }
   if (!tp_block_system_is_undecided(system)) return 0;
   tp_cli_complain("%s: undecided: the tilt is too close to the critical one, or some block is held "
@@ -69,34 +63,26 @@ static int judge(const tp_block_system *system, const tp_solve_words *a, const c
   return tp_status_exit(TP_UNDECIDED);
 }
 
-/* The report, and what becomes of it where a figure goes with it. */
-typedef struct report {
+typedef struct solved {
   const tp_block_system *system;
+  const tp_scene *scene;
   const tp_solve_words *words;
-  int *ended;
-  tp_status status;
-} report;
+} solved;
 
-static tp_status print(const report *own) {
+static tp_status print(const void *of, int *ended, tp_message *message) {
+  const solved *own = of;
   char *text = NULL;
+  (void)message;
   const tp_status status = own->words->json ? tp_report_block_system_json(&text, own->system)
                                             : tp_report_block_system(&text, own->system);
-  return tp_cli_print_report(status, text, own->ended);
+  return tp_cli_print_report(status, text, ended);
 }
 
-/* The figure is ready: it is left behind only if the report is written. */
-static bool print_with_figure(void *context) {
-  report *own = context;
-  own->status = print(own);
-  return own->status == TP_OK && *own->ended == 0;
-}
-
-static tp_status print_and_draw(report *own, const tp_scene *scene, tp_message *message) {
-  const tp_status drawn = tp_cli_draw_system(own->words->figure, scene, own->system,
-                                             (tp_figure_consent){print_with_figure, own}, message);
-  if (own->status == TP_OK && *own->ended == 0) return drawn;
-  message->text[0] = '\0'; /* not that of the figure, for want of the report */
-  return own->status;
+static tp_status print_and_draw(const solved *own, int *ended, tp_message *message) {
+  tp_cli_drawn_report report = {.print = print, .of = own, .ended = ended};
+  const tp_status drawn = tp_cli_draw_system(own->words->figure, own->scene, own->system,
+                                             tp_cli_drawn_report_consent(&report), message);
+  return tp_cli_drawn_report_end(&report, drawn, message);
 }
 
 static tp_status write_report(const tp_scene *scene, const tp_block_system *system,
@@ -137,8 +123,8 @@ tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, in
     return status;
   }
   if (status == TP_OK) {
-    report own = {system, a, ended, TP_OK};
-    status = a->figure != NULL ? print_and_draw(&own, scene, message) : print(&own);
+    const solved own = {system, scene, a};
+    status = a->figure != NULL ? print_and_draw(&own, ended, message) : print(&own, ended, message);
   }
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
     status = write_report(scene, system, a, message);

@@ -7,8 +7,10 @@
 #include "format/mesh.h"
 
 #include "common/grow.h"
+#include "common/outside.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -36,6 +38,17 @@ void tp_mesh_clear(tp_mesh *mesh) {
   free(mesh->objects);
   free(mesh->slots);
   memset(mesh, 0, sizeof *mesh);
+}
+
+void tp_mesh_object_names(char names[TP_MESH_NAMES], const tp_mesh *mesh) {
+  size_t length = 0;
+  names[0] = '\0';
+  for (long k = 0; k < mesh->object_count && length < TP_MESH_NAMES - 80; k++) {
+    if (mesh->objects[k].face_count == 0) continue;
+    const tp_quote quote = tp_quote_all(mesh->objects[k].name);
+    length += (size_t)snprintf(names + length, TP_MESH_NAMES - length, "%s'%.60s'",
+                               length > 0 ? ", " : "", quote.text);
+  }
 }
 
 /* ---- equal vertices ----------------------------------------------------------------------------

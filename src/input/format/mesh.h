@@ -61,6 +61,10 @@ TP_MUST_USE tp_status tp_mesh_read_bytes(tp_mesh *mesh, tp_mesh_format format, c
                                          size_t length, const char *name, tp_message *message);
 void tp_mesh_clear(tp_mesh *mesh);
 
+/* For a message: the names of objects that have faces, in quotes, as many as there is room for. */
+enum { TP_MESH_NAMES = 300 };
+void tp_mesh_object_names(char names[TP_MESH_NAMES], const tp_mesh *mesh);
+
 /* For the readers: the vertex of these coordinates, an old one where it is equal. */
 TP_MUST_USE tp_status tp_mesh_add_vertex(tp_mesh *mesh, int *index, const fmpq coordinates[3],
                                          tp_message *message);

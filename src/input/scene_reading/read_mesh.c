@@ -148,14 +148,8 @@ static tp_status read_taking(const tp_reader *reader, bool *largest, const tp_no
 }
 
 static tp_status fail_object(const tp_reader *reader, const tp_node *node, const tp_mesh *mesh) {
-  char names[300] = "";
-  size_t length = 0;
-  for (long k = 0; k < mesh->object_count && length < sizeof names - 80; k++) {
-    if (mesh->objects[k].face_count == 0) continue;
-    const tp_quote quote = tp_quote_all(mesh->objects[k].name);
-    length += (size_t)snprintf(names + length, sizeof names - length, "%s'%.60s'",
-                               length > 0 ? ", " : "", quote.text);
-  }
+  char names[TP_MESH_NAMES];
+  tp_mesh_object_names(names, mesh);
   return tp_read_fail(reader, TP_FAULT_KEY, node,
                       "the mesh has no object of this name with faces; it has %s", names);
 }

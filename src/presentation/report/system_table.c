@@ -9,6 +9,7 @@
 #include "report/results.h"
 #include "report/settings.h"
 #include "report/system_words.h"
+#include "report/table_notes.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -104,28 +105,6 @@ static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *
   tp_text_add(t, " |\n");
 }
 
-/* Below the table: what was set, and the notes of each scene, by its name. */
-static void add_below(tp_text *t, const tp_block_system *s) {
-  for (size_t k = 0; k < s->settings.count; k++) {
-    char *text = tp_text_setting(s->settings.items + k);
-    tp_text_add(t, "- ");
-    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
-    tp_text_add(t, ", set: ");
-    tp_encode_markdown(t, text != NULL ? text : "");
-    tp_text_add(t, "\n");
-    t->failed = t->failed || text == NULL;
-    free(text);
-  }
-  for (size_t k = 0; k < s->notes.count; k++) {
-    const tp_note *note = s->notes.items + k;
-    tp_text_add(t, "- ");
-    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
-    tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
-    tp_encode_markdown(t, note->text);
-    tp_text_add(t, "\n");
-  }
-}
-
 tp_status tp_report_block_systems_table(char **text, const tp_block_system *const *systems,
                                         size_t count) {
   TP_GUARD_HOST;
@@ -143,6 +122,8 @@ tp_status tp_report_block_systems_table(char **text, const tp_block_system *cons
     for (size_t c = 0; c < s->case_count; c++) add_row(&t, s, s->cases + c);
   }
   if (any) tp_text_add(&t, "\n");
-  for (size_t k = 0; k < count; k++) add_below(&t, systems[k]);
+  for (size_t k = 0; k < count; k++) {
+    tp_table_notes(&t, systems[k]->title, &systems[k]->settings, &systems[k]->notes);
+  }
   return tp_text_finish(&t, text);
 }

@@ -8,6 +8,7 @@
 #include "report/onset.h"
 #include "report/results.h"
 #include "report/settings.h"
+#include "report/table_notes.h"
 #include "report/words.h"
 #include "terms/names.h"
 
@@ -96,43 +97,15 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, " |\n");
 }
 
-static void add_name(tp_text *t, const tp_solution *s) {
-  tp_text_add(t, "- ");
-  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
-}
-
-/* Below the table: what was set, and the notes and cautions of each scene, by its name. */
-static void add_notes(tp_text *t, const tp_solution *s) {
-  for (size_t k = 0; k < s->settings.count; k++) {
-    char *text = tp_text_setting(s->settings.items + k);
-    add_name(t, s);
-    tp_text_add(t, ", set: ");
-    tp_encode_markdown(t, text != NULL ? text : "");
-    tp_text_add(t, "\n");
-    t->failed = t->failed || text == NULL;
-    free(text);
-  }
-  for (size_t k = 0; k < s->notes.count; k++) {
-    const tp_note *note = s->notes.items + k;
-    add_name(t, s);
-    tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
-    tp_encode_markdown(t, note->text);
-    if (note->place[0] != '\0') {
-      tp_text_add(t, " (");
-      tp_encode_markdown(t, note->place);
-      tp_text_add(t, ")");
-    }
-    tp_text_add(t, "\n");
-  }
-}
-
 static void add_all_notes(tp_text *t, const tp_solution *const *solutions, size_t count) {
   bool any = false;
   for (size_t k = 0; k < count; k++) {
     any = any || solutions[k]->notes.count + solutions[k]->settings.count > 0;
   }
   if (any) tp_text_add(t, "\n");
-  for (size_t k = 0; k < count; k++) add_notes(t, solutions[k]);
+  for (size_t k = 0; k < count; k++) {
+    tp_table_notes(t, solutions[k]->title, &solutions[k]->settings, &solutions[k]->notes);
+  }
 }
 
 static const char *const columns =

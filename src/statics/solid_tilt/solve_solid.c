@@ -219,14 +219,8 @@ tp_status tp_solid_find(tp_solid *solid, const tp_solid_body *body, tp_solid_giv
  */
 
 static tp_status fail_object(const tp_mesh *mesh, const char *object, tp_message *message) {
-  char names[300] = "";
-  size_t length = 0;
-  for (long k = 0; k < mesh->object_count && length < sizeof names - 80; k++) {
-    if (mesh->objects[k].face_count == 0) continue;
-    const tp_quote quote = tp_quote_all(mesh->objects[k].name);
-    length += (size_t)snprintf(names + length, sizeof names - length, "%s'%.60s'",
-                               length > 0 ? ", " : "", quote.text);
-  }
+  char names[TP_MESH_NAMES];
+  tp_mesh_object_names(names, mesh);
   return tp_refuse(message, TP_FAULT_KEY, (tp_place){mesh->file, 0, 0},
                    "the mesh has no object '%s' with faces; it has %s", tp_quote_all(object).text,
                    names);

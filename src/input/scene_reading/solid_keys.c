@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Keys of a scene that go with its solid, or with no solid: azimuths of tilt and earthquake, loads,
+ * the dip of its base. */
+
+#include "scene_reading/read.h"
+
+static tp_status refuse_azimuth(const tp_reader *reader, const tp_quantity *azimuth,
+                                const char *instead) {
+  return !azimuth->given
+             ? TP_OK
+             : tp_refuse(reader->message, TP_FAULT_KEY, azimuth->place,
+                         "'azimuth_deg' is of a scene of a 'solid'; this one has %s", instead);
+}
+
+/* Of loads a solid has an earthquake. */
+static tp_status check_loads(const tp_reader *reader, const tp_node *loads) {
+  const tp_node *seismic = tp_node_get(loads, "seismic");
+  for (const tp_node *n = loads->first; n != NULL; n = n->next) {
+    if (n == seismic) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, n,
+                        "of the loads a solid takes 'seismic' alone: leave out '%s'", n->key);
+  }
+  const tp_node *direction = tp_node_get(seismic, "direction");
+  return direction == NULL ? TP_OK
+                           : tp_read_fail(reader, TP_FAULT_KEY, direction,
+                                          "an earthquake on a solid acts towards an 'azimuth_deg', "
+                                          "or towards any where none is given");
+}
+
+static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
+  const tp_scene *scene = reader->scene;
+  const tp_node *tilt = tp_node_get(root, "tilt");
+  const tp_node *towards = tilt != NULL ? tp_node_get(tilt, "towards") : NULL;
+  if (towards != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, towards,
+                        "a solid is tilted towards an 'azimuth_deg', or towards any where none is "
+                        "given");
+  }
+  if (scene->solid.dip_deg.given && tilt != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, tilt,
+                        "the base of this solid has its dip, which is its tilt: leave one out");
+  }
+  const bool any = scene->tilt_angle_deg.given && !scene->tilt_azimuth_deg.given;
+  return any && scene->loads.azimuth_deg.given
+             ? tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.azimuth_deg.place,
+                         "the earthquake has an azimuth, and the tilt none: give it "
+                         "'tilt.azimuth_deg' too")
+             : TP_OK;
+}
+
+tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
+  const tp_scene *scene = reader->scene;
+  if (scene->solid.place.file == NULL) {
+    const tp_status status =
+        refuse_azimuth(reader, &scene->tilt_azimuth_deg, "'towards: left', right or both");
+    return status == TP_OK
+               ? refuse_azimuth(reader, &scene->loads.azimuth_deg, "'direction' on a slope")
+               : status;
+  }
+  const tp_node *loads = tp_node_get(root, "loads");
+  const tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
+  return status == TP_OK ? check_ways(reader, root) : status;
+}
