@@ -138,8 +138,12 @@ class InFirefox(unittest.TestCase):
             time.sleep(0.05)
 
     def setUp(self):
+        """As for one who has been here, but of whom no scene is kept."""
         self.browser.open("about:blank")
         self.browser.open(ADDRESS)
+        self.browser.value("(() => { localStorage.clear(); sessionStorage.clear(); localStorage.setItem('topple.touched', '1'); })()")
+        self.browser.open("about:blank")  # or the fragment alone would be another
+        self.browser.open(ADDRESS + "#example=block_e_valley.yaml")
         self.answered()
 
     def test_opens_solves_and_draws(self):
@@ -153,6 +157,7 @@ class InFirefox(unittest.TestCase):
         knob = """(() => { const r = document.querySelector('[data-handle="tilt.angle_deg"] .knob').getBoundingClientRect();
           return [r.x + r.width / 2, r.y + r.height / 2]; })()"""
         self.browser.drag(*self.browser.value(knob), -15, -40)
+        self.browser.value("document.getElementById('tab-text').click()")
         self.answered()
         time.sleep(0.3)
         words = "[...document.querySelectorAll('.cm-line')].map(l => l.textContent).join('\\n')"

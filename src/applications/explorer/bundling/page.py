@@ -12,12 +12,14 @@ import shutil
 import subprocess
 
 from .examples import examples
+from .phrases import phrases
 
 EXPLORER = pathlib.Path(__file__).resolve().parents[1]
 MODULES = EXPLORER / "node_modules"
 STAMP = MODULES / ".installed"
 COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")  # of Debian's package base-files
 STYLE = '<link rel="stylesheet" href="style.css">'
+PHRASES = '<script type="application/json" id="phrases"></script>'
 SCRIPT = '<script type="module" src="main.js"></script>'
 
 
@@ -64,10 +66,11 @@ def bundled(folder, modules):
     script = esbuild("page/main.js", "--format=iife", *options)
     style = esbuild("page/style.css")
     page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
-    for place in (STYLE, SCRIPT):
+    for place in (STYLE, PHRASES, SCRIPT):
         if page.count(place) != 1:
             raise ValueError(f"page/index.html has not {place} once")
     # neither may end its element before its end
     script = script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
     style = style.replace("</style", "<\\/style")
-    return page.replace(STYLE, f"<style>{style}</style>").replace(SCRIPT, f'<script type="module">{script}</script>')
+    words = PHRASES.replace("></", ">" + json.dumps(phrases(), ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c") + "</")
+    return page.replace(STYLE, f"<style>{style}</style>").replace(PHRASES, words).replace(SCRIPT, f'<script type="module">{script}</script>')

@@ -5,6 +5,7 @@
 
 import { lengthHandle } from "./handle.js";
 import { listHandles } from "./block_handles.js";
+import { say } from "../words/language.js";
 
 /** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} */
 export function baseHandles(context) {
@@ -33,7 +34,7 @@ function hasProfile(context) {
 /** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} points of the profile */
 export function baseVertices(context) {
   if (!hasProfile(context) || context.base === null) return [];
-  return listHandles(context, context.base, ["base", "profile"], "the profile").map(({ key, at, made }) => {
+  return listHandles(context, context.base, ["base", "profile"], say("the profile")).map(({ key, at, made }) => {
     return { key, at, made: () => ({ ...made(), kind: "base" }) };
   });
 }

@@ -5,6 +5,7 @@
 
 import { lengthHandle, vertexHandle } from "./handle.js";
 import { pointsOf } from "./points.js";
+import { say } from "../words/language.js";
 
 /** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} vertices */
 export function blockVertices(context) {
@@ -24,10 +25,10 @@ export function blockHandles(context) {
 
 /** The rings of points of an outline with its holes and parts: where each stands, and its name. @returns {[(string|number)[], string][]} */
 export function ringsOf(context) {
-  const rings = [[["block", "outline"], "the outline"]];
-  for (let i = 0; i < (context.scene.count(["block", "holes"]) ?? 0); i++) rings.push([["block", "holes", i], "hole " + (i + 1)]);
+  const rings = [[["block", "outline"], say("the outline")]];
+  for (let i = 0; i < (context.scene.count(["block", "holes"]) ?? 0); i++) rings.push([["block", "holes", i], say("hole %s", i + 1)]);
   for (let i = 0; i < (context.scene.count(["block", "parts"]) ?? 0); i++) {
-    rings.push([["block", "parts", i, "outline"], "part " + (i + 1)]);
+    rings.push([["block", "parts", i, "outline"], say("part %s", i + 1)]);
   }
   return rings;
 }
@@ -57,7 +58,7 @@ export function listHandles(context, placement, path, name, places = []) {
   return pointsOf(context, path).map((point, i) => (point === null ? null : {
     key: path.join(".") + "." + i,
     at: placement.toFrame(point.x, point.y),
-    made: () => vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name, places),
+    made: () => vertexHandle(context, placement, [...path, i], say("vertex %s of %s", i + 1, name), places),
   })).filter((candidate) => candidate !== null);
 }
 

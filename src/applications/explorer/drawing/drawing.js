@@ -26,6 +26,7 @@ import { drawArc } from "./tilt_handle.js";
 import { emptied, layersOf } from "./layers.js";
 import { isElsewhere, roomOf } from "./room.js";
 import { drawScale } from "./scale_bar.js";
+import { say } from "../words/language.js";
 
 const SNAP_DOTS = 3;
 const NARROW = 560; // dots: a drawing below the badge, in a wider one it stands beside
@@ -53,7 +54,7 @@ export class Drawing extends EventTarget {
     this.words = "";
     this.origin = { x: 0, y: 0 };
     this.context = null;
-    this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", "Drawing of the block on its base");
+    this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", say("Drawing of the block on its base"));
     this.layers = layersOf(this.svg);
     this.picture = new Picture(this.svg);
     this.frame = this.layers.frame;
@@ -134,12 +135,12 @@ export class Drawing extends EventTarget {
     this.svg.classed("stale", stale && store.problem !== null);
     this.context = null;
     const isPicture = answer !== null && answer.kind !== "block";
-    this.picture.put(isPicture ? this.store.figure : null, this.view, "Figure of the blocks");
-    if (isPicture) this.#leaveOut(answer.kind === "solid" ? "A solid is not drawn here; its report stands beside this" : "");
+    this.picture.put(isPicture ? this.store.figure : null, this.view, say("Figure of the blocks"));
+    if (isPicture) this.#leaveOut(answer.kind === "solid" ? say("A solid is not drawn here; its report stands beside this") : "");
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
     if (!isDrawable(outlines)) {
-      this.#leaveOut("No browser can draw a block of this size; its numbers stand beside this");
+      this.#leaveOut(say("No browser can draw a block of this size; its numbers stand beside this"));
       return;
     }
     this.#fitOnce(outlines);
@@ -236,7 +237,7 @@ export class Drawing extends EventTarget {
     const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept });
     this.#crowded = hidden > 0;
     this.handles.set(handles);
-    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? hidden + " more vertices: their handles come with the pointer, or closer" : "");
+    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
   }
 
   #handAt([x, y]) {
@@ -271,7 +272,7 @@ export class Drawing extends EventTarget {
 
   /** @param {string|null} text */
   #put(text) {
-    if (text === null) this.#tell("No vertex can come or go here: only those of an outline or a profile that stands in the text");
+    if (text === null) this.#tell(say("No vertex can come or go here: only those of an outline or a profile that stands in the text"));
     else this.store.setText(text);
   }
 

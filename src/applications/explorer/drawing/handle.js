@@ -23,6 +23,7 @@ import { snap } from "../scene/decimal.js";
 import { resultPoint } from "./result_point.js";
 import { pathEnds } from "./thin_path.js";
 import { Placement } from "./view.js";
+import { between, numeral, say } from "../words/language.js";
 
 /** What all handles are made from. */
 export class Context {
@@ -96,7 +97,7 @@ export function vertexHandle(context, placement, path, label, places = []) {
     sameOnce([[x, y], ...same].flatMap((point) => [...free(point[0], across, exponent), ...free(point[1], up, exponent)]));
   return {
     key: path.join("."), kind: "vertex", moves: "xy", fixed: whyFixed(label, x, y),
-    label: label + " at " + x.value + ", " + y.value + " " + context.unit,
+    label: say("%s at %s", label, numeral(x.value + "") + between + numeral(y.value + "") + " " + context.unit),
     at: placement.toFrame(x.value, y.value),
     drag: (hand, exponent) => {
       const scene = placement.toScene(hand.x, hand.y);
@@ -123,10 +124,10 @@ function sameOnce(edits) {
  */
 export function lengthHandle(context, { name, of, at, moves, kind, value, least, sign = 1 }) {
   const put = (number, exponent) => [edit(of, Math.max(number, least * 10 ** exponent), exponent)];
-  const along = of.parameter === null ? "" : " (parameter " + of.parameter + ")";
+  const along = of.parameter === null ? "" : " (" + say("parameter %s", of.parameter) + ")";
   return {
-    key: name, kind, moves, at, fixed: of.fixed === null ? null : name + " " + of.fixed,
-    label: name + along + " " + (of.value ?? 0) + " " + context.unit,
+    key: name, kind, moves, at, fixed: of.fixed === null ? null : say(name) + " " + of.fixed,
+    label: say(name) + along + " " + numeral((of.value ?? 0) + "") + " " + context.unit,
     drag: (hand, exponent) => put(value(hand), exponent),
     step: (dx, dy, exponent) => put((of.value ?? 0) + sign * (moves === "x" ? dx : dy) * 10 ** exponent, exponent),
   };

@@ -4,6 +4,7 @@
 /** Handles on the screen: each can be dragged by mouse, pen and finger, and moved by the arrow keys. */
 
 import { drag } from "d3-drag";
+import { say } from "../words/language.js";
 
 const RADIUS = 7;
 const APART = 24; // dots
@@ -56,7 +57,7 @@ export class HandlesLayer {
         if (this.words === words) return;
         this.words = words;
         this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed"));
-        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". Arrow keys move it.");
+        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". " + say("Arrow keys move it."));
         this.querySelector("title").textContent = words;
       });
   }

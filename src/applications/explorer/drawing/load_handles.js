@@ -4,6 +4,7 @@
 /** Handles of loads: the level of the water behind the block, where an anchor pulls, and which way. */
 
 import { edit, lengthHandle, vertexHandle } from "./handle.js";
+import { numeral, say } from "../words/language.js";
 
 const ARROW_DOTS = 64;
 const DEGREES = 180 / Math.PI;
@@ -12,7 +13,7 @@ const DEGREES = 180 / Math.PI;
 export function loadHandles(context, view) {
   const handles = waterHandles(context);
   for (let i = 0; i < (context.scene.count(["loads", "anchors"]) ?? 0); i++) {
-    const point = context.block && vertexHandle(context, context.block, ["loads", "anchors", i, "at"], "anchor " + (i + 1));
+    const point = context.block && vertexHandle(context, context.block, ["loads", "anchors", i, "at"], say("anchor %s", i + 1));
     if (point === null) continue;
     point.kind = "load";
     handles.push(point);
@@ -41,10 +42,10 @@ function directionHandle(context, view, i, at) {
   const angle = of.value / DEGREES;
   const along = view.direction(cosine * Math.cos(angle) - sine * Math.sin(angle), sine * Math.cos(angle) + cosine * Math.sin(angle));
   const foot = view.toScreen(at.x, at.y);
-  const name = "direction of anchor " + (i + 1);
+  const name = say("direction of anchor %s", i + 1);
   return {
     key: "loads.anchors." + i + ".direction_deg", kind: "load", moves: "y", fixed: of.fixed === null ? null : name + " " + of.fixed,
-    label: name + " " + of.value + " degrees",
+    label: say("%s %s degrees", name, numeral(of.value + "")),
     dots: { x: foot.x + ARROW_DOTS * along.x, y: foot.y + ARROW_DOTS * along.y },
     drag: (hand) => {
       const frame = view.toFrame(hand.x, hand.y);

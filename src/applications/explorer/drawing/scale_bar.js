@@ -3,6 +3,8 @@
 
 /** A bar of a round length in the scene's own unit, in the corner of the drawing that the tilt leaves free. */
 
+import { numeral } from "../words/language.js";
+
 const DOTS_MAX = 140;
 const EDGE = 24;
 
@@ -18,5 +20,5 @@ export function drawScale(layer, view, sign, context) {
   const { length, dots } = roundLength(view.dotsPerMetre * context.metres);
   const [x, y] = [sign > 0 ? view.width - EDGE - dots : EDGE, view.height - EDGE];
   layer.select("path").attr("d", "M" + x + " " + (y - 5) + "v5h" + dots + "v-5");
-  layer.select("text").attr("x", x + dots / 2).attr("y", y - 9).text(Number(length.toPrecision(12)) + " " + context.unit);
+  layer.select("text").attr("x", x + dots / 2).attr("y", y - 9).text(numeral(Number(length.toPrecision(12)) + " " + context.unit));
 }

@@ -8,6 +8,7 @@
 
 import { contactFaces, normalAt } from "./contact_normals.js";
 import { resultPoint } from "./result_point.js";
+import { numeral, say } from "../words/language.js";
 
 const PIVOTS_MAX = 60;
 const FORCE_DOTS = 120; // of the block's weight
@@ -49,10 +50,10 @@ export function arrow(from, to) {
 function weight(kase, on) {
   const { block } = kase;
   const from = on(block.centroid_x_m, block.centroid_y_m);
-  const title = block.weight_n ? "weight " + block.weight_n.value.toPrecision(4) + " N" : "weight";
+  const title = block.weight_n ? say("weight") + " " + numeral(block.weight_n.value.toPrecision(4)) + " N" : say("weight");
   return [
     { kind: "weight", d: arrow(from, { x: from.x, y: from.y + FORCE_DOTS }), title },
-    { kind: "centroid", d: disc(from, 4.5), title: "centroid" },
+    { kind: "centroid", d: disc(from, 4.5), title: say("centroid") },
   ];
 }
 
@@ -65,7 +66,8 @@ function pivots(kase, on) {
     const at = on(pivot.x_m, pivot.y_m);
     const kind = ["pivot governing", "pivot admissible", "pivot"][rank(pivot)];
     const angle = pivot.critical_angle_deg?.value;
-    const title = "pivot " + (pivot.index + 1) + (angle === undefined ? "" : ": passes the weight at " + angle.toFixed(2) + "°");
+    const name = say("pivot %s", pivot.index + 1);
+    const title = angle === undefined ? name : say("%s: passes the weight at %s", name, numeral(angle.toFixed(2)) + "°");
     const free = named.every((other) => Math.hypot(other.x - at.x, other.y - at.y) > NAME_DOTS);
     if (free) named.push(at);
     const governs = rank(pivot) === 0;
@@ -81,7 +83,7 @@ function centre(kase, on) {
   if (limit?.centre_x_m === undefined || limit.centre_x_m === null) return [];
   const at = on(limit.centre_x_m, limit.centre_y_m);
   const cross = "M" + (at.x - 7) + " " + at.y + "h14M" + at.x + " " + (at.y - 7) + "v14";
-  return [{ kind: "centre", d: disc(at, 7) + cross, title: "centre of rotation at the limit: " + limit.mechanism }];
+  return [{ kind: "centre", d: disc(at, 7) + cross, title: say("centre of rotation at the limit: %s", say(limit.mechanism)) }];
 }
 
 function reactions(kase, outlines, view, on) {
@@ -98,9 +100,9 @@ function reactions(kase, outlines, view, on) {
     const point = resultPoint(outlines, one.x_m, one.y_m);
     const normal = normalAt(faces, [point.x, point.y], share, 2 / view.dotsPerMetre);
     const force = { kind: "reaction", d: arrow({ x: at.x - long * along.x, y: at.y - long * along.y }, at),
-      title: "reaction at the limit: " + (100 * size).toFixed(1) + " % of the weight" };
+      title: say("reaction at the limit: %s % of the weight", numeral((100 * size).toFixed(1))) };
     if (normal === null) return [force];
-    return [{ kind: "cone", d: wedge(at, view, normal, cone, Math.max(long, 30)), title: "friction cone" }, force];
+    return [{ kind: "cone", d: wedge(at, view, normal, cone, Math.max(long, 30)), title: say("friction cone") }, force];
   });
 }
 
@@ -119,9 +121,9 @@ function loads(outlines, view, shift) {
     const at = view.toScreen(anchor.x_m + shift.x, anchor.y_m + shift.y);
     const angle = (anchor.direction_deg * Math.PI) / 180;
     const along = view.direction(Math.cos(angle), Math.sin(angle));
-    return { kind: "anchor", d: arrow(at, { x: at.x + 58 * along.x, y: at.y + 58 * along.y }), title: "anchor " + (i + 1) };
+    return { kind: "anchor", d: arrow(at, { x: at.x + 58 * along.x, y: at.y + 58 * along.y }), title: say("anchor %s", i + 1) };
   });
-  const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, shift, kind), title: kind }));
+  const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, shift, kind), title: say(kind) }));
   return [...anchors, ...spread(outlines.pressures, "pressure"), ...spread(outlines.surcharges, "surcharge")];
 }
 

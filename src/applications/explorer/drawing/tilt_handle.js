@@ -4,6 +4,7 @@
 /** The tilt as an arc in a corner of the drawing: its arm lies as the base does. */
 
 import { edit } from "./handle.js";
+import { numeral, say } from "../words/language.js";
 
 const DEGREES = 180 / Math.PI;
 const EDGE = 30;
@@ -19,8 +20,8 @@ export function tiltHandle(context, view, sign) {
   const angle = (of.value ?? 0) / DEGREES;
   const put = (degrees, exponent) => [edit(of, Math.min(90, Math.max(0, degrees)), exponent)];
   return {
-    key: "tilt.angle_deg", kind: "tilt", moves: "xy", fixed: of.fixed === null ? null : "the tilt " + of.fixed,
-    label: of.present ? "tilt " + of.value + " degrees" : "tilt: the scene gives none; drag to give it one",
+    key: "tilt.angle_deg", kind: "tilt", moves: "xy", fixed: of.fixed === null ? null : say("the tilt") + " " + of.fixed,
+    label: of.present ? say("tilt %s degrees", numeral(of.value + "")) : say("tilt: the scene gives none; drag to give it one"),
     dots: { x: shape.x + sign * shape.radius * Math.cos(angle), y: shape.y - shape.radius * Math.sin(angle) },
     drag: (hand) => put(Math.atan2(shape.y - hand.y, sign * (hand.x - shape.x)) * DEGREES, -1),
     step: (dx, dy) => put((of.value ?? 0) + (dx + dy) * 0.1, -1),
@@ -36,7 +37,7 @@ export function drawArc(layer, view, sign, decimals = 4) {
     "M" + on(0.6 * radius, 0) + "A" + 0.6 * radius + " " + 0.6 * radius + " 0 0 " + (sign > 0 ? 0 : 1) + " " + on(0.6 * radius, angle);
   layer.select("path").attr("d", path);
   layer.select("text").attr("x", x + sign * 0.72 * radius * Math.cos(angle / 2)).attr("y", y - 0.72 * radius * Math.sin(angle / 2) + 4)
-    .attr("text-anchor", sign > 0 ? "start" : "end").text(+(angle * DEGREES).toFixed(decimals) + "°");
+    .attr("text-anchor", sign > 0 ? "start" : "end").text(numeral(+(angle * DEGREES).toFixed(decimals) + "°"));
 }
 
 /** Where its arc is, dots. */

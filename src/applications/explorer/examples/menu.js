@@ -5,6 +5,7 @@
 
 import examples from "topple:examples";
 import { TEMPLATES } from "./templates.js";
+import { say } from "../words/language.js";
 
 const ALL = [...TEMPLATES.map((each) => ({ ...each, group: "Begin your own" })), ...examples];
 const GROUPS = [...new Set(ALL.map(({ group }) => group))];
@@ -16,8 +17,8 @@ export class ExamplesMenu {
     this.store = store;
     for (const label of GROUPS) {
       const group = document.createElement("optgroup");
-      group.label = label;
-      group.append(...ALL.filter((each) => each.group === label).map(({ name, title }) => new Option(title, name)));
+      group.label = say(label);
+      group.append(...ALL.filter((each) => each.group === label).map(({ name, title }) => new Option(say(title), name)));
       select.append(group);
     }
     select.addEventListener("change", () => this.open(select.value));

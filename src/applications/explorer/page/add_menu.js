@@ -5,10 +5,11 @@
 
 import { ringOf } from "../drawing/preview.js";
 import { ADDITIONS } from "../scene/additions.js";
+import { say } from "../words/language.js";
 
 /** @param {HTMLSelectElement} select @param {import("../drawing/drawing.js").Drawing} drawing @param store @param messages */
 export function addMenu(select, drawing, store, messages) {
-  const options = Object.entries(ADDITIONS).map(([name, { label }]) => new Option(label, name));
+  const options = Object.entries(ADDITIONS).map(([name, { label }]) => new Option(say(label), name));
   select.append(...options);
   select.addEventListener("change", () => {
     const addition = ADDITIONS[select.value];
@@ -17,7 +18,7 @@ export function addMenu(select, drawing, store, messages) {
       store.setText(addition.text(store.parsed, sizesOf(drawing)));
     } catch (error) {
       if (!(error instanceof RangeError)) throw error;
-      messages.say(addition.label + ": " + error.message);
+      messages.say(say(addition.label) + ": " + error.message);
     }
   });
   const update = () => {

@@ -5,6 +5,7 @@
 
 import { degreesText, fosText } from "../panels/certain.js";
 import { COLOUR_CLASS, againstText, sentence } from "../panels/words.js";
+import { parts, say } from "../words/language.js";
 
 /** @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store */
 export function badge(element, drawing, store) {
@@ -21,16 +22,17 @@ export function badge(element, drawing, store) {
 
 /** @param {any} kase of the answer @returns {string} */
 export function verdictWords(kase) {
-  const does = sentence(kase.mechanism ?? kase.verdict);
-  return kase.tilt_angle_deg ? does + " at " + degreesText(kase.tilt_angle_deg) : does + " first, as it is tilted";
+  const does = sentence(say(kase.mechanism ?? kase.verdict));
+  return kase.tilt_angle_deg ? say("%s at %s", does, degreesText(kase.tilt_angle_deg)) : say("%s first, as it is tilted", does);
 }
 
 /** The number stands out, and what it is against follows. */
 function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fos }) {
-  if (governing === undefined) return fos ? ["FoS ", strong(fosText(fos)), " by strength reduction"] : [];
-  if (!tilt && onset?.kind === "angle") return ["Certain to stand up to " + degreesText(onset.critical_angle_deg)];
-  if (governing.fos === null) return ["FoS " + (governing.fos_is ?? "none")];
-  return ["FoS" + (governing.complete ? " " : " at most "), strong(fosText(governing.fos)), " against " + againstText(governing.mechanism)];
+  if (governing === undefined) return fos ? parts("FoS %s by strength reduction", strong(fosText(fos))) : [];
+  if (!tilt && onset?.kind === "angle") return [say("Certain to stand up to %s", degreesText(onset.critical_angle_deg))];
+  if (governing.fos === null) return [say("FoS") + " " + say(governing.fos_is ?? "none")];
+  const [number, against] = [strong(fosText(governing.fos)), againstText(governing.mechanism)];
+  return governing.complete ? parts("FoS %s against %s", number, against) : parts("FoS at most %s against %s", number, against);
 }
 
 function strong(text) {

@@ -3,6 +3,8 @@
 
 /** Buttons and keys of the drawing: fit, closer, farther, move, which of two tilts. */
 
+import { say } from "../words/language.js";
+
 const CLOSER = 1.3;
 const MOVE = 0.1;
 
@@ -24,7 +26,7 @@ export function drawingTools(element, drawing, store) {
   element("farther").addEventListener("click", () => drawing.zoomBy(1 / CLOSER));
   const pane = element("drawing");
   pane.tabIndex = 0;
-  pane.setAttribute("aria-label", "Drawing: + and - zoom, arrow keys move, 0 fits; Tab leads to the handles");
+  pane.setAttribute("aria-label", say("Drawing: + and - zoom, arrow keys move, 0 fits; Tab leads to the handles"));
   pane.addEventListener("keydown", (event) => {
     const act = KEYS[event.key];
     if (act === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -60,6 +62,6 @@ function sideChoice(side, index, drawing) {
   radio.name = "case";
   radio.checked = index === 0;
   radio.addEventListener("change", () => drawing.showCase(index));
-  label.append(radio, " " + side);
+  label.append(radio, " " + say(side));
   return label;
 }

@@ -7,6 +7,7 @@
  */
 
 import { decimalValue, snap } from "../scene/decimal.js";
+import { say } from "../words/language.js";
 
 const TOUCHED = "topple.touched";
 const SWING = 12; // degrees to either side
@@ -38,7 +39,7 @@ export function firstGesture(store, tell) {
   };
   for (const event of TOUCHES) addEventListener(event, stop, true);
   document.body.classList.add("inviting");
-  tell("Take the blue handle, or any vertex, and drag");
+  tell(say("Take the blue handle, or any vertex, and drag"));
   frame = requestAnimationFrame(step);
 }
 

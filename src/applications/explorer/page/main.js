@@ -23,11 +23,14 @@ import { sheet } from "./sheet.js";
 import { sceneWords } from "./scene_words.js";
 import { themeSwitch } from "./theme.js";
 import { addPanels } from "../panels/panels.js";
+import { languageMenu, say, translate } from "../words/language.js";
 
 const FIRST = "block_e_valley.yaml";
 const element = (id) => document.getElementById(id);
 
 async function begin() {
+  translate(document.body);
+  languageMenu(element("language"));
   themeSwitch(element("theme"));
   const core = new Core();
   const store = new SceneStore(core);
@@ -86,7 +89,7 @@ async function openLink(store, menu, messages, link = location.hash) {
     store.open(state);
     return true;
   } catch (error) {
-    messages.say("The link carries no scene that can be read: " + error.message);
+    messages.say(say("The link carries no scene that can be read: %s", error.message));
     return false;
   }
 }

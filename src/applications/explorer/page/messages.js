@@ -3,6 +3,8 @@
 
 /** The strip for what went wrong. A complaint about the scene leads to its line; every text here is text, never markup. */
 
+import { say } from "../words/language.js";
+
 export class Messages {
   #fromScene = false;
 
@@ -41,12 +43,12 @@ export class Messages {
     this.say(message);
     this.#fromScene = true;
     if (line === null || file !== this.store.name) {
-      if (file !== null) this.element.prepend(file + (line === null ? "" : ", line " + line) + ": ");
+      if (file !== null) this.element.prepend((line === null ? file : say("%s, line %s", file, line)) + ": ");
       return;
     }
     const button = document.createElement("button");
     button.type = "button";
-    button.textContent = "Line " + line;
+    button.textContent = say("Line %s", line);
     button.addEventListener("click", () => this.show(line, column ?? 1));
     this.element.prepend(button, " ");
   }

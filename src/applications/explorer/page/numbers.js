@@ -6,10 +6,11 @@
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
 import { typedNumber } from "./typed_number.js";
+import { numeral, say } from "../words/language.js";
 
 /** @param {import("../scene/scene_text.js").SceneText} scene @returns {string|null} why there is no one friction angle */
 function lawOfFriction(scene) {
-  return scene.keys(["friction"])?.includes("law") ? "is set by the friction law; edit its numbers in the text" : null;
+  return scene.keys(["friction"])?.includes("law") ? say("is set by the friction law; edit its numbers in the text") : null;
 }
 
 const NUMBERS = [
@@ -28,11 +29,11 @@ export function numbersForm(form, store) {
 function numberRow(form, store, { path: own, or = own, label, max, greatest, other = () => null }) {
   const row = document.createElement("label");
   const slider = input("range", { min: 0, max, step: 0.1 });
-  const field = input("text", { inputmode: "decimal", autocomplete: "off", size: 6, "aria-label": label });
+  const field = input("text", { inputmode: "decimal", autocomplete: "off", size: 6, "aria-label": say(label) });
   const why = document.createElement("span");
   why.className = "why";
   why.setAttribute("role", "alert");
-  row.append(label + " ", slider, field, why);
+  row.append(say(label) + " ", slider, field, why);
   form.append(row);
   let typing = false;
   const present = () => {
@@ -52,12 +53,12 @@ function numberRow(form, store, { path: own, or = own, label, max, greatest, oth
     if (store.parsed.unread !== null) return;
     const now = present();
     slider.disabled = field.disabled = now.fixed !== null;
-    row.title = now.fixed === null ? "" : label + " " + now.fixed;
+    row.title = now.fixed === null ? "" : say(label) + " " + now.fixed;
     slider.value = String(now.value ?? 0);
-    slider.setAttribute("aria-valuetext", now.value === null ? "none" : String(now.value));
-    field.placeholder = now.value === null ? "none" : "";
+    slider.setAttribute("aria-valuetext", now.value === null ? say("none") : numeral(String(now.value)));
+    field.placeholder = now.value === null ? say("none") : "";
     if (typing) return;
-    field.value = now.value === null ? "" : String(now.value);
+    field.value = now.value === null ? "" : numeral(String(now.value));
     complain("");
   };
   slider.addEventListener("input", () => put(snap(slider.valueAsNumber, -1)));

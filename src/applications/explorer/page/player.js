@@ -6,6 +6,7 @@
 import { Film } from "../drawing/film.js";
 import { FilmView } from "../drawing/film_view.js";
 import { element } from "../panels/element.js";
+import { numeral, say } from "../words/language.js";
 
 const TEST_MAX_MS = 60_000;
 const MOMENTS = 1200;
@@ -24,8 +25,8 @@ export class Player {
   constructor(button, place, { drawing, store, core, messages }) {
     Object.assign(this, { button, place, drawing, store, core, messages, view: new FilmView(drawing) });
     this.slider = element("input", { type: "range", min: 0, max: STEPS, step: 1, value: 0, "aria-label": "Time of the test", oninput: () => this.#seek() });
-    this.pause = element("button", { type: "button", onclick: () => (this.#frame === 0 ? this.#run() : this.#halt()) }, "Pause");
-    this.speed = element("select", { "aria-label": "Speed of the fall" }, SPEEDS.map(([name, times]) => element("option", { value: times, ...(times === FIRST_SPEED ? { selected: true } : {}) }, name)));
+    this.pause = element("button", { type: "button", onclick: () => (this.#frame === 0 ? this.#run() : this.#halt()) }, say("Pause"));
+    this.speed = element("select", { "aria-label": "Speed of the fall" }, SPEEDS.map(([name, times]) => element("option", { value: times, ...(times === FIRST_SPEED ? { selected: true } : {}) }, say(name))));
     this.said = element("output", { class: "film-said" });
     this.events = element("div", { class: "events", role: "group", "aria-label": "Events of the test" });
     place.append(element("div", { class: "film-line" }, this.pause, this.slider, this.speed, this.said), this.events);
@@ -50,7 +51,7 @@ export class Player {
       if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0].replace(/^topple: ?/, ""));
       this.#begin(JSON.parse(answer.out));
     } catch (error) {
-      if (asked === this.#asked && error.name !== "AbortError") this.messages.say("The test cannot be played: " + error.message);
+      if (asked === this.#asked && error.name !== "AbortError") this.messages.say(say("The test cannot be played: %s", error.message));
     } finally {
       this.#canPlay();
     }
@@ -69,7 +70,7 @@ export class Player {
   #begin({ cases }) {
     const { drawing } = this;
     const kase = cases.find(({ towards }) => towards === drawing.case?.towards) ?? cases[0];
-    if ((kase.moments ?? []).length < 2) throw new Error("its answer has no moments");
+    if ((kase.moments ?? []).length < 2) throw new Error(say("its answer has no moments"));
     this.#film = new Film(kase, this.store.parsed.keys(["shaking"]) !== null);
     this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event)));
     this.place.hidden = false;
@@ -82,13 +83,13 @@ export class Player {
   }
 
   #eventButton(event) {
-    const at = event.angle_deg.toFixed(2) + "°";
-    const where = event.facet > 0 ? " at facet " + event.facet : "";
+    const at = numeral(event.angle_deg.toFixed(2)) + "°";
+    const what = event.facet > 0 ? say("%s at facet %s", say(event.what), event.facet) : say(event.what);
     const go = () => {
       this.#halt();
       this.#put(event.time_s);
     };
-    return element("button", { type: "button", class: "event", onclick: go }, event.what + where + ", " + at);
+    return element("button", { type: "button", class: "event", onclick: go }, what + ", " + at);
   }
 
   #run() {
@@ -102,13 +103,13 @@ export class Player {
       if (this.#shown >= this.#film.length(this.slow)) this.#halt();
     };
     this.#frame = requestAnimationFrame(step);
-    this.pause.textContent = "Pause";
+    this.pause.textContent = say("Pause");
   }
 
   #halt() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    this.pause.textContent = "Play";
+    this.pause.textContent = say("Play");
   }
 
   #seek() {
@@ -124,7 +125,7 @@ export class Player {
     this.slider.value = String(Math.round((STEPS * this.#shown) / film.length(this.slow)));
     const event = film.eventAt(time);
     const pose = film.poseAt(time);
-    const said = time.toFixed(2) + " s, tilt " + pose.tilt.toFixed(2) + "°" + (event === null ? "" : ": " + event.what);
+    const said = say("%s s, tilt %s", numeral(time.toFixed(2)), numeral(pose.tilt.toFixed(2)) + "°") + (event === null ? "" : ": " + say(event.what));
     this.said.textContent = said;
     this.slider.setAttribute("aria-valuetext", said);
     const at = event === null ? -1 : film.events.indexOf(event);
@@ -137,7 +138,7 @@ export class Player {
   #named() {
     const playing = this.#film !== null;
     this.button.setAttribute("aria-pressed", String(playing));
-    this.button.textContent = playing ? "Leave the test" : "Tilt it until it falls";
+    this.button.textContent = say(playing ? "Leave the test" : "Tilt it until it falls");
   }
 
   #canPlay() {

@@ -5,6 +5,7 @@
 
 import { SHAPES } from "../drawing/fixed_shapes.js";
 import { pointsOfCsv } from "../scene/csv_points.js";
+import { say } from "../words/language.js";
 
 /** @param {import("../scene/store.js").SceneStore} store @param messages @returns {HTMLElement[]} */
 export function pointsButtons(store, messages) {
@@ -14,7 +15,7 @@ export function pointsButtons(store, messages) {
     if (points === null) return [];
     const button = document.createElement("button");
     button.type = "button";
-    button.textContent = what + ": write its points into the scene";
+    button.textContent = say("%s: write its points into the scene", say(what));
     button.addEventListener("click", () => write(store, messages, path, points));
     return [button];
   });
@@ -29,7 +30,7 @@ function write(store, messages, path, points) {
     store.removeEventListener("problem", check);
     if (store.solution !== null && JSON.stringify(drawnOf(store.solution)) === before) return;
     store.undo();
-    messages.say("The points of the file mean something else in the scene; it is left as it was.");
+    messages.say(say("The points of the file mean something else in the scene; it is left as it was."));
   };
   store.addEventListener("solution", check);
   store.addEventListener("problem", check);

@@ -7,6 +7,7 @@ import { linkOfExample, linkOfScene } from "../scene/link.js";
 import { readFiles } from "../scene/open.js";
 import { embedLine } from "./embed.js";
 import { offer } from "./offer.js";
+import { say } from "../words/language.js";
 
 /** @param {(id: string) => HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, menu: object, messages: object, tabs: object}} page */
 export function sceneTools(element, { store, menu, messages, tabs }) {
@@ -64,7 +65,7 @@ async function copyEmbed(store, messages, tabs) {
     const line = await embedLine(location.href.split("#")[0], { name: store.name, text: store.text, files: store.files }, tabs.opened);
     try {
       await navigator.clipboard.writeText(line);
-      messages.say("The line for another page is copied; that page shows the drawing, and the tab that is open here.");
+      messages.say(say("The line for another page is copied; that page shows the drawing, and the tab that is open here."));
     } catch {
       messages.say(line);
     }
@@ -79,9 +80,9 @@ async function copyLink(store, menu, messages) {
     history.replaceState(null, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);
-      messages.say("The link is copied: it carries the whole scene.");
+      messages.say(say("The link is copied: it carries the whole scene."));
     } catch {
-      messages.say("The link is in the address bar: it carries the whole scene.");
+      messages.say(say("The link is in the address bar: it carries the whole scene."));
     }
   } catch (error) {
     messages.say(error.message);

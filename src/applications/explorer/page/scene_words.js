@@ -3,13 +3,15 @@
 
 /** Title of the scene, and whether the core is at work. */
 
+import { say } from "../words/language.js";
+
 const LATE_MS = 250;
 
 /** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
 export function sceneWords(element, store) {
   let timer = null;
   const words = () => {
-    element("scene-title").textContent = store.parsed.scalar(["title"]) ?? "A scene without a title";
+    element("scene-title").textContent = store.parsed.scalar(["title"]) ?? say("A scene without a title");
     element("scene-title").title = store.name;
   };
   const state = (name) => (document.body.dataset.answer = name);
@@ -20,7 +22,7 @@ export function sceneWords(element, store) {
   store.addEventListener("solution", () => performance.mark("first answer"), { once: true });
   store.addEventListener("busy", () => {
     clearTimeout(timer);
-    if (store.busy) timer = setTimeout(() => (element("busy").textContent = "solving…"), LATE_MS);
+    if (store.busy) timer = setTimeout(() => (element("busy").textContent = say("solving…")), LATE_MS);
     else element("busy").textContent = "";
   });
 }

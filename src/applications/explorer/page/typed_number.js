@@ -4,6 +4,7 @@
 /** A number that is typed into a field, with a decimal point or a decimal comma. */
 
 import { decimalValue } from "../scene/decimal.js";
+import { numeral, say } from "../words/language.js";
 
 /**
  * @param {string} typed @param {number} greatest from 0
@@ -13,7 +14,7 @@ export function typedNumber(typed, greatest) {
   const text = typed.trim().replace(",", ".");
   if (text === "") return { text: null, wrong: "" };
   const value = decimalValue(text);
-  if (value === null) return { text: null, wrong: "not a number" };
-  if (value < 0 || value > greatest) return { text: null, wrong: "from 0 to " + greatest };
+  if (value === null) return { text: null, wrong: say("not a number") };
+  if (value < 0 || value > greatest) return { text: null, wrong: say("from 0 to %s", numeral(String(greatest))) };
   return { text, wrong: "" };
 }

@@ -7,6 +7,7 @@ import { element, table } from "./element.js";
 import { Panel } from "./panel.js";
 import licences from "../licences/licences.json";
 import texts from "topple:licence_texts";
+import { parts, say } from "../words/language.js";
 
 const VERSION_MAX_MS = 5000;
 
@@ -20,14 +21,12 @@ export class AboutPanel extends Panel {
     const version = element("strong", {}, "topple");
     this.body.append(
       element(
-        "p", {}, version, ": does a rock block stand, slide or topple on its base? Free software under the GNU General Public " +
-          "License, version 3 or later, without any warranty. This page holds the whole program, works without a network, " +
-          "and sends nothing anywhere.",
+        "p", {}, parts("%s: does a rock block stand, slide or topple on its base? Free software under the GNU General Public License, version 3 or later, without any warranty. This page holds the whole program, works without a network, and sends nothing anywhere.", version),
       ),
-      table("What is inlined", ["library", "licence", "for"], licences.libraries.map(({ name, licence, for: purpose }) => ({
+      table(say("What is inlined"), ["library", "licence", "for"].map((head) => say(head)), licences.libraries.map(({ name, licence, for: purpose }) => ({
         cells: [name, licence, purpose],
       }))),
-      element("p", {}, "The texts of the licences, and the notices that go with them:"),
+      element("p", {}, say("The texts of the licences, and the notices that go with them:")),
       ...Object.entries(texts).map(([name, text]) =>
         element("details", {}, element("summary", {}, name), element("pre", { class: "wide", tabindex: 0 }, text)),
       ),

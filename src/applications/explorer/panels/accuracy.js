@@ -8,6 +8,7 @@ import { boundText } from "./certain.js";
 import { drawChart, saveLink } from "./chart.js";
 import { Panel } from "./panel.js";
 import { shortestTime } from "./shortest_time.js";
+import { numeral, parts, say } from "../words/language.js";
 
 const MEASURE_MAX_MS = 120_000;
 const COLOURS = ["--blue", "--vermilion", "--green", "--purple", "--orange", "--sky"];
@@ -20,11 +21,11 @@ export class AccuracyPanel extends Panel {
     this.chart = element("div", { class: "chart" });
     this.told = element("p", { class: "told", role: "status" });
     this.rows = element("div", {});
-    this.button = element("button", { type: "button", onclick: () => this.measure() }, "Measure on this machine");
+    this.button = element("button", { type: "button", onclick: () => this.measure() }, say("Measure on this machine"));
     this.body.append(
       element(
-        "p", {}, "Each method for the critical angle, the static limit and the onset is evaluated at every ",
-        this.terms.word("level"), ", timed, and compared with its value at 6144 bits.",
+        "p", {}, parts("Each method for the critical angle, the static limit and the onset is evaluated at every %s, timed, and compared with its value at 6144 bits.",
+          this.terms.word("level")),
       ),
       element("p", { class: "choices" }, this.button), this.told, this.chart, this.rows,
     );
@@ -33,7 +34,7 @@ export class AccuracyPanel extends Panel {
   /** Measured when it is first shown; again when asked, for times are worth nothing beside a drag. */
   draw() {
     if (this.#text === null) this.measure();
-    else if (this.#text !== this.store.text) this.told.textContent = "The scene has changed since it was measured.";
+    else if (this.#text !== this.store.text) this.told.textContent = say("The scene has changed since it was measured.");
   }
 
   coloured() {
@@ -44,7 +45,7 @@ export class AccuracyPanel extends Panel {
     if (this.button.disabled) return;
     this.button.disabled = true;
     this.#text = this.store.text;
-    this.told.textContent = "Measuring: five samples of each …";
+    this.told.textContent = say("Measuring: five samples of each …");
     try {
       const answer = await this.background.run(["accuracy", "--json", this.store.argument], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
       if (answer.out === "") throw new Error(answer.err.trim());
@@ -65,18 +66,18 @@ export class AccuracyPanel extends Panel {
     const time = ({ seconds }) => Math.max(seconds, shortest) * 1e6;
     const times = [...new Set(runs.map(time))].sort((a, b) => a - b);
     drawChart(this.chart, {
-      x: times, xLabel: "microseconds", yLabel: "certain digits", logarithmic: true,
+      x: times, xLabel: say("microseconds"), yLabel: say("certain digits"), logarithmic: true,
       curves: methods.map((method, at) => {
         const own = new Map(runs.filter((run) => run.method === method).map((run) => [time(run), -run.bound_log10]));
-        return { name: method, colour: COLOURS[at % COLOURS.length], dots: true, values: times.map((each) => own.get(each) ?? null) };
+        return { name: say(method), colour: COLOURS[at % COLOURS.length], dots: true, values: times.map((each) => own.get(each) ?? null) };
       }),
     });
     this.rows.replaceChildren(
-      table("Measurements", ["way", "level", "bits", "microseconds", "certain digits", "bound (degrees)"], runs.map((run) => ({
-        cells: [run.method, run.level, run.bits, (run.seconds < shortest ? "< " : "") + time(run).toPrecision(3), Math.floor(-run.bound_log10), boundOf(run)],
+      table(say("Measurements"), ["way", "level", "bits", "microseconds", "certain digits", "bound (degrees)"].map((head) => say(head)), runs.map((run) => ({
+        cells: [say(run.method), say(run.level), run.bits, (run.seconds < shortest ? "< " : "") + numeral(time(run).toPrecision(3)), Math.floor(-run.bound_log10), boundOf(run)],
       }))),
     );
-    this.told.replaceChildren("Measured in this browser. ", saveLink("accuracy.json", json, "The numbers as JSON"));
+    this.told.replaceChildren(say("Measured in this browser.") + " ", saveLink("accuracy.json", json, say("The numbers as JSON")));
   }
 }
 

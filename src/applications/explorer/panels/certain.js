@@ -6,6 +6,8 @@
  * the same digits. What has no certain digit is printed with its bound.
  */
 
+import { numeral } from "../words/language.js";
+
 /** @typedef {{value: number, error: number}} Bounded */
 
 /** What a change of the unit, and the sum with a bound, may be off in doubles, as a share of the value. */
@@ -18,6 +20,11 @@ const ROUNDING = 2 ** -51;
  * @returns {string} an em dash where there is no number
  */
 export function certainText(number, decimals, unit = 1) {
+  return numeral(plainText(number, decimals, unit));
+}
+
+/** As certainText, with a decimal point: what a program reads. */
+export function plainText(number, decimals, unit = 1) {
   if (number === null || number === undefined || !Number.isFinite(number.value)) return "—";
   const value = number.value / unit;
   const slack = number.error / unit + Math.abs(value) * ROUNDING;

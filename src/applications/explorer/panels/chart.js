@@ -5,6 +5,7 @@
 
 import uPlot from "uplot";
 import { element } from "./element.js";
+import { numeral, say } from "../words/language.js";
 
 const HEIGHT = 300;
 /** Of each place its chart, which follows the place's width. */
@@ -36,6 +37,7 @@ export function drawChart(place, drawn) {
   const colour = (name) => style.getPropertyValue(name).trim() || "gray";
   const axis = (label) => ({
     label, stroke: colour("--ink"), labelFont: "13px system-ui", font: "12px system-ui",
+    values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : shortNumber(tick))),
     grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line"), width: 1 },
   });
   const scale = drawn.logarithmic ? { distr: 3 } : {};
@@ -57,7 +59,7 @@ export function drawChart(place, drawn) {
     [drawn.x, ...drawn.curves.map((curve) => curve.values)],
   );
   chart.root.setAttribute("role", "img");
-  chart.root.setAttribute("aria-label", drawn.yLabel + " against " + drawn.xLabel);
+  chart.root.setAttribute("aria-label", say("%s over %s", drawn.yLabel, drawn.xLabel));
   place.replaceChildren(chart.root);
   if (!drawnIn.has(place)) new ResizeObserver(() => drawnIn.get(place).setSize(sizeOf(place))).observe(place);
   drawnIn.get(place)?.destroy();
@@ -89,7 +91,7 @@ function drawMark(plot, mark, colour) {
 
 /** For an eye on a curve: the numbers with their bounds are in the table. @param {number|null} value */
 export function shortNumber(value) {
-  return value === null || value === undefined ? "—" : String(Number(value.toPrecision(5)));
+  return value === null || value === undefined ? "—" : numeral(String(Number(value.toPrecision(5))));
 }
 
 /** A text as a file that can be saved. @param {string} name @param {string|Uint8Array} content @param {string} label */

@@ -12,6 +12,8 @@ import { readTable } from "./csv.js";
 import { Job } from "./job.js";
 import { TILT, sceneNumbers, sweepable, usualRange } from "./numbers.js";
 import { Panel } from "./panel.js";
+import { againstText } from "./words.js";
+import { numeral, say } from "../words/language.js";
 
 /** Points less one, from coarse to fine. */
 const STEPS = [12, 60, 240];
@@ -34,13 +36,13 @@ export class CurvesPanel extends Panel {
     this.whatMenu = element(
       "select",
       { onchange: again, "aria-label": "What is drawn" },
-      element("option", { value: "fos" }, "factor of safety"),
-      element("option", { value: "angles" }, "critical tilts"),
+      element("option", { value: "fos" }, say("factor of safety")),
+      element("option", { value: "angles" }, say("critical tilts")),
     );
     this.chart = element("div", { class: "chart" });
     this.told = element("p", { class: "told" });
     this.body.append(
-      element("p", { class: "choices" }, this.whatMenu, " over ", this.numberMenu), this.chart, this.told,
+      element("p", { class: "choices" }, this.whatMenu, " " + say("over") + " ", this.numberMenu), this.chart, this.told,
     );
     this.job = new Job((current) => this.#compute(current), (error) => (this.told.textContent = error.message));
   }
@@ -62,7 +64,7 @@ export class CurvesPanel extends Panel {
     const chosen = this.numberMenu.value || TILT;
     this.numbers = sceneNumbers(this.store.parsed);
     this.numberMenu.replaceChildren(
-      ...this.numbers.map(({ key }) => element("option", { value: key }, key === TILT ? "the tilt" : key)),
+      ...this.numbers.map(({ key }) => element("option", { value: key }, key === TILT ? say("the tilt") : key)),
     );
     this.numberMenu.value = this.numbers.some(({ key }) => key === chosen) ? chosen : TILT;
   }
@@ -90,23 +92,23 @@ export class CurvesPanel extends Panel {
     const x = [...new Set(rows.map((row) => Number(row[first])))];
     const curves = directions.flatMap((towards) => {
       const at = new Map(rows.filter((row) => row.towards === towards).map((row) => [Number(row[first]), row]));
-      return what === "fos" ? [fosCurve(x, at, towards)] : angleCurves(x, at, directions.length > 1 ? towards + ", " : "");
+      return what === "fos" ? [fosCurve(x, at, towards)] : angleCurves(x, at, directions.length > 1 ? say(towards) + ", " : "");
     });
     drawChart(this.chart, {
-      x, curves, xLabel: number.key === TILT ? "tilt α (degrees)" : first,
-      yLabel: what === "fos" ? "factor of safety" : "tilt (degrees)",
+      x, curves, xLabel: number.key === TILT ? say("tilt α (degrees)") : first,
+      yLabel: say(what === "fos" ? "factor of safety" : "tilt (degrees)"),
       yRange: what === "fos" ? [0, FOS_MAX] : [0, 90],
       marks: this.#marks(number, what),
     });
     this.told.replaceChildren(
-      x.length + " points in " + milliseconds.toFixed(0) + " ms, each solved separately with its bounds: ",
-      saveLink("curve.csv", csv, "the table as CSV"),
+      say("%s points in %s ms, each solved separately with its bounds:", x.length, milliseconds.toFixed(0)) + " ",
+      saveLink("curve.csv", csv, say("the table as CSV")),
     );
   }
 
   #marks(number, what) {
     const marks = what === "fos" ? [{ y: 1, name: "1", colour: "--ink" }] : [];
-    if (number.value !== null) marks.push({ x: number.value, name: "the scene", colour: "--ink" });
+    if (number.value !== null) marks.push({ x: number.value, name: say("the scene"), colour: "--ink" });
     if (number.key !== TILT || this.store.solution === null) return marks;
     for (const { onset, limit } of this.store.solution.cases) {
       if (onset?.critical_angle_deg) marks.push({ x: onset.critical_angle_deg.value, name: "α_s", colour: "--green" });
@@ -121,18 +123,18 @@ export class CurvesPanel extends Panel {
 function fosCurve(x, at, towards) {
   const fos = x.map((value) => (at.get(value)?.fos ? Number(at.get(value).fos) : null));
   return {
-    name: "FoS, towards the " + towards, colour: towards === "left" ? "--blue" : "--orange",
+    name: say("FoS, tilted towards the " + towards), colour: towards === "left" ? "--blue" : "--orange",
     values: fos.map((value) => (value === null || value > FOS_MAX ? null : value)),
     told: (index) => {
       const row = at.get(x[index]);
-      return fos[index].toPrecision(5) + " against: " + row.fos_mechanism + " (" + row.fos_definition + ")";
+      return say("%s against %s (%s)", numeral(fos[index].toPrecision(5)), againstText(row.fos_mechanism), say(row.fos_definition));
     },
   };
 }
 
 function angleCurves(x, at, prefix) {
   return ANGLES.map(({ column, name, colour }) => ({
-    name: prefix + name, colour,
+    name: prefix + say(name), colour,
     values: x.map((value) => (at.get(value)?.[column] ? Number(at.get(value)[column]) : null)),
   }));
 }

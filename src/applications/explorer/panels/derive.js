@@ -14,6 +14,7 @@ import { equation, formula, fraction, symbol } from "./mathml.js";
 import { Panel } from "./panel.js";
 import { parameterValues } from "../scene/quantity.js";
 import { decimalValue, snap, stepExponent } from "../scene/decimal.js";
+import { numeral, parts, say } from "../words/language.js";
 
 const DERIVE_MAX_MS = 60_000;
 const PARAMETERS_MAX = 12;
@@ -31,8 +32,8 @@ export class DerivePanel extends Panel {
       element(
         "p",
         { class: "choices" },
-        element("label", {}, this.all, " all pivots"), " ",
-        element("label", {}, this.limit, " static limit and onset, in tan φ (takes longer)"),
+        element("label", {}, this.all, " " + say("all pivots")), " ",
+        element("label", {}, this.limit, " " + say("static limit and onset, in tan φ (takes longer)")),
       ),
       this.formulas, this.told,
     );
@@ -65,7 +66,7 @@ export class DerivePanel extends Panel {
       output.textContent = text;
     }
     if (names.length === 0) {
-      this.sliders.replaceChildren(element("p", {}, "This scene names no parameters: its formulas are numbers. Examples with teeth have a, b, c."));
+      this.sliders.replaceChildren(element("p", {}, say("This scene names no parameters: its formulas are numbers. Examples with teeth have a, b, c.")));
     }
   }
 
@@ -104,10 +105,10 @@ export class DerivePanel extends Panel {
     this.formulas.replaceChildren(
       equation(symbol("A"), fraction(area)),
       ...shown.map((pivot) => this.#pivot(pivot)),
-      ...limit.map((each) => this.#limitFormula("Static limit", "α_w", each)),
-      ...onset.map((each) => this.#limitFormula("Onset of motion", "α_s", each)),
+      ...limit.map((each) => this.#limitFormula(say("Static limit"), "α_w", each)),
+      ...onset.map((each) => this.#limitFormula(say("Onset of motion"), "α_s", each)),
     );
-    this.told.textContent = "Exact identities for all values of the parameters for which the outline keeps its shape.";
+    this.told.textContent = say("Exact identities for all values of the parameters for which the outline keeps its shape.");
     this.#follow();
   }
 
@@ -117,8 +118,8 @@ export class DerivePanel extends Panel {
       "section",
       {},
       element(
-        "h3", {}, pivot.kind + " at (", inline(pivot.x), ", ", inline(pivot.y), "), towards the " + pivot.towards + ", ",
-        this.terms.word(state, "admissible pivot"),
+        "h3", {}, parts("%s at (%s, %s), %s, %s", say(pivot.kind), inline(pivot.x), inline(pivot.y), say("tilted towards the " + pivot.towards),
+          this.terms.word(state, "admissible pivot")),
       ),
       equation(symbol("tan", "α_crit"), fraction(pivot.tan_critical_angle)),
       this.#value(pivot.tan_critical_angle, pivot.critical_angle_deg),
@@ -126,10 +127,10 @@ export class DerivePanel extends Panel {
   }
 
   #limitFormula(title, angle, derived) {
-    const heading = element("h3", {}, title + ", towards the " + derived.towards + ": " + (derived.mechanism ?? ""));
-    if (derived.same_as_limit) return element("section", {}, heading, element("p", {}, "The formula of the limit serves for both."));
+    const heading = element("h3", {}, title + ", " + say("tilted towards the " + derived.towards) + ": " + say(derived.mechanism ?? ""));
+    if (derived.same_as_limit) return element("section", {}, heading, element("p", {}, say("The formula of the limit serves for both.")));
     const quotient = derived.tan_critical_angle;
-    if (!quotient) return element("section", {}, heading, element("p", {}, "No formula: " + (derived.reason ?? "it has none") + "."));
+    if (!quotient) return element("section", {}, heading, element("p", {}, say("No formula: %s.", say(derived.reason ?? "it has none"))));
     return element(
       "section",
       {},
@@ -139,7 +140,7 @@ export class DerivePanel extends Panel {
       element(
         "details",
         {},
-        element("summary", {}, "It holds as long as all of these " + derived.conditions.length + " are not below zero"),
+        element("summary", {}, say("It holds as long as all of these %s are not below zero", derived.conditions.length)),
         derived.conditions.map((text) => element("div", { class: "equation wide", tabindex: 0 }, mathElement("math", {}, formula(text)))),
       ),
     );
@@ -150,7 +151,7 @@ export class DerivePanel extends Panel {
     const output = element("output", {});
     const trees = [numerator, denominator].map((text) => readExpression(text));
     if (!trees.includes(null)) this.live.push({ trees, output });
-    return element("p", { class: "value" }, "by the formula, now ", output, certified ? [", certified ", degreesText(certified)] : null);
+    return element("p", { class: "value" }, certified ? parts("by the formula, now %s, certified %s", output, degreesText(certified)) : parts("by the formula, now %s", output));
   }
 
   #follow() {
@@ -160,7 +161,7 @@ export class DerivePanel extends Panel {
     for (const { trees, output } of this.live ?? []) {
       const [over, under] = trees.map((tree) => valueOf(tree, names));
       const angle = (Math.atan2(over, under) * 180) / Math.PI;
-      output.textContent = Number.isFinite(angle) ? angle.toFixed(4) + "°" : "none";
+      output.textContent = Number.isFinite(angle) ? numeral(angle.toFixed(4)) + "°" : say("none");
     }
   }
 }

@@ -3,6 +3,8 @@
 
 /** Elements of the page. Text always goes in as text: nothing that a scene says is ever read as markup. */
 
+import { say } from "../words/language.js";
+
 const SVG = "http://www.w3.org/2000/svg";
 const MATHML = "http://www.w3.org/1998/Math/MathML";
 
@@ -42,7 +44,7 @@ function filled(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") node.addEventListener(name.slice(2), value);
     else if (value === true) node.setAttribute(name, "");
-    else if (value !== false && value !== null && value !== undefined) node.setAttribute(name, String(value));
+    else if (value !== false && value !== null && value !== undefined) node.setAttribute(name, name === "aria-label" ? say(String(value)) : String(value));
   }
   append(node, children);
   return node;

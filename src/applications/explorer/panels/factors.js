@@ -7,12 +7,13 @@ import { element, table } from "./element.js";
 import { fosText } from "./certain.js";
 import { Panel } from "./panel.js";
 import { againstText, definitionText, directionText, termOfDefinition } from "./words.js";
+import { say } from "../words/language.js";
 
 const STANDINGS = {
-  blocked: "excluded: blocked by a contact",
-  prevented: "excluded: contact forces prevent it",
-  uneven: "excluded: its facets differ in friction",
-  smooth: "excluded: no friction to reduce",
+  blocked: say("excluded: blocked by a contact"),
+  prevented: say("excluded: contact forces prevent it"),
+  uneven: say("excluded: its facets differ in friction"),
+  smooth: say("excluded: no friction to reduce"),
 };
 
 export class FactorsPanel extends Panel {
@@ -27,8 +28,8 @@ export class FactorsPanel extends Panel {
       { "data-towards": theCase.towards },
       element("h3", {}, directionText(theCase, null)),
       factors.length === 0
-        ? element("p", {}, this.terms.word("FoS"), " ", theCase.governing_fos?.fos_is ?? "none: no factor is judged", ".")
-        : table("Factors of safety", [this.terms.word("FoS"), "against", "by"], factors.map((each) => this.#row(each, theCase))),
+        ? element("p", {}, this.terms.word("FoS"), " ", say(theCase.governing_fos?.fos_is ?? "none: no factor is judged"), ".")
+        : table(say("Factors of safety"), [this.terms.word("FoS"), say("against"), say("by")], factors.map((each) => this.#row(each, theCase))),
     );
   }
 
@@ -39,8 +40,8 @@ export class FactorsPanel extends Panel {
     return {
       marked,
       cells: [
-        factor.fos === null ? (factor.fos_is ?? "none") : fosText(factor.fos),
-        againstText(factor.mechanism) + (factor.pivot === undefined ? "" : " about pivot " + (factor.pivot + 1)),
+        factor.fos === null ? say(factor.fos_is ?? "none") : fosText(factor.fos),
+        againstText(factor.mechanism) + (factor.pivot === undefined ? "" : " " + say("about pivot %s", factor.pivot + 1)),
         [
           this.terms.word(by, termOfDefinition(factor.definition)),
           factor.counts ? null : " (" + STANDINGS[factor.standing] + ")",

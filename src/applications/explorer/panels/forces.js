@@ -10,6 +10,7 @@ import { cones } from "./friction_cones.js";
 import { forcesFigure } from "./forces_figure.js";
 import { Panel } from "./panel.js";
 import { directionText } from "./words.js";
+import { numeral, parts, say } from "../words/language.js";
 
 export class ForcesPanel extends Panel {
   draw(solution) {
@@ -30,11 +31,11 @@ export class ForcesPanel extends Panel {
       element(
         "p",
         {},
-        "At the ", this.terms.word("static limit", "static limit"), ", " + degreesText(limit.critical_angle_deg) + ", these ",
-        this.terms.word("reactions", "reaction"), " just balance the weight; φ = " + degreesText(limit.friction_angle_deg) + ".",
+        parts("At the %s, %s, these %s just balance the weight; φ = %s.", this.terms.word("static limit", "static limit"),
+          degreesText(limit.critical_angle_deg), this.terms.word("reactions", "reaction"), degreesText(limit.friction_angle_deg)),
       ),
       found.length === 0 ? null : forcesFigure(theCase, outlines, found),
-      table("Reactions at the limit", this.#heads(), limit.reactions.map((each, index) => this.#row(each, found[index], theCase))),
+      table(say("Reactions at the limit"), this.#heads(), limit.reactions.map((each, index) => this.#row(each, found[index], theCase))),
       this.#centre(limit),
       motions(theCase),
     );
@@ -43,7 +44,7 @@ export class ForcesPanel extends Panel {
   #heads() {
     const unit = lengthUnit(this.store).name;
     return [
-      "x (" + unit + ")", "y (" + unit + ")", "along", "normal", "force (N)",
+      "x (" + unit + ")", "y (" + unit + ")", say("along"), say("normal"), say("force (N)"),
       this.terms.word("from the normal", "friction cone"),
     ];
   }
@@ -60,7 +61,7 @@ export class ForcesPanel extends Panel {
       cells: [
         lengthText(reaction.x_m, unit), lengthText(reaction.y_m, unit),
         certainText(reaction.share_x, 4), certainText(reaction.share_y, 4), certainDigits(size, 5),
-        cone?.angle === null || cone === undefined ? "—" : cone.angle.toFixed(2) + "°",
+        cone?.angle === null || cone === undefined ? "—" : numeral(cone.angle.toFixed(2)) + "°",
       ],
     };
   }
@@ -69,13 +70,13 @@ export class ForcesPanel extends Panel {
     if (!limit.centre_x_m || !limit.centre_y_m) return null;
     const unit = lengthUnit(this.store);
     const point = pointText(limit.centre_x_m, limit.centre_y_m, unit) + " " + unit.name;
-    return element("p", {}, "Then it " + limit.mechanism + " about the centre of rotation ", element("strong", {}, point), ".");
+    return element("p", {}, parts("Then it %s about the centre of rotation %s.", say(limit.mechanism), element("strong", {}, point)));
   }
 }
 
 function noForces(limit) {
-  if (limit === undefined) return "The scene gives no friction angle: contact forces are not judged.";
-  return "There is no limit to show: " + limit.mechanism + ".";
+  if (limit === undefined) return say("The scene gives no friction angle: contact forces are not judged.");
+  return say("There is no limit to show: %s.", say(limit.mechanism));
 }
 
 /** What can begin at the scene's own tilt, with its accelerations. */
@@ -85,10 +86,10 @@ function motions(theCase) {
   return element(
     "section",
     {},
-    element("h4", {}, "What can begin at " + degreesText(theCase.tilt_angle_deg)),
-    table("Motions", ["motion", "along (g)", "normal (g)", "turning (g/m)"], listed.map((motion) => ({
+    element("h4", {}, say("What can begin at %s", degreesText(theCase.tilt_angle_deg))),
+    table(say("Motions"), ["motion", "along (g)", "normal (g)", "turning (g/m)"].map((head) => say(head)), listed.map((motion) => ({
       cells: [
-        motion.mechanism, certainText(motion.acceleration_x_g, 4), certainText(motion.acceleration_y_g, 4),
+        say(motion.mechanism), certainText(motion.acceleration_x_g, 4), certainText(motion.acceleration_y_g, 4),
         certainDigits(motion.angular_g_per_m, 5),
       ],
     }))),

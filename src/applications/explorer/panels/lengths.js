@@ -4,6 +4,7 @@
 /** Lengths of results, which are metres, in the unit of the scene. */
 
 import { certainDigits } from "./certain.js";
+import { between } from "../words/language.js";
 
 const METRES = { mm: 0.001, cm: 0.01, m: 1, km: 1000, in: 0.0254, ft: 0.3048 };
 const DIGITS = 6;
@@ -17,10 +18,10 @@ export function lengthUnit(store) {
 /** @param {import("./certain.js").Bounded|null} metres @param {{name: string, metres: number}} unit */
 export function lengthText(metres, unit) {
   const text = certainDigits(metres, DIGITS, unit.metres);
-  return text.includes(".") && !text.includes(" ") ? text.replace(/\.?0+$/, "") : text;
+  return /\d[.,]\d/.test(text) && !text.includes(" ") ? text.replace(/[.,]?0+$/, "") : text;
 }
 
 /** @param {any} x @param {any} y @param {{name: string, metres: number}} unit */
 export function pointText(x, y, unit) {
-  return "(" + lengthText(x, unit) + ", " + lengthText(y, unit) + ")";
+  return "(" + lengthText(x, unit) + between + lengthText(y, unit) + ")";
 }

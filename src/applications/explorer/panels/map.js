@@ -17,6 +17,7 @@ import { MapGrid } from "./map_grid.js";
 import { TILT, sceneNumbers, sweepable, usualRange } from "./numbers.js";
 import { Panel } from "./panel.js";
 import { COLOUR_CLASS } from "./words.js";
+import { numeral, parts, say } from "../words/language.js";
 
 /** Points along each side: 200 cells. */
 const POINTS = 201;
@@ -43,7 +44,7 @@ export class MapPanel extends Panel {
     this.legend = element("p", { class: "legend" });
     const room = element("div", {});
     this.body.append(
-      element("p", { class: "choices" }, this.xMenu, " across, ", this.yMenu, " upwards, ", this.towardsMenu),
+      element("p", { class: "choices" }, parts("%s across, %s upwards, %s", this.xMenu, this.yMenu, this.towardsMenu)),
       room, this.there, this.legend, this.told,
     );
     this.figure = new MapFigure(room, {
@@ -92,7 +93,7 @@ export class MapPanel extends Panel {
   #choose() {
     const chosen = [this.xMenu, this.yMenu].map((menu) => this.numbers.find(({ key }) => key === menu.value));
     if (chosen.includes(undefined) || chosen[0] === chosen[1]) {
-      this.told.textContent = "Two different numbers span a map.";
+      this.told.textContent = say("Two different numbers span a map.");
       return;
     }
     [this.x, this.y] = chosen;
@@ -141,26 +142,26 @@ export class MapPanel extends Panel {
     this.legend.replaceChildren(
       ...KINDS.map((name, kind) =>
         there.has(kind) && kind > 0
-          ? element("span", { class: "key" }, element("span", { class: "swatch " + (COLOUR_CLASS[name] ?? "undecided") }), name + " ")
+          ? element("span", { class: "key" }, element("span", { class: "swatch " + (COLOUR_CLASS[name] ?? "undecided") }), say(name) + " ")
           : "",
       ),
     );
-    const what = [this.x.key, this.y.key].includes(TILT) ? "The verdict at each tilt. " : "The first motion as the table is tilted. ";
-    this.points = what + (POINTS - 1) + " × " + (POINTS - 1) + " cells in " + (milliseconds / 1000).toFixed(2) + " s: " + grid.count +
-      " points solved, the others lie in cells whose solved points agree.";
+    const what = [this.x.key, this.y.key].includes(TILT) ? say("The verdict at each tilt.") : say("The first motion as the table is tilted.");
+    this.points = what + " " + say("%s × %s cells in %s s: %s points solved, the others lie in cells whose solved points agree.", POINTS - 1, POINTS - 1,
+      numeral((milliseconds / 1000).toFixed(2)), grid.count);
     this.told.textContent = this.points;
     this.told.dataset.milliseconds = milliseconds.toFixed(0);
   }
 
   async #borders(current, files, signal) {
-    this.told.textContent = this.points + " Proven borders are being found …";
+    this.told.textContent = this.points + " " + say("Proven borders are being found …");
     const side = ({ key }, { from, to }) => (key === TILT ? "tilt" : key) + "=" + from + ":" + to;
     const args = ["chart", "map", "--json", this.store.argument, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1])];
     if (![this.x.key, this.y.key].includes(TILT)) args.push("--any-tilt");
     const answer = await this.background.run(args, files, { timeoutMs: BORDERS_MAX_MS, signal });
     if (!current()) return;
     if (answer.out !== "") this.figure.setBorders(JSON.parse(answer.out).series);
-    this.told.textContent = this.points + (answer.out === "" ? " No borders: " + answer.err.trim() : " Lines are proven: roots, not points.");
+    this.told.textContent = this.points + " " + (answer.out === "" ? say("No borders: %s", answer.err.trim()) : say("Lines are proven: roots, not points."));
   }
 
   /** What the plane says under the pointer. */
@@ -168,8 +169,8 @@ export class MapPanel extends Panel {
     if (this.grid === undefined || this.axes === undefined) return;
     const at = (value, { from, to }) => Math.round(((value - from) / (to - from)) * (POINTS - 1));
     const kind = this.grid.kinds[at(y, this.axes[1]) * POINTS + at(x, this.axes[0])];
-    const named = (number, value) => (number.key === TILT ? "tilt" : number.key) + " " + shortNumber(Number(value.toPrecision(3)));
-    this.there.textContent = named(this.x, x) + ", " + named(this.y, y) + ": " + (KINDS[kind] || "…");
+    const named = (number, value) => (number.key === TILT ? say("tilt") : number.key) + " " + shortNumber(Number(value.toPrecision(3)));
+    this.there.textContent = named(this.x, x) + ", " + named(this.y, y) + ": " + (say(KINDS[kind]) || "…");
   }
 
   #colour(kind) {
@@ -208,11 +209,11 @@ function holding({ from, to }, value) {
 }
 
 function axisName({ key }) {
-  return key === TILT ? "tilt α (degrees)" : key;
+  return key === TILT ? say("tilt α (degrees)") : key;
 }
 
 function fillMenu(menu, names, usual) {
   const chosen = names.includes(menu.value) ? menu.value : usual;
-  menu.replaceChildren(...names.map((name) => element("option", { value: name }, name === TILT ? "the tilt" : name)));
+  menu.replaceChildren(...names.map((name) => element("option", { value: name }, name === TILT ? say("the tilt") : say(name))));
   menu.value = chosen;
 }

@@ -8,6 +8,7 @@
 
 import { element, refill, svgElement } from "./element.js";
 import { shortNumber } from "./chart.js";
+import { say } from "../words/language.js";
 
 const SIDE = 1000;
 const ROOM = { left: 150, bottom: 130, top: 20, right: 40 };
@@ -93,7 +94,7 @@ export class MapFigure {
           {},
           svgElement("path", { class: "line " + name.replaceAll(" ", "-") + (contour ? " contour" : ""), d: data.join("") }),
           contour ? this.#contourText(points, of) : null,
-          svgElement("title", {}, name + (of ? ": " + of + (contour ? "°" : "") : "")),
+          svgElement("title", {}, say(name) + (of ? ": " + say(of) + (contour ? "°" : "") : "")),
         );
       }),
     );

@@ -7,6 +7,7 @@
  */
 
 import { element } from "./element.js";
+import { say } from "../words/language.js";
 
 /**
  * @typedef {object} Context
@@ -82,14 +83,14 @@ export class Panel {
     this.place.classList.toggle("outdated", problem !== null);
     this.stale.hidden = problem === null;
     if (problem !== null) {
-      this.stale.textContent = "The scene has no answer now, see its message" + (this.#drawn ? "; this is the last one." : ".");
+      this.stale.textContent = say(this.#drawn ? "The scene has no answer now, see its message; this is the last one." : "The scene has no answer now, see its message.");
     }
     if (solution === null || solution === this.#drawn) return;
     this.#drawn = solution;
     this.body.hidden = !this.takes.includes(solution.kind);
     if (this.body.hidden) {
       this.stale.hidden = false;
-      this.stale.textContent = "This is of scenes of one block; what was found of this one stands under Verdict.";
+      this.stale.textContent = say("This is of scenes of one block; what was found of this one stands under Verdict.");
       return;
     }
     this.place.dataset.scene = this.store.name;

@@ -19,6 +19,7 @@ import { Tour } from "../tour/tour.js";
 import { VerdictPanel } from "./verdict.js";
 import { VerifyPanel } from "./verify.js";
 import { TextPanel } from "../page/text_panel.js";
+import { say } from "../words/language.js";
 
 const RESULTS = [
   { id: "verdict", title: "Verdict", Panel: VerdictPanel },
@@ -30,7 +31,7 @@ class ResultsPanel {
   constructor(place, context) {
     for (const { id, title, Panel } of RESULTS) {
       const body = element("div", {});
-      const section = element("div", { id: "panel-" + id }, element("h2", {}, title), body);
+      const section = element("div", { id: "panel-" + id }, element("h2", {}, say(title)), body);
       place.append(section);
       const panel = new Panel(body, context);
       panel.show();
@@ -69,7 +70,7 @@ export function addPanels(place, tourBegin, { store, core, background, menu }) {
   place.append(tourPlace);
   const sheets = element("div", { class: "panel" });
   place.append(sheets);
-  const tabs = new Tabs(sheets, IN_TABS.map(({ id, title, Panel }) => ({ id, title, make: (sheet) => new Panel(sheet, context) })));
+  const tabs = new Tabs(sheets, IN_TABS.map(({ id, title, Panel }) => ({ id, title: say(title), make: (sheet) => new Panel(sheet, context) })));
   const text = tabs.panel("text");
   tabs.open("results");
   new Tour(tourPlace, tourBegin, { store, core, menu, tabs });

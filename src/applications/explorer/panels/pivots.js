@@ -8,6 +8,7 @@ import { degreesText, fosText } from "./certain.js";
 import { lengthText, lengthUnit } from "./lengths.js";
 import { Panel } from "./panel.js";
 import { directionText } from "./words.js";
+import { say } from "../words/language.js";
 
 /** More rows than this are for files, not for a page. */
 const ROWS_MAX = 200;
@@ -32,20 +33,20 @@ export class PivotsPanel extends Panel {
       "section",
       { "data-towards": theCase.towards },
       element("h3", {}, directionText(theCase, null)),
-      table("Candidate pivots", heads, listed.map((pivot) => ({
+      table(say("Candidate pivots"), heads, listed.map((pivot) => ({
         marked: pivot.index === governs,
         cells: [
-          [pivot.index + 1 + " ", EXPLAINED.has(pivot.kind) ? this.terms.word(pivot.kind) : pivot.kind],
+          [pivot.index + 1 + " ", EXPLAINED.has(pivot.kind) ? this.terms.word(pivot.kind) : say(pivot.kind)],
           lengthText(pivot.x_m, unit),
           lengthText(pivot.y_m, unit),
-          pivot.critical_angle_deg === null ? (pivot.critical_angle_is ?? "—") : degreesText(pivot.critical_angle_deg),
+          pivot.critical_angle_deg === null ? say(pivot.critical_angle_is ?? "—") : degreesText(pivot.critical_angle_deg),
           factorText(pivot.fos, pivot.fos_is),
           factorText(pivot.fos_elements, pivot.fos_elements_is),
-          pivot.index === governs ? "governs" : pivot.admissible ? "free" : "blocked",
+          say(pivot.index === governs ? "governs" : pivot.admissible ? "free" : "blocked"),
         ],
       }))),
       theCase.pivot_count > listed.length
-        ? element("p", {}, listed.length + " of " + theCase.pivot_count + " candidates are listed.")
+        ? element("p", {}, say("%s of %s candidates are listed.", listed.length, theCase.pivot_count))
         : null,
     );
   }
@@ -53,5 +54,5 @@ export class PivotsPanel extends Panel {
 
 function factorText(fos, is) {
   if (fos) return fosText(fos);
-  return is === undefined ? "—" : is.split(":")[0];
+  return is === undefined ? "—" : say(is.split(":")[0]);
 }

@@ -9,6 +9,7 @@
 import { element } from "./element.js";
 import { offer } from "../page/offer.js";
 import { Panel } from "./panel.js";
+import { language, say } from "../words/language.js";
 
 const WRITE_MAX_MS = 60_000;
 
@@ -34,8 +35,8 @@ export class ReportPanel extends Panel {
     this.told = element("p", { class: "told", role: "status" });
     this.text = element("pre", { class: "wide", tabindex: 0, "aria-label": "Report of the command line" });
     this.body.append(
-      element("p", { class: "choices" }, FILES.map((file) => element("button", { type: "button", onclick: () => this.write(file) }, file.label)),
-        element("button", { type: "button", onclick: () => this.#json() }, "Solution, JSON")),
+      element("p", { class: "choices" }, FILES.map((file) => element("button", { type: "button", onclick: () => this.write(file) }, say(file.label))),
+        element("button", { type: "button", onclick: () => this.#json() }, say("Solution, JSON"))),
       this.told, this.text,
     );
   }
@@ -53,17 +54,23 @@ export class ReportPanel extends Panel {
   /** @param {typeof FILES[number]} file */
   async write({ label, option, ending, type }) {
     const name = this.store.name.replace(/\.[^.]*$/, "") + "." + ending;
-    this.told.textContent = label + " …";
+    this.told.textContent = say(label) + " …";
     try {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
-      const answer = await this.background.run(["solve", "--quiet", option, name, this.store.argument], this.files(), options);
+      const answer = await this.background.run(["solve", "--quiet", option, name, ...this.#inLanguage(option), this.store.argument], this.files(), options);
       const written = answer.files[name];
-      if (written === undefined) throw new Error(answer.err.trim() || "nothing was written");
+      if (written === undefined) throw new Error(answer.err.trim() || say("nothing was written"));
       offer(name, written, type);
-      this.told.textContent = label + ": " + name + ", the bytes that the command line writes.";
+      this.told.textContent = say("%s: %s, the bytes that the command line writes.", say(label), name);
     } catch (error) {
-      this.told.textContent = label + ": " + error.message;
+      this.told.textContent = say(label) + ": " + error.message;
     }
+  }
+
+  /** The sheet of a scene that names no language is in that of the page. */
+  #inLanguage(option) {
+    const own = this.store.parsed.scalar(["report", "language"]);
+    return option === "--report" && own === null && language !== "en" ? ["--language", language] : [];
   }
 
   #json() {

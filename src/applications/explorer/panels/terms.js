@@ -8,6 +8,7 @@
 
 import { element } from "./element.js";
 import { readExplanation } from "./explanation.js";
+import { say } from "../words/language.js";
 
 const EXPLAIN_MAX_MS = 5000;
 
@@ -39,7 +40,7 @@ export class Terms {
         type: "button", class: "term", "aria-describedby": "explanation",
         onmouseenter: show, onfocus: show, onclick: show, onmouseleave: hide, onblur: hide,
       },
-      shown,
+      say(shown),
     );
   }
 

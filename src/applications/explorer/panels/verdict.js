@@ -13,6 +13,7 @@ import { otherReport } from "./other_report.js";
 import { Panel } from "./panel.js";
 import { windowGauge } from "./window_gauge.js";
 import { COLOUR_CLASS, againstText, definitionText, directionText, sentence, termOfDefinition } from "./words.js";
+import { parts, say } from "../words/language.js";
 
 /** Who listens is told when it has been still for so long, milliseconds. */
 const STILL = 600;
@@ -38,9 +39,9 @@ export class VerdictPanel extends Panel {
     this.body.replaceChildren(
       ...solution.cases.map((each) => this.#direction(each)),
       ...solution.notes.map((note) =>
-        element("p", { class: "note " + note.kind }, element("strong", {}, sentence(note.kind) + ": "), note.text),
+        element("p", { class: "note " + note.kind }, element("strong", {}, sentence(say(note.kind)) + ": "), note.text),
       ),
-      element("p", { class: "told" }, "Certain to every digit printed; by ", this.terms.word("level"), ": " + solution.level + "."),
+      element("p", { class: "told" }, parts("Certain to every digit printed; by %s: %s.", this.terms.word("level"), say(solution.level))),
     );
     clearTimeout(this.#told);
     this.#told = setTimeout(() => {
@@ -57,9 +58,8 @@ export class VerdictPanel extends Panel {
       element(
         "p",
         { class: "verdict " + kind },
-        this.terms.word(sentence(theCase.mechanism), theCase.mechanism),
-        theCase.tilt_angle_deg ? " at " + degreesText(theCase.tilt_angle_deg) : " first, as the table is tilted",
-        theCase.falls_backwards ? ", up-dip" : "",
+        this.#does(theCase),
+        theCase.falls_backwards ? ", " + say("up-dip") : "",
       ),
       this.#governing(theCase),
       windowGauge(theCase),
@@ -68,19 +68,24 @@ export class VerdictPanel extends Panel {
     );
   }
 
+  #does(theCase) {
+    const word = this.terms.word(sentence(say(theCase.mechanism)), theCase.mechanism);
+    return theCase.tilt_angle_deg ? parts("%s at %s", word, degreesText(theCase.tilt_angle_deg)) : parts("%s first, as the table is tilted", word);
+  }
+
   #governing(theCase) {
     const governing = theCase.governing_fos;
     if (governing === undefined) return null;
     if (governing.fos === null) {
-      return element("p", { class: "fos" }, this.terms.word("FoS"), " " + (governing.fos_is ?? "none"));
+      return element("p", { class: "fos" }, this.terms.word("FoS"), " " + say(governing.fos_is ?? "none"));
     }
     return element(
       "p",
       { class: "fos" },
       this.terms.word("FoS"),
-      governing.complete ? " " : " at most ",
+      governing.complete ? " " : " " + say("at most") + " ",
       element("strong", { "data-number": "governing_fos" }, fosText(governing.fos)),
-      " against " + againstText(governing.mechanism) + " (",
+      " " + say("against %s", againstText(governing.mechanism)) + " (",
       this.terms.word(governing.definition, termOfDefinition(governing.definition)),
       ")",
       element("span", { class: "definition" }, definitionText(governing.definition, theCase)),
@@ -94,9 +99,8 @@ export class VerdictPanel extends Panel {
       return element(
         "p",
         {},
-        "Without a friction angle only toppling is judged: by moments it ",
-        element("em", {}, theCase.toppling ? "topples at " + degreesText(theCase.toppling.critical_angle_deg) : "cannot turn"),
-        ".",
+        parts("Without a friction angle only toppling is judged: by moments it %s.",
+          element("em", {}, theCase.toppling ? say("topples at %s", degreesText(theCase.toppling.critical_angle_deg)) : say("cannot turn"))),
       );
     }
     return element(
@@ -106,7 +110,7 @@ export class VerdictPanel extends Panel {
       row(this.terms.word("Certain to move", "static limit"), limitText(limit), "limit"),
       first.margin_deg ? row(this.terms.word("Margin", "margin"), degreesText(first.margin_deg), "margin") : null,
       onset.below_limit === true
-        ? row(this.terms.word("Between", "history"), "depends on loading history: locked-in forces may or may not hold it", "history")
+        ? row(this.terms.word("Between", "history"), say("depends on loading history: locked-in forces may or may not hold it"), "history")
         : null,
       this.#motion(limit),
     );
@@ -116,7 +120,7 @@ export class VerdictPanel extends Panel {
     if (limit.centre_x_m === null || limit.centre_x_m === undefined) return null;
     const unit = lengthUnit(this.store);
     const about = pointText(limit.centre_x_m, limit.centre_y_m, unit) + " " + unit.name;
-    return row(this.terms.word("Then it", "mechanism"), [this.terms.word(limit.mechanism), " about " + about], "centre");
+    return row(this.terms.word("Then it", "mechanism"), parts("%s about %s", this.terms.word(limit.mechanism), about), "centre");
   }
 
   /** A limit that depends on where the base ends is never left open. */
@@ -127,11 +131,12 @@ export class VerdictPanel extends Panel {
     return element(
       "p",
       { class: "base-matters" },
-      "On this base, which " + (goesOn ? "extends past" : "ends at") + " the ", this.terms.word("toe"), ", it is held up to ",
-      element("strong", {}, degreesText(limit.critical_angle_deg)),
-      "; on one that " + (goesOn ? "ends at" : "extends past") + " the toe it ", this.terms.word(limit.otherwise.mechanism), " at ",
-      element("strong", { "data-number": "otherwise" }, degreesText(limit.otherwise.critical_angle_deg)),
-      ".",
+      parts(
+        goesOn ? "On this base, which extends past the %s, it is held up to %s; on one that ends at the toe it %s at %s."
+          : "On this base, which ends at the %s, it is held up to %s; on one that extends past the toe it %s at %s.",
+        this.terms.word("toe"), element("strong", {}, degreesText(limit.critical_angle_deg)), this.terms.word(limit.otherwise.mechanism),
+        element("strong", { "data-number": "otherwise" }, degreesText(limit.otherwise.critical_angle_deg)),
+      ),
     );
   }
 }
@@ -147,22 +152,22 @@ function tiltText(theCase) {
 
 function onsetText(onset) {
   const words = {
-    never: "at every tilt: no motion can begin",
-    nowhere: "at no tilt: a motion can begin on level ground",
-    undecided: onset.too_dear === true ? "undecided: the proof exceeds the work allowed" : "undecided",
+    never: say("at every tilt: no motion can begin"),
+    nowhere: say("at no tilt: a motion can begin on level ground"),
+    undecided: onset.too_dear === true ? say("undecided: the proof exceeds the work allowed") : say("undecided"),
   };
-  return words[onset.kind] ?? ["up to ", alpha("s"), " = " + degreesText(onset.critical_angle_deg) + ", then it " + onset.mechanism];
+  return words[onset.kind] ?? parts("up to %s = %s, then it %s", element("span", {}, alpha("s")), degreesText(onset.critical_angle_deg), say(onset.mechanism));
 }
 
 function limitText(limit) {
-  if (limit.critical_angle_deg === null) return limit.mechanism;
-  return ["beyond ", alpha("w"), " = " + degreesText(limit.critical_angle_deg)];
+  if (limit.critical_angle_deg === null) return say(limit.mechanism);
+  return parts("beyond %s = %s", element("span", {}, alpha("w")), degreesText(limit.critical_angle_deg));
 }
 
 function spoken(theCase) {
   const tilt = tiltText(theCase);
   const fos = theCase.governing_fos?.fos;
   return (
-    directionText(theCase, tilt) + ": " + theCase.mechanism + (fos ? ", factor of safety " + fosText(fos) : "") + "."
+    directionText(theCase, tilt) + ": " + say(theCase.mechanism) + (fos ? ", " + say("factor of safety %s", fosText(fos)) : "") + "."
   );
 }

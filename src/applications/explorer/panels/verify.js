@@ -7,9 +7,10 @@
  */
 
 import { element, mathElement } from "./element.js";
-import { boundText, certainText } from "./certain.js";
+import { boundText, certainText, plainText } from "./certain.js";
 import { formula } from "./mathml.js";
 import { Panel } from "./panel.js";
+import { numeral, parts, say } from "../words/language.js";
 
 const VERIFY_MAX_MS = 60_000;
 const CLAIMS = "claim_typed_in.yaml";
@@ -42,7 +43,7 @@ export class VerifyPanel extends Panel {
     super(place, context);
     this.quantity = element(
       "select", { "aria-label": "What the formula is of" },
-      Object.entries(QUANTITIES).map(([value, text]) => element("option", { value }, text)),
+      Object.entries(QUANTITIES).map(([value, text]) => element("option", { value }, say(text))),
     );
     this.towards = element("select", { "aria-label": "Direction of tilt" });
     this.printed = element("input", {
@@ -52,12 +53,11 @@ export class VerifyPanel extends Panel {
     const form = element(
       "form",
       { onsubmit: (event) => (event.preventDefault(), this.verify()) },
-      element("p", { class: "choices" }, "The ", this.quantity, ", tilted towards the ", this.towards, ", is"),
-      element("p", { class: "choices" }, this.printed, " ", element("button", { type: "submit" }, "Verify")),
+      element("p", { class: "choices" }, parts("The %s, tilted towards the %s, is", this.quantity, this.towards)),
+      element("p", { class: "choices" }, this.printed, " ", element("button", { type: "submit" }, say("Verify"))),
       element(
         "p", { class: "told" },
-        "As papers write: 27ab, sin α, tan^-1((27ab + 13ac)/(9b^2 + 18bc + 6c^2)); parameters of the scene, alpha the tilt, " +
-          "angles in degrees; or a number, as 35.2.",
+        say("As papers write: 27ab, sin α, tan^-1((27ab + 13ac)/(9b^2 + 18bc + 6c^2)); parameters of the scene, alpha the tilt, angles in degrees; or a number, as 35.2."),
       ),
     );
     this.body.append(form, this.verdict);
@@ -66,12 +66,12 @@ export class VerifyPanel extends Panel {
   draw(solution) {
     const chosen = this.towards.value;
     const directions = solution.cases.map(({ towards }) => towards);
-    this.towards.replaceChildren(...directions.map((towards) => element("option", { value: towards }, towards)));
+    this.towards.replaceChildren(...directions.map((towards) => element("option", { value: towards }, say(towards))));
     this.towards.value = directions.includes(chosen) ? chosen : directions[0];
     if (this.#filled) return;
     this.#filled = true;
     const angle = solution.cases[0].toppling?.critical_angle_deg;
-    if (angle) this.printed.value = certainText(angle, 1);
+    if (angle) this.printed.value = plainText(angle, 1);
   }
 
   async verify() {
@@ -99,18 +99,18 @@ export class VerifyPanel extends Panel {
   #show(claim) {
     const good = ["proven", "agrees", "truncated"].includes(claim.verdict);
     const rows = [];
-    const add = (label, ...what) => rows.push(element("dt", {}, label), element("dd", {}, what));
+    const add = (label, ...what) => rows.push(element("dt", {}, say(label)), element("dd", {}, what));
     if (typeof claim.computed === "string") add(claim.of_tangents ? "its tangent is" : "it is", typeset(claim.computed));
-    else if (claim.computed) add("it is", certainText(claim.computed, 9) + ", within " + boundText(claim.computed.error));
+    else if (claim.computed) add("it is", say("%s, within %s", certainText(claim.computed, 9), numeral(boundText(claim.computed.error))));
     if (claim.difference) add(claim.of_tangents ? "printed less derived, of tangents" : "printed less derived", typeset(claim.difference));
     if (claim.at && claim.printed_there) {
-      add("at " + claim.at, "printed " + certainText(claim.printed_there, 6) + ", derived " + certainText(claim.computed_there, 6));
+      add(say("at %s", claim.at), say("printed %s, derived %s", certainText(claim.printed_there, 6), certainText(claim.computed_there, 6)));
     }
     if (claim.mend) add("mended", element("code", {}, claim.mend), claim.change ? " (" + claim.change + ")" : "");
-    if (claim.digits) add("equal", "to " + claim.digits + " digits at " + claim.points + " points, which is no proof");
+    if (claim.digits) add("equal", say("to %s digits at %s points, which is no proof", claim.digits, claim.points));
     if (claim.condition) add("but", claim.condition);
     this.#tell(
-      element("p", { class: "verdict " + (good ? "stands" : claim.verdict === "undecided" ? "undecided" : "topples") }, element("strong", {}, claim.verdict)),
+      element("p", { class: "verdict " + (good ? "stands" : claim.verdict === "undecided" ? "undecided" : "topples") }, element("strong", {}, say(claim.verdict))),
       element("dl", { class: "numbers" }, rows),
     );
   }

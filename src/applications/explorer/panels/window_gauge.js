@@ -8,6 +8,7 @@
 
 import { svgElement } from "./element.js";
 import { degreesText } from "./certain.js";
+import { numeral, say } from "../words/language.js";
 
 const WIDTH = 360;
 const TOP = 18;
@@ -56,7 +57,7 @@ export function windowGauge(theCase) {
   if (parts.length === 0) return null;
   const tilt = theCase.tilt_angle_deg ?? null;
   const words = { stands: "certain to stand", "may-move": "depends on history", moves: "certain to move" };
-  const told = parts.map((part) => words[part.kind] + " from " + part.from.toFixed(1) + "° to " + part.to.toFixed(1) + "°");
+  const told = parts.map((part) => say("%s from %s to %s", say(words[part.kind]), ...[part.from, part.to].map((each) => numeral(each.toFixed(1)) + "°")));
   return svgElement(
     "svg",
     { class: "gauge", viewBox: "-14 0 " + (WIDTH + 28) + " 52", role: "img", "aria-label": told.join("; ") },
@@ -77,7 +78,7 @@ export function windowGauge(theCase) {
           { class: "present", transform: "translate(" + along(tilt.value) + " 0)" },
           svgElement("path", { d: "M-5 6L5 6L0 14Z" }),
           svgElement("line", { x1: 0, x2: 0, y1: 12, y2: TOP + HEIGHT }),
-          svgElement("title", {}, "the scene's tilt, " + degreesText(tilt)),
+          svgElement("title", {}, say("the scene's tilt") + ", " + degreesText(tilt)),
         ),
   );
 }

@@ -3,19 +3,21 @@
 
 /** The words of results: those of the JSON itself, and what the reports of the command line say for them. */
 
+import { say } from "../words/language.js";
+
 /** What a factor of safety of each definition is the quotient of. */
 const DEFINITIONS = {
-  moments: "moments: stabilising over overturning",
-  "shear strength": "shear strength on the facet: tan φ/tan(α−i)",
-  "shear strength with roughness": "shear strength, mean plane: tan(φ+i)/tan α",
-  "strength reduction": "strength reduction, by contact forces",
-  "tilt": "tilt: tan α of the onset over tan α",
+  moments: say("moments: stabilising over overturning"),
+  "shear strength": say("shear strength on the facet: tan φ/tan(α−i)"),
+  "shear strength with roughness": say("shear strength, mean plane: tan(φ+i)/tan α"),
+  "strength reduction": say("strength reduction, by contact forces"),
+  "tilt": say("tilt: tan α of the onset over tan α"),
 };
 
 /** Under loads no angle alone says it. */
 const DEFINITIONS_UNDER_LOADS = {
   ...DEFINITIONS,
-  "shear strength": "shear strength on the facet, under loads",
+  "shear strength": say("shear strength on the facet, under loads"),
 };
 
 const AGAINST = {
@@ -59,7 +61,7 @@ export function termOfDefinition(definition) {
 
 /** @param {string|null} mechanism */
 export function againstText(mechanism) {
-  return AGAINST[mechanism] ?? mechanism ?? "";
+  return say(AGAINST[mechanism] ?? mechanism ?? "");
 }
 
 /** @param {string} text */
@@ -69,5 +71,6 @@ export function sentence(text) {
 
 /** As reports head a direction of tilt. @param {any} theCase @param {string|null} tilt as text, with its unit */
 export function directionText(theCase, tilt) {
-  return "Tilted towards the " + theCase.towards + (tilt === null ? "" : " by " + tilt);
+  const tilted = say("Tilted towards the " + theCase.towards);
+  return tilt === null ? tilted : say("%s by %s", tilted, tilt);
 }

@@ -8,6 +8,7 @@
 
 import { degreesText, fosText } from "../panels/certain.js";
 import { againstText } from "../panels/words.js";
+import { say } from "../words/language.js";
 
 /**
  * @typedef {object} Step
@@ -29,144 +30,134 @@ const beyond = (text) => ({ path: ["base", "beyond", "left"], text });
 /** @type {Step[]} */
 export const STEPS = [
   {
-    title: "A slab",
+    title: say("A slab"),
     example: "slab_left.yaml",
     tab: "curves",
     says: [
-      "A block topples about its toe when its weight passes it. This slab is half as wide as high, so that happens at " +
-        "arctan ½ = 26.565°; below that, the factor of safety is the stabilising over the overturning moment, tan 26.565° / tan α.",
-      "Drag the handle of the tilt, or try these.",
+      say("A block topples about its toe when its weight passes it. This slab is half as wide as high, so that happens at arctan ½ = 26.565°; below that, the factor of safety is the stabilising over the overturning moment, tan 26.565° / tan α."),
+      say("Drag the handle of the tilt, or try these."),
     ],
     tries: [
-      { label: "Tilt it by 20°", numbers: [tilt("20")] },
-      { label: "by 26°", numbers: [tilt("26")] },
-      { label: "by 27°", numbers: [tilt("27")] },
+      { label: say("Tilt it by 20°"), numbers: [tilt("20")] },
+      { label: say("by 26°"), numbers: [tilt("26")] },
+      { label: say("by 27°"), numbers: [tilt("27")] },
     ],
     finds: (solution) => {
       const { tilt_angle_deg: at, mechanism, governing_fos: governing } = solution.cases[0];
-      if (!at) return "It topples at " + degreesText(solution.cases[0].toppling?.critical_angle_deg) + ".";
-      const factor = governing.fos ? " with a factor of safety of " + fosText(governing.fos) + " against " + againstText(governing.mechanism) : "";
-      return "At " + degreesText(at) + " it " + mechanism + factor + ".";
+      if (!at) return say("It topples at %s.", degreesText(solution.cases[0].toppling?.critical_angle_deg));
+      if (!governing.fos) return say("At %s it %s.", degreesText(at), say(mechanism));
+      return say("At %s it %s with a factor of safety of %s against %s.", degreesText(at), say(mechanism), fosText(governing.fos), againstText(governing.mechanism));
     },
   },
   {
-    title: "Teeth",
+    title: say("Teeth"),
     example: "block_a_peak.yaml",
     tab: "pivots",
     says: [
-      "Now the base is rough: block A of the paper by Alejano and others stands on three teeth. It cannot turn about every " +
-        "vertex: about some, another tooth is in the way. Pivots that are free and those that are blocked stand in the table.",
-      "Tilted one way its toe is a peak of the underside, the other way a valley; the height of its centroid over that decides.",
+      say("Now the base is rough: block A of the paper by Alejano and others stands on three teeth. It cannot turn about every vertex: about some, another tooth is in the way. Pivots that are free and those that are blocked stand in the table."),
+      say("Tilted one way its toe is a peak of the underside, the other way a valley; the height of its centroid over that decides."),
     ],
     tries: [
-      { label: "Towards its peak", example: "block_a_peak.yaml" },
-      { label: "Towards its valley", example: "block_a_valley.yaml" },
+      { label: say("Towards its peak"), example: "block_a_peak.yaml" },
+      { label: say("Towards its valley"), example: "block_a_valley.yaml" },
     ],
     finds: (solution) => {
       const { pivots, toppling } = solution.cases[0];
       if (!toppling) return null;
       const free = pivots.filter(({ admissible }) => admissible).length;
-      return "By moments it topples about its " + pivots[toppling.pivot].kind + " at " + degreesText(toppling.critical_angle_deg) +
-        "; " + free + " of " + pivots.length + " pivots " + (free === 1 ? "is" : "are") + " free.";
+      return say("By moments it topples about its %s at %s; pivots that are free: %s of %s.", say(pivots[toppling.pivot].kind),
+        degreesText(toppling.critical_angle_deg), free, pivots.length);
     },
   },
   {
-    title: "Table 3",
+    title: say("Table 3"),
     example: "block_a_valley.yaml",
     tab: "pivots",
     table: true,
     says: [
-      "The paper's Table 3 has such angles for seven blocks. Each row below is solved here and now, from the example of " +
-        "its name: the angle by moments agrees with the printed one.",
-      "But moments do not ask whether friction can hold the toe. Contact forces do, and some blocks move earlier: the " +
-        "marked rows.",
+      say("The paper's Table 3 has such angles for seven blocks. Each row below is solved here and now, from the example of its name: the angle by moments agrees with the printed one."),
+      say("But moments do not ask whether friction can hold the toe. Contact forces do, and some blocks move earlier: the marked rows."),
     ],
     tries: [],
     finds: () => null,
   },
   {
-    title: "Block E's puzzle",
+    title: say("Block E's puzzle"),
     example: "block_e_valley.yaml",
     tab: "forces",
     says: [
-      "Block E towards its valley: the formula says 35.2°, and the paper saw it slide long before. Why?",
-      "At 35.2° all of its weight would rest on the toe. The facet there falls away down-dip, and friction on it is exhausted at " +
-        "φ − 9.5°. So the next facet has to carry a share; the two forces below are the last that can hold it, each at the " +
-        "edge of its friction cone.",
+      say("Block E towards its valley: the formula says 35.2°, and the paper saw it slide long before. Why?"),
+      say("At 35.2° all of its weight would rest on the toe. The facet there falls away down-dip, and friction on it is exhausted at φ − 9.5°. So the next facet has to carry a share; the two forces below are the last that can hold it, each at the edge of its friction cone."),
     ],
-    tries: [{ label: "Tilt it by 28.7°", numbers: [tilt("28.7")] }, { label: "by 28.8°", numbers: [tilt("28.8")] }],
+    tries: [{ label: say("Tilt it by 28.7°"), numbers: [tilt("28.7")] }, { label: say("by 28.8°"), numbers: [tilt("28.8")] }],
     finds: (solution) => {
       const { limit, toppling, toe } = solution.cases[0];
       if (!limit?.critical_angle_deg || !toppling) return null;
-      return "Moments alone give " + degreesText(toppling.critical_angle_deg) + ", but the toe can bear all the weight up to " +
-        degreesText(toe.limit_angle_deg) + " only: it begins to move at " + degreesText(limit.critical_angle_deg) + " and " + limit.mechanism + ".";
+      return say("Moments alone give %s, but the toe can bear all the weight up to %s only: it begins to move at %s and %s.",
+        degreesText(toppling.critical_angle_deg), degreesText(toe.limit_angle_deg), degreesText(limit.critical_angle_deg), say(limit.mechanism));
     },
   },
   {
-    title: "A base that goes on",
+    title: say("A base that goes on"),
     example: "block_e_valley.yaml",
     tab: "forces",
     says: [
-      "The base of step 4 ends at the toe. If it goes on, the block's toe lies in a notch of the rock: the flank of the next " +
-        "tooth stands against it and holds it. Let the base go on by the width of a tooth.",
-      "In the scene that is base: beyond: left. The result depends on where the base ends, so a scene has to state it.",
+      say("The base of step 4 ends at the toe. If it goes on, the block's toe lies in a notch of the rock: the flank of the next tooth stands against it and holds it. Let the base go on by the width of a tooth."),
+      say("In the scene that is base: beyond: left. The result depends on where the base ends, so a scene has to state it."),
     ],
     tries: [
-      { label: "Let the base go on by 30 mm", numbers: [beyond("30")] },
-      { label: "End it at the toe", numbers: [beyond("0")] },
+      { label: say("Let the base go on by 30 mm"), numbers: [beyond("30")] },
+      { label: say("End it at the toe"), numbers: [beyond("0")] },
     ],
     finds: (solution) => {
       const { limit, contact } = solution.cases[0];
       if (!limit?.critical_angle_deg || !contact) return null;
-      const base = limit.base_beyond_toe ? "extends past the toe" : "ends at the toe";
-      return "On a base that " + base + " block E is held up to " + degreesText(limit.critical_angle_deg) + ", then it " + limit.mechanism + ".";
+      const base = say(limit.base_beyond_toe ? "extends past the toe" : "ends at the toe");
+      return say("On a base that %s block E is held up to %s, then it %s.", base, degreesText(limit.critical_angle_deg), say(limit.mechanism));
     },
   },
   {
-    title: "History",
+    title: say("History"),
     example: "block_a_peak.yaml",
     tab: "map",
     across: "friction_angle_deg",
     begins: [tilt("20")],
     says: [
-      "That some forces would hold a block does not mean that they are there. With high friction, block A is certain to " +
-        "stand up to one tilt and to move beyond another; between them it depends on loading history.",
-      "The map shows where: drag the point through it.",
+      say("That some forces would hold a block does not mean that they are there. With high friction, block A is certain to stand up to one tilt and to move beyond another; between them it depends on loading history."),
+      say("The map shows where: drag the point through it."),
     ],
     tries: [
-      { label: "Friction of 30°", numbers: [friction("30")] },
-      { label: "of 60°, tilted by 28°", numbers: [friction("60"), tilt("28")] },
+      { label: say("Friction of 30°"), numbers: [friction("30")] },
+      { label: say("of 60°, tilted by 28°"), numbers: [friction("60"), tilt("28")] },
     ],
     finds: (solution) => {
       const { onset, limit, mechanism, tilt_angle_deg: at } = solution.cases[0];
       if (onset?.kind !== "angle" || !limit?.critical_angle_deg) return null;
-      const there = at ? " At " + degreesText(at) + " it " + mechanism + "." : "";
-      if (!onset.below_limit) return "Both are " + degreesText(onset.critical_angle_deg) + ": loading history has no influence." + there;
-      return "Certain to stand up to " + degreesText(onset.critical_angle_deg) + ", certain to move beyond " +
-        degreesText(limit.critical_angle_deg) + "." + there;
+      const there = at ? " " + say("At %s it %s.", degreesText(at), say(mechanism)) : "";
+      if (!onset.below_limit) return say("Both are %s: loading history has no influence.", degreesText(onset.critical_angle_deg)) + there;
+      return say("Certain to stand up to %s, certain to move beyond %s.", degreesText(onset.critical_angle_deg), degreesText(limit.critical_angle_deg)) + there;
     },
   },
   {
-    title: "An irregular base",
+    title: say("An irregular base"),
     example: "partial_contact.yaml",
     tab: "pivots",
     says: [
-      "No formula is needed: any outline on any profile is solved the same way. Here teeth rest on a base that is worn " +
-        "between them, and touch it on three facets of five.",
-      "Drag a vertex of the base or of the block, or write your own points into the text.",
+      say("No formula is needed: any outline on any profile is solved the same way. Here teeth rest on a base that is worn between them, and touch it on three facets of five."),
+      say("Drag a vertex of the base or of the block, or write your own points into the text."),
     ],
     tries: [
-      { label: "A worn base", example: "partial_contact.yaml" },
-      { label: "A boulder on rough ground", example: "boulder_on_rough_ground.yaml" },
-      { label: "A block set down on uneven ground", example: "resting_block.yaml" },
+      { label: say("A worn base"), example: "partial_contact.yaml" },
+      { label: say("A boulder on rough ground"), example: "boulder_on_rough_ground.yaml" },
+      { label: say("A block set down on uneven ground"), example: "resting_block.yaml" },
     ],
     finds: (solution) => {
       const { contact, first, towards } = solution.cases[0];
-      const points = contact.points > 0 ? contact.points + " points" : "";
-      const facets = contact.facets > 0 ? contact.facets + " facets" : "";
-      const touches = [facets, points].filter((each) => each !== "").join(" and ");
-      const angle = first.critical_angle_deg ? " at " + degreesText(first.critical_angle_deg) : "";
-      return "It touches in " + touches + "; tilted towards the " + towards + " it " + first.mechanism + angle + ".";
+      const points = contact.points > 0 ? say("%s points", contact.points) : "";
+      const facets = contact.facets > 0 ? say("%s facets", contact.facets) : "";
+      const touches = [facets, points].filter((each) => each !== "").join(" " + say("and") + " ");
+      const does = first.critical_angle_deg ? say("%s at %s", say(first.mechanism), degreesText(first.critical_angle_deg)) : say(first.mechanism);
+      return say("It touches in %s; %s it %s.", touches, say("tilted towards the " + towards), does);
     },
   },
 ];

@@ -6,6 +6,7 @@
 import examples from "topple:examples";
 import { element, table } from "../panels/element.js";
 import { degreesText } from "../panels/certain.js";
+import { numeral, say } from "../words/language.js";
 
 const SOLVE_MAX_MS = 15_000;
 
@@ -43,13 +44,13 @@ export async function tableThree(core, open) {
     rows.push({
       marked: earlier,
       cells: [
-        element("button", { type: "button", onclick: () => open(name), title: "Open " + name }, block),
-        axis + ", " + towards, printed.toFixed(1) + "°", degreesText(toppling.critical_angle_deg),
-        degreesText(limit.critical_angle_deg), first.mechanism,
+        element("button", { type: "button", onclick: () => open(name), title: say("Open %s", name) }, block),
+        say(axis) + ", " + say(towards), numeral(printed.toFixed(1)) + "°", degreesText(toppling.critical_angle_deg),
+        degreesText(limit.critical_angle_deg), say(first.mechanism),
       ],
     });
   }
-  return table("Table 3", ["block", "towards", "printed", "by moments", "by contact forces", "it"], rows);
+  return table(say("Table 3"), ["block", "towards", "printed", "by moments", "by contact forces", "it"].map((head) => say(head)), rows);
 }
 
 async function solve(core, name) {

@@ -6,6 +6,7 @@
 import { element } from "../panels/element.js";
 import { STEPS } from "./steps.js";
 import { tableThree } from "./table_3.js";
+import { say } from "../words/language.js";
 
 export class Tour {
   #at = -1;
@@ -21,14 +22,14 @@ export class Tour {
    */
   constructor(place, beginPlace, { store, core, menu, tabs }) {
     Object.assign(this, { store, core, menu, tabs });
-    this.begin = element("button", { type: "button", onclick: () => this.go(0) }, "Guided tour: seven steps");
+    this.begin = element("button", { type: "button", onclick: () => this.go(0) }, say("Guided tour: seven steps"));
     this.steps = element(
       "ol", { "aria-label": "Steps" },
       STEPS.map(({ title }, at) => element("li", {}, element("button", { type: "button", title, "aria-label": at + 1 + ". " + title, onclick: () => this.go(at) }, at + 1))),
     );
-    this.back = element("button", { type: "button", onclick: () => this.go(this.#at - 1) }, "Back");
-    this.next = element("button", { type: "button", onclick: () => this.go(this.#at + 1) }, "Next");
-    this.end = element("button", { type: "button", onclick: () => this.leave() }, "End the tour");
+    this.back = element("button", { type: "button", onclick: () => this.go(this.#at - 1) }, say("Back"));
+    this.next = element("button", { type: "button", onclick: () => this.go(this.#at + 1) }, say("Next"));
+    this.end = element("button", { type: "button", onclick: () => this.leave() }, say("End the tour"));
     this.heading = element("h2", { tabindex: -1 });
     this.said = element("div", {});
     this.found = element("p", { class: "found", role: "status", "aria-live": "polite", hidden: true });

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The explorer in English, Spanish and German: whose phrase tables have all that the page says, whose numbers have the
+reader's sign before decimals, and which is chosen by the browser's language or from the menu."""
+
+import html
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+from node_case import NODE, node
+from page_case import KNOWN, ROOT, main
+from panel_case import PanelCase
+
+EXPLORER = ROOT / "src" / "applications" / "explorer"
+sys.path.insert(0, str(EXPLORER))
+
+from bundling import phrases  # noqa: E402
+
+SAID = re.compile(r'\b(?:say|parts|word)\(\s*"((?:[^"\\]|\\.)*)"')
+NAMED = re.compile(r'\b(?:label|title|what|caption|"aria-label"): "((?:[^"\\]|\\.)*[a-z] [^"]*|[A-Z][a-z]+…?)"')
+SIGNS = {"", "1"}  # said as they are
+# Words that no Spanish and no German has; "at" and "is" are parts of none
+ENGLISH = re.compile(r"\b(?:the|and|of|at|is|it|towards|to|with|from)\b")
+# What the page says by itself: not what the scene or the program says, nor names of examples
+OWN_TEXT = """[...document.querySelectorAll('body *')].filter(e => !e.closest('pre, option, #panel-about td, .cm-editor, script, #scene-title, .note, .bubble, td:nth-child(3)'))
+  .flatMap(e => [...[...e.childNodes].filter(n => n.nodeType === 3).map(n => n.data), e.getAttribute('aria-label') ?? '']).filter(t => t.trim())"""
+
+
+def sources():
+    return {path: path.read_text(encoding="utf-8") for path in sorted(EXPLORER.glob("*/*.js"))}
+
+
+def literals():
+    """What modules say by a phrase that stands in them, with the module's name."""
+    for path, text in sources().items():
+        for pattern in (SAID, NAMED):
+            yield from ((path.name, found.replace('\\"', '"')) for found in pattern.findall(text))
+    page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
+    body = page[page.index("<body"):]
+    for found in re.findall(r">([^<>]*[A-Za-z][^<>]*)<", body) + re.findall(r'(?:title|aria-label)="([^"]*)"', body):
+        yield "index.html", html.unescape(found.strip())
+
+
+class Tables(unittest.TestCase):
+    def test_every_phrase_has_its_translations(self):
+        """In the table of the program or in that of the page, and in one of them alone; no row is left that nobody says."""
+        programs, own = ({row["en"] for row in phrases.table(path)} for path in (phrases.PROGRAMS, phrases.OWN))
+        self.assertEqual(own & programs, set())
+        name_of_program = {"Topple"}
+        missing = sorted({(name, said) for name, said in literals() if said not in own | programs | SIGNS | name_of_program
+                          and not said.endswith(" the ") and not re.fullmatch(r"(α_[sw]|scene\.yaml)", said)})
+        self.assertEqual(missing, [])
+        everything = "\n".join([*sources().values(), (EXPLORER / "bundling" / "examples.py").read_text(encoding="utf-8"), html.unescape((EXPLORER / "page" / "index.html").read_text(encoding="utf-8"))])
+        ends = re.compile(r" (left|right|slab|ellipse)$")  # put together with a word that varies
+        words_of_results = {"none: the scene gives no tilt", "note", "caution", "assumption", "refuted", "onset of motion", "critical angle", "critical angle, integer arithmetic"}
+        unused = [row for row in own if row not in everything and ends.sub(" ", row) not in everything and row not in words_of_results
+                  and ends.sub("", row).removesuffix(" of the") not in everything]
+        self.assertEqual(unused, [])
+
+    def test_translations_take_what_the_phrase_takes(self):
+        for row in phrases.table(phrases.OWN):
+            for code in ("es", "de"):
+                with self.subTest(row["en"], code=code):
+                    self.assertTrue(row[code])
+                    self.assertEqual(len(re.findall(r"%(?:\d\$)?s", row[code])), row["en"].count("%s"))
+
+
+@unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
+class Choices(unittest.TestCase):
+    def test_language_of_the_browser_and_of_the_menu(self):
+        given = [["", ["de-AT", "en"]], ["", ["fr-FR", "es-MX"]], ["", ["fr"]], ["es", ["de"]], ["xx", ["de"]], ["", []]]
+        found = node(EXPLORER / "words" / "language.js", "return given.map(([a, b]) => it.chosenLanguage(a, b, ['en', 'es', 'de']));", given)
+        self.assertEqual(found, ["de", "es", "en", "es", "de", "en"])
+
+    def test_sign_before_decimals_is_that_of_the_region(self):
+        given = [["es", ["es-MX"]], ["es", ["es-ES"]], ["de", ["de-CH"]], ["de", ["en-US"]], ["en", ["en-GB"]], ["en", ["en-ZA"]]]
+        found = node(EXPLORER / "words" / "language.js",
+                     "return given.map(([a, b]) => it.decimalSign(a, b, {en: '.', es: ',', de: ','}));", given)
+        self.assertEqual(found[:3], [".", ",", "."])
+        self.assertEqual(found[3:5], [",", "."])
+
+    def test_words_in_another_order(self):
+        found = node(EXPLORER / "words" / "language.js", "return given.map(([phrase, ...rest]) => it.filled(phrase, rest).join(''));",
+                     [["%s of %s", "a", "b"], ["%2$s de %1$s", "a", "b"], ["100 % of it", "a"], ["%s", "%s"]])
+        self.assertEqual(found, ["a of b", "b de a", "100 % of it", "%s"])
+
+
+class Languages(PanelCase):
+    def spoken(self, language):
+        kept = KNOWN.replace("localStorage.setItem('topple.touched', '1');",
+                             f"localStorage.setItem('topple.touched', '1'); localStorage.setItem('topple.language', '{language}');")
+        self.value("document.title")
+        PanelCase.__mro__[1].load(self, kept=kept)
+
+    def english(self):
+        return [text.strip() for text in self.value(OWN_TEXT) if ENGLISH.search(text)]
+
+    def test_no_english_is_left(self):
+        """On every tab, in the tour, and while the test is played."""
+        for language in ("es", "de"):
+            self.spoken(language)
+            self.assertEqual(self.value("document.documentElement.lang"), language)
+            for tab in self.value("[...document.querySelectorAll('[role=tab]')].map(t => t.id.slice(4))"):
+                self.tab(tab)
+                if tab == "map":
+                    self.awaits("document.querySelector('#panel-map .told')?.dataset.milliseconds")
+                with self.subTest(language, tab=tab):
+                    self.assertEqual(self.english(), [])
+            self.click("#tour-begin button")
+            for step in range(7):
+                self.answered()
+                with self.subTest(language, step=step):
+                    self.assertEqual(self.english(), [])
+                self.value("[...document.querySelectorAll('.tour .steps > button')][1].click()")
+            self.value("[...document.querySelectorAll('.tour .steps > button')][2].click()")
+            self.example("slab_left")
+            self.awaits("!document.getElementById('play').disabled")
+            self.click("#play")
+            self.awaits("!document.getElementById('film').hidden")
+            with self.subTest(language, what="the test"):
+                self.assertEqual(self.english(), [])
+
+    def test_numbers_have_the_comma_and_fields_take_it(self):
+        """Shown with a comma, typed with one, and written into the scene with a point."""
+        self.spoken("de")
+        self.assertEqual(self.said("#factor-said strong"), "1,938")
+        field = "#numbers input[aria-label='Neigung, °']"
+        self.value(f"document.querySelector(\"{field}\").focus(), document.querySelector(\"{field}\").select()")
+        self.browser.call("Input.insertText", text="21,5")
+        self.answered()
+        self.assertIn("angle_deg: 21.5}", self.text())
+        self.assertEqual(self.value(f"document.querySelector(\"{field}\").value"), "21,5")
+        self.assertIn("21,5°", self.said("#verdict-said"))
+
+    def test_menu_keeps_the_scene(self):
+        """Chosen by keys: the page begins anew in that language with the scene as it was, also on the next visit."""
+        self.example("slab_left")
+        self.drag("tilt.angle_deg", -20, -40)
+        self.answered()
+        before = self.text()
+        self.value("document.getElementById('language').focus()")
+        self.press("d", text="d")
+        self.awaits("document.documentElement?.lang === 'de' && document.body?.dataset.answer === 'there'", 60)
+        self.assertEqual(self.text(), before)
+        self.reload()
+        self.assertEqual(self.said("#tab-results"), "Urteil")
+
+    def test_language_of_the_browser(self):
+        agent = self.value("navigator.userAgent")
+        self.browser.call("Emulation.setUserAgentOverride", userAgent=agent, acceptLanguage="es-MX,es")
+        self.addCleanup(self.browser.call, "Emulation.setUserAgentOverride", userAgent=agent, acceptLanguage="en-US")
+        self.load()
+        self.assertEqual(self.said("#tab-results"), "Dictamen")
+        self.assertEqual(self.said("#factor-said strong"), "1.938")  # as Mexico writes it
+
+    def test_sheet_is_in_the_language_of_the_page(self):
+        self.spoken("de")
+        self.tab("report")
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        sheet = self.saved(folder, lambda: self.button("Berechnungsblatt, Markdown"), "block_e_valley.md")
+        self.assertTrue("Der Block steht." in sheet.decode())
+
+
+if __name__ == "__main__":
+    main()
