@@ -10,18 +10,15 @@
 
 #include <math.h>
 
-typedef struct turned {
-  double sine, cosine, angle;
-  tp_xy centroid, velocity;
-  double turning;
-} turned;
+typedef tp_turned_block turned;
 
 static tp_xy turn(const turned *block, tp_xy a) {
   return (tp_xy){block->cosine * a.x - block->sine * a.y, block->sine * a.x + block->cosine * a.y};
 }
 
-/* By how much a direction, as its body sees it, lies between the normals of a corner. */
-static void meet(tp_gap *gap, const tp_round_corner *corner, double direction) {
+/* By how much a normal lies between those of a corner, which has turned by an angle. */
+static void meet(tp_gap *gap, const tp_round_corner *corner, tp_xy normal, double turned_by) {
+  const double direction = atan2(normal.y, normal.x) - turned_by;
   double *margin = corner->radius == 0 ? &gap->cone_margin : &gap->arc_margin;
   *margin = fmin(*margin, tp_normal_range_margin(corner->range, direction));
 }
@@ -43,7 +40,6 @@ static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
   const tp_xy n = face->normal;
   const tp_xy d = turn(block, corner->centre), c = tp_xy_plus(block->centroid, 1, d);
   gap->normal = n;
-  meet(gap, corner, atan2(-n.y, -n.x) - block->angle);
   gap->width = tp_xy_dot(tp_xy_plus(c, -1, face->from), n) - corner->radius;
   gap->at = tp_xy_plus(c, -corner->radius, n);
   gap->margin = within(face, gap->at);
@@ -59,7 +55,6 @@ static void straight_on_corner(tp_gap *gap, const tp_contact_face *face,
   const tp_xy from_face = tp_xy_plus(d, -1, turn(block, face->from));
   const double w = block->turning;
   gap->normal = n;
-  meet(gap, corner, atan2(n.y, n.x));
   gap->width = tp_xy_dot(from_face, out) - corner->radius;
   gap->at = tp_xy_plus(corner->centre, corner->radius, n);
   const double foot = tp_xy_dot(from_face, turn(block, face->along));
@@ -104,7 +99,6 @@ static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
   const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, corner->centre));
   const tp_xy out = tp_xy_plus(c, -1, face->centre);
   const double direction = atan2(out.y, out.x);
-  meet(gap, corner, direction - block->angle);
   gap->margin = tp_normal_range_margin(face->range, direction) * face->radius;
   const arcs a = {.block = corner->centre,
                   .base = face->centre,
@@ -119,7 +113,6 @@ static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
   const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, face->centre));
   const tp_xy out = tp_xy_plus(corner->centre, -1, c);
   const double direction = atan2(out.y, out.x);
-  meet(gap, corner, direction);
   gap->margin = tp_normal_range_margin(face->range, direction - block->angle) * face->radius;
   const arcs a = {.block = face->centre,
                   .base = corner->centre,
@@ -131,10 +124,6 @@ static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
 
 static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
                              const tp_round_corner *base, const turned *block) {
-  const tp_xy c = tp_xy_plus(block->centroid, 1, turn(block, corner->centre));
-  const tp_xy out = tp_xy_plus(c, -1, base->centre);
-  meet(gap, base, atan2(out.y, out.x));
-  meet(gap, corner, atan2(-out.y, -out.x) - block->angle);
   const arcs a = {.block = corner->centre,
                   .base = base->centre,
                   .block_radius = corner->radius,
@@ -142,32 +131,77 @@ static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
   arc_on_arc(gap, &a, block);
 }
 
+/* The parts of a pair: of two that are NULL the block, or the base, has a face in it. */
+typedef struct parts {
+  const tp_round_corner *corner, *under;
+  const tp_contact_face *on;
+} parts;
+
+static parts parts_of(const tp_contact_shapes *shapes, const tp_gap_pair *pair) {
+  const bool own_face = pair->kind == TP_FACE_ON_CORNER, face = pair->kind == TP_CORNER_ON_FACE;
+  return (parts){.corner = own_face ? NULL : shapes->block.corners + pair->block,
+                 .under = face ? NULL : shapes->base.corners + pair->base,
+                 .on = own_face ? shapes->block.faces + pair->block
+                       : face   ? shapes->base.faces + pair->base
+                                : NULL};
+}
+
+tp_turned_block tp_turned_block_at(const tp_motion_state *state) {
+  const double angle = state->place[2];
+  return (tp_turned_block){.sine = sin(angle),
+                           .cosine = cos(angle),
+                           .angle = angle,
+                           .centroid = {state->place[0], state->place[1]},
+                           .velocity = {state->speed[0], state->speed[1]},
+                           .turning = state->speed[2]};
+}
+
+tp_gap tp_gap_moving(const tp_contact_shapes *shapes, const tp_gap_pair *pair,
+                     const tp_turned_block *block) {
+  const parts p = parts_of(shapes, pair);
+  tp_gap gap = {.margin = INFINITY, .cone_margin = INFINITY, .arc_margin = INFINITY};
+  if (p.corner == NULL) {
+    (p.on->hollow ? hollow_on_corner : straight_on_corner)(&gap, p.on, p.under, block);
+  } else if (p.under == NULL) {
+    (p.on->hollow ? corner_on_hollow : corner_on_straight)(&gap, p.corner, p.on, block);
+  } else {
+    corner_on_corner(&gap, p.corner, p.under, block);
+  }
+  gap.base_edges[0] = p.under == NULL ? p.on->edge : p.under->before;
+  gap.base_edges[1] = p.under == NULL ? p.on->edge : p.under->behind;
+  return gap;
+}
+
 tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_gap_pair *pair,
                  const tp_motion_state *state) {
-  const double angle = state->place[2];
-  const turned block = {.sine = sin(angle),
-                        .cosine = cos(angle),
-                        .angle = angle,
-                        .centroid = {state->place[0], state->place[1]},
-                        .velocity = {state->speed[0], state->speed[1]},
-                        .turning = state->speed[2]};
-  tp_gap gap = {.margin = INFINITY, .cone_margin = INFINITY, .arc_margin = INFINITY};
-  const bool own_face = pair->kind == TP_FACE_ON_CORNER, face = pair->kind == TP_CORNER_ON_FACE;
-  const tp_round_corner *corner = own_face ? NULL : shapes->block.corners + pair->block;
-  const tp_round_corner *under = face ? NULL : shapes->base.corners + pair->base;
-  const tp_contact_face *on = own_face ? shapes->block.faces + pair->block
-                              : face   ? shapes->base.faces + pair->base
-                                       : NULL;
-  if (own_face) {
-    (on->hollow ? hollow_on_corner : straight_on_corner)(&gap, on, under, &block);
-  } else if (face) {
-    (on->hollow ? corner_on_hollow : corner_on_straight)(&gap, corner, on, &block);
-  } else {
-    corner_on_corner(&gap, corner, under, &block);
-  }
-  gap.base_edges[0] = face ? on->edge : under->before;
-  gap.base_edges[1] = face ? on->edge : under->behind;
+  const tp_turned_block block = tp_turned_block_at(state);
+  const parts p = parts_of(shapes, pair);
+  tp_gap gap = tp_gap_moving(shapes, pair, &block);
+  const tp_xy n = gap.normal;
+  if (p.under != NULL) meet(&gap, p.under, n, 0);
+  if (p.corner != NULL) meet(&gap, p.corner, (tp_xy){-n.x, -n.y}, block.angle);
   return gap;
+}
+
+/* Where they touch, a corner lies on a face: no farther from it than the reach before. */
+bool tp_gap_in_reach(const tp_contact_shapes *shapes, const tp_gap_pair *pair,
+                     const tp_turned_block *block, double reach) {
+  const parts p = parts_of(shapes, pair);
+  if (p.on == NULL || p.on->hollow) return true;
+  const tp_round_corner *corner = p.corner != NULL ? p.corner : p.under;
+  tp_xy apart = corner->centre; /* from the face's begin, as the face sees it */
+  if (p.corner != NULL) {
+    apart = tp_xy_plus(tp_xy_plus(block->centroid, 1, turn(block, apart)), -1, p.on->from);
+  } else {
+    const tp_xy d = tp_xy_plus(apart, -1, block->centroid);
+    apart = (tp_xy){block->cosine * d.x + block->sine * d.y - p.on->from.x,
+                    block->cosine * d.y - block->sine * d.x - p.on->from.y};
+  }
+  const double width = tp_xy_dot(apart, p.on->normal) - corner->radius;
+  if (width > reach) return false;
+  if (corner->radius > 0) return true;
+  const double foot = tp_xy_dot(apart, p.on->along);
+  return width >= -reach && foot >= -reach && foot <= p.on->length + reach;
 }
 
 bool tp_gap_faces(const tp_gap *gap) {

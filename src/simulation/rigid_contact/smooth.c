@@ -25,11 +25,13 @@ bool tp_smooth_at(tp_smooth_moment *moment, tp_smooth *smooth, double time,
   tp_law_solution *s = &moment->solution;
   smooth->evaluations++;
   memcpy(law.inertia, system->inertia, sizeof law.inertia);
-  tp_contact_system_free(law.free, system, time);
+  const tp_turned_block block = tp_turned_block_at(state);
+  tp_contact_system_free(moment->free, system, time);
+  memcpy(law.free, moment->free, sizeof law.free);
   s->count = 0;
   for (int k = 0; k < smooth->count; k++) {
     const tp_pressing *own = smooth->pressing + k;
-    moment->gaps[k] = tp_gap_at(&system->shapes, &own->pair, state);
+    moment->gaps[k] = tp_gap_moving(&system->shapes, &own->pair, &block);
     set_law_contact(moment->contacts + k, moment->gaps + k, own);
     s->edges[s->count++] = (tp_law_edge){k, own->sticks ? -1 : own->side};
     if (own->sticks) s->edges[s->count++] = (tp_law_edge){k, 1};
@@ -60,14 +62,12 @@ bool tp_smooth_rates(double *rates, void *context, double time, const double *nu
   tp_smooth *smooth = context;
   const tp_motion_state state = tp_smooth_state(numbers);
   tp_smooth_moment moment;
-  double free[3];
   if (!tp_smooth_at(&moment, smooth, time, &state)) return false;
-  tp_contact_system_free(free, smooth->system, time);
   rates[6] = moment.friction_power;
   for (int e = 0; e < 3; e++) {
     rates[e] = state.speed[e];
     rates[3 + e] = moment.solution.x[e];
-    rates[6] += smooth->system->inertia[e] * free[e] * state.speed[e];
+    rates[6] += smooth->system->inertia[e] * moment.free[e] * state.speed[e];
   }
   return true;
 }
@@ -90,16 +90,18 @@ double tp_smooth_project(tp_motion_state *state, const tp_smooth *smooth) {
   const tp_contact_system *system = smooth->system;
   double moved[3] = {0};
   int count = 0;
+  tp_turned_block block = tp_turned_block_at(state);
   for (int k = 0; k < smooth->count; k++) {
-    const tp_gap gap = tp_gap_at(&system->shapes, &smooth->pressing[k].pair, state);
+    const tp_gap gap = tp_gap_moving(&system->shapes, &smooth->pressing[k].pair, &block);
     rows[k] = (tp_law_contact){.least = -gap.width};
     memcpy(rows[k].across, gap.across, sizeof gap.across);
   }
   if (least_change(moved, system, rows, smooth->count)) {
     for (int e = 0; e < 3; e++) state->place[e] += moved[e];
   }
+  block = tp_turned_block_at(state);
   for (int k = 0; k < smooth->count; k++) {
-    const tp_gap gap = tp_gap_at(&system->shapes, &smooth->pressing[k].pair, state);
+    const tp_gap gap = tp_gap_moving(&system->shapes, &smooth->pressing[k].pair, &block);
     rows[count] = (tp_law_contact){0};
     memcpy(rows[count++].across, gap.across, sizeof gap.across);
     if (!smooth->pressing[k].sticks) continue;

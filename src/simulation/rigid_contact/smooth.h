@@ -33,6 +33,7 @@ typedef struct tp_smooth_moment {
   tp_gap gaps[TP_LAW_EDGES];
   tp_law_contact contacts[TP_LAW_EDGES];
   tp_law_solution solution; /* its contacts are numbers of `pressing` */
+  double free[3];           /* the acceleration without contacts */
   double friction_power;
 } tp_smooth_moment;
 

@@ -16,10 +16,14 @@
  * moved, so that a step may go as far again. */
 static const double listed_reach = 0.2;
 
+/* Of those, the ones that are near are told anew no sooner than it has moved by half of this. */
+static const double least_near = 0.005;
+
 static double distance_to_segment(tp_xy p, tp_xy from, tp_xy along, double length) {
   const double x = p.x - from.x, y = p.y - from.y;
   const double foot = fmin(fmax(x * along.x + y * along.y, 0), length);
-  return hypot(x - foot * along.x, y - foot * along.y);
+  const double dx = x - foot * along.x, dy = y - foot * along.y;
+  return sqrt(dx * dx + dy * dy); /* all of them are some extents at most */
 }
 
 /* Of a hollow face: to the circle it is part of. */
@@ -61,10 +65,9 @@ static bool list_corner(tp_contact_system *s, const tp_motion_state *at, long ba
   for (long k = 0; k < s->shapes.block.corner_count; k++) {
     const tp_round_corner *own = s->shapes.block.corners + k;
     const double radii = own->radius + under->radius;
+    if (radii == 0) continue;
     const double apart = hypot(p.x - own->centre.x, p.y - own->centre.y) - radii;
-    if (radii > 0 && apart < listed_reach && !add_pair(s, TP_CORNER_ON_CORNER, k, base)) {
-      return false;
-    }
+    if (apart < listed_reach && !add_pair(s, TP_CORNER_ON_CORNER, k, base)) return false;
   }
   return true;
 }
@@ -83,6 +86,7 @@ static bool list_face(tp_contact_system *s, const tp_motion_state *at, long base
 
 static bool list_all(tp_contact_system *s, const tp_motion_state *at) {
   s->pair_count = 0;
+  s->near_count = -1;
   s->listed_at = *at;
   for (long k = 0; k < s->shapes.base.face_count; k++) {
     if (!list_face(s, at, k)) return false;
@@ -90,7 +94,9 @@ static bool list_all(tp_contact_system *s, const tp_motion_state *at) {
   for (long k = 0; k < s->shapes.base.corner_count; k++) {
     if (!list_corner(s, at, k)) return false;
   }
-  return true;
+  long *near = realloc(s->near, sizeof *near * (size_t)(s->pair_count + 1));
+  if (near != NULL) s->near = near;
+  return near != NULL;
 }
 
 static void take_over(tp_contact_system *s, const tp_gap_pair *old, long old_count) {
@@ -102,19 +108,18 @@ static void take_over(tp_contact_system *s, const tp_gap_pair *old, long old_cou
   }
 }
 
-/* How far any point of the block has moved, at most, since the pairs were listed. */
-static double moved_since(const tp_contact_system *s, const tp_motion_state *state) {
-  const tp_motion_state *at = &s->listed_at;
+/* How far any point of the block has moved, at most. */
+static double moved_since(const tp_motion_state *at, const tp_motion_state *state) {
   return hypot(state->place[0] - at->place[0], state->place[1] - at->place[1]) +
          fabs(state->place[2] - at->place[2]);
 }
 
 bool tp_contact_system_covers(const tp_contact_system *s, const tp_motion_state *state) {
-  return moved_since(s, state) < listed_reach;
+  return moved_since(&s->listed_at, state) < listed_reach;
 }
 
 bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) {
-  if (moved_since(s, state) < listed_reach / 2) return true;
+  if (moved_since(&s->listed_at, state) < listed_reach / 2) return true;
   tp_gap_pair *old = s->pairs;
   const long old_count = s->pair_count;
   s->pairs = NULL;
@@ -123,6 +128,19 @@ bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) 
   if (done) take_over(s, old, old_count);
   free(old);
   return done;
+}
+
+void tp_contact_system_near(tp_contact_system *s, const tp_motion_state *state, double distance) {
+  if (s->near_count >= 0 && moved_since(&s->near_at, state) + distance <= s->near_reach) return;
+  const tp_turned_block block = tp_turned_block_at(state);
+  s->near_at = *state;
+  s->near_reach = fmax(1.5 * distance, least_near);
+  s->near_count = 0;
+  for (long k = 0; k < s->pair_count; k++) {
+    const tp_gap_pair *pair = s->pairs + k;
+    const bool near = tp_gap_in_reach(&s->shapes, pair, &block, s->near_reach);
+    if (near || pair->touching) s->near[s->near_count++] = k;
+  }
 }
 
 bool tp_contact_system_init(tp_contact_system *s, const tp_rigid_body *body, const tp_drive *drive,
@@ -154,6 +172,7 @@ void tp_contact_system_clear(tp_contact_system *s) {
   tp_contact_shape_clear(&s->shapes.block);
   tp_contact_shape_clear(&s->shapes.base);
   free(s->pairs);
+  free(s->near);
   *s = (tp_contact_system){0};
 }
 
@@ -206,8 +225,8 @@ double tp_contact_friction(long *facet, const tp_contact_system *s, const tp_gap
   return body->friction[own];
 }
 
-void tp_contact_system_reach(double reach[2], const tp_contact_system *s,
-                             const tp_motion_state *state) {
+/* The least and the largest x of the block. */
+static void reach_of(double reach[2], const tp_contact_system *s, const tp_motion_state *state) {
   reach[0] = INFINITY;
   reach[1] = -INFINITY;
   for (long k = 0; k < s->shapes.block.corner_count; k++) {
@@ -216,4 +235,13 @@ void tp_contact_system_reach(double reach[2], const tp_contact_system *s,
     reach[0] = fmin(reach[0], p.x - own->radius);
     reach[1] = fmax(reach[1], p.x + own->radius);
   }
+}
+
+/* Exact where it is nearly not. */
+double tp_contact_system_overlap(const tp_contact_system *s, const tp_motion_state *state) {
+  const double x = state->place[0];
+  double reach[2];
+  if (x > s->base_left && x < s->base_right) return fmin(x - s->base_left, s->base_right - x);
+  reach_of(reach, s, state);
+  return fmin(reach[1] - s->base_left, s->base_right - reach[0]);
 }

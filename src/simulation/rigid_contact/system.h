@@ -30,6 +30,10 @@ typedef struct tp_contact_system {
   long pair_count, pair_room;
   tp_gap_pair *pairs; /* that can close before the block has moved by the reach from where it was */
   tp_motion_state listed_at;
+  long near_count; /* of them, by number: those that can close before the block has moved by */
+  long *near;      /* `near_reach` from `near_at`, and those that touch; -1: not asked yet */
+  double near_reach;
+  tp_motion_state near_at;
   bool too_many; /* pairs; told of a system that could not be set up (budget.h) */
 } tp_contact_system;
 
@@ -45,6 +49,11 @@ TP_MUST_USE bool tp_contact_system_list(tp_contact_system *system, const tp_moti
 /* Has the block moved so little since the pairs were listed that no other can have closed? */
 bool tp_contact_system_covers(const tp_contact_system *system, const tp_motion_state *state);
 
+/* Sees to it that `near` has all pairs that can close before the block has moved by a distance, or
+ * turned by as much, or both by parts of it. */
+void tp_contact_system_near(tp_contact_system *system, const tp_motion_state *state,
+                            double distance);
+
 tp_motion_state tp_motion_of(const tp_contact_system *system, const tp_body_state *state);
 tp_body_state tp_motion_told(const tp_contact_system *system, const tp_motion_state *state);
 
@@ -59,8 +68,7 @@ double tp_motion_energy(const tp_contact_system *system, const double speed[3]);
  */
 double tp_contact_friction(long *facet, const tp_contact_system *system, const tp_gap *gap);
 
-/* The least and the largest x of the block. */
-void tp_contact_system_reach(double reach[2], const tp_contact_system *system,
-                             const tp_motion_state *state);
+/* By how much the block is still above the base. */
+double tp_contact_system_overlap(const tp_contact_system *system, const tp_motion_state *state);
 
 #endif

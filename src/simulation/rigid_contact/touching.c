@@ -18,6 +18,9 @@ static const double alike_rows = 1e-12;
 /* Three unit rows that span no more than this are in one plane. */
 static const double pinned_volume = 1e-9;
 
+/* What touches is no farther apart than this, along a face and across. */
+static const double touching_reach = 2 * TP_FACE_SLACK;
+
 /* A speed that is told from none. */
 static const double told_speed = 2 * TP_NO_SPEED;
 
@@ -77,10 +80,14 @@ static bool add(tp_touching *t, const tp_touching_contact *own) {
 }
 
 bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_motion_state *state) {
+  const tp_turned_block block = tp_turned_block_at(state);
   t->count = 0;
   t->can_stay_count = -1;
-  for (long k = 0; k < system->pair_count; k++) {
-    tp_gap_pair *pair = system->pairs + k;
+  tp_contact_system_near(system, state, touching_reach);
+  for (long k = 0; k < system->near_count; k++) {
+    tp_gap_pair *pair = system->pairs + system->near[k];
+    pair->touching = false;
+    if (!tp_gap_in_reach(&system->shapes, pair, &block, touching_reach)) continue;
     tp_touching_contact own = {.pair = *pair, .gap = tp_gap_at(&system->shapes, pair, state)};
     const double width = own.gap.width;
     pair->touching =
@@ -95,8 +102,9 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
 }
 
 void tp_touching_open(tp_contact_system *system, const tp_motion_state *state) {
-  for (long k = 0; k < system->pair_count; k++) {
-    tp_gap_pair *pair = system->pairs + k;
+  tp_contact_system_near(system, state, 0);
+  for (long k = 0; k < system->near_count; k++) {
+    tp_gap_pair *pair = system->pairs + system->near[k];
     if (!pair->touching) continue;
     pair->touching = tp_gap_at(&system->shapes, pair, state).width <= 2 * TP_CLOSED_GAP;
   }

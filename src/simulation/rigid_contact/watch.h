@@ -3,8 +3,9 @@
 
 /* What can end a smooth motion: numbers that are positive as long as it goes on. Along a step they
  * are looked at eight times, by the polynomial of fifth degree through both ends, and where a gap
- * narrows and widens between two of these, at its least; the first that has changed its sign is
- * then found to the last digits of the time, by steps from the same begin. */
+ * narrows and widens between two of these, at its least (rigid_contact/along.h); the first that has
+ * changed its sign is then found to the last digits of the time, by steps from the same begin. Of
+ * gaps, those alone are looked at that can close before the block has moved as far as it does. */
 
 #ifndef TP_RIGID_CONTACT_WATCH_H
 #define TP_RIGID_CONTACT_WATCH_H
