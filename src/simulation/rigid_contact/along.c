@@ -59,14 +59,14 @@ typedef struct gap_look {
   double width, speed;
 } gap_look;
 
-static gap_look look_at(const tp_closing_gap *own, const tp_along *along,
+static gap_look look_at(const tp_slack_gap *own, const tp_along *along,
                         const tp_motion_state *state, const tp_turned_block *block) {
   const tp_gap gap = tp_gap_moving(own->shapes, own->pair, block);
   return (gap_look){gap.width + own->slack,
                     tp_gap_speed(gap.across, state->speed) * along->step / TP_LOOKS};
 }
 
-static double width_at(const tp_closing_gap *own, const tp_along *along, double share) {
+static double width_at(const tp_slack_gap *own, const tp_along *along, double share) {
   const tp_motion_state state = tp_along_at(along, share);
   const tp_turned_block block = tp_turned_block_at(&state);
   return tp_gap_moving(own->shapes, own->pair, &block).width + own->slack;
@@ -79,8 +79,8 @@ static double least_between(gap_look a, gap_look b) {
   return -a.speed / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * a.speed, 0)));
 }
 
-bool tp_closing_find(tp_closing *found, const tp_along *along, const tp_closing_gap *gap,
-                     double until) {
+bool tp_gap_span_find(tp_gap_span *found, const tp_along *along, const tp_slack_gap *gap,
+                      double until) {
   gap_look last = look_at(gap, along, along->looks, along->blocks);
   for (int k = 1; k <= TP_LOOKS; k++) {
     found->sound = (double)(k - 1) / TP_LOOKS;
@@ -102,7 +102,7 @@ bool tp_closing_find(tp_closing *found, const tp_along *along, const tp_closing_
 
 /* A gap along a step. */
 typedef struct along_gap {
-  const tp_closing_gap *gap;
+  const tp_slack_gap *gap;
   const tp_along *along;
 } along_gap;
 
@@ -112,7 +112,7 @@ static bool sample(double *value, void *context, double share) {
   return true;
 }
 
-double tp_closing_share(const tp_closing *found, const tp_along *along, const tp_closing_gap *gap) {
+double tp_gap_span_share(const tp_gap_span *found, const tp_along *along, const tp_slack_gap *gap) {
   along_gap own = {gap, along};
   const tp_root_search search = {
       .value = sample, .context = &own, .width = near_share, .most = MOST_SAMPLES};

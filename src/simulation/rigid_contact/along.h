@@ -32,23 +32,23 @@ tp_motion_state tp_along_at(const tp_along *along, double share);
 double tp_along_reach(const tp_along *along, int looks);
 
 /* A gap, and by how much it may be below 0 without having closed. */
-typedef struct tp_closing_gap {
+typedef struct tp_slack_gap {
   const tp_contact_shapes *shapes;
   const tp_gap_pair *pair;
   double slack;
-} tp_closing_gap;
+} tp_slack_gap;
 
 /* Shares of the step: the last look before a gap was below zero, and where it was. */
-typedef struct tp_closing {
+typedef struct tp_gap_span {
   double sound, below;
-} tp_closing;
+} tp_gap_span;
 
 /* Is it below zero at a look, or where it is least between two? Looks that begin behind a share of
  * the step are left out. */
-bool tp_closing_find(tp_closing *found, const tp_along *along, const tp_closing_gap *gap,
-                     double until);
+bool tp_gap_span_find(tp_gap_span *found, const tp_along *along, const tp_slack_gap *gap,
+                      double until);
 
 /* Where it closes, by the polynomial. */
-double tp_closing_share(const tp_closing *found, const tp_along *along, const tp_closing_gap *gap);
+double tp_gap_span_share(const tp_gap_span *found, const tp_along *along, const tp_slack_gap *gap);
 
 #endif

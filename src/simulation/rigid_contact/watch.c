@@ -71,7 +71,7 @@ typedef struct looking {
   const tp_watch *watch;
   const tp_along *along;
   const watched *own;
-  tp_closing found;
+  tp_gap_span found;
   double sampled; /* the step that was done last, and where it led */
   double numbers[TP_MOTION_NUMBERS];
   tp_watch_end *first; /* of all numbers */
@@ -85,7 +85,7 @@ static double until(const looking *of) {
 static bool look(looking *of) {
   for (int k = 1; k <= TP_LOOKS; k++) {
     const double share = (double)k / TP_LOOKS;
-    of->found = (tp_closing){(double)(k - 1) / TP_LOOKS, share};
+    of->found = (tp_gap_span){(double)(k - 1) / TP_LOOKS, share};
     if (of->found.sound >= until(of)) return false;
     const double time = of->watch->time + share * of->watch->step;
     if (value_of(of->watch, of->own, time, of->along->looks + k) < 0) return true;
@@ -93,8 +93,8 @@ static bool look(looking *of) {
   return false;
 }
 
-static tp_closing_gap closing_gap(const tp_watch *w, const watched *own) {
-  return (tp_closing_gap){&w->system->shapes, w->system->pairs + own->number, own->slack};
+static tp_slack_gap closing_gap(const tp_watch *w, const watched *own) {
+  return (tp_slack_gap){&w->system->shapes, w->system->pairs + own->number, own->slack};
 }
 
 /* ---- when it does ---- */
@@ -219,9 +219,9 @@ static bool can_close(watched *own, const looking *of, double moves, long near) 
 /* The share of the step at which a gap closes by the polynomial, if both parts face each other
  * there, by all that the polynomial may be off. */
 static bool closes_by(double *share, looking *of, const watched *own, double moves, double least) {
-  const tp_closing_gap gap = closing_gap(of->watch, own);
-  if (!tp_closing_find(&of->found, of->along, &gap, least)) return false;
-  *share = tp_closing_share(&of->found, of->along, &gap);
+  const tp_slack_gap gap = closing_gap(of->watch, own);
+  if (!tp_gap_span_find(&of->found, of->along, &gap, least)) return false;
+  *share = tp_gap_span_share(&of->found, of->along, &gap);
   const tp_motion_state state = tp_along_at(of->along, *share);
   const tp_gap there = tp_gap_at(gap.shapes, gap.pair, &state);
   return fmin(there.margin, there.arc_margin) > -(1e-6 + 1e-3 * moves);
@@ -234,7 +234,7 @@ static void consider_pairs(looking *of, int looks) {
   const double moves = TP_CLOSED_GAP + tp_along_reach(of->along, looks);
   double least = fmin(until(of), (double)looks / TP_LOOKS), share;
   watched own, first = {TP_WATCH_NOTHING, 0, 0};
-  tp_closing found = {0, 0};
+  tp_gap_span found = {0, 0};
   tp_contact_system_near(w->system, of->along->looks, moves);
   for (long k = 0; k < w->system->near_count; k++) {
     if (!can_close(&own, of, moves, k) || !closes_by(&share, of, &own, moves, least)) continue;
