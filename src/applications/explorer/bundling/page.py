@@ -3,7 +3,7 @@
 """The page as one file: its modules and style sheets bundled by esbuild, and put into index.html. The same sources
 give the same bytes: nothing in them tells when or where they were made.
 
-Modules that no file is: topple:examples, topple:licence_texts, and those that the caller gives, as the core's bytes."""
+Modules that no file is: topple:examples, topple:keys, topple:licence_texts, and those that the caller gives, as the core's bytes."""
 
 import hashlib
 import json
@@ -12,6 +12,7 @@ import shutil
 import subprocess
 
 from .examples import examples
+from .keys import keys
 from .phrases import phrases
 
 EXPLORER = pathlib.Path(__file__).resolve().parents[1]
@@ -59,7 +60,7 @@ def bundled(folder, modules):
     file is, and what each is, as JSON."""
     folder.mkdir(parents=True, exist_ok=True)
     options = []
-    for name, value in {"topple:examples": examples(), "topple:licence_texts": licence_texts(), **modules}.items():
+    for name, value in {"topple:examples": examples(), "topple:keys": keys(), "topple:licence_texts": licence_texts(), **modules}.items():
         path = folder / (name.replace(":", "_") + ".json")
         path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
         options.append(f"--alias:{name}={path}")

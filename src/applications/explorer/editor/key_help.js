@@ -41,7 +41,8 @@ function sentenceOf({ title, rows }) {
   return title + ": " + rows.map(({ label, text }) => (label === "" ? text : label + " " + text)).join("; ");
 }
 
-function tooltipOf({ title, rows }) {
+/** @param {{title: string, rows: {label: string, text: string}[]}} told */
+export function tooltipOf({ title, rows }) {
   const lines = rows.map(({ label, text }) => element("p", {}, label === "" ? null : element("span", { class: "label" }, label + " "), text));
   return element("div", { class: "key-help" }, element("strong", {}, title), lines);
 }

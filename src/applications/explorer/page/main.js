@@ -22,6 +22,9 @@ import { Player } from "./player.js";
 import { sheet } from "./sheet.js";
 import { sceneWords } from "./scene_words.js";
 import { themeSwitch } from "./theme.js";
+import { unitsMenu } from "./units_menu.js";
+import keys from "topple:keys";
+import { lengthsOf } from "../scene/scene_keys.js";
 import { addPanels } from "../panels/panels.js";
 import { languageMenu, say, translate } from "../words/language.js";
 
@@ -47,6 +50,7 @@ async function begin() {
   drawingTools(element, drawing, store);
   badge(element, drawing, store);
   addMenu(element("add"), drawing, store, messages);
+  unitsMenu(element("units"), store, messages, lengthsOf(keys));
   sheet(element("grip"));
   new Player(element("play"), element("film"), { drawing, store, core: background, messages });
   numbersForm(element("numbers"), store);

@@ -4,7 +4,9 @@
 /** The scene as text, under its file's name, with what of it cannot be dragged. */
 
 import { fixedShapes } from "../drawing/fixed_shapes.js";
+import keys from "topple:keys";
 import { Editor } from "../editor/editor.js";
+import { keyCompletion } from "../editor/key_completion.js";
 import { keyHelp } from "../editor/key_help.js";
 import { element } from "../panels/element.js";
 import { pointsButtons } from "./points_into_scene.js";
@@ -18,7 +20,8 @@ export class TextPanel {
     const room = element("div", { id: "editor" });
     const help = element("p", { class: "quiet", id: "key-help", role: "status" });
     place.append(name, fixed, room, help);
-    this.editor = new Editor(room, store, keyHelp(store, (path) => terms.explainKey(path), help));
+    const explain = (path) => terms.explainKey(path);
+    this.editor = new Editor(room, store, [...keyHelp(store, explain, help), keyCompletion(keys, explain)]);
     // Its messages come later, when there is a strip for them.
     this.messages = null;
     store.addEventListener("text", () => {

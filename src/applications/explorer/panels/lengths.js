@@ -3,16 +3,17 @@
 
 /** Lengths of results, which are metres, in the unit of the scene. */
 
+import { UNITS } from "../scene/length_units.js";
 import { certainDigits } from "./certain.js";
 import { between } from "../words/language.js";
 
-const METRES = { mm: 0.001, cm: 0.01, m: 1, km: 1000, in: 0.0254, ft: 0.3048 };
 const DIGITS = 6;
 
 /** @param {import("../scene/store.js").SceneStore} store @returns {{name: string, metres: number}} */
 export function lengthUnit(store) {
   const name = store.parsed.scalar(["length_unit"]);
-  return name !== null && Object.hasOwn(METRES, name) ? { name, metres: METRES[name] } : { name: "m", metres: 1 };
+  const [over, under] = Object.hasOwn(UNITS, name ?? "") ? UNITS[name] : [1n, 1n];
+  return { name: Object.hasOwn(UNITS, name ?? "") ? name : "m", metres: Number(over) / Number(under) };
 }
 
 /** @param {import("./certain.js").Bounded|null} metres @param {{name: string, metres: number}} unit */
