@@ -18,6 +18,7 @@ import { waterPath } from "./water.js";
 import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
 import { nearPath } from "./thin_path.js";
 import { symbolsOf } from "./symbols.js";
+import { drawPhotograph } from "./photo_behind.js";
 import { Picture } from "./picture.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
@@ -43,6 +44,7 @@ export class Drawing extends EventTarget {
   #byHand = false; // the present text came from a handle
   #hand = null; // where the pointer is, dots
   #handWaits = false;
+  #photograph = null;
   #crowded = false; // there are more vertices than handles
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
@@ -115,6 +117,13 @@ export class Drawing extends EventTarget {
     if (dx !== 0 || dy !== 0) this.svg.call(this.zooming.translateBy, (dx * this.view.width) / this.view.zoom.k, (dy * this.view.height) / this.view.zoom.k);
   }
 
+  /** What lies behind the block; null: nothing. @param {object|null} photograph as `drawPhotograph` takes it */
+  setPhotograph(photograph) {
+    this.#photograph = photograph;
+    this.svg.classed("over-photo", photograph !== null);
+    this.#later();
+  }
+
   /** Several changes within a frame are drawn once. */
   #later() {
     if (this.#waits !== null) return;
@@ -134,6 +143,7 @@ export class Drawing extends EventTarget {
     const stale = store.solution === null;
     this.svg.classed("stale", stale && store.problem !== null);
     this.context = null;
+    drawPhotograph(this.layers.photo, null, null);
     const isPicture = answer !== null && answer.kind !== "block";
     this.picture.put(isPicture ? this.store.figure : null, this.view, say("Figure of the blocks"));
     if (isPicture) this.#leaveOut(answer.kind === "solid" ? say("A solid is not drawn here; its report stands beside this") : "");
@@ -148,6 +158,7 @@ export class Drawing extends EventTarget {
     this.view.turn = this.#turn();
     this.#drawShapes(outlines);
     this.#drawPreview(stale);
+    drawPhotograph(this.layers.photo, this.context, this.#photograph);
     this.#place();
   }
 
@@ -175,9 +186,9 @@ export class Drawing extends EventTarget {
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
   #turn() {
-    const { kase } = this.context;
+    const { frame } = this.context.kase;
     const own = this.context.number(["tilt", "angle_deg"]).value ?? 0;
-    const dip = kase.frame?.inclined ? kase.frame.inclination_deg.value : 0;
+    const dip = frame?.inclined ? frame.inclination_deg.value : frame?.is === "world" ? frame.dip_deg.value : 0;
     return (this.sign * Math.min(180, Math.max(0, own) + Math.abs(dip)) * Math.PI) / 180;
   }
 

@@ -10,6 +10,7 @@ export function layersOf(svg) {
   const frame = svg.append("g").attr("class", "frame");
   const layers = {
     frame,
+    photo: frame.append("image").attr("class", "photo-behind").attr("preserveAspectRatio", "none").attr("display", "none"),
     still: frame.append("g"),
     water: frame.append("path").attr("class", "shape water"),
     moving: frame.append("g").append("g").attr("class", "moving"),

@@ -18,6 +18,7 @@ import { firstGesture } from "./first_gesture.js";
 import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
 import { sceneTools } from "./scene_tools.js";
+import { Photograph } from "../photograph/photograph.js";
 import { Player } from "./player.js";
 import { sheet } from "./sheet.js";
 import { sceneWords } from "./scene_words.js";
@@ -55,7 +56,8 @@ async function begin() {
   new Player(element("play"), element("film"), { drawing, store, core: background, messages });
   numbersForm(element("numbers"), store);
   sceneWords(element, store);
-  sceneTools(element, { store, menu, messages, tabs });
+  const photograph = new Photograph({ stage: element("photo-stage"), place: element("photo"), button: element("trace"), drawing, store, messages });
+  sceneTools(element, { store, menu, messages, tabs, photograph });
   const embedded = readEmbed(location.hash);
   if (embedded !== null) showEmbedded(embedded, tabs);
   const told = (words) => (element("told").textContent = words);

@@ -9,12 +9,13 @@ import { embedLine } from "./embed.js";
 import { offer } from "./offer.js";
 import { say } from "../words/language.js";
 
-/** @param {(id: string) => HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, menu: object, messages: object, tabs: object}} page */
-export function sceneTools(element, { store, menu, messages, tabs }) {
+/** @param {(id: string) => HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, menu: object, messages: object, tabs: object, photograph: {take: (file: File) => boolean}}} page */
+export function sceneTools(element, { store, menu, messages, tabs, photograph }) {
   const openFiles = async (files) => {
     try {
       messages.clear();
-      await readFiles([...files], store);
+      const others = [...files].filter((file) => !photograph.take(file));
+      if (others.length > 0) await readFiles(others, store);
     } catch (error) {
       messages.say(error.message);
     }
