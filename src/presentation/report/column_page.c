@@ -60,7 +60,10 @@ static void add_assumption(tp_text *t, const tp_system_case *c) {
                    "  reduction is the smaller one.\n");
     return;
   }
-  if (both && !own->fos_is_least && !c->fos_is_least) {
+  if (both && !own->fos_is_least && !c->fos_is_least && ratio <= 1 + rounding) {
+    tp_text_add(t, " No forces that act elsewhere need less\n"
+                   "  friction.");
+  } else if (both && !own->fos_is_least && !c->fos_is_least) {
     tp_text_add(t,
                 " It asks for %.4g times the friction that forces need\n"
                 "  which act where it is best.",
