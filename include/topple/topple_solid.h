@@ -36,8 +36,8 @@ typedef struct tp_solid_options {
   size_t azimuths;     /* of the rose, evenly from 0 on, at most TP_SOLID_AZIMUTHS */
 } tp_solid_options;
 
-/* The most that options may ask for. */
-enum { TP_SOLID_BANDS = 100, TP_SOLID_AZIMUTHS = 36000 };
+/* The most that options may ask for, and that contacts a scene may have. */
+enum { TP_SOLID_BANDS = 100, TP_SOLID_AZIMUTHS = 36000, TP_SOLID_CONTACTS = 1000 };
 
 /* The defaults: in metres, the whole file, no weight, no friction, z upwards, 72 azimuths; `size`
  * is the caller's. */
@@ -135,6 +135,61 @@ typedef struct tp_solid_band {
   tp_solid_stance stance;   /* if has_stance: at the scene's tilt */
 } tp_solid_band;
 
+/* A motion that begins: a screw. No force that contacts can exert does negative work on it. */
+typedef struct tp_solid_motion {
+  tp_mechanism mechanism; /* slides: without a turn; topples: two contacts at least stay where they
+                             are; else slides and topples */
+  double axis[3];         /* unit vector in the axes of the mesh: it turns about it by the right
+                             hand; without a turn: the way of all points */
+  bool turns;             /* it turns: */
+  double at[3];           /* if turns: the point of the axis that is nearest to the centroid */
+  double pitch_m;         /* if turns: how far it moves along the axis in a turn of one radian */
+} tp_solid_motion;
+
+/* A point at which the ground touches the solid. */
+typedef struct tp_solid_contact {
+  double at[3];              /* in the coordinates of the mesh */
+  double normal[3];          /* unit vector out of the ground, into the solid */
+  double friction_angle_deg; /* of this contact */
+  double distance_m;         /* from the surface of the mesh */
+  double force[3];           /* where it stands: one of the forces on the solid, in shares of its
+                                weight, that hold it together; else zeros */
+} tp_solid_contact;
+
+/* The tilt towards an azimuth up to which forces hold the solid on its contacts. */
+typedef struct tp_solid_way {
+  double azimuth_deg;      /* towards which it is tilted */
+  tp_mechanism mechanism;  /* what it does there; interlocked: it is held at any tilt below 90
+                              degrees; undecided: nothing is proven */
+  bool has_critical;       /* there is such a tilt: */
+  tp_bounded critical_deg; /* if has_critical: that */
+  tp_solid_motion motion;  /* if has_critical: which begins there */
+} tp_solid_way;
+
+/* A solid on contact points with normals and friction. Forces hold it where some forces, each in
+ * its cone of Coulomb, are in equilibrium with its weight and earthquake: then it can stand.
+ * Where there are none it certainly moves. */
+typedef struct tp_solid_contacts {
+  size_t contact_count;       /* of them */
+  tp_solid_contact *contacts; /* contact_count of them: in the order of the scene */
+  tp_mechanism verdict;       /* at its tilt: stands, where forces hold it; what it does, where none
+                                 do; undecided: too close to tell */
+  bool has_motion;            /* none do: */
+  tp_solid_motion motion;     /* if has_motion: one that begins */
+  bool has_fos;               /* some friction is needed, and some is enough: */
+  tp_bounded fos;             /* if has_fos: what tan(phi) of all contacts may be divided by until
+                                 no forces hold it */
+  tp_mechanism fos_mechanism; /* if has_fos: what it does then */
+  bool has_critical;          /* it is held level, and not at any tilt: */
+  tp_bounded critical_deg;    /* if has_critical: without an earthquake, the tilt up to which it is
+                                 held: towards the azimuth of its tilt, or the least of all */
+  tp_bounded
+      critical_azimuth_deg; /* if has_critical: towards which; of the least where it was found */
+  tp_solid_motion critical; /* if has_critical: the motion that begins there */
+  size_t way_count;         /* the azimuths, where it is held level; else 0 */
+  tp_solid_way *ways;       /* way_count of them: evenly from 0 on */
+} tp_solid_contacts;
+
 /* A solid; owns what it points to. */
 typedef struct tp_solid {
   size_t size;               /* of this struct, as the library has it (TP_HAS_MEMBER) */
@@ -174,7 +229,9 @@ typedef struct tp_solid {
   bool has_required_fos;                       /* a factor of safety that it must have: */
   double required_fos;                         /* if has_required_fos: that */
   tp_settings settings;                        /* what was set in it, or varied */
-  size_t governing; /* if of_scene: the band that governs, by its number from 0: the least */
+  size_t governing;  /* if of_scene: the band that governs, by its number from 0: the least */
+  bool has_contacts; /* its scene gives contacts instead of bands: */
+  tp_solid_contacts contacts; /* if has_contacts: what it does on them */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

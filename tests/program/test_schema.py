@@ -321,6 +321,10 @@ class Schema(unittest.TestCase):
         self.prints("solid", "--json", "--unit-weight=26", "--friction=30", "--band=0,0.1", ROOT / "examples" / "meshes" / "scanned_boulder.obj",
                     "--object=boulder")
         rock = ROOT / "examples" / "solids" / "balanced_rock.yaml"
+        for words in ((), ("--set", "tilt.angle_deg=40")):  # forces hold it; a motion begins
+            status, out, err = run("solve", "--json", *words, rock.with_name("rock_on_contacts.yaml"))
+            self.assertEqual((status, err), (0, ""))
+            self.fits("solid", out)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         with tempfile.TemporaryDirectory() as folder:
             text = rock.read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")

@@ -103,11 +103,21 @@ static void clear_blocks(tp_scene *scene) {
   free(many->joints);
 }
 
+static void clear_contact(tp_contact_description *contact) {
+  clear_numbers(contact, &tp_contact_numbers);
+  for (int k = 0; k < 3; k++) {
+    fmpq_clear(contact->at + k);
+    fmpq_clear(contact->normal + k);
+  }
+}
+
 void tp_scene_free(tp_scene *scene) {
   if (scene == NULL) return;
   clear_blocks(scene);
   for (long k = 0; k < scene->solid.band_count; k++) fmpq_clear(scene->solid.bands + k);
   free(scene->solid.bands);
+  for (long k = 0; k < scene->solid.contact_count; k++) clear_contact(scene->solid.contacts + k);
+  free(scene->solid.contacts);
   for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
   for (size_t k = 0; k < tp_scene_lines.count; k++) {
     tp_polyline_clear(tp_member_line(scene, tp_scene_lines.items[k]));

@@ -6,6 +6,15 @@
 #ifndef TP_SCENE_SOLID_DESCRIPTION_H
 #define TP_SCENE_SOLID_DESCRIPTION_H
 
+/* A place where the ground touches the solid. */
+typedef struct tp_contact_description {
+  tp_place place;
+  fmpq at[3];      /* in the coordinates of the mesh */
+  bool has_normal; /* else across the surface there */
+  fmpq normal[3];  /* if has_normal: out of the ground, into the solid, of any length */
+  tp_quantity friction_angle_deg; /* not given: the scene's */
+} tp_contact_description;
+
 typedef struct tp_solid_description {
   tp_place place;         /* no file: the scene is of a section */
   const tp_mesh *mesh;    /* of the scene's file, */
@@ -15,7 +24,9 @@ typedef struct tp_solid_description {
   tp_quantity unit_weight_kn_m3, azimuths;
   tp_quantity dip_deg, dip_direction_deg; /* of the base, where `up` is the vertical instead */
   long band_count;
-  fmpq *bands; /* in scene lengths */
+  fmpq *bands;        /* in scene lengths */
+  long contact_count; /* 0: what touches is by bands */
+  tp_contact_description *contacts;
 } tp_solid_description;
 
 #endif

@@ -28,21 +28,6 @@ static bool is_zero(const fmpq point[AXES]) {
   return fmpq_is_zero(point) && fmpq_is_zero(point + 1) && fmpq_is_zero(point + 2);
 }
 
-static tp_status read_triple(const tp_reader *reader, fmpq point[AXES], const tp_node *node,
-                             const char *name) {
-  static const char *const axes[AXES] = {"x", "y", "z"};
-  if (node->kind != TP_NODE_SEQUENCE || node->count != AXES) {
-    return tp_read_fail(reader, TP_FAULT_FORMAT, node,
-                        "'%s' is three numbers in the axes of the mesh, written [x, y, z]", name);
-  }
-  tp_status status = TP_OK;
-  const tp_node *n = node->first;
-  for (int k = 0; k < AXES && status == TP_OK; k++, n = n->next) {
-    status = tp_read_number(reader, point + k, n, axes[k]);
-  }
-  return status;
-}
-
 static void subtract(fmpq way[AXES], const fmpq to[AXES], const fmpq from[AXES]) {
   for (int k = 0; k < AXES; k++) fmpq_sub(way + k, to + k, from + k);
 }
@@ -72,8 +57,8 @@ static tp_status read_known_length(const tp_reader *reader, fmpq from[AXES], fmp
   }
   if (status == TP_OK) status = tp_read_required(reader, ends + 1, node, "to", "to: [0, 0, 1]");
   if (status == TP_OK) status = tp_read_required(reader, &known, node, "length", "length: 1.2");
-  if (status == TP_OK) status = read_triple(reader, from, ends[0], "from");
-  if (status == TP_OK) status = read_triple(reader, to, ends[1], "to");
+  if (status == TP_OK) status = tp_read_triple(reader, from, ends[0], "from");
+  if (status == TP_OK) status = tp_read_triple(reader, to, ends[1], "to");
   if (status == TP_OK) {
     status = tp_read_by_rule(reader, length, known, "length", TP_RULE_ABOVE_ZERO);
   }
@@ -181,7 +166,7 @@ static tp_status read_base_points(const tp_reader *reader, const tp_node *node) 
   const tp_node *n = list->first;
   for (int k = 0; k < AXES; k++) init_point(points[k]);
   for (int k = 0; k < AXES && status == TP_OK; k++, n = n->next) {
-    status = read_triple(reader, points[k], n, "a point of the base");
+    status = tp_read_triple(reader, points[k], n, "a point of the base");
   }
   if (status == TP_OK) {
     subtract(points[1], points[1], points[0]);
@@ -201,7 +186,7 @@ static tp_status read_up_vector(const tp_reader *reader, const tp_node *node) {
   fmpq_one(up + 2);
   if (node == NULL) return TP_OK;
   if (node->kind == TP_NODE_MAPPING) return read_base_points(reader, node);
-  const tp_status status = read_triple(reader, up, node, "up");
+  const tp_status status = tp_read_triple(reader, up, node, "up");
   if (status != TP_OK || !is_zero(up)) return status;
   return tp_read_fail(reader, TP_FAULT_RANGE, node,
                       "of the three numbers of 'up' at least one is not 0");
@@ -226,6 +211,9 @@ static tp_status read_solid_base(const tp_reader *reader, const tp_node *node) {
 static tp_status read_bands(const tp_reader *reader, const tp_node *parent) {
   tp_solid_description *own = &reader->scene->solid;
   const tp_node *node = NULL;
+  if (tp_node_get(parent, "contacts") != NULL && tp_node_get(parent, "bands") == NULL) {
+    return TP_OK;
+  }
   tp_status status = tp_read_required(reader, &node, parent, "bands", "bands: [0.002, 0.005]");
   if (status != TP_OK) return status;
   const bool is_list = node->kind == TP_NODE_SEQUENCE;
@@ -301,5 +289,6 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_lengths(reader, node);
   if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));
   if (status == TP_OK) status = read_solid_base(reader, tp_node_get(node, "base"));
-  return status == TP_OK ? read_bands(reader, node) : status;
+  if (status == TP_OK) status = read_bands(reader, node);
+  return status == TP_OK ? tp_read_solid_contacts(reader, node) : status;
 }

@@ -50,6 +50,28 @@ static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
              : TP_OK;
 }
 
+/* Contacts have friction, and are tilted and shaken one way. */
+static tp_status check_contacts(const tp_reader *reader) {
+  const tp_scene *scene = reader->scene;
+  for (long k = 0; k < scene->solid.contact_count; k++) {
+    const tp_contact_description *own = scene->solid.contacts + k;
+    if (own->friction_angle_deg.given || scene->friction_angle_deg.given) continue;
+    return tp_refuse(reader->message, TP_FAULT_KEY, own->place,
+                     "this contact has no friction: give it a 'friction_angle_deg', or the scene "
+                     "one for all");
+  }
+  if (scene->solid.contact_count == 0) return TP_OK;
+  if (scene->tilt_angle_deg.given && !scene->tilt_azimuth_deg.given) {
+    return tp_refuse(reader->message, TP_FAULT_KEY, scene->tilt_angle_deg.place,
+                     "a rock on 'contacts' is tilted one way: give the tilt its 'azimuth_deg'");
+  }
+  return !scene->loads.horizontal.given || scene->loads.azimuth_deg.given
+             ? TP_OK
+             : tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.horizontal.place,
+                         "a rock on 'contacts' is shaken one way: give 'seismic' its "
+                         "'azimuth_deg'");
+}
+
 tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
   const tp_scene *scene = reader->scene;
   if (scene->solid.place.file == NULL) {
@@ -60,6 +82,7 @@ tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
                : status;
   }
   const tp_node *loads = tp_node_get(root, "loads");
-  const tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
-  return status == TP_OK ? check_ways(reader, root) : status;
+  tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
+  if (status == TP_OK) status = check_ways(reader, root);
+  return status == TP_OK ? check_contacts(reader) : status;
 }

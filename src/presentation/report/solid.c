@@ -220,8 +220,9 @@ tp_status tp_report_solid(char **text, const tp_solid *solid) {
   TP_REFUSE_NULL(NULL, solid);
   tp_text t = {0};
   add_body(&t, solid);
-  add_bands(&t, solid);
+  if (solid->band_count > 0) add_bands(&t, solid);
   tp_text_solid_stances(&t, solid);
+  tp_text_solid_contacts(&t, solid);
   add_rose(&t, solid);
   add_poses(&t, solid);
   if (solid->notes.count > 0) tp_text_add(&t, "\n");

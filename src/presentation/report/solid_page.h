@@ -15,4 +15,13 @@ enum { TP_SOLID_TILT_DIGITS = 8 };
 /* Of a scene: what the solid does at its tilt; else nothing. */
 void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 
+/* Of a scene with contacts: what the solid does on them; else nothing. */
+void tp_text_solid_contacts(tp_text *t, const tp_solid *solid);
+
+/* Whether it has the factor that the scene requires, where it requires one. */
+void tp_text_solid_required(tp_text *t, const tp_solid *solid);
+
+/* The tilt and the earthquake of a scene, a line. */
+void tp_text_solid_loads(tp_text *t, const tp_solid *solid);
+
 #endif

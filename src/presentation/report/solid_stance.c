@@ -17,7 +17,7 @@ static void add_azimuth(tp_text *t, bool has, double azimuth) {
   }
 }
 
-static void add_loads(tp_text *t, const tp_solid *s) {
+void tp_text_solid_loads(tp_text *t, const tp_solid *s) {
   if (s->is_on_slope) {
     tp_text_add(t, "\nOn its base, which dips %.6g° ", s->tilt_angle_deg);
     add_azimuth(t, true, s->tilt_azimuth_deg);
@@ -58,16 +58,15 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
   tp_text_add(t, "\n");
 }
 
-static void add_required(tp_text *t, const tp_solid *s) {
+void tp_text_solid_required(tp_text *t, const tp_solid *s) {
+  const char *where = s->has_contacts ? "" : " in the least band";
   if (!s->has_required_fos) return;
   switch (tp_solid_meets(s, s->required_fos)) {
   case TP_DESIGN_MET:
-    tp_text_add(t, "  The required factor of safety %.6g is met in the least band.\n",
-                s->required_fos);
+    tp_text_add(t, "  The required factor of safety %.6g is met%s.\n", s->required_fos, where);
     break;
   case TP_DESIGN_NOT_MET:
-    tp_text_add(t, "  The required factor of safety %.6g is not met in the least band.\n",
-                s->required_fos);
+    tp_text_add(t, "  The required factor of safety %.6g is not met%s.\n", s->required_fos, where);
     break;
   case TP_DESIGN_OPEN:
     tp_text_add(t, "  Whether the required factor of safety %.6g is met is undecided.\n",
@@ -77,8 +76,8 @@ static void add_required(tp_text *t, const tp_solid *s) {
 
 void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
   bool any = false, shaken = false;
-  if (!s->of_scene) return;
-  add_loads(t, s);
+  if (!s->of_scene || s->has_contacts) return;
+  tp_text_solid_loads(t, s);
   for (size_t k = 0; k < s->band_count; k++) {
     any = any || (s->bands[k].has_stance && s->bands[k].stance.has_fos);
     shaken = shaken || (s->bands[k].has_stance && s->bands[k].stance.has_acceleration);
@@ -99,5 +98,5 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
                 "  The acceleration is the least horizontal one of all azimuths that moves it at "
                 "this tilt,\n  if it lasts.\n");
   }
-  add_required(t, s);
+  tp_text_solid_required(t, s);
 }

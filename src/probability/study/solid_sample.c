@@ -52,7 +52,33 @@ static void take_stance(tp_study_row *row, const tp_solid *solid, const tp_solid
   if (solid->has_tilt_angle) row->tilt_deg = solid->tilt_angle_deg;
 }
 
+/* On contacts: no least acceleration, and factors of toppling and sliding are one. */
+static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
+  const tp_solid_contacts *own = &solid->contacts;
+  const double fos = !has_load(solid)            ? (double)NAN
+                     : own->has_fos              ? own->fos.value
+                     : own->verdict == TP_STANDS ? INFINITY
+                                                 : -INFINITY;
+  row->at[at] = (tp_study_at){tp_study_outcome_of(own->verdict), fos};
+  row->open = row->open || tp_solid_is_undecided(solid);
+  if (at > 0) return;
+  row->quantities[TP_STUDY_LIMIT_DEG] = own->has_critical    ? own->critical_deg.value
+                                        : own->way_count > 0 ? INFINITY
+                                                             : -INFINITY;
+  row->quantities[TP_STUDY_FOS] = fos;
+  row->quantities[TP_STUDY_ACCELERATION_G] = (double)NAN;
+  if (own->has_critical) {
+    row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(own->critical.mechanism));
+  }
+  if (solid->has_tilt_angle) row->tilt_deg = solid->tilt_angle_deg;
+  if (solid->has_required_fos) row->design = (int)tp_solid_meets(solid, solid->required_fos);
+}
+
 void tp_study_take_solid(tp_study_row *row, size_t at, const tp_solid *solid) {
+  if (solid->has_contacts) {
+    take_contacts(row, at, solid);
+    return;
+  }
   const tp_solid_band *own = solid->bands + solid->governing;
   row->at[at] = (tp_study_at){tp_study_outcome_of(verdict_of(solid, own)), fos_of(solid, own)};
   row->open = row->open || tp_solid_is_undecided(solid);

@@ -13,6 +13,7 @@
 #include "common/outside.h"
 #include "scene_varying/settings.h"
 #include "solid/poses.h"
+#include "solid_tilt/on_contacts.h"
 #include "solid_tilt/rose.h"
 #include "solid_tilt/stance.h"
 
@@ -31,6 +32,7 @@ void tp_solid_free(tp_solid *solid) {
   free(solid->poses);
   for (size_t k = 0; k < solid->band_count; k++) tp_solid_band_clear(solid->bands + k);
   free(solid->bands);
+  tp_solid_contacts_clear(&solid->contacts);
   free(solid);
 }
 
@@ -130,6 +132,9 @@ static tp_status climb(work *w) {
   tp_status status = TP_OK;
   bool told = true;
   tp_solid_moments_copy(&moments, &w->body->moments);
+  if (w->given->scene != NULL && w->given->scene->solid.contact_count > 0) {
+    tp_solid_moments_climb(&moments);
+  }
   while (status == TP_OK) {
     told = tp_solid_moments_told(&moments);
     if (told || moments.level == TP_LEVEL_EXACT) {
@@ -141,6 +146,9 @@ static tp_status climb(work *w) {
   if (status == TP_OK && !told) {
     status = tp_fail(w->message, TP_UNDECIDED, (tp_place){w->body->mesh->file, 0, 0},
                      "coordinates of sizes too unlike for the range of doubles");
+  }
+  if (status == TP_OK) {
+    status = tp_on_contacts_find(w->solid, &moments.centre, w->given, w->message);
   }
   if (status == TP_OK) {
     tp_solid_moments_tell(w->solid, &moments, w->given->metres_per_unit, w->given->unit_weight);

@@ -98,21 +98,29 @@ static const tp_solid_band *governing_band(const tp_solid *solid) {
 }
 
 bool tp_solid_is_undecided(const tp_solid *solid) {
+  if (solid != NULL && solid->has_contacts) {
+    return solid->contacts.verdict == TP_MECHANISM_UNDECIDED;
+  }
   const tp_solid_band *own = governing_band(solid);
   return own == NULL || (own->has_stance && own->stance.verdict == TP_MECHANISM_UNDECIDED);
 }
 
 /* Without a factor it stands, or falls, whatever is required. */
+static tp_design meets(tp_mechanism verdict, bool has_fos, tp_bounded fos, double required) {
+  if (verdict == TP_MECHANISM_UNDECIDED) return TP_DESIGN_OPEN;
+  if (!has_fos) return verdict == TP_STANDS ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
+  if (fos.value - fos.error >= required) return TP_DESIGN_MET;
+  return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
+}
+
 tp_design tp_solid_meets(const tp_solid *solid, double required) {
   TP_GUARD_HOST;
+  if (solid != NULL && solid->has_contacts) {
+    const tp_solid_contacts *own = &solid->contacts;
+    return meets(own->verdict, own->has_fos, own->fos, required);
+  }
   const tp_solid_band *own = governing_band(solid);
   if (own == NULL) return TP_DESIGN_OPEN;
   if (!own->has_stance) return TP_DESIGN_NOT_MET;
-  if (own->stance.verdict == TP_MECHANISM_UNDECIDED) return TP_DESIGN_OPEN;
-  if (!own->stance.has_fos) {
-    return own->stance.verdict == TP_STANDS ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
-  }
-  const tp_bounded fos = own->stance.fos;
-  if (fos.value - fos.error >= required) return TP_DESIGN_MET;
-  return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
+  return meets(own->stance.verdict, own->stance.has_fos, own->stance.fos, required);
 }

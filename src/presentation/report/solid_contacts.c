@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a solid does on contacts with friction, as text. */
+
+#include "number/shortest.h"
+#include "report/results.h"
+#include "report/solid_page.h"
+#include "terms/names.h"
+
+#include <math.h>
+
+enum { TILT = TP_SOLID_TILT_DIGITS, CONTACTS = 20 };
+
+static void add_point(tp_text *t, const double point[3]) {
+  tp_text_add(t, "(%.6g, %.6g, %.6g)", point[0], point[1], point[2]);
+}
+
+static void add_motion(tp_text *t, const tp_solid_motion *m) {
+  if (!m->turns) {
+    tp_text_add(t, "%s along ", tp_mechanism_name(m->mechanism));
+    add_point(t, m->axis);
+    return;
+  }
+  tp_text_add(t, "%s about the axis along ", tp_mechanism_name(m->mechanism));
+  add_point(t, m->axis);
+  tp_text_add(t, " through ");
+  add_point(t, m->at);
+  tp_text_add(t, ", %.3g m along it a radian", m->pitch_m);
+}
+
+static void add_contact(tp_text *t, const tp_solid_contact *c, size_t number, bool held) {
+  tp_text_add(t, "  %5zu  (%9.6g, %9.6g, %9.6g)  (%8.5f, %8.5f, %8.5f)  %7.4g°", number, c->at[0],
+              c->at[1], c->at[2], c->normal[0], c->normal[1], c->normal[2], c->friction_angle_deg);
+  if (held) {
+    const double *f = c->force, *n = c->normal;
+    const double on = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
+    const double all = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    tp_text_add(t, " %10.4f %10.4f", on, sqrt(fmax(0, (all - on) * (all + on))));
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
+  const bool held = c->verdict == TP_STANDS;
+  tp_text_add(t, "\n%zu contact%s%s\n", c->contact_count, c->contact_count == 1 ? "" : "s",
+              held ? ", with one of the systems of forces that hold it, in shares of its weight"
+                   : "");
+  tp_text_add(t, "  %5s  %-33s  %-30s  %8s%s\n", "", "at", "normal into the rock", "friction",
+              held ? "    pressed     pulled" : "");
+  for (size_t k = 0; k < c->contact_count && k < CONTACTS; k++) {
+    add_contact(t, c->contacts + k, k + 1, held);
+  }
+  if (c->contact_count > CONTACTS) {
+    tp_text_add(t, "  and %zu more, which --json has\n", c->contact_count - CONTACTS);
+  }
+}
+
+static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
+  char n[TP_NUMBER_SIZE];
+  if (c->verdict == TP_STANDS) {
+    tp_text_add(t, "  can stand: forces within all cones of friction hold it\n");
+  } else if (c->has_motion) {
+    tp_text_add(t, "  certainly moves, for no forces hold it:\n  it ");
+    add_motion(t, &c->motion);
+    tp_text_add(t, "\n");
+  } else {
+    tp_text_add(t, "  undecided: too close to tell\n");
+  }
+  if (c->has_fos) {
+    tp_text_add(
+        t,
+        "  factor of safety %s: what tan φ of all contacts may be divided by until no forces "
+        "hold it;\n  then it %s\n",
+        tp_text_significant(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
+  } else if (c->verdict == TP_STANDS) {
+    tp_text_add(t, "  no factor of safety: it is held without friction\n");
+  }
+}
+
+static void add_critical(tp_text *t, const tp_solid *s) {
+  const tp_solid_contacts *c = &s->contacts;
+  char tilt[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE];
+  if (!c->has_critical) {
+    tp_text_add(t, c->way_count == 0 ? "  level, no forces are proven to hold it\n"
+                                     : "  no tilt below 90° is proven to move it\n");
+    return;
+  }
+  tp_text_add(t, "  forces hold it up to a tilt of %s° ± %.1e° towards %s%s°;\n  then it ",
+              tp_text_significant(tilt, c->critical_deg, TILT), c->critical_deg.error,
+              s->has_tilt_azimuth ? "" : "the worst azimuth, ",
+              tp_text_fixed(azimuth, c->critical_azimuth_deg, 3));
+  add_motion(t, &c->critical);
+  tp_text_add(t, "\n");
+}
+
+static void add_ways(tp_text *t, const tp_solid_contacts *c) {
+  enum { COLUMNS = 8 };
+  if (c->way_count == 0) return;
+  const size_t step = (c->way_count + COLUMNS - 1) / COLUMNS;
+  tp_text_add(t, "\nTilt up to which forces hold it towards an azimuth; --json has all %zu\n",
+              c->way_count);
+  for (int row = 0; row < 2; row++) {
+    tp_text_add(t, " ");
+    for (size_t k = 0; k < c->way_count; k += step) {
+      const tp_solid_way *own = c->ways + k;
+      char n[TP_NUMBER_SIZE];
+      if (row == 0) {
+        tp_text_add(t, " %9.4g°", own->azimuth_deg);
+      } else if (own->has_critical) {
+        tp_text_add(t, " %9s°", tp_text_fixed(n, own->critical_deg, 4));
+      } else {
+        tp_text_add(t, " %10s", own->mechanism == TP_INTERLOCKED ? "any" : "?");
+      }
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
+  if (!s->has_contacts) return;
+  tp_text_solid_loads(t, s);
+  add_verdict(t, &s->contacts);
+  add_critical(t, s);
+  tp_text_solid_required(t, s);
+  tp_text_add(t,
+              "  Held means that forces can do it. Contacts that face each other may be wedged by "
+              "forces that nothing\n  has put there, and a shock can free them.\n");
+  add_contacts(t, &s->contacts);
+  add_ways(t, &s->contacts);
+}

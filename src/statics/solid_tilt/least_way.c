@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A polygon of points that are held, and the nearest of the lines that motions draw. */
+
+#include "solid_tilt/least_way.h"
+
+#include "solid/azimuth.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { FIRST_POINTS = 12, MOST_POINTS = 96 };
+
+/* Held at any tilt is as good as held up to this tangent: farther than any that is the least. */
+static const double endless = 1e6;
+
+void tp_level_loads_init(tp_level_loads *loads, const tp_hold_frame *frame) {
+  tp_hold_load_init(&loads->down);
+  tp_hold_load_init(&loads->east);
+  tp_hold_load_init(&loads->north);
+  tp_hold_frame_axis(&loads->down, frame, 2, true);
+  tp_hold_frame_axis(&loads->east, frame, 0, false);
+  tp_hold_frame_axis(&loads->north, frame, 1, false);
+}
+
+void tp_level_loads_clear(tp_level_loads *loads) {
+  tp_hold_load_clear(&loads->down);
+  tp_hold_load_clear(&loads->east);
+  tp_hold_load_clear(&loads->north);
+}
+
+bool tp_level_limit(tp_hold_limit *limit, tp_hold *hold, const tp_level_loads *loads,
+                    const tp_hold_frame *frame, double azimuth_deg) {
+  tp_hold_load way;
+  fmpq_t azimuth;
+  fmpq_init(azimuth);
+  tp_hold_double(azimuth, azimuth_deg);
+  tp_hold_load_init(&way);
+  tp_hold_frame_way(&way, frame, azimuth);
+  const bool done = tp_hold_limit_find(limit, hold, &loads->down, &way);
+  tp_hold_load_clear(&way);
+  fmpq_clear(azimuth);
+  return done;
+}
+
+/* ---- the polygon -------------------------------------------------------------------------------
+ */
+
+typedef struct corner {
+  double azimuth_deg;
+  tp_near east, north; /* held */
+} corner;
+
+typedef struct polygon {
+  tp_hold *hold;
+  const tp_level_loads *loads;
+  const tp_hold_frame *frame;
+  tp_least_way *least;
+  long count;
+  corner corners[MOST_POINTS];
+} polygon;
+
+/* The line of a motion: no t beyond what it gains on the weight over what it does on the way. */
+static void take_line(polygon *p, const tp_hold_limit *limit) {
+  const tp_near down = tp_near_neg(tp_hold_gain(limit->twist, &p->loads->down));
+  const tp_near east = tp_hold_gain(limit->twist, &p->loads->east);
+  const tp_near north = tp_hold_gain(limit->twist, &p->loads->north);
+  const tp_near reach = tp_near_div(down, tp_near_length(east, north));
+  tp_least_way *least = p->least;
+  if (!(reach.value + reach.error < least->t.value + least->t.error)) return;
+  const tp_bounded azimuth = tp_azimuth_of(east, north);
+  least->t = reach;
+  least->azimuth_deg = azimuth.value;
+  least->azimuth_error = azimuth.error;
+  memcpy(least->twist, limit->twist, sizeof least->twist);
+}
+
+static bool add_corner(polygon *p, double azimuth_deg) {
+  tp_hold_limit limit;
+  if (!tp_level_limit(&limit, p->hold, p->loads, p->frame, azimuth_deg)) return false;
+  p->least->is_known = p->least->is_known && !limit.is_open;
+  if (!p->least->is_known) return true;
+  tp_near east, north;
+  const double held = limit.is_endless ? endless : limit.t.value - limit.t.error;
+  tp_azimuth_direction(&east, &north, azimuth_deg);
+  long at = p->count++;
+  for (; at > 0 && p->corners[at - 1].azimuth_deg > azimuth_deg; at--) {
+    p->corners[at] = p->corners[at - 1];
+  }
+  p->corners[at] = (corner){azimuth_deg, tp_near_times(east, (tp_near){held, 0}),
+                            tp_near_times(north, (tp_near){held, 0})};
+  if (!limit.is_endless) take_line(p, &limit);
+  return true;
+}
+
+/* How far the foot lies within the line of a side, and towards which azimuth. */
+static tp_near side_distance(double *azimuth_deg, const polygon *p, long side) {
+  const corner *a = p->corners + side, *b = p->corners + (side + 1) % p->count;
+  const tp_near east = tp_near_sub(b->east, a->east), north = tp_near_sub(b->north, a->north);
+  const tp_near area = tp_near_sub(tp_near_mul(a->north, b->east), tp_near_mul(a->east, b->north));
+  const tp_near length = tp_near_length(east, north);
+  const double end = b->azimuth_deg + (side + 1 == p->count ? 360 : 0);
+  const double share =
+      fmax(0.05, fmin(0.95, -(a->east.value * east.value + a->north.value * north.value) /
+                                (length.value * length.value)));
+  *azimuth_deg = fmod(a->azimuth_deg + share * (end - a->azimuth_deg), 360);
+  return tp_near_div(area, length);
+}
+
+/* The least of all sides, at most, and where to look next. */
+static double inner_bound(double *azimuth_deg, const polygon *p) {
+  double least = INFINITY;
+  for (long k = 0; k < p->count; k++) {
+    double own;
+    const tp_near distance = side_distance(&own, p, k);
+    const double low = isfinite(distance.error) ? distance.value - distance.error : 0;
+    if (low >= least) continue;
+    least = low;
+    *azimuth_deg = own;
+  }
+  return fmax(0, least);
+}
+
+bool tp_least_way_find(tp_least_way *least, tp_hold *hold, const tp_level_loads *loads,
+                       const tp_hold_frame *frame) {
+  static const double close = 1e-9;
+  polygon p = {.hold = hold, .loads = loads, .frame = frame, .least = least};
+  *least = (tp_least_way){.is_known = true, .t = {INFINITY, 0}};
+  for (int k = 0; k < FIRST_POINTS && least->is_known; k++) {
+    if (!add_corner(&p, 360.0 * k / FIRST_POINTS)) return false;
+  }
+  double inner = 0, next = 0;
+  while (least->is_known) {
+    inner = inner_bound(&next, &p);
+    const double outer = least->t.value + least->t.error;
+    if (p.count == MOST_POINTS || outer - inner <= close * outer) break;
+    if (!add_corner(&p, next)) return false;
+  }
+  least->is_endless = least->is_known && !isfinite(least->t.value);
+  if (!least->is_known || least->is_endless) return true;
+  const double outer = least->t.value + least->t.error, middle = inner + (outer - inner) / 2;
+  least->t = tp_near_of(middle, (outer - inner) / 2 + outer * DBL_EPSILON);
+  return true;
+}

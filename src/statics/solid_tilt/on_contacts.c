@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* From what is proven of loads on cones of friction to results. */
+
+#include "solid_tilt/on_contacts.h"
+
+#include "number/near_angle.h"
+#include "solid/tilting.h"
+#include "solid_tilt/contact_points.h"
+#include "solid_tilt/least_way.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct work {
+  tp_solid_contacts *results;
+  const tp_surface *surface;
+  const tp_solid_given *given;
+  tp_contact_points points;
+  tp_hold hold;
+  tp_hold_frame frame;
+  tp_level_loads level;
+  tp_message *message;
+} work;
+
+static tp_status fail_memory(const work *w) {
+  return tp_fail_memory(w->message, "the contacts of a solid");
+}
+
+/* ---- a motion ----------------------------------------------------------------------------------
+ */
+
+static double length(const double v[3]) {
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Of all motion, what counts for none: a motion is found to the root of the bound of its limit. */
+static const double still = 1e-4;
+
+static int count_still(const work *w, const double twist[TP_WRENCH]) {
+  double most = length(twist);
+  int count = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    for (long n = 0; n < w->points.cones.count; n++) {
+      double motion[3];
+      tp_friction_cone_motion(motion, w->points.cones.cones + n, twist);
+      if (pass == 0) most = fmax(most, length(motion));
+      if (pass == 1) count += length(motion) <= still * most;
+    }
+  }
+  return count;
+}
+
+/* Zero, where it is that for doubles of a size. */
+static double settled(double number, double size) {
+  static const double digits = 1e-11;
+  return fabs(number) <= digits * size ? 0 : number;
+}
+
+static void set_motion(tp_solid_motion *own, const work *w, const double twist[TP_WRENCH]) {
+  const double *v = twist, *turn = twist + 3;
+  const double speed = length(v), rate = length(turn);
+  *own = (tp_solid_motion){.mechanism = TP_SLIDES, .turns = rate > still * speed};
+  for (int k = 0; k < 3; k++) {
+    own->axis[k] = settled(own->turns ? turn[k] / rate : v[k] / speed, 1);
+  }
+  if (!own->turns) return;
+  own->mechanism = count_still(w, twist) > 1 ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;
+  double foot[3];
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    foot[k] = (turn[i] * v[j] - turn[j] * v[i]) / (rate * rate);
+    own->pitch_m += turn[k] * v[k] / (rate * rate) * w->points.metres;
+  }
+  own->pitch_m = settled(own->pitch_m, w->points.metres);
+  tp_contact_points_given(own->at, &w->points, w->surface, foot);
+  const double size = w->points.metres / tp_surface_nearest(w->given->metres_per_unit);
+  for (int k = 0; k < 3; k++) own->at[k] = settled(own->at[k], size);
+}
+
+/* ---- at its tilt -------------------------------------------------------------------------------
+ */
+
+static tp_status set_stance(const work *w, tp_hold *hold) {
+  tp_solid_contacts *own = w->results;
+  double twist[TP_WRENCH], beyond[TP_WRENCH];
+  tp_hold_side side = TP_HOLD_OPEN;
+  tp_hold_factor_kind kind = TP_HOLD_FACTOR_OPEN;
+  tp_near factor = {0, INFINITY};
+  tp_hold_load load;
+  tp_hold_load_init(&load);
+  tp_hold_frame_scene(&load, &w->frame, w->given->scene);
+  const bool done = tp_hold_load_side(&side, twist, hold, &load) &&
+                    tp_hold_factor(&kind, &factor, beyond, &w->points.cones, &load);
+  tp_hold_load_clear(&load);
+  if (!done) return fail_memory(w);
+  own->has_motion = side == TP_HOLD_MOVES;
+  if (own->has_motion) set_motion(&own->motion, w, twist);
+  own->verdict = side == TP_HOLD_HOLDS   ? TP_STANDS
+                 : side == TP_HOLD_MOVES ? own->motion.mechanism
+                                         : TP_MECHANISM_UNDECIDED;
+  for (size_t n = 0; n < own->contact_count && side == TP_HOLD_HOLDS; n++) {
+    for (int k = 0; k < 3; k++) own->contacts[n].force[k] = hold->found.forces[n][k];
+  }
+  own->has_fos = kind == TP_HOLD_FACTOR;
+  if (own->has_fos) {
+    tp_solid_motion motion;
+    own->fos = tp_near_bounded(factor);
+    set_motion(&motion, w, beyond);
+    own->fos_mechanism = motion.mechanism;
+  }
+  return TP_OK;
+}
+
+/* ---- towards azimuths --------------------------------------------------------------------------
+ */
+
+static tp_status find_way(tp_solid_way *own, work *w, double azimuth_deg) {
+  tp_hold_limit limit;
+  *own = (tp_solid_way){.azimuth_deg = azimuth_deg, .mechanism = TP_MECHANISM_UNDECIDED};
+  if (!tp_level_limit(&limit, &w->hold, &w->level, &w->frame, azimuth_deg)) return fail_memory(w);
+  own->has_critical = !limit.is_open && !limit.is_endless;
+  if (limit.is_endless) own->mechanism = TP_INTERLOCKED;
+  if (!own->has_critical) return TP_OK;
+  own->critical_deg = tp_near_bounded(tp_near_arctangent(limit.t));
+  set_motion(&own->motion, w, limit.twist);
+  own->mechanism = own->motion.mechanism;
+  return TP_OK;
+}
+
+/* Towards the azimuth of the tilt. */
+static tp_status find_critical(work *w, double azimuth_deg) {
+  tp_solid_contacts *own = w->results;
+  tp_solid_way way;
+  const tp_status status = find_way(&way, w, azimuth_deg);
+  own->has_critical = way.has_critical;
+  own->critical_deg = way.critical_deg;
+  own->critical_azimuth_deg = (tp_bounded){.value = azimuth_deg};
+  own->critical = way.motion;
+  return status;
+}
+
+static tp_status find_least(work *w) {
+  tp_solid_contacts *own = w->results;
+  tp_least_way least;
+  if (!tp_least_way_find(&least, &w->hold, &w->level, &w->frame)) return fail_memory(w);
+  own->has_critical = least.is_known && !least.is_endless;
+  if (!own->has_critical) return TP_OK;
+  own->critical_deg = tp_near_bounded(tp_near_arctangent(least.t));
+  own->critical_azimuth_deg =
+      (tp_bounded){.value = least.azimuth_deg, .error = least.azimuth_error};
+  set_motion(&own->critical, w, least.twist);
+  return TP_OK;
+}
+
+static tp_status find_ways(work *w) {
+  tp_solid_contacts *own = w->results;
+  const size_t count = w->given->azimuths;
+  own->ways = calloc(count + 1, sizeof *own->ways);
+  if (own->ways == NULL) return fail_memory(w);
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = find_way(own->ways + own->way_count++, w, 360.0 * (double)k / (double)count);
+  }
+  return status;
+}
+
+static tp_status find_level(work *w) {
+  const tp_quantity *azimuth = &w->given->scene->tilt_azimuth_deg;
+  tp_hold_side side;
+  double twist[TP_WRENCH];
+  if (!tp_hold_load_side(&side, twist, &w->hold, &w->level.down)) return fail_memory(w);
+  if (side != TP_HOLD_HOLDS) return TP_OK;
+  const tp_status status = azimuth->given
+                               ? find_critical(w, fmod(tp_surface_nearest(azimuth->value), 360))
+                               : find_least(w);
+  return status == TP_OK ? find_ways(w) : status;
+}
+
+/* ---- all ---------------------------------------------------------------------------------------
+ */
+
+static tp_status find_all(work *w) {
+  if (!tp_hold_init(&w->hold, &w->points.cones, 1)) return fail_memory(w);
+  const tp_status status = set_stance(w, &w->hold);
+  return status == TP_OK ? find_level(w) : status;
+}
+
+static tp_status find_on(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
+                         tp_message *message) {
+  tp_solid_contacts *own = &solid->contacts;
+  work w = {.results = own, .surface = centre->surface, .given = given, .message = message};
+  const size_t count = (size_t)given->scene->solid.contact_count;
+  own->contacts = calloc(count + 1, sizeof *own->contacts);
+  if (own->contacts == NULL) return fail_memory(&w);
+  own->contact_count = count;
+  tp_status status =
+      tp_contact_points_init(&w.points, own->contacts, centre, given, &solid->notes, message);
+  if (status == TP_OK) {
+    tp_hold_frame_init(&w.frame, given->up);
+    tp_level_loads_init(&w.level, &w.frame);
+    status = find_all(&w);
+    tp_hold_clear(&w.hold);
+    tp_level_loads_clear(&w.level);
+    tp_hold_frame_clear(&w.frame);
+  }
+  tp_contact_points_clear(&w.points);
+  return status;
+}
+
+/* Rows of tables have the stance of the band that governs: on contacts there is none, and its place
+ * behind those that are counted has theirs. */
+static void set_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
+  row->has_stance = true;
+  row->stance = (tp_solid_stance){.verdict = contacts->verdict,
+                                  .has_fos = contacts->has_fos,
+                                  .fos = contacts->fos,
+                                  .fos_mechanism = contacts->fos_mechanism,
+                                  .has_critical = contacts->has_critical,
+                                  .critical_deg = contacts->critical_deg,
+                                  .critical_mechanism = contacts->critical.mechanism};
+}
+
+tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
+                              tp_message *message) {
+  solid->has_contacts = given->scene != NULL && given->scene->solid.contact_count > 0;
+  if (!solid->has_contacts) return TP_OK;
+  const tp_status status = find_on(solid, centre, given, message);
+  if (status == TP_OK) set_row(solid->bands, &solid->contacts);
+  return status;
+}
+
+void tp_solid_contacts_clear(tp_solid_contacts *contacts) {
+  free(contacts->contacts);
+  free(contacts->ways);
+  *contacts = (tp_solid_contacts){.contact_count = 0};
+}

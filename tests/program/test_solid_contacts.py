@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""A solid on contact points with normals and friction.
+
+Closed forms of boxes and grooves; and on contacts drawn by chance both halves are checked by what they print, without
+the search that found them: forces in equilibrium within their cones, and motions that meet no force of any cone."""
+
+import math
+import random
+import unittest
+
+from harness import main, run
+from mesh_case import box
+from test_solid_scenes import SceneCase
+from test_solids import exact_obj
+
+
+def add(a, b):
+    return [p + q for p, q in zip(a, b)]
+
+
+def times(k, a):
+    return [k * p for p in a]
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def down(tilt, azimuth):
+    d, a = math.radians(tilt), math.radians(azimuth)
+    return [math.sin(d) * math.sin(a), math.sin(d) * math.cos(a), -math.cos(d)]
+
+
+def slip(vector, normal):
+    """Along a unit normal, and how much across it."""
+    along = dot(vector, normal)
+    return along, math.sqrt(max(0, dot(vector, vector) - along * along))
+
+
+def moved(motion, point):
+    """How a point moves by a screw; lengths in m."""
+    if "at" not in motion:
+        return motion["axis"]
+    return add(cross(motion["axis"], add(point, times(-1, motion["at"]))), times(motion["pitch_m"], motion["axis"]))
+
+
+class Contacts(SceneCase):
+    def on(self, contacts, rest, more=""):
+        listed = "".join("    - {" + ", ".join(f"{key}: {value}" for key, value in c.items()) + "}\n" for c in contacts)
+        return self.put("scene.yaml", f"topple: 1\nlength_unit: m\nsolid:\n  file: rock.obj\n  unit: m\n  azimuths: 8\n{more}"
+                                      f"  contacts:\n{listed}{rest}")
+
+    def found(self, *scene, words=()):
+        return self.told(self.on(*scene), *words)["contacts"]
+
+    def forces_hold(self, got, load):
+        """The centroid is at the origin."""
+        total, moment = load, [0, 0, 0]
+        for c in got["contacts"]:
+            on, along = slip(c["force"], c["normal"])
+            self.assertLessEqual(along, math.tan(math.radians(c["friction_angle_deg"])) * on + 1e-12)
+            total, moment = add(total, c["force"]), add(moment, cross(c["at"], c["force"]))
+        self.assertLess(max(map(abs, total + moment)), 1e-12)
+
+    def motion_begins(self, got, motion, load):
+        for c in got["contacts"]:
+            away, along = slip(moved(motion, c["at"]), c["normal"])
+            self.assertGreaterEqual(away, math.tan(math.radians(c["friction_angle_deg"])) * along - 1e-9)
+        self.assertGreater(dot(load, moved(motion, [0, 0, 0])), -1e-9)
+
+    def test_box_on_its_corners(self):
+        """One friction: as a plane base; the corners' normals are those of its underside, for they are not given."""
+        self.put("rock.obj", exact_obj(*box((-1, -2, 0), (1, 2, 3))))
+        four = [{"at": [x, y, 0], "normal": [0, 0, 7]} for x in (-1, 1) for y in (-2, 2)]
+        rest = "friction_angle_deg: 40\ntilt: {angle_deg: 20, azimuth_deg: 90}\n"
+        got = self.found(four, rest)
+        for way in got["ways"]:
+            s, c = (abs(f(math.radians(way["azimuth_deg"]))) for f in (math.sin, math.cos))
+            topples = min(math.atan2(1, 1.5 * s) if s > 1e-9 else 9, math.atan2(2, 1.5 * c) if c > 1e-9 else 9)
+            truth = min(math.degrees(topples), 40)
+            self.assertLessEqual(abs(way["critical_deg"]["value"] - truth), way["critical_deg"]["error"] + 1e-13)
+            self.assertLess(way["critical_deg"]["error"], 1e-6)
+            self.assertEqual(way["mechanism"], "slides" if truth == 40 else "topples")
+        self.assertEqual(got["verdict"], "stands")
+        self.assertAlmostEqual(got["fos"]["value"], math.tan(math.radians(40)) / math.tan(math.radians(20)), 7)
+        self.assertEqual(got["critical"]["mechanism"], "topples")
+        inside = [{"at": [x, y, 0]} for x in (-0.5, 0.5) for y in (-1, 1)]
+        same = [dict(c, normal=[0, 0, 1]) for c in inside]
+        self.assertEqual(self.found(inside, rest), self.found(same, rest))
+        level = self.found(four, "friction_angle_deg: 40\n")
+        least = math.degrees(math.atan2(1, 1.5))
+        self.assertLessEqual(abs(level["critical_deg"]["value"] - least), level["critical_deg"]["error"])
+        self.assertLess(level["critical_deg"]["error"], 1e-6)
+
+    def test_grooves(self):
+        """A prism in a groove of the half-angle eta, tilted along it: tan = mu / sqrt(sin^2 eta - mu^2 cos^2 eta); and any tilt
+        where mu is tan eta or more."""
+        self.put("rock.obj", exact_obj(*box((-3, -1, -1), (3, 1, 1))))
+        for eta, phi in ((45, 20), (60, 30), (30, 25), (25, 26)):
+            s, c, mu = math.sin(math.radians(eta)), math.cos(math.radians(eta)), math.tan(math.radians(phi))
+            four = [{"at": [x, side, -1], "normal": [0, -side * c, s]} for x in (-3, 3) for side in (-1, 1)]
+            got = self.found(four, f"friction_angle_deg: {phi}\ntilt: {{angle_deg: 10, azimuth_deg: 90}}\n")
+            if phi > eta:
+                self.assertNotIn("critical_deg", got)
+                self.assertEqual(got["ways"][2]["mechanism"], "interlocked")
+                continue
+            own = got["critical_deg"]
+            truth = math.degrees(math.atan2(mu, math.sqrt(s * s - mu * mu * c * c)))
+            self.assertLessEqual(abs(own["value"] - truth), own["error"] + 1e-13)
+            self.assertLess(own["error"], 1e-6)
+            self.assertEqual(got["critical"]["mechanism"], "slides")
+
+    def test_both_halves_by_what_they_print(self):
+        """Five contacts on a ball, of any friction: what holds and what moves, a hair within and beyond the limit."""
+        draw, stood = random.Random(36), 0
+        self.put("rock.obj", exact_obj(*box((-1, -1, -1), (1, 1, 1))))
+        for _ in range(6):
+            five = []
+            for _ in range(5):
+                turn, dip = draw.uniform(0, 2 * math.pi), draw.uniform(0.3, 1)
+                n = [-math.sin(dip) * math.cos(turn), -math.sin(dip) * math.sin(turn), math.cos(dip)]
+                five.append({"at": [round(-p + draw.uniform(-0.2, 0.2), 6) for p in n], "normal": [round(p, 6) for p in n],
+                             "friction_angle_deg": draw.randint(5, 35)})
+            azimuth = draw.randint(0, 359)
+            got = self.found(five, f"tilt: {{angle_deg: 5, azimuth_deg: {azimuth}}}\n")
+            if got["verdict"] == "stands":
+                stood += 1
+                self.forces_hold(got, down(5, azimuth))
+            else:
+                self.motion_begins(got, got["motion"], down(5, azimuth))
+            if "critical_deg" not in got:
+                continue
+            limit = got["critical_deg"]["value"]
+            self.assertLess(got["critical_deg"]["error"], 1e-6)
+            self.motion_begins(got, got["critical"], down(limit, azimuth))
+            for way, verdict in ((-1e-5, True), (1e-5, False)):
+                tilt = limit + way
+                near = self.found(five, f"tilt: {{angle_deg: {tilt!r}, azimuth_deg: {azimuth}}}\n")
+                self.assertEqual(near["verdict"] == "stands", verdict)
+                if verdict:
+                    self.forces_hold(near, down(tilt, azimuth))
+                else:
+                    self.motion_begins(near, near["motion"], down(tilt, azimuth))
+                fos = near["fos"]["value"] if "fos" in near else math.inf if verdict else 0  # of toppling: far from 1
+                self.assertEqual(fos > 1, verdict)
+        self.assertGreater(stood, 1)
+
+    def test_moved_far_and_mirrored(self):
+        far = 10 ** 15
+        three = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]
+        normals = [[1, 0, 5], [-1, 1, 4], [0, -1, 6]]
+        rest = "friction_angle_deg: 30\ntilt: {angle_deg: 4, azimuth_deg: 30}\nloads: {seismic: {horizontal: 0.1, azimuth_deg: 60}}\n"
+        told = []
+        for shift, sign in ((0, 1), (far, 1), (0, -1)):
+            corners, faces = box((-1, -1, 0), (1, 1, 2))
+            self.put("rock.obj", exact_obj([[c + shift for c in p] for p in corners], faces))
+            listed = [{"at": [sign * p[0] + shift, p[1] + shift, p[2] + shift], "normal": [sign * n[0], n[1], n[2]]}
+                      for p, n in zip(three, normals)]
+            own = rest if sign > 0 else rest.replace("azimuth_deg: 30", "azimuth_deg: 330").replace("azimuth_deg: 60", "azimuth_deg: 300")
+            told.append(self.found(listed, own))
+        for key in ("critical_deg", "fos"):
+            self.assertEqual(told[0][key], told[1][key])
+            self.assertAlmostEqual(told[0][key]["value"], told[2][key]["value"], 6)
+
+    def test_rows_and_refusals(self):
+        self.put("rock.obj", exact_obj(*box((-1, -1, 0), (1, 1, 2))))
+        four = [{"at": [x, y, 0], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-1, 1)]
+        plain = self.on(four, "friction_angle_deg: 30\ntilt: {angle_deg: 10, azimuth_deg: 0}\nrequired_fos: 3\n")
+        status, out, _ = run("solve", "--csv", plain)
+        head, row = (line.split(",") for line in out.splitlines())
+        own = dict(zip(head, row))
+        self.assertEqual((status, own["band"], own["verdict"], own["meets_required"]), (0, "", "stands", "met"))
+        status, out, _ = run("solve", "--set", "solid.contacts.1.friction_angle_deg=35", plain)
+        self.assertEqual(status, 3)  # not a number that the scene gives
+        status, out, err = run("solve", plain)
+        self.assertIn("can stand: forces within all cones of friction hold it", out)
+        self.wrong(self.on(four, ""), "this contact has no friction")
+        self.wrong(self.on(four, "friction_angle_deg: 30\ntilt: {angle_deg: 10}\n"), "give the tilt its 'azimuth_deg'")
+        self.wrong(self.on(four, "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.1}}\n"), "is shaken one way")
+        self.wrong(self.on([{"at": [1, 1, 0]}], "friction_angle_deg: 30\n"), "lies on an edge or a corner of the mesh")
+        self.wrong(self.on([{"at": [0, 0, 0], "normal": [0, 0, 0]}], "friction_angle_deg: 30\n"), "at least one is not 0")
+        self.wrong(self.on(four, "friction_angle_deg: 30\n", "  bands: [0]\n"), "leave out 'bands'")
+        self.wrong(self.on([{"at": [0, 0, 0], "normal": [1, 0, -1]}], "friction_angle_deg: 30\n"), "points out of the rock")
+        out = run("solve", self.on([{"at": [0.5, 0, 0], "normal": [9, 0, -1]}, {"at": [0.3, 0.2, -5]}], "friction_angle_deg: 30\n"))[1]
+        self.assertIn("points out of the rock", out)
+        self.assertIn("5 m from the surface", out)
+        self.assertIn("level, no forces are proven to hold it", out)
+        status, out, err = run("solve", "--figure", "x.svg", plain)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("contacts of its own", err)
+
+
+if __name__ == "__main__":
+    main()
