@@ -90,6 +90,17 @@ class BlockMotions(GoverningCase):
             self.assertEqual(own["moving_angle_deg"], 0)
             self.assertEqual(self.case(pile, friction, "required_fos: 1.01", status=1)["meets_required"], "not met")
 
+    def test_among_many(self):
+        """The brick falls as well where 24 boxes more stand by it, and lie about it in any order."""
+        for turn in (1, -1):
+            pile = Pile()
+            blocks = [("g", box(-99, -1, 99, 0), True), ("l", box(-4, 0, -1, 3), False), ("r", box(1, 0, 4, 3), False), ("m", box(-1, 1, 1, 2), False)]
+            for own in (blocks + [(f"b{k}", box(3 * k + 6, 0, 3 * k + 8, 1 + k % 3), False) for k in range(24)])[::turn]:
+                pile.add(*own)
+            own = self.case(pile, 40)
+            self.assertEqual((own["verdict"], round(own["moving_fos"], 9)), ("may move", 0.001))
+            self.assertEqual([m["block"] for m in own["start"]["motions"] if m["mechanism"] != "stands"], ["m"])
+
     def test_as_a_scene_of_one(self):
         """Random blocks on random profiles of one to three facets, as one block on its base and as two blocks: what is certain of the one
         is not denied of the other, and both sides enclose the onset by strength, which they mostly narrow to 2e-5."""
@@ -144,11 +155,11 @@ class BlockMotions(GoverningCase):
             self.assertGreater(other["moving_angle_deg"], max(one["standing_angle_deg"] for one in own))
 
     def test_columns(self):
-        """Goodman and Bray's slope can be held up to a divisor of 1.19, theirs is 1, and a motion can begin at 0.96; a shorter one of six
+        """Goodman and Bray's slope can be held up to a divisor of 1.19, theirs is 1, and a motion can begin at 0.83; a shorter one of six
         columns is held against the laws in rationals, the whole one in a long check."""
         own = json.loads(run("solve", "--json", EXAMPLE)[1])["cases"][0]
         self.assertEqual(own["verdict"], "may move")
-        self.assertLess(own["moving_fos"], 0.965)
+        self.assertLess(own["moving_fos"], 0.83)
         self.assertLess(own["moving_angle_deg"], 29)
         self.assertEqual(run("solve", "--fail-below", "1", EXAMPLE)[0], 1)
         for count, crest in ((6, 4),) if rounds(0, 1) == 0 else ((6, 4), (16, 10)):

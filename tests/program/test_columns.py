@@ -113,8 +113,9 @@ class Columns(GoverningCase):
                 self.assertEqual(own[part], told[part])
 
     def test_required_factor(self):
-        """At 40° the method has 1.0682 and the free limit 1.27: between them a required factor is not met."""
-        for required, status in (("1.05", 4), ("1.1", 1), ("1.3", 1)):
+        """At 40° the method has 1.0682 and the free limit 1.27: between them a required factor is not met; nor is it where a motion can
+        begin, from 0.88 on."""
+        for required, status in (("0.85", 4), ("0.9", 1), ("1.1", 1), ("1.3", 1)):
             self.assertEqual(run("solve", "--fail-below", required, self.scene(scene(friction="40")))[0], status, required)
         out = run("solve", self.scene(scene(friction="40", more=DIP + "\nrequired_fos: 1.1")))[1]
         self.assertIn("1.1: NOT MET", out)

@@ -198,6 +198,15 @@ class JointedSlope(GoverningCase):
         alone = self.system(scene([steep], top="friction_angle_deg: 45\n"))
         self.assertEqual(sorted(self.areas(own).values()), sorted(self.areas(alone).values()))
 
+    def test_motions(self):
+        """Dips that scatter: corners are rounded, and joints cut into pieces by steps of the base. A block still slides along them, so that a
+        motion can begin well before forces no longer hold the slope."""
+        for seed, share in ((1, 0.98), (5, 0.99)):
+            own = self.system(scene(["dip_deg: 70, towards: right, spacing: 2.5, scatter: {spacing: 0.3, dip_deg: 2}"],
+                                    "{dip_deg: 25, steps: 1}", face="{dip_deg: 70, height: 12}", more=f"  seed: {seed}\n"))["cases"][0]
+            self.assertLess(own["moving_fos"], share * own["fos"]["value"])
+            self.assertLess(own["moving_angle_deg"], own["critical_angle_deg"]["value"])
+
     def test_scatter(self):
         """A seed is a sample, whatever else is asked; rounded corners still meet, so that what scatters by next to nothing has the
         contacts, the length of contact and the factor of what does not."""

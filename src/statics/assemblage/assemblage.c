@@ -141,7 +141,9 @@ static void choose_units(tp_assemblage *a, const weighed *w) {
   a->weight_exponent = (long)weight;
 }
 
+/* What is exactly nothing stays so. */
 static tp_near scaled(arb_t ball, long exponent) {
+  if (arb_is_zero(ball)) return (tp_near){0, 0};
   arb_mul_2exp_si(ball, ball, -exponent);
   return tp_ball_near(ball);
 }

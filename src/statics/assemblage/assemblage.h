@@ -25,10 +25,12 @@ typedef struct tp_rigid_block {
 } tp_rigid_block;
 
 /* Where two blocks share a piece of an edge; or a corner of one lies on an edge of the other,
- * within it or in a notch at its end, then both ends are that corner. Along the direction `from` …
- * `to`, two points of the lattice, the first block is on the left. */
+ * within it or in a notch at its end, then both ends are that corner. `from` … `to`, two points of
+ * the lattice, are that edge, with the first block on the left; forces and motions take their
+ * direction from `along`, two more points: the same, or of an edge that is parallel but for
+ * roundings (assemblage/straighten.c). */
 typedef struct tp_block_contact {
-  long block[2], ends[2], from, to;
+  long block[2], ends[2], from, to, along[2];
 } tp_block_contact;
 
 typedef struct tp_assemblage {
@@ -53,5 +55,9 @@ tp_near tp_assemblage_length(const tp_assemblage *assemblage, const fmpz_t from,
 
 /* Find the contacts (assemblage/block_contacts.c). */
 TP_MUST_USE tp_status tp_block_contacts_find(tp_assemblage *assemblage, tp_message *message);
+
+/* Of blocks whose corners were rounded to about 2^-64 of them all: contacts that are parallel but
+ * for that get one direction, exactly (assemblage/straighten.c). */
+TP_MUST_USE tp_status tp_assemblage_straighten(tp_assemblage *assemblage, tp_message *message);
 
 #endif

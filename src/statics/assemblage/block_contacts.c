@@ -84,6 +84,8 @@ static tp_status add_contact(tp_assemblage *a, tp_block_contact contact, tp_mess
       tp_grow(a->contacts, a->contact_count, &a->contact_room, sizeof *contacts);
   if (contacts == NULL) return tp_fail_memory(message, "the contacts");
   a->contacts = contacts;
+  contact.along[0] = contact.from;
+  contact.along[1] = contact.to;
   contacts[a->contact_count++] = contact;
   return TP_OK;
 }

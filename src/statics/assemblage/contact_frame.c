@@ -15,8 +15,8 @@ static void scale(tp_near *number, int exponent) {
 tp_contact_frame tp_contact_frame_of(const tp_assemblage *a, long contact, tp_near tangent) {
   const tp_block_contact *c = a->contacts + contact;
   const tp_lattice *l = &a->lattice;
-  tp_contact_frame f = {.dx = tp_assemblage_length(a, l->x + c->from, l->x + c->to),
-                        .dy = tp_assemblage_length(a, l->y + c->from, l->y + c->to),
+  tp_contact_frame f = {.dx = tp_assemblage_length(a, l->x + c->along[0], l->x + c->along[1]),
+                        .dy = tp_assemblage_length(a, l->y + c->along[0], l->y + c->along[1]),
                         .ends = {c->ends[0], c->ends[1]}};
   const int exponent = ilogb(hypot(f.dx.value, f.dy.value) * hypot(1, tangent.value));
   scale(&f.dx, -exponent);

@@ -9,13 +9,13 @@
 
 #include "block_system/collapse.h"
 #include "block_system/frictionless_blocks.h"
-#include "block_system/moving.h"
+#include "block_system/from_limit.h"
 #include "block_system/standing.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_BLOCKS = 24 }; /* free ones, for motions */
+enum { MOST_BLOCKS = 48 }; /* free ones, for motions */
 static const double most_factor = 1000;
 
 typedef struct beginnings {
@@ -50,7 +50,7 @@ static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *
   *excluded = false;
   const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
   if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
-  return tp_moving_prove(&b->moving, 0, b->standing.left, message);
+  return tp_moving_prove_modes(&b->moving, 0, b->standing.left, message);
 }
 
 static void judge(tp_system_case *own, bool stands, bool moves) {
@@ -61,71 +61,49 @@ static void judge(tp_system_case *own, bool stands, bool moves) {
 /* ---- along a number ----------------------------------------------------------------------------
  */
 
-/* Beyond what forces can hold something moves: by which motion, a little beyond and farther. */
-static tp_status move_beyond(tp_moving_search *m, double limit, double step, tp_message *message) {
-  enum { STEPS = 4 };
-  static const double growth = 8;
-  tp_status status = TP_OK;
-  for (int k = 0; k < STEPS && !m->found && status == TP_OK; k++, step *= growth) {
-    status = tp_moving_try(m, limit + step, true, message);
-  }
-  return status;
-}
-
 /* What an exclusion just past where it is proven leaves is tried as a motion, and followed down. */
 static tp_status close_gap(tp_moving_search *m, tp_standing_search *s, double *standing,
                            double limit, double width, tp_message *message) {
   enum { MOST = 4 };
   tp_status status = TP_OK;
   for (int k = 0; k < MOST && status == TP_OK; k++) {
-    const double end = m->found ? fmin(m->x, limit) : limit, at = *standing + 4 * width;
+    const double end = fmin(m->x, limit), at = *standing + 4 * width;
     bool proven = false;
     if (end - *standing <= 8 * width || s->work > s->most_work) break;
     status = tp_standing_prove(&proven, s, at, at, message);
     if (status != TP_OK || proven || s->left[0] == 0) break;
-    const double before = m->found ? m->x : INFINITY;
-    status = tp_moving_prove(m, at, s->left, message);
+    const double before = m->x;
+    status = tp_moving_prove_modes(m, at, s->left, message);
     if (status != TP_OK || !m->found || m->x >= before) break;
     status = tp_moving_follow(m, *standing, width, message);
   }
   return status;
 }
 
-/* Numbers along which blocks stand or move: from where they lie. */
-typedef struct ranged {
-  double from, least, limit, width, step;
-} ranged;
-
-/* A motion beyond the limit of forces, down to where the blocks lie. */
-static tp_status move_from_limit(tp_moving_search *m, const ranged *r, tp_message *message) {
-  const tp_status status = move_beyond(m, r->limit, r->step, message);
-  return status == TP_OK && m->found ? tp_moving_follow(m, r->from, r->width, message) : status;
-}
-
 static tp_status stand_to_limit(double *standing, tp_moving_search *m, tp_standing_search *s,
-                                const ranged *r, tp_message *message) {
-  const double end = m->found ? fmin(m->x, r->limit) : r->limit;
+                                const tp_moving_range *r, tp_message *message) {
+  const double end = fmin(m->x, r->limit);
   const tp_status status = tp_standing_extend(standing, s, r->from, end, r->width, message);
   return status == TP_OK ? close_gap(m, s, standing, r->limit, r->width, message) : status;
 }
 
-static ranged factors(const beginnings *b) {
+static tp_moving_range factors(const beginnings *b) {
   static const double width = 1e-6, step = 1e-3;
-  return (ranged){.from = 0,
-                  .least = -log(most_factor),
-                  .limit = log(fmin(b->task->held_factor, most_factor)),
-                  .width = width,
-                  .step = step};
+  return (tp_moving_range){.from = 0,
+                           .least = -log(most_factor),
+                           .limit = log(fmin(b->task->held_factor, most_factor)),
+                           .width = width,
+                           .step = step};
 }
 
-static ranged tilts(const beginnings *b) {
+static tp_moving_range tilts(const beginnings *b) {
   static const double width = 1e-5, step = 1e-2, most = 89; /* degrees */
   const double tilt = b->own->tilt_angle_deg.value;
-  return (ranged){.from = tilt,
-                  .least = fmin(tilt, 0),
-                  .limit = fmin(b->task->held_tilt_deg, most),
-                  .width = width,
-                  .step = step};
+  return (tp_moving_range){.from = tilt,
+                           .least = fmin(tilt, 0),
+                           .limit = fmin(b->task->held_tilt_deg, most),
+                           .width = width,
+                           .step = step};
 }
 
 /* ---- the motion that is told -------------------------------------------------------------------
@@ -152,8 +130,8 @@ static tp_status tell(beginnings *b, tp_message *message) {
   start->tilt_angle_deg = b->own->tilt_angle_deg.value;
   for (long k = 0; k < a->contact_count; k++) {
     const int second = b->resting.contacts[k].ends - 1;
-    start->touches[k] =
-        (tp_system_touch){state_of(b->moving.proven[k], 0), state_of(b->moving.proven[k], second)};
+    const tp_mode_set mode = b->moving.proven[k].mode;
+    start->touches[k] = (tp_system_touch){state_of(mode, 0), state_of(mode, second)};
   }
   for (long r = 0; r < b->resting.rows; r++) b->moving.accelerations[r] *= -1;
   b->own->has_start = true;
@@ -165,34 +143,39 @@ static tp_status tell(beginnings *b, tp_message *message) {
 
 /* Let go as they lie; else is all excluded; else does a motion from beyond a limit reach so far? */
 static tp_status find_as_they_lie(beginnings *b, tp_moving_search *turned, tp_message *message) {
-  const ranged factor = factors(b), tilt = tilts(b);
+  const tp_moving_range factor = factors(b), tilt = tilts(b);
   tp_moving_search *m = &b->moving;
   bool excluded = b->frictionless;
   tp_status status = tp_moving_try(m, 0, true, message);
   if (status == TP_OK && !m->found && !excluded)
     status = exclude_as_they_lie(&excluded, b, message);
   if (status == TP_OK && !m->found && b->task->asks_factor) {
-    status = move_from_limit(m, &factor, message);
+    status = tp_moving_from_limit(m, &factor, factor.from, message);
   }
-  if (status == TP_OK && m->found && m->x <= 0)
-    status = tp_moving_try(turned, tilt.from, true, message);
-  if (status == TP_OK && !turned->found) status = move_from_limit(turned, &tilt, message);
-  if (status == TP_OK && turned->found && turned->x <= tilt.from && !(m->found && m->x <= 0)) {
+  const bool moves = m->x <= 0;
+  if (status == TP_OK && moves) status = tp_moving_try(turned, tilt.from, true, message);
+  if (status == TP_OK && moves && !turned->found) {
+    tp_letting_go_copy(&turned->letting_go, &m->letting_go);
+    status = tp_moving_prove(turned, tilt.from, m->proven, message);
+  }
+  if (status == TP_OK && !turned->found)
+    status = tp_moving_from_limit(turned, &tilt, tilt.from, message);
+  if (status == TP_OK && turned->x <= tilt.from && m->x > 0) {
     tp_letting_go_copy(&m->letting_go, &turned->letting_go);
     status = tp_moving_prove(m, 0, turned->proven, message);
   }
-  judge(b->own, excluded, m->found && m->x <= 0);
+  judge(b->own, excluded, m->x <= 0);
   return status;
 }
 
 static tp_status search_factor(beginnings *b, tp_message *message) {
-  const ranged r = factors(b);
+  const tp_moving_range r = factors(b);
   tp_system_case *own = b->own;
-  const bool moves = b->moving.found && b->moving.x <= 0;
+  const bool moves = b->moving.x <= 0;
   tp_status status = TP_OK;
   if (moves || !b->task->asks_factor) status = b->moving.found ? tell(b, message) : TP_OK;
   if (status != TP_OK || !b->task->asks_factor) return status;
-  if (moves) status = tp_moving_follow(&b->moving, r.least, r.width, message);
+  if (moves) status = tp_moving_least(&b->moving, &r, message);
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS) {
     double standing = 0;
     status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
@@ -207,10 +190,10 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
 }
 
 static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *message) {
-  const ranged r = tilts(b);
+  const tp_moving_range r = tilts(b);
   tp_system_case *own = b->own;
   tp_status status = TP_OK;
-  if (m->found && m->x <= r.from) status = tp_moving_follow(m, r.least, r.width, message);
+  if (m->x <= r.from) status = tp_moving_least(m, &r, message);
   /* only weights alone run, between two tilts, along the line between theirs */
   const bool runs_straight = !b->task->system->is_measured;
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && runs_straight) {

@@ -212,6 +212,8 @@ static tp_status build(tp_built_system *s, tp_message *message) {
     status =
         tp_assemblage_init(&s->assemblage, s->given, s->count, s->scene->metres_per_unit, message);
   }
+  const bool is_cut = s->scene->many.slope.place.file != NULL;
+  if (status == TP_OK && is_cut) status = tp_assemblage_straighten(&s->assemblage, message);
   if (status == TP_OK) status = tp_built_system_note_gaps(s, message);
   if (status == TP_OK) status = set_strengths(s, message);
   return status == TP_OK ? tp_built_system_set_loads(s, message) : status;

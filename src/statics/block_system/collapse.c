@@ -59,8 +59,8 @@ static relative relative_at(const moving *m, const tp_block_contact *c, long end
   const tp_lattice *l = &m->a->lattice;
   const point first = velocity_at(m, m->a->blocks + c->block[0], end);
   const point second = velocity_at(m, m->a->blocks + c->block[1], end);
-  const double dx = length(m->a, l->x + c->from, l->x + c->to);
-  const double dy = length(m->a, l->y + c->from, l->y + c->to);
+  const double dx = length(m->a, l->x + c->along[0], l->x + c->along[1]);
+  const double dy = length(m->a, l->y + c->along[0], l->y + c->along[1]);
   const double size = hypot(dx, dy) * m->fastest;
   const double x = first.x - second.x, y = first.y - second.y;
   return (relative){(dx * y - dy * x) / size, (dx * x + dy * y) / size};
@@ -141,8 +141,8 @@ static void split_forces(double normals[2], double *shear, const tp_force_progra
                          const tp_contact_strength *strength, const double *forces) {
   const tp_block_contact *c = p->assemblage->contacts + contact;
   const tp_lattice *l = &p->assemblage->lattice;
-  const double dx = length(p->assemblage, l->x + c->from, l->x + c->to);
-  const double dy = length(p->assemblage, l->y + c->from, l->y + c->to);
+  const double dx = length(p->assemblage, l->x + c->along[0], l->x + c->along[1]);
+  const double dy = length(p->assemblage, l->y + c->along[0], l->y + c->along[1]);
   const double size = hypot(dx, dy);
   const double touching = hypot(length(p->assemblage, l->x + c->ends[0], l->x + c->ends[1]),
                                 length(p->assemblage, l->y + c->ends[0], l->y + c->ends[1]));

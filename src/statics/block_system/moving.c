@@ -7,8 +7,6 @@
 
 #include "block_system/moving.h"
 
-#include "contact_modes/beginning.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +16,9 @@ enum { ROUNDS = 3000, MOST_MOTIONS = 12 };
 void tp_moving_clear(tp_moving_search *m) {
   tp_blocks_at_clear(&m->at);
   tp_letting_go_clear(&m->letting_go);
+  tp_rigid_groups_clear(&m->groups);
   free(m->modes);
+  free(m->trial);
   free(m->proven);
   free(m->accelerations);
   free(m->tried);
@@ -31,37 +31,52 @@ tp_status tp_moving_init(tp_moving_search *m, const tp_resting *r, tp_moving_sta
   m->resting = r;
   m->state = state;
   m->context = context;
+  m->x = INFINITY;
   m->modes = calloc((size_t)r->contact_count + 1, sizeof *m->modes);
+  m->trial = calloc((size_t)r->contact_count + 1, sizeof *m->trial);
   m->proven = calloc((size_t)r->contact_count + 1, sizeof *m->proven);
   m->accelerations = calloc((size_t)r->rows + 1, sizeof *m->accelerations);
   m->tried = calloc((size_t)r->rows + 1, sizeof *m->tried);
   tp_status status = tp_letting_go_init(&m->letting_go, r, message);
-  if (status == TP_OK && (!tp_blocks_at_init(&m->at, r) || m->modes == NULL || m->proven == NULL ||
-                          m->accelerations == NULL || m->tried == NULL)) {
+  if (status == TP_OK) status = tp_rigid_groups_init(&m->groups, r, message);
+  if (status == TP_OK && (!tp_blocks_at_init(&m->at, r) || m->modes == NULL || m->trial == NULL ||
+                          m->proven == NULL || m->accelerations == NULL || m->tried == NULL)) {
     status = tp_fail_memory(message, "the motions");
   }
   if (status != TP_OK) tp_moving_clear(m);
   return status;
 }
 
-tp_status tp_moving_prove(tp_moving_search *m, double x, const tp_mode_set *modes,
-                          tp_message *message) {
+static tp_status prove_trial(tp_moving_search *m, double x, tp_message *message) {
   bool proven = false, exists = false;
   tp_status status = m->state(&exists, &m->at, m->context, x, message);
   if (status != TP_OK || !exists) return status;
-  const tp_beginning_question q = {.resting = m->resting,
-                                   .modes = modes,
+  const tp_beginning_question q = {.groups = &m->groups,
                                    .friction = m->at.friction,
                                    .loads = m->at.central,
                                    .normals = m->letting_go.normals,
                                    .shears = m->letting_go.shears};
-  status = tp_beginning_prove(&proven, m->tried, &q, message);
+  status = tp_beginning_prove(&proven, m->tried, m->trial, &q, message);
   if (status != TP_OK || !proven) return status;
   m->found = true;
   m->x = x;
-  memmove(m->proven, modes, (size_t)m->resting->contact_count * sizeof *modes);
+  memcpy(m->proven, m->trial, (size_t)m->resting->contact_count * sizeof *m->trial);
   memcpy(m->accelerations, m->tried, (size_t)m->resting->rows * sizeof *m->tried);
   return TP_OK;
+}
+
+tp_status tp_moving_prove(tp_moving_search *m, double x, const tp_trial_mode *trial,
+                          tp_message *message) {
+  memcpy(m->trial, trial, (size_t)m->resting->contact_count * sizeof *m->trial);
+  return prove_trial(m, x, message);
+}
+
+tp_status tp_moving_prove_modes(tp_moving_search *m, double x, const tp_mode_set *modes,
+                                tp_message *message) {
+  for (long k = 0; k < m->resting->contact_count; k++) {
+    m->trial[k] = (tp_trial_mode){.mode = modes[k]};
+  }
+  return prove_trial(m, x, message);
 }
 
 /* From the forces that there are to those of the laws; a motion is to be proven. */
@@ -71,7 +86,7 @@ static tp_status let_go(tp_moving_search *m, double x, tp_message *message) {
   }
   if (!tp_letting_go_moves(&m->letting_go)) return TP_OK;
   tp_letting_go_modes(m->modes, &m->letting_go, m->at.friction);
-  return tp_moving_prove(m, x, m->modes, message);
+  return tp_moving_prove_modes(m, x, m->modes, message);
 }
 
 /* From the forces of blocks without friction, or from none: friction then has nothing to jam by
@@ -90,7 +105,7 @@ tp_status tp_moving_try(tp_moving_search *m, double x, bool from_nothing, tp_mes
   tp_status status = m->state(&exists, &m->at, m->context, x, message);
   if (status != TP_OK || !exists) return status;
   if (!from_nothing) return let_go(m, x, message);
-  for (int k = 0; k < 4 && status == TP_OK && !m->found; k++) {
+  for (int k = 0; k < 4 && status == TP_OK && m->x > x; k++) {
     m->letting_go.backwards = k % 2 == 1;
     status = let_go_from_nothing(m, x, k < 2, message);
   }
@@ -109,19 +124,38 @@ static tp_status halve(tp_moving_search *m, double *low, double width, tp_messag
   return status;
 }
 
-tp_status tp_moving_follow(tp_moving_search *m, double least, double width, tp_message *message) {
+/* Down along the motion that is found, and along those that it goes over into; `low`: it is not
+ * proven there. */
+static tp_status go_down(tp_moving_search *m, double *low, double least, double width,
+                         tp_message *message) {
   static const double coarse = 256, away = 1024; /* widths: past where two motions are told apart */
   tp_status status = TP_OK;
-  double low = least;
   for (int k = 0; k < MOST_MOTIONS && status == TP_OK; k++) {
+    *low = least;
     status = tp_moving_prove(m, least, m->proven, message);
     if (status != TP_OK || m->x <= least) return status;
-    low = least;
-    status = halve(m, &low, coarse * width, message);
-    const double from = m->x;
-    if (status == TP_OK)
-      status = tp_moving_try(m, fmax(least, from - away * width), false, message);
+    status = halve(m, low, coarse * width, message);
+    const double from = m->x, next = fmax(least, from - away * width);
+    if (status == TP_OK) status = tp_moving_try(m, next, false, message);
+    if (status == TP_OK && m->x >= from) status = tp_moving_try(m, next, true, message);
     if (m->x >= from) break;
+  }
+  return status;
+}
+
+/* Where a motion ends, another may begin farther down. What is proven stays so: the more is tried,
+ * the less is the x at the end. */
+tp_status tp_moving_follow(tp_moving_search *m, double least, double width, tp_message *message) {
+  static const double leaps[] = {2e5, 1.4e5, 1e5, 7e4, 5e4, 3e4, 2e4, 1e4}; /* widths */
+  enum { LEAPS = sizeof leaps / sizeof *leaps };
+  double low = least;
+  tp_status status = go_down(m, &low, least, width, message);
+  for (int k = 0; k < LEAPS && status == TP_OK && m->x > least; k++) {
+    const double from = m->x, to = fmax(least, from - leaps[k] * width);
+    status = tp_moving_try(m, to, true, message);
+    if (status != TP_OK || m->x >= from) continue;
+    status = go_down(m, &low, least, width, message);
+    k = -1;
   }
   return status == TP_OK ? halve(m, &low, width, message) : status;
 }

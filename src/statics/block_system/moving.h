@@ -9,8 +9,8 @@
 #define TP_BLOCK_SYSTEM_MOVING_H
 
 #include "block_system/blocks_at.h"
+#include "contact_modes/beginning.h"
 #include "contact_modes/letting_go.h"
-#include "contact_modes/mode_set.h"
 
 /* The state at x; `exists`, or there is none. */
 typedef tp_status tp_moving_state(bool *exists, tp_blocks_at *at, const void *context, double x,
@@ -22,10 +22,12 @@ typedef struct tp_moving_search {
   const void *context;
   tp_blocks_at at;
   tp_letting_go letting_go;
-  tp_mode_set *modes;    /* of what is tried */
+  tp_rigid_groups groups;
+  tp_mode_set *modes;    /* as the blocks were let go */
+  tp_trial_mode *trial;  /* of what is tried */
   bool found;            /* a motion is proven: */
-  double x;              /* there */
-  tp_mode_set *proven;   /* its modes, by contact */
+  double x;              /* there; else an infinity */
+  tp_trial_mode *proven; /* its modes, by contact */
   double *accelerations; /* and its accelerations, by row */
   double *tried;         /* room for those */
 } tp_moving_search;
@@ -40,9 +42,11 @@ void tp_moving_clear(tp_moving_search *moving);
 TP_MUST_USE tp_status tp_moving_try(tp_moving_search *moving, double x, bool from_nothing,
                                     tp_message *message);
 
-/* Are these modes those of a motion at x? Then it is found. */
-TP_MUST_USE tp_status tp_moving_prove(tp_moving_search *moving, double x, const tp_mode_set *modes,
-                                      tp_message *message);
+/* Are these modes, or those next to them, those of a motion at x? Then it is found. */
+TP_MUST_USE tp_status tp_moving_prove(tp_moving_search *moving, double x,
+                                      const tp_trial_mode *trial, tp_message *message);
+TP_MUST_USE tp_status tp_moving_prove_modes(tp_moving_search *moving, double x,
+                                            const tp_mode_set *modes, tp_message *message);
 
 /* From the motion that is found down to `least`, to such a width. */
 TP_MUST_USE tp_status tp_moving_follow(tp_moving_search *moving, double least, double width,

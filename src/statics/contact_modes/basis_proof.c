@@ -8,6 +8,7 @@
 #include "contact_modes/basis_proof.h"
 
 #include "common/message.h"
+#include "contact_modes/enclosed_solve.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,10 +24,22 @@ static double middle(const arb_mat_struct *m, long r, long c) {
   return arf_get_d(arb_midref(arb_mat_entry(m, r, c)), ARF_RND_NEAR);
 }
 
+/* Rows over their largest entry: some blocks weigh next to nothing. */
+static void set_entries(choosing *s, const tp_basis_task *t) {
+  for (long r = 0; r < s->rows; r++) {
+    double *own = s->entries + r * s->count, most = 0;
+    for (long c = 0; c < s->count; c++) {
+      own[c] = middle(t->columns, r, c);
+      most = fmax(most, fabs(own[c]));
+    }
+    for (long c = 0; c < s->count && most > 0; c++) own[c] /= most;
+  }
+}
+
 /* The largest entry left, times the preference of its column. */
 static bool find_pivot(long *row, long *column, const choosing *s, const bool *used,
                        const double *preference) {
-  static const double least = 1e-9;
+  static const double least = 1e-13;
   double most = 0;
   for (long r = 0; r < s->rows; r++) {
     for (long c = 0; c < s->count && !used[r]; c++) {
@@ -91,8 +104,9 @@ static void join_rows(long *part, const tp_basis_task *t, const choosing *s) {
   }
 }
 
-/* The rows of one part, and the columns of the basis in it, as many. */
-static bool solve_part(arb_mat_t factors, const arb_mat_t rest, const tp_basis_task *t,
+/* The rows of one part, and the columns of the basis in it, as many. Not `made`: memory is
+ * exhausted. */
+static bool solve_part(bool *made, arb_mat_t factors, const arb_mat_t rest, const tp_basis_task *t,
                        const choosing *s, const long *part, long which, long *rows, long *columns) {
   long row_count = 0, column_count = 0;
   for (long r = 0; r < s->rows; r++) {
@@ -106,21 +120,24 @@ static bool solve_part(arb_mat_t factors, const arb_mat_t rest, const tp_basis_t
     if (own) columns[column_count++] = s->chosen[k];
   }
   if (row_count != column_count) return false;
-  arb_mat_t square, right;
+  arb_mat_t square, right, own;
   arb_mat_init(square, row_count, row_count);
   arb_mat_init(right, row_count, 1);
+  arb_mat_init(own, row_count, 1);
   for (long r = 0; r < row_count; r++) {
     arb_set(arb_mat_entry(right, r, 0), arb_mat_entry(rest, rows[r], 0));
     for (long c = 0; c < row_count; c++) {
       arb_set(arb_mat_entry(square, r, c), arb_mat_entry(t->columns, rows[r], columns[c]));
     }
   }
-  const bool solved = arb_mat_solve(right, square, right, t->bits) != 0;
+  bool solved = false;
+  *made = tp_enclosed_solve(&solved, own, square, right, t->bits);
   for (long c = 0; c < row_count && solved; c++) {
-    arb_set(arb_mat_entry(factors, columns[c], 0), arb_mat_entry(right, c, 0));
+    arb_set(arb_mat_entry(factors, columns[c], 0), arb_mat_entry(own, c, 0));
   }
   arb_mat_clear(square);
   arb_mat_clear(right);
+  arb_mat_clear(own);
   return solved;
 }
 
@@ -132,13 +149,14 @@ static tp_status solve(arb_mat_t factors, const tp_basis_task *t, const choosing
   arb_mat_init(rest, s->rows, 1);
   set_rest(rest, factors, t, s);
   join_rows(part, t, s);
-  bool solved = true;
+  bool solved = true, made = true;
   for (long r = 0; r < s->rows && solved; r++) {
     if (part[r] != r) continue;
-    solved = solve_part(factors, rest, t, s, part, r, part + s->rows, part + 2 * s->rows);
+    solved = solve_part(&made, factors, rest, t, s, part, r, part + s->rows, part + 2 * s->rows);
   }
   arb_mat_clear(rest);
   free(part);
+  if (!made) return tp_fail_memory(message, "a proof");
   return solved ? TP_OK : TP_NO_ANSWER;
 }
 
@@ -154,9 +172,7 @@ tp_status tp_basis_solve(arb_mat_t factors, const tp_basis_task *t, tp_message *
   if (s.entries == NULL || s.chosen == NULL || s.taken == NULL || used == NULL) {
     status = tp_fail_memory(message, "a proof");
   } else {
-    for (long r = 0; r < rows; r++) {
-      for (long c = 0; c < count; c++) s.entries[r * count + c] = middle(t->columns, r, c);
-    }
+    set_entries(&s, t);
     if (choose(&s, used, t->preference)) status = solve(factors, t, &s, message);
   }
   free(s.entries);

@@ -6,13 +6,18 @@
 
 #include "contact_modes/rigid_groups.h"
 
+#include "contact_modes/null_space.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 void tp_rigid_groups_clear(tp_rigid_groups *g) {
   free(g->group);
   free(g->first);
-  fmpz_mat_clear(g->free);
+  free(g->scale);
+  free(g->modes);
+  if (g->resting != NULL) fmpz_mat_clear(g->free);
+  memset(g, 0, sizeof *g);
 }
 
 /* Numbers of groups run down to that of the lowest block in them, or to -1 with the ground. */
@@ -55,8 +60,8 @@ static void set_side(fmpz row[3], const tp_rigid_groups *g, long contact, int si
   fmpz_t x, y;
   fmpz_init(x);
   fmpz_init(y);
-  fmpz_sub(row + 0, l->x + c->to, l->x + c->from);
-  fmpz_sub(row + 1, l->y + c->to, l->y + c->from);
+  fmpz_sub(row + 0, l->x + c->along[1], l->x + c->along[0]);
+  fmpz_sub(row + 1, l->y + c->along[1], l->y + c->along[0]);
   if (!along) {
     fmpz_swap(row + 0, row + 1);
     fmpz_neg(row + 0, row + 0);
@@ -83,62 +88,95 @@ static void add_row(fmpz *add, const tp_rigid_groups *g, long contact, int end, 
   for (int e = 0; e < 3; e++) fmpz_clear(own + e);
 }
 
+/* Two ends that stay closed turn alike. */
+static void add_turn(fmpz *add, const tp_rigid_groups *g, long contact) {
+  for (int side = 0; side < 2; side++) {
+    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    if (group < 0) continue;
+    fmpz_set_si(add + 3 * group + 2, side == 0 ? 1 : -1);
+  }
+}
+
 static void set_rows(fmpz_mat_t rows, const tp_rigid_groups *g, const tp_mode_set *modes) {
   long at = 0;
   for (long k = 0; k < g->resting->contact_count; k++) {
     const tp_block_contact *c = g->resting->assemblage->contacts + k;
     if (g->group[c->block[0]] == g->group[c->block[1]]) continue;
-    for (int e = 0; e < g->resting->contacts[k].ends; e++) {
+    const bool both = (modes[k] & tp_modes_closed(0)) != 0 && (modes[k] & tp_modes_closed(1)) != 0;
+    if (both) add_turn(rows->rows[at++], g, k);
+    for (int e = 0; e < (both ? 1 : g->resting->contacts[k].ends); e++) {
       if ((modes[k] & tp_modes_closed(e)) != 0) add_row(rows->rows[at++], g, k, e, false);
     }
     if ((modes[k] & TP_MODES_STICK) != 0) add_row(rows->rows[at++], g, k, 0, true);
   }
 }
 
-static void find_free(tp_rigid_groups *g, const tp_mode_set *modes) {
+static bool find_free(tp_rigid_groups *g, const tp_mode_set *modes) {
   enum { MOST = 3 }; /* rows of a contact */
-  fmpz_mat_t rows, space;
+  fmpz_mat_t rows;
   fmpz_mat_init(rows, MOST * g->resting->contact_count, 3 * g->count);
-  fmpz_mat_init(space, 3 * g->count, 3 * g->count);
   set_rows(rows, g, modes);
-  g->freedom = fmpz_mat_nullspace(space, rows);
   fmpz_mat_clear(g->free);
-  fmpz_mat_init(g->free, 3 * g->count, g->freedom);
-  for (long r = 0; r < 3 * g->count; r++) {
-    for (long c = 0; c < g->freedom; c++) {
-      fmpz_set(fmpz_mat_entry(g->free, r, c), fmpz_mat_entry(space, r, c));
-    }
-  }
+  const bool made = tp_null_space(g->free, rows);
+  g->freedom = fmpz_mat_ncols(g->free);
   fmpz_mat_clear(rows);
-  fmpz_mat_clear(space);
+  return made;
 }
 
-tp_status tp_rigid_groups_init(tp_rigid_groups *g, const tp_resting *r, const tp_mode_set *modes,
-                               tp_message *message) {
+tp_status tp_rigid_groups_init(tp_rigid_groups *g, const tp_resting *r, tp_message *message) {
   memset(g, 0, sizeof *g);
   g->resting = r;
   fmpz_mat_init(g->free, 0, 0);
   g->group = calloc((size_t)r->assemblage->count + 1, sizeof *g->group);
   g->first = calloc((size_t)r->assemblage->count + 1, sizeof *g->first);
-  if (g->group == NULL || g->first == NULL) {
-    tp_rigid_groups_clear(g);
-    return tp_fail_memory(message, "a proof");
+  g->scale = calloc((size_t)r->rows + 1, sizeof *g->scale);
+  g->modes = calloc((size_t)r->contact_count + 1, sizeof *g->modes);
+  if (g->group != NULL && g->first != NULL && g->scale != NULL && g->modes != NULL) return TP_OK;
+  tp_rigid_groups_clear(g);
+  return tp_fail_memory(message, "a proof");
+}
+
+static void set_scales(tp_rigid_groups *g) {
+  fmpz_t own;
+  fmpz_init(own);
+  for (long f = 0; f < g->freedom; f++) {
+    g->scale[f] = 0;
+    for (long b = 0; b < g->resting->rows / 3; b++) {
+      for (int axis = 0; axis < 2; axis++) {
+        tp_rigid_groups_acceleration(own, g, g->resting->block[b], axis, f);
+        const long bits = (long)fmpz_bits(own);
+        if (bits > g->scale[f]) g->scale[f] = bits;
+      }
+    }
   }
+  fmpz_clear(own);
+}
+
+tp_status tp_rigid_groups_find(tp_rigid_groups *g, const tp_mode_set *modes, tp_message *message) {
+  const size_t size = (size_t)g->resting->contact_count * sizeof *modes;
+  if (memcmp(g->modes, modes, size) == 0) return TP_OK;
+  memcpy(g->modes, modes, size);
+  g->count = g->freedom = 0;
   join_all(g, modes);
   number_all(g);
-  if (g->count > 0) find_free(g, modes);
+  if (g->count > 0 && !find_free(g, modes)) return tp_fail_memory(message, "a proof");
+  set_scales(g);
   return TP_OK;
 }
 
 void tp_rigid_groups_row(fmpz *row, const tp_rigid_groups *g, long contact, int end, bool along) {
-  fmpz_mat_t own, product;
-  fmpz_mat_init(own, 1, 3 * g->count);
-  fmpz_mat_init(product, 1, g->freedom);
-  add_row(own->rows[0], g, contact, end, along);
-  fmpz_mat_mul(product, own, g->free);
-  for (long c = 0; c < g->freedom; c++) fmpz_set(row + c, fmpz_mat_entry(product, 0, c));
-  fmpz_mat_clear(own);
-  fmpz_mat_clear(product);
+  fmpz own[3];
+  for (int e = 0; e < 3; e++) fmpz_init(own + e);
+  _fmpz_vec_zero(row, g->freedom);
+  for (int side = 0; side < 2; side++) {
+    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    if (group < 0) continue;
+    set_side(own, g, contact, side, end, along);
+    for (int e = 0; e < 3; e++) {
+      _fmpz_vec_scalar_addmul_fmpz(row, g->free->rows[3 * group + e], g->freedom, own + e);
+    }
+  }
+  for (int e = 0; e < 3; e++) fmpz_clear(own + e);
 }
 
 void tp_rigid_groups_acceleration(fmpz_t own, const tp_rigid_groups *g, long block, int axis,

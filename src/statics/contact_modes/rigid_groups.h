@@ -20,11 +20,18 @@ typedef struct tp_rigid_groups {
   long *first;     /* by group: its first block */
   fmpz_mat_t free; /* 3 count x freedom: the accelerations that are allowed */
   long freedom;
+  long *scale;        /* by free acceleration: bits of its largest number, so much of a block */
+  tp_mode_set *modes; /* by contact: that all this is of; all 0: of none yet */
 } tp_rigid_groups;
 
+/* Of no modes yet. On failure cleared. */
 TP_MUST_USE tp_status tp_rigid_groups_init(tp_rigid_groups *groups, const tp_resting *resting,
-                                           const tp_mode_set *modes, tp_message *message);
+                                           tp_message *message);
 void tp_rigid_groups_clear(tp_rigid_groups *groups);
+
+/* Of these modes, one a contact: nothing to do where they are those of the last time. */
+TP_MUST_USE tp_status tp_rigid_groups_find(tp_rigid_groups *groups, const tp_mode_set *modes,
+                                           tp_message *message);
 
 /* The row of n at an end, or of t (`along`), on the free accelerations: freedom numbers. */
 void tp_rigid_groups_row(fmpz *row, const tp_rigid_groups *groups, long contact, int end,

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Signs of balls: rows of contacts on the shares, and forces. */
+
+#include "contact_modes/mode_laws.h"
+
+#include "number/ball.h"
+
+enum { BITS = TP_EQUATION_BITS };
+
+typedef enum sign { SIGN_HOLDS, SIGN_TIED, SIGN_FAILS } sign;
+
+/* Certainly not below zero; else nothing, next to weights and gravity of about one; else below. */
+static sign sign_of(const arb_t number) {
+  static const double tied = 1e-10;
+  if (arb_is_nonnegative(number)) return SIGN_HOLDS;
+  return arf_cmpabs_d(arb_midref(number), tied) < 0 ? SIGN_TIED : SIGN_FAILS;
+}
+
+/* A row of a contact on the shares. */
+static void velocity(arb_t sum, const tp_mode_equations *s, long contact, int end, bool along) {
+  const long freedom = s->groups->freedom;
+  fmpz *row = _fmpz_vec_init(freedom);
+  tp_rigid_groups_row(row, s->groups, contact, end, along);
+  arb_t part;
+  arb_init(part);
+  arb_zero(sum);
+  for (long f = 0; f < freedom; f++) {
+    if (fmpz_is_zero(row + f)) continue;
+    arb_set(part, arb_mat_entry(s->factors, f, 0));
+    arb_mul_2exp_si(part, part, -s->groups->scale[f]);
+    arb_addmul_fmpz(sum, part, row + f, BITS);
+  }
+  arb_clear(part);
+  _fmpz_vec_clear(row, freedom);
+}
+
+/* In units of the assemblage, as velocities are of the order of gravity there. */
+static sign sign_of_velocity(const tp_mode_equations *s, long contact, int end, bool along,
+                             bool back) {
+  const tp_resting *r = s->groups->resting;
+  const tp_block_contact *c = r->assemblage->contacts + contact;
+  const tp_lattice *l = &r->assemblage->lattice;
+  fmpz_t dx, dy;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  fmpz_sub(dx, l->x + c->along[1], l->x + c->along[0]);
+  fmpz_sub(dy, l->y + c->along[1], l->y + c->along[0]);
+  const long x = (long)fmpz_bits(dx), y = (long)fmpz_bits(dy);
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  arb_t sum;
+  arb_init(sum);
+  velocity(sum, s, contact, end, along);
+  arb_mul_2exp_si(sum, sum, -(x > y ? x : y));
+  if (back) arb_neg(sum, sum);
+  const sign own = sign_of(sum);
+  arb_clear(sum);
+  return own;
+}
+
+static const arb_struct *force(const tp_mode_equations *s, long at) {
+  return arb_mat_entry(s->factors, at, 0);
+}
+
+/* N tan(phi) - |T| of a contact that sticks. */
+static sign sign_of_reserve(const tp_mode_equations *s, long contact) {
+  arb_t left, part;
+  arb_init(left);
+  arb_init(part);
+  for (int e = 0; e < 2; e++) {
+    const long at = s->normal_at[2 * contact + e];
+    if (at >= 0) arb_add(left, left, force(s, at), BITS);
+  }
+  tp_ball_set_bounded(part, s->question->friction[contact].value,
+                      s->question->friction[contact].error);
+  arb_mul(left, left, part, BITS);
+  arb_abs(part, force(s, s->shear_at[contact]));
+  arb_sub(left, left, part, BITS);
+  const sign own = sign_of(left);
+  arb_clear(left);
+  arb_clear(part);
+  return own;
+}
+
+/* ---- one contact -------------------------------------------------------------------------------
+ */
+
+static void set_mode(tp_trial_mode *own, const bool closed[2], tp_mode_slip slip) {
+  own->mode = closed[0] || closed[1] ? tp_mode_of(closed[0], closed[1], slip) : TP_MODES_OPEN;
+  if (own->mode == TP_MODES_OPEN) own->spent = 0;
+}
+
+static tp_mode_slip slip_of(tp_mode_set mode) {
+  return (mode & TP_MODES_STICK) != 0     ? TP_MODE_STICKS
+         : (mode & TP_MODES_FORWARD) != 0 ? TP_MODE_FORWARD
+                                          : TP_MODE_BACK;
+}
+
+/* Ends that open or close; true where one has to. */
+static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) {
+  bool closed[2] = {false, false}, changed = false, bears = false;
+  const tp_mode_set mode = own->mode;
+  for (int e = 0; e < s->groups->resting->contacts[k].ends; e++) {
+    closed[e] = (mode & tp_modes_closed(e)) != 0;
+    const long at = s->normal_at[2 * k + e];
+    if (closed[e] && at < 0) continue; /* idle */
+    const sign sign = closed[e] ? sign_of(force(s, at)) : sign_of_velocity(s, k, e, false, false);
+    if (sign == SIGN_HOLDS) continue;
+    own->idle[e] = !closed[e] && sign == SIGN_TIED;
+    closed[e] = !closed[e];
+    bears = bears || (closed[e] && !own->idle[e]);
+    changed = true;
+  }
+  const tp_mode_slip anew = bears ? TP_MODE_STICKS : TP_MODE_FORWARD; /* idle: either way */
+  if (changed) set_mode(own, closed, mode == TP_MODES_OPEN ? anew : slip_of(mode));
+  return changed;
+}
+
+/* Friction of a contact that bears something; true where it has to change. */
+static bool change_slip(tp_trial_mode *own, const tp_mode_equations *s, long k) {
+  const long *normals = s->normal_at + 2 * k;
+  const bool closed[2] = {(own->mode & tp_modes_closed(0)) != 0,
+                          (own->mode & tp_modes_closed(1)) != 0};
+  if (normals[0] < 0 && normals[1] < 0) return false;
+  if (s->shear_at[k] >= 0) {
+    const sign sign = sign_of_reserve(s, k);
+    if (sign == SIGN_HOLDS) return false;
+    const bool back = arf_sgn(arb_midref(force(s, s->shear_at[k]))) > 0;
+    own->spent = sign == SIGN_FAILS ? 0 : back ? -1 : 1;
+    if (sign == SIGN_FAILS) set_mode(own, closed, back ? TP_MODE_BACK : TP_MODE_FORWARD);
+    return true;
+  }
+  if (own->spent != 0) return false;
+  const bool back = (own->mode & TP_MODES_BACK) != 0;
+  const sign sign = sign_of_velocity(s, k, 0, true, back);
+  if (sign == SIGN_HOLDS) return false;
+  own->spent = sign == SIGN_FAILS ? 0 : back ? -1 : 1;
+  set_mode(own, closed, TP_MODE_STICKS);
+  return true;
+}
+
+static bool moves(const tp_mode_equations *s) {
+  for (long f = 0; f < s->groups->freedom; f++) {
+    if (!arb_contains_zero(force(s, f))) return true;
+  }
+  return false;
+}
+
+tp_laws tp_mode_laws(tp_trial_mode *trial, const tp_mode_equations *s) {
+  enum { MOST = 8 };
+  long changes = 0;
+  for (long k = 0; k < s->groups->resting->contact_count; k++) {
+    if (change_ends(trial + k, s, k) || change_slip(trial + k, s, k)) changes++;
+  }
+  if (changes > MOST) return TP_LAWS_BROKEN;
+  if (changes > 0) return TP_LAWS_CHANGED;
+  return moves(s) ? TP_LAWS_HOLD : TP_LAWS_BROKEN;
+}

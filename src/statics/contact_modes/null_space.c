@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* In the end each pivot row holds its pivot and columns without one: these are free. */
+
+#include "contact_modes/null_space.h"
+
+#include <stdlib.h>
+
+typedef struct eliminating {
+  fmpz_mat_struct *rows;
+  long count, width;
+  long *pivot;  /* by row: the column of its pivot; -1: none yet */
+  long *row_of; /* by column: the row of which it is the pivot; -1: none */
+  long *filled; /* by column: rows with an entry there */
+} eliminating;
+
+static fmpz *entry(const eliminating *s, long r, long c) {
+  return fmpz_mat_entry(s->rows, r, c);
+}
+
+/* The shortest row that is left, and in it the column that fills the fewest others. */
+static bool find_pivot(long *row, long *column, const eliminating *s) {
+  long least = s->width + 1;
+  for (long c = 0; c < s->width; c++) s->filled[c] = 0;
+  for (long r = 0; r < s->count; r++) {
+    long own = 0;
+    for (long c = 0; c < s->width; c++) {
+      if (fmpz_is_zero(entry(s, r, c))) continue;
+      s->filled[c]++;
+      own++;
+    }
+    if (s->pivot[r] >= 0 || own == 0 || own >= least) continue;
+    least = own;
+    *row = r;
+  }
+  if (least > s->width) return false;
+  long fewest = s->count + 1;
+  for (long c = 0; c < s->width; c++) {
+    if (fmpz_is_zero(entry(s, *row, c)) || s->filled[c] >= fewest) continue;
+    fewest = s->filled[c];
+    *column = c;
+  }
+  return true;
+}
+
+static void free_of_factor(const eliminating *s, long r) {
+  fmpz *own = s->rows->rows[r];
+  fmpz_t factor;
+  fmpz_init(factor);
+  _fmpz_vec_content(factor, own, s->width);
+  if (!fmpz_is_zero(factor) && !fmpz_is_one(factor)) {
+    _fmpz_vec_scalar_divexact_fmpz(own, own, s->width, factor);
+  }
+  fmpz_clear(factor);
+}
+
+/* Row r less what makes its entry in the pivot's column zero. */
+static void eliminate(const eliminating *s, long r, long by, long column) {
+  fmpz_t own, pivot, factor;
+  fmpz_init(own);
+  fmpz_init(pivot);
+  fmpz_init(factor);
+  fmpz_gcd(factor, entry(s, r, column), entry(s, by, column));
+  fmpz_divexact(own, entry(s, r, column), factor);
+  fmpz_divexact(pivot, entry(s, by, column), factor);
+  for (long c = 0; c < s->width; c++) {
+    fmpz *to = entry(s, r, c);
+    if (!fmpz_is_zero(to)) fmpz_mul(to, to, pivot);
+    if (!fmpz_is_zero(entry(s, by, c))) fmpz_submul(to, entry(s, by, c), own);
+  }
+  free_of_factor(s, r);
+  fmpz_clear(own);
+  fmpz_clear(pivot);
+  fmpz_clear(factor);
+}
+
+static long eliminate_all(const eliminating *s) {
+  long rank = 0, row = 0, column = 0;
+  for (long r = 0; r < s->count; r++) free_of_factor(s, r);
+  for (; find_pivot(&row, &column, s); rank++) {
+    s->pivot[row] = column;
+    s->row_of[column] = row;
+    for (long r = 0; r < s->count; r++) {
+      if (r != row && !fmpz_is_zero(entry(s, r, column))) eliminate(s, r, row, column);
+    }
+  }
+  return rank;
+}
+
+/* One in a free column, times what all pivots divide. */
+static void set_vector(fmpz_mat_t space, const eliminating *s, long at, long column) {
+  fmpz_t common, part;
+  fmpz_init(common);
+  fmpz_init(part);
+  fmpz_one(common);
+  for (long c = 0; c < s->width; c++) {
+    const long r = s->row_of[c];
+    if (r < 0 || fmpz_is_zero(entry(s, r, column))) continue;
+    fmpz_gcd(part, entry(s, r, c), entry(s, r, column));
+    fmpz_divexact(part, entry(s, r, c), part);
+    fmpz_lcm(common, common, part);
+  }
+  for (long c = 0; c < s->width; c++) {
+    const long r = s->row_of[c];
+    if (r < 0 || fmpz_is_zero(entry(s, r, column))) continue;
+    fmpz_mul(part, common, entry(s, r, column));
+    fmpz_divexact(part, part, entry(s, r, c));
+    fmpz_neg(fmpz_mat_entry(space, c, at), part);
+  }
+  fmpz_set(fmpz_mat_entry(space, column, at), common);
+  fmpz_clear(common);
+  fmpz_clear(part);
+}
+
+bool tp_null_space(fmpz_mat_t space, fmpz_mat_t rows) {
+  eliminating s = {.rows = rows, .count = fmpz_mat_nrows(rows), .width = fmpz_mat_ncols(rows)};
+  s.pivot = calloc((size_t)s.count + 1, sizeof *s.pivot);
+  s.row_of = calloc((size_t)s.width + 1, sizeof *s.row_of);
+  s.filled = calloc((size_t)s.width + 1, sizeof *s.filled);
+  const bool made = s.pivot != NULL && s.row_of != NULL && s.filled != NULL;
+  for (long r = 0; r < s.count && made; r++) s.pivot[r] = -1;
+  for (long c = 0; c < s.width && made; c++) s.row_of[c] = -1;
+  const long rank = made ? eliminate_all(&s) : s.width;
+  fmpz_mat_init(space, s.width, s.width - rank);
+  long at = 0;
+  for (long c = 0; c < s.width && made; c++) {
+    if (s.row_of[c] < 0) set_vector(space, &s, at++, c);
+  }
+  free(s.pivot);
+  free(s.row_of);
+  free(s.filled);
+  return made;
+}
