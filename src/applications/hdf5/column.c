@@ -138,3 +138,64 @@ bool tp_hdf5_column_write(tp_hdf5_column *column, uint64_t first, size_t count) 
   if (column->kind == TP_FIELD_TEXT) drop_texts(column, count);
   return written;
 }
+
+/* ---- packed ------------------------------------------------------------------------------------
+ */
+
+/* Of a chunk: which filters HDF5 left out, and its bytes. */
+typedef struct chunk_head {
+  uint64_t size;
+  uint32_t left_out;
+} chunk_head;
+
+static bool pack_chunk(const tp_hdf5_column *column, tp_text *packed, uint64_t first) {
+  const hsize_t offset[] = {first};
+  hsize_t size = 0;
+  chunk_head head = {0};
+  if (H5Dget_chunk_storage_size(column->set, offset, &size) < 0) return false;
+  char *bytes = malloc(size);
+  const bool read =
+      bytes != NULL && H5Dread_chunk(column->set, H5P_DEFAULT, offset, &head.left_out, bytes) >= 0;
+  head.size = size;
+  if (read) tp_text_append(packed, (const char *)&head, sizeof head);
+  if (read) tp_text_append(packed, bytes, size);
+  free(bytes);
+  return read && !packed->failed;
+}
+
+bool tp_hdf5_column_pack(tp_hdf5_column *column, tp_text *packed, uint64_t first, size_t count) {
+  if (column->kind != TP_FIELD_TEXT) {
+    return tp_hdf5_column_write(column, first, count) && pack_chunk(column, packed, first);
+  }
+  char **texts = (char **)column->block;
+  for (size_t k = 0; k < count; k++) tp_text_append(packed, texts[k], strlen(texts[k]) + 1);
+  drop_texts(column, count);
+  return !packed->failed;
+}
+
+static bool unpack_chunk(const tp_hdf5_column *column, const char **from, const char *end,
+                         uint64_t first) {
+  const hsize_t offset[] = {first};
+  chunk_head head;
+  if ((size_t)(end - *from) < sizeof head) return false;
+  memcpy(&head, *from, sizeof head);
+  *from += sizeof head;
+  if ((size_t)(end - *from) < head.size) return false;
+  const char *bytes = *from;
+  *from += head.size;
+  return H5Dwrite_chunk(column->set, H5P_DEFAULT, head.left_out, offset, head.size, bytes) >= 0;
+}
+
+bool tp_hdf5_column_unpack(tp_hdf5_column *column, const char **from, const char *end,
+                           uint64_t first, size_t count) {
+  if (column->kind != TP_FIELD_TEXT) return unpack_chunk(column, from, end, first);
+  for (size_t k = 0; k < count; k++) {
+    const size_t length = strnlen(*from, (size_t)(end - *from));
+    if (*from + length == end || !tp_hdf5_column_put(column, k, (tp_study_value){.words = *from})) {
+      drop_texts(column, k);
+      return false;
+    }
+    *from += length + 1;
+  }
+  return tp_hdf5_column_write(column, first, count);
+}

@@ -9,6 +9,7 @@
 #define TP_HDF5_COLUMN_H
 
 #include "hdf5/file.h"
+#include "output/text.h"
 #include "study/field.h"
 
 typedef struct tp_hdf5_column {
@@ -32,5 +33,13 @@ void tp_hdf5_column_close(tp_hdf5_column *column, size_t filled);
 /* Into the block, and the first `count` of the block into the file from `first` on. */
 TP_MUST_USE bool tp_hdf5_column_put(tp_hdf5_column *column, size_t at, tp_study_value value);
 TP_MUST_USE bool tp_hdf5_column_write(tp_hdf5_column *column, uint64_t first, size_t count);
+
+/* The same into a file in memory, and from there as HDF5 stores it behind `packed`; the texts of a
+ * column of these as they are. */
+TP_MUST_USE bool tp_hdf5_column_pack(tp_hdf5_column *column, tp_text *packed, uint64_t first,
+                                     size_t count);
+/* Into the file, from `*from` on, which goes on behind it, and not beyond `end`. */
+TP_MUST_USE bool tp_hdf5_column_unpack(tp_hdf5_column *column, const char **from, const char *end,
+                                       uint64_t first, size_t count);
 
 #endif

@@ -58,13 +58,13 @@ static tp_status fail_system(const tp_hdf5_file *file, int why, tp_message *mess
  */
 
 /* The same rows give the same bytes, whenever; columns stay in their order. */
-static hid_t create(const char *path) {
+static hid_t create(const char *path, hid_t access) {
   const hid_t plan = H5Pcreate(H5P_FILE_CREATE);
   hid_t file = H5I_INVALID_HID;
   if (plan < 0) return plan;
   if (H5Pset_link_creation_order(plan, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0 &&
       H5Pset_obj_track_times(plan, false) >= 0) {
-    file = H5Fcreate(path, H5F_ACC_TRUNC, plan, H5P_DEFAULT);
+    file = H5Fcreate(path, H5F_ACC_TRUNC, plan, access);
   }
   (void)H5Pclose(plan);
   return file;
@@ -80,19 +80,34 @@ bool tp_hdf5_file_is_ours(const char *path) {
   return ours;
 }
 
-tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *csv,
-                             tp_message *message) {
+static void begin(tp_hdf5_file *file, const char *path, const char *csv) {
   *file = (tp_hdf5_file){.path = path, .csv = csv, .id = H5I_INVALID_HID};
   /* what could not be written is not tried again as the program ends */
   (void)H5dont_atexit();
   (void)H5Eset_auto2(H5E_DEFAULT, note_failure, file);
+}
+
+tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *csv,
+                             tp_message *message) {
+  begin(file, path, csv);
   file->target = realpath(path, NULL);
   if (file->target == NULL && errno == ENOENT) file->target = strdup(path);
   if (file->target == NULL) return fail_system(file, errno, message);
   const int own = tp_file_create_beside(&file->part, file->target);
   if (own < 0) return fail_system(file, errno, message);
   (void)close(own);
-  file->id = create(file->part);
+  file->id = create(file->part, H5P_DEFAULT);
+  return file->id >= 0 ? TP_OK : tp_hdf5_fail(file, message);
+}
+
+tp_status tp_hdf5_file_begin_in_memory(tp_hdf5_file *file, const char *path, const char *csv,
+                                       tp_message *message) {
+  enum { INCREMENT = 1 << 20 };
+  begin(file, path, csv);
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  if (access >= 0 && H5Pset_fapl_core(access, INCREMENT, false) >= 0)
+    file->id = create(path, access);
+  if (access >= 0) (void)H5Pclose(access);
   return file->id >= 0 ? TP_OK : tp_hdf5_fail(file, message);
 }
 

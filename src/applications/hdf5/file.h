@@ -24,6 +24,9 @@ TP_MUST_USE bool tp_hdf5_file_is_ours(const char *path);
 /* To be ended, also on failure; it stays where it is until then. */
 TP_MUST_USE tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *csv,
                                          tp_message *message);
+/* One in memory alone, of which chunks are taken; likewise, and never whole. */
+TP_MUST_USE tp_status tp_hdf5_file_begin_in_memory(tp_hdf5_file *file, const char *path,
+                                                   const char *csv, tp_message *message);
 /* Where `status` is TP_OK and all is written, by its name; else nothing is left. */
 TP_MUST_USE tp_status tp_hdf5_file_end(tp_hdf5_file *file, tp_status status, bool whole,
                                        tp_message *message);

@@ -52,18 +52,18 @@ tp_status tp_hdf5_rows_begin(tp_hdf5_rows *own, tp_study_options *options, const
   }
   own->path = options->rows;
   options->rows = own->csv;
-  if (!tp_rank_is_first(options->ranks)) return TP_OK;
   const tp_status status = load(own, message);
-  if (status != TP_OK) return status;
+  if (status != TP_OK || !tp_rank_is_first(options->ranks)) return status;
   return own->check(own->path, study, own->csv, options->restart, message);
 }
 
 tp_status tp_hdf5_rows_make(const tp_hdf5_rows *own, tp_study_result *result, const tp_study *study,
                             const tp_study_options *options, tp_message *message) {
-  if (own->path == NULL || result->end == TP_STUDY_INTERRUPTED) return TP_OK;
-  tp_status status =
-      own->write(own->path, study, own->csv, options->stop, options->context, message);
-  if (status == TP_OK) status = tp_study_add_source(result, own->path, message);
+  if (own->path == NULL) return TP_OK;
+  tp_status status = own->write(own->path, study, own->csv, options->ranks, options->stop,
+                                options->context, message);
+  if (status != TP_OK || result == NULL) return status;
+  status = tp_study_add_source(result, own->path, message);
   if (status == TP_OK && options->stop != NULL && options->stop(options->context)) {
     result->end = TP_STUDY_INTERRUPTED;
   }

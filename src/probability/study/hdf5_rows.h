@@ -19,9 +19,11 @@ typedef bool tp_hdf5_stop(void *context);
 typedef tp_status tp_hdf5_check_function(const char *path, const tp_study *study, const char *csv,
                                          bool restart, tp_message *message);
 
-/* Make the file of all rows in `csv`, whole or not at all. The same rows give the same bytes. */
+/* Make the file of all rows in `csv`, whole or not at all. The same rows give the same bytes. By
+ * ranks all call it: each reads and deflates its share of the rows, and the first writes. */
 typedef tp_status tp_hdf5_write_function(const char *path, const tp_study *study, const char *csv,
-                                         tp_hdf5_stop *stop, void *context, tp_message *message);
+                                         const tp_study_ranks *ranks, tp_hdf5_stop *stop,
+                                         void *context, tp_message *message);
 
 typedef struct tp_hdf5_rows {
   const char *path; /* NULL: none are asked for */
@@ -31,10 +33,11 @@ typedef struct tp_hdf5_rows {
 } tp_hdf5_rows;
 
 /* By the ending of options.rows, which is the CSV from then on. Before the study is run: can the
- * file be made? By ranks the first one asks. To be ended on failure, too. */
+ * file be made? By ranks the first one looks at what is there. To be ended on failure, too. */
 TP_MUST_USE tp_status tp_hdf5_rows_begin(tp_hdf5_rows *own, tp_study_options *options,
                                          const tp_study *study, tp_message *message);
-/* Made, of a study that is whole; where options.stop ends that, the result is interrupted. */
+/* Made, of a study that is whole; where options.stop ends that, the result is interrupted. By ranks
+ * all call it, the first with the result. */
 TP_MUST_USE tp_status tp_hdf5_rows_make(const tp_hdf5_rows *own, tp_study_result *result,
                                         const tp_study *study, const tp_study_options *options,
                                         tp_message *message);

@@ -74,17 +74,22 @@ static tp_status make_rounds(tp_rounds *r, tp_study_end *ended, tp_message *mess
   return status;
 }
 
-/* The first rank sums up, and where it has points to solve for that the others help it. */
+/* The first rank sums up, and where it has points to solve for that the others help it; HDF5 is
+ * made by all of them. */
 static tp_status sum_up(tp_study_result **result, tp_rounds *r, tp_study_end ended,
                         const tp_hdf5_rows *hdf5, tp_message *message) {
+  const tp_study_ranks *ranks = r->options->ranks;
   tp_status status = tp_rounds_gather(r, message);
   if (status != TP_OK || r->over) return status;
-  if (!tp_rank_is_first(r->options->ranks)) {
-    return tp_study_help_with_points(r->study, r->options, message);
+  if (tp_rank_is_first(ranks)) {
+    status = tp_study_sum_up(result, &r->tally, ended, r->options, message);
+    status = tp_study_end_points(r->options, status, message);
+  } else {
+    status = tp_study_help_with_points(r->study, r->options, message);
   }
-  status = tp_study_sum_up(result, &r->tally, ended, r->options, message);
-  if (status == TP_OK) status = tp_hdf5_rows_make(hdf5, *result, r->study, r->options, message);
-  return tp_study_end_points(r->options, status, message);
+  status = tp_together_agree(ranks, status, &r->over, message);
+  if (status != TP_OK || r->over || ended == TP_STUDY_INTERRUPTED) return status;
+  return tp_hdf5_rows_make(hdf5, *result, r->study, r->options, message);
 }
 
 static tp_status check(const tp_study_options *options, tp_message *message) {
