@@ -141,6 +141,7 @@ class Languages(PanelCase):
         self.drag("tilt.angle_deg", -20, -40)
         self.answered()
         before = self.text()
+        self.click(".settings summary")
         self.value("document.getElementById('language').focus()")
         self.press("d", text="d")
         self.awaits("document.documentElement?.lang === 'de' && document.body?.dataset.answer === 'there'", 60)

@@ -29,7 +29,7 @@ PAIRS = """(() => {
   }
   return Object.entries(found); })()"""
 TOO_WIDE = """[...document.querySelectorAll('main *, header *')].filter(e => e.getClientRects().length > 0 &&
-  !e.closest('.toolbar, .tabs, .cm-scroller, svg, .wide, table, math') && e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+  !e.closest('.toolbar, .drawing-tools, .tabs, .cm-scroller, svg, .wide, table, math') && e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map(e => e.outerHTML.slice(0, 90))"""
 AXE = ROOT / "src" / "applications" / "explorer" / "node_modules" / "axe-core" / "axe.min.js"
 CONTRAST = 4.5  # WCAG 2, AA

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The scenes of examples/ and of examples/blocks/, and the files that they name, as JSON for the page:
+"""The scenes of examples/, examples/blocks/ and examples/solids/, and the files that they name, as JSON for the page:
 [{"name", "group", "title", "text", "files"}], sorted by group and name."""
 
 import pathlib
@@ -10,7 +10,8 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 NAMED = re.compile(r"[A-Za-z0-9_./-]+\.(?:csv|dxf|svg|wkt|geojson|ply|obj|stl|at2)\b")
 
 
-GROUPS = {"Examples": ".", "Many blocks": "blocks"}
+GROUPS = {"Examples": ".", "Many blocks": "blocks", "Solids": "solids"}
+SCENE = re.compile(r"^topple: *1", re.M)
 
 
 def example(path, group):
@@ -22,4 +23,5 @@ def example(path, group):
 
 
 def examples():
-    return [example(path, group) for group, folder in GROUPS.items() for path in sorted((EXAMPLES / folder).glob("*.yaml"))]
+    paths = ((path, group) for group, folder in GROUPS.items() for path in sorted((EXAMPLES / folder).glob("*.yaml")))
+    return [example(path, group) for path, group in paths if SCENE.search(path.read_text(encoding="utf-8"))]

@@ -108,7 +108,7 @@ export class HandlesLayer {
     if (dots === null || handle === undefined) return;
     const hand = handle.dots === undefined ? this.view.toFrame(dots.x, dots.y) : dots;
     this.hand.edit(handle, handle.drag(hand, this.hand.exponent()));
-    this.hand.told(handle.label);
+    this.hand.told((this.handles.find((one) => one.key === handle.key) ?? handle).label);
   }
 
   #key(event, handle) {

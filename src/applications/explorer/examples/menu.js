@@ -25,6 +25,11 @@ export class ExamplesMenu {
     store.addEventListener("text", () => (select.value = this.present ?? ""));
   }
 
+  /** All scenes of it: {name, group, title, text, files}. */
+  get all() {
+    return ALL;
+  }
+
   /** The name of the scene that is on the page, as it stands in the menu; null: it is another one. @returns {string|null} */
   get present() {
     const found = ALL.find((one) => one.name === this.store.name);

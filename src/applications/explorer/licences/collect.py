@@ -11,7 +11,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parent
-FOR = {"yaml": "the scene's text as a tree", "uplot": "curves", "d3": "dragging and zooming", "editor": "the editor of the scene"}
+FOR = {"yaml": "the scene's text as a tree", "uplot": "curves", "uqr": "codes that a camera reads", "d3": "dragging and zooming", "editor": "the editor of the scene"}
 
 
 def purpose(name):

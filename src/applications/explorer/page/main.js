@@ -19,6 +19,7 @@ import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
 import { sceneTools } from "./scene_tools.js";
 import { Photograph } from "../photograph/photograph.js";
+import { gallery } from "../send/gallery.js";
 import { Player } from "./player.js";
 import { sheet } from "./sheet.js";
 import { sceneWords } from "./scene_words.js";
@@ -58,6 +59,7 @@ async function begin() {
   sceneWords(element, store);
   const photograph = new Photograph({ stage: element("photo-stage"), place: element("photo"), button: element("trace"), drawing, store, messages });
   sceneTools(element, { store, menu, messages, tabs, photograph });
+  gallery(element("gallery-dialog"), element("gallery"), { menu, core: background });
   const embedded = readEmbed(location.hash);
   if (embedded !== null) showEmbedded(embedded, tabs);
   const told = (words) => (element("told").textContent = words);

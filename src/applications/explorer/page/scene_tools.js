@@ -6,6 +6,7 @@
 import { linkOfExample, linkOfScene } from "../scene/link.js";
 import { readFiles } from "../scene/open.js";
 import { embedLine } from "./embed.js";
+import { sendDialog } from "../send/send_dialog.js";
 import { offer } from "./offer.js";
 import { say } from "../words/language.js";
 
@@ -34,6 +35,7 @@ export function sceneTools(element, { store, menu, messages, tabs, photograph })
   element("save").addEventListener("click", save);
   element("link").addEventListener("click", () => copyLink(store, menu, messages));
   element("embed").addEventListener("click", () => copyEmbed(store, messages, tabs));
+  sendDialog(element("send-dialog"), element("send"), { link: async () => location.href.split("#")[0] + (await hashOf(store, menu)) });
   undoTools(element, store);
   addEventListener("keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "s") {
@@ -75,9 +77,14 @@ async function copyEmbed(store, messages, tabs) {
   }
 }
 
+/** The fragment of an address that carries the scene. @returns {Promise<string>} */
+function hashOf(store, menu) {
+  return menu.present === null ? linkOfScene({ name: store.name, text: store.text, files: store.files }) : Promise.resolve(linkOfExample(menu.present));
+}
+
 async function copyLink(store, menu, messages) {
   try {
-    const hash = menu.present === null ? await linkOfScene({ name: store.name, text: store.text, files: store.files }) : linkOfExample(menu.present);
+    const hash = await hashOf(store, menu);
     history.replaceState(null, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);

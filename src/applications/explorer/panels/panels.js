@@ -5,6 +5,7 @@
 
 import { AboutPanel } from "./about.js";
 import { AccuracyPanel } from "./accuracy.js";
+import { ComparePanel } from "./compare.js";
 import { CurvesPanel } from "./curves.js";
 import { DerivePanel } from "./derive.js";
 import { element } from "./element.js";
@@ -51,6 +52,7 @@ const IN_TABS = [
   { id: "forces", title: "Forces", Panel: ForcesPanel },
   { id: "curves", title: "Curves", Panel: CurvesPanel },
   { id: "map", title: "Map", Panel: MapPanel },
+  { id: "compare", title: "Compare", Panel: ComparePanel },
   { id: "derive", title: "Formulas", Panel: DerivePanel },
   { id: "verify", title: "Verify", Panel: VerifyPanel },
   { id: "accuracy", title: "Accuracy", Panel: AccuracyPanel },

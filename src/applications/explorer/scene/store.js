@@ -25,6 +25,11 @@ const ASKED = {
   solid: ["solve", "--json"],
 };
 
+/** @param {"block"|"blocks"|"solid"} kind @returns {{args: string[], collect: string[]}} how the core is asked, and the file that it then writes */
+export function askedFor(kind) {
+  return { args: ASKED[kind], collect: kind === "blocks" ? [FIGURE] : [] };
+}
+
 /** How long a solve may hold up that of a newer text, milliseconds. */
 const PATIENCE_MS = 2_000;
 
@@ -160,13 +165,14 @@ export class SceneStore extends EventTarget {
     for (const [control, since] of this.#pending) if (now - since > PATIENCE_MS) control.abort();
     const control = new AbortController();
     const kind = kindOf(this.parsed);
+    const { args, collect } = askedFor(kind);
     this.#pending.set(control, now);
     this.#tellBusy();
     try {
       const answer = await this.core.run(
-        [...ASKED[kind], this.argument],
+        [...args, this.argument],
         { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal, collect: kind === "blocks" ? [FIGURE] : [] },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal, collect },
       );
       if (asked === this.#asked) this.#answered(answer, kind);
     } catch (error) {
