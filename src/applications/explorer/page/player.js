@@ -6,6 +6,7 @@
 import { Film } from "../drawing/film.js";
 import { FilmView } from "../drawing/film_view.js";
 import { element } from "../panels/element.js";
+import { ShakingStrip } from "./shaking_strip.js";
 import { numeral, say } from "../words/language.js";
 
 const TEST_MAX_MS = 60_000;
@@ -29,7 +30,13 @@ export class Player {
     this.speed = element("select", { "aria-label": "Speed of the fall" }, SPEEDS.map(([name, times]) => element("option", { value: times, ...(times === FIRST_SPEED ? { selected: true } : {}) }, say(name))));
     this.said = element("output", { class: "film-said" });
     this.events = element("div", { class: "events", role: "group", "aria-label": "Events of the test" });
-    place.append(element("div", { class: "film-line" }, this.pause, this.slider, this.speed, this.said), this.events);
+    place.append(element("div", { class: "film-line" }, this.pause, this.slider, this.speed, this.said));
+    const seek = (seconds) => {
+      this.#halt();
+      this.#put(seconds);
+    };
+    this.strip = new ShakingStrip(place, { store, core, messages, seek, again: () => this.play() });
+    place.append(this.events);
     button.addEventListener("click", () => (this.#film === null ? this.play() : this.end()));
     this.speed.addEventListener("change", () => this.#put(this.#film.timeAt(this.#shown, this.#slowBefore)));
     store.addEventListener("text", () => this.end());
@@ -67,12 +74,13 @@ export class Player {
     this.view.leave();
   }
 
-  #begin({ cases }) {
+  #begin({ cases, shaking }) {
     const { drawing } = this;
     const kase = cases.find(({ towards }) => towards === drawing.case?.towards) ?? cases[0];
     if ((kase.moments ?? []).length < 2) throw new Error(say("its answer has no moments"));
     this.#film = new Film(kase, this.store.parsed.keys(["shaking"]) !== null);
     this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event)));
+    this.strip.show(shaking, this.#film.end);
     this.place.hidden = false;
     this.#named();
     this.view.enter(this.#film);
@@ -130,6 +138,7 @@ export class Player {
     this.slider.setAttribute("aria-valuetext", said);
     const at = event === null ? -1 : film.events.indexOf(event);
     [...this.events.children].forEach((button, index) => button.setAttribute("aria-current", String(index === at)));
+    this.strip.put(time);
     this.view.show(film, time);
   }
 
@@ -138,10 +147,11 @@ export class Player {
   #named() {
     const playing = this.#film !== null;
     this.button.setAttribute("aria-pressed", String(playing));
-    this.button.textContent = say(playing ? "Leave the test" : "Tilt it until it falls");
+    this.button.textContent = say(playing ? "Leave the test" : this.store.parsed.keys(["shaking"]) === null ? "Tilt it until it falls" : "Shake it");
   }
 
   #canPlay() {
+    this.#named();
     this.button.disabled = this.#film === null && this.store.solution?.kind !== "block";
   }
 }
