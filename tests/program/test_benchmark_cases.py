@@ -22,6 +22,7 @@ sys.path[:0] = [str(FOLDER), str(FOLDER / "engines")]
 sys.dont_write_bytecode = True
 
 import confirm  # noqa: E402
+import draw  # noqa: E402
 import exact  # noqa: E402
 import make  # noqa: E402
 import pieces  # noqa: E402
@@ -190,6 +191,16 @@ class Benchmark(unittest.TestCase):
             self.assertIn(row, PAGE.splitlines())
         for quantity in {key for own in ANSWERS.values() for key in own}:
             self.assertIn(f"`{quantity}`", PAGE)
+
+    def test_the_figure_draws_the_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            figure = pathlib.Path(folder) / "figure.svg"
+            draw.main(figure)
+            self.assertEqual(figure.read_text(), (ROOT / "docs/figures/benchmark_cases.svg").read_text())
+        answers = {"low": 20.0, "high": 20.1}
+        self.assertEqual([draw.place(answers, value) for value in ("20.05", "20.2", "20.9", "19", "22", "never", "")],
+                         [0, 0, 1, 1, 3, 3, 4])
+        self.assertEqual([draw.place({"never": True}, value) for value in ("never", "30")], [0, 2])
 
     def test_every_bracket_is_narrow(self):
         for name, own in ANSWERS.items():
