@@ -49,6 +49,17 @@ class WorkedStudies(unittest.TestCase):
         else:
             self.assertEqual(len(self.rows_of("irregular_bases_overturning", "1", "5.5")), 2 + 5 + 1)
 
+    def test_three_thresholds(self):
+        """Blocks first move where statics has it, lie still and begin in turns, and overturn after that: minutes for the rows of the
+        page, so that a few are raised where time is short."""
+        if LONG:
+            with tempfile.TemporaryDirectory() as folder:
+                figure = pathlib.Path(folder) / "figure.svg"
+                self.assertGreater(len(self.run_study("three_thresholds", "400", "60", figure)), 55)
+                self.assertEqual(figure.read_text(), (ROOT / "docs/figures/three_thresholds.svg").read_text())
+        else:
+            self.assertGreater(len(self.rows_of("three_thresholds", "4", "0")), (2 + 9) + (2 + 8) + (2 + 4))
+
     def test_tilt_test_scatter(self):
         rows = self.run_study("tilt_test_scatter")
         self.assertEqual(len(rows), 12 + 15)

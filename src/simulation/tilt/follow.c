@@ -39,12 +39,17 @@ tp_mechanism tp_tilting_mechanism(tp_xy *centre, bool *has_centre, const tp_rigi
 
 /* That the block begins to move, and what its contacts do as it does, is in the history of a ramp
  * already: of the events behind `from` those of that moment are left out, and that it begins to
- * move. */
+ * move for the first time. */
 static void drop_told(tp_history *history, size_t from) {
   size_t kept = from;
+  /* of two events at one time that are alike the second is not told: one at the start is not there
+   */
+  bool begun = from > 0 && history->events[from - 1].time_s == 0;
   for (size_t k = from; k < history->event_count; k++) {
     const tp_tilt_event event = history->events[k];
-    if (event.time_s == 0 || event.what == TP_EVENT_COLLAPSES) continue;
+    const bool begins = event.what == TP_EVENT_COLLAPSES && !begun;
+    begun = begun || begins;
+    if (event.time_s == 0 || begins) continue;
     history->events[kept++] = event;
   }
   history->event_count = kept;
