@@ -15,6 +15,7 @@ import sys
 from fractions import Fraction
 
 import exact
+import fall
 from rational import frictions, rational_tilt
 
 HERE = pathlib.Path(__file__).parent
@@ -192,7 +193,27 @@ def check_solid(own, answers):
     return wrong
 
 
+def check_fall(own, answers):
+    """The distance at both ends of the bracket: by its acceleration, in rational numbers; of a block on one corner by the equation
+    of motion in small steps, as long as it does not slip, leave the rock or meet it elsewhere."""
+    ring, (a, b) = points(own["block"]), points(own["base"])
+    ends, moved = [Fraction(str(answers["moved_s"][end])) for end in ("low", "high")], Fraction(own["moved_m"])
+    along = exact.minus(b, a)
+    on = [p for p in ring if exact.cross(along, exact.minus(p, a)) == 0]
+    centroid = exact.moments(ring)[1]
+    if on and not min(x for x, _ in on) < centroid[0] < max(x for x, _ in on):
+        low, high = (fall.turned_by(ring, min(on) if centroid[0] < min(on)[0] else max(on), along, end, float(frictions(own["friction_deg"])[0]))
+                     for end in ends)
+        return [] if low < moved < high else ["moved_s"]
+    size = exact.dot(along, along)
+    rates = [Fraction(1)] * 2 if not on else [(along[1] - mu * along[0]) / fall.root(size) for mu in frictions(own["friction_deg"])[::-1]]
+    low, high = (fall.GRAVITY * rate * end * end / 2 for rate, end in zip(rates, ends))
+    return [] if low < moved < high else ["moved_s"]
+
+
 def check(own, answers):
+    if "moved_m" in own:
+        return check_fall(own, answers)
     return (check_single if "base" in own else check_many if "blocks" in own else check_solid)(own, answers)
 
 

@@ -13,16 +13,16 @@ import score
 
 DRAWN = ("teeth_11", "worn_corners_06", "notches_08", "islands_05", "drawn_06", "unfitting_profiles_04", "many_blocks_08",
          "many_blocks_10")
-CLASSES = (("within 0.1°", "#0072b2"), ("within 1°", "#8ec6e6"), ("moves too soon", "#f0c35a"), ("stands too long", "#d55e00"),
+CLASSES = (("within 0.1°, 0.1 %", "#0072b2"), ("within 1°, 1 %", "#8ec6e6"), ("moves too soon", "#f0c35a"), ("stands too long", "#d55e00"),
            ("no answer", "#c8c8c8"))
 WIDTH, LEFT, ROW, PICTURE = 860, 118, 22, 100
 
 
-def place(bracket, value):
-    """Which of the classes an answer of a tilt of motion is in."""
+def place(quantity, bracket, value):
+    """Which of the classes an answer is in."""
     if not value:
         return 4
-    by = score.outside(bracket, value)
+    by = score.judged(quantity, bracket, value)
     if by is None:
         return 3 if value == "never" else 2
     return 0 if abs(by) <= 0.1 else 1 if abs(by) <= 1 else 3 if by > 0 else 2
@@ -44,7 +44,7 @@ def bars(manifest, answers, top):
     """The shares, a row a group, a column an engine; where the column of an engine without answers is empty."""
     engines = sorted(tables(), key=lambda own: all(name.startswith("solids") for name, _ in own[1]))
     groups = [group for group in dict.fromkeys(own["group"] for own in manifest.values())
-              if any(quantity.startswith("moves_") for name in manifest if manifest[name]["group"] == group
+              if any(score.is_of_motion(quantity) for name in manifest if manifest[name]["group"] == group
                      for quantity in answers[name])]
     step = (WIDTH - LEFT) / len(engines)
     for column, (engine, _) in enumerate(engines):
@@ -52,12 +52,12 @@ def bars(manifest, answers, top):
     for row, group in enumerate(groups):
         y = top + 20 + row * ROW
         asked = [(name, quantity) for name in manifest if manifest[name]["group"] == group
-                 for quantity in answers[name] if quantity.startswith("moves_")]
+                 for quantity in answers[name] if score.is_of_motion(quantity)]
         yield text(LEFT - 8, y + 14, f"{group}, {len(asked)}", "end")
         for column, (_, given) in enumerate(engines):
             if not any(given.get(key) for key in asked):
                 continue
-            found = [place(answers[name][quantity], given.get((name, quantity), "")) for name, quantity in asked]
+            found = [place(quantity, answers[name][quantity], given.get((name, quantity), "")) for name, quantity in asked]
             x, wide = LEFT + column * step + 4, (step - 8) / len(asked)
             for kind, (_, colour) in enumerate(CLASSES):
                 share = found.count(kind) * wide
@@ -108,7 +108,7 @@ def main(path):
     lines = [picture(name, manifest[name], 3 + k % 4 * wide, 4 + k // 4 * (PICTURE + 30), wide) for k, name in enumerate(DRAWN)]
     top = 2 * (PICTURE + 30) + 14
     lines += bars(manifest, answers, top)
-    groups = {own["group"] for name, own in manifest.items() if any(q.startswith("moves_") for q in answers[name])}
+    groups = {own["group"] for name, own in manifest.items() if any(score.is_of_motion(q) for q in answers[name])}
     high = top + 20 + len(groups) * ROW + 30
     with open(path, "w", encoding="utf-8") as file:
         file.write(f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{high}" viewBox="0 0 {WIDTH} {high}" '

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Makes the benchmark: coordinates as CSV, manifest.json, and answers.json by `topple solve --json`.
+"""Makes the benchmark: coordinates as CSV, manifest.json, and answers.json by `topple solve --json`; times of falls by closed forms.
 
     python3 make.py TOPPLE [FOLDER [NAME...]]
 
@@ -16,11 +16,13 @@ import tempfile
 
 import cases
 import cases_blocks
+import cases_falls
 import cases_placed
 import cases_solids
 
 PLACE = "coordinates"  # the folder of the points
 ANGLE_DIGITS, MOMENT_DIGITS = 9, 12  # of a bracket: places of an angle in degrees, significant digits of a length or an area
+TIME_DIGITS = 9  # places of a time in seconds
 REST_DIGITS = 7  # places of an angle of a block that comes to rest first
 BLOCKS_DIGITS = 4  # places of an angle of many blocks, of which the program's own bound is some 1e-5 degrees
 AZIMUTHS = (0, 90, 180, 270)
@@ -191,7 +193,7 @@ def solve(program, folder, own, lines, *options):
 
 def entry(own, **files):
     """What the manifest says of a case."""
-    kept = ("group", "place", "difficulty", "title", "seed", "unit_weight_kn_m3", "friction_deg", "towards", "loads")
+    kept = ("group", "place", "difficulty", "title", "seed", "unit_weight_kn_m3", "friction_deg", "towards", "loads", "moved_m")
     said = {key: own[key] for key in kept if key in own}
     return {**said, "friction_deg": str(own["friction_deg"]), **{key: f"{PLACE}/{name}" for key, name in files.items()}}
 
@@ -202,6 +204,14 @@ def make_single(program, folder, own):
         write_points(folder / PLACE / name, own[what])
     found = {"islands": island_answers, "unfitting profiles": rest_answers}.get(own["group"], single_answers)
     return entry(own, **files), found(own, solve(program, folder, own, scene(own), "--digits", "32"))
+
+
+def make_fall(_, folder, own):
+    """Its time is a closed form, or an integral."""
+    files = {what: f"{own['name']}_{what}.csv" for what in ("block", "base")}
+    for what, name in files.items():
+        write_points(folder / PLACE / name, own[what])
+    return entry(own, **files), {"moved_s": bracket({"value": cases_falls.moved_s(own), "error": 1e-12}, TIME_DIGITS)}
 
 
 def make_many(program, folder, own):
@@ -230,7 +240,7 @@ def make(program, folder, names=()):
     manifest, answers = {}, {}
     (folder / PLACE).mkdir(exist_ok=True)
     for made, found in (
-            (make_single, cases.single()), (make_single, cases_placed.placed()), (make_many, cases_blocks.many()), (make_solid, cases_solids.solids())):
+            (make_single, cases.single()), (make_single, cases_placed.placed()), (make_fall, cases_falls.let_go()), (make_many, cases_blocks.many()), (make_solid, cases_solids.solids())):
         for own in found:
             if not names or own["name"] in names:
                 manifest[own["name"]], answers[own["name"]] = made(program, folder, own)

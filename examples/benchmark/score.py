@@ -16,6 +16,11 @@ HERE = pathlib.Path(__file__).parent
 STEPS = (0.01, 0.1, 1.0)  # degrees outside a bracket, or hundredths of its value where it is no angle
 
 
+def is_of_motion(quantity):
+    """Is it one that simulations are asked for?"""
+    return quantity.startswith("moves_") or quantity == "moved_s"
+
+
 def outside(bracket, value):
     """By how much a value lies outside: 0 within, above 0 where it is too large and so, of a limit, on the unsafe side; None
     where only one of the two is `never`."""

@@ -7,7 +7,8 @@
 CORNERS is the most that a convex piece of a block may have, COMMAND a driver of this folder, as built from its first lines; run_solids.py
 takes those of solids. Each block lies as its coordinates say, on rock that is fixed, and is let go at a tilt; it moves where its
 centroid, or that of any of many blocks, is displaced by more than FAR of the largest extent within STEPS steps of 1 ms. The tilt
-is halved between level and upright down to a few thousandths of a degree. Lengths are scaled so that the largest extent is EXTENT of
+is halved between level and upright down to a few thousandths of a degree. Of blocks that are let go the number of steps is halved
+after which the centroid is `moved_m` away. Lengths are scaled so that the largest extent is EXTENT of
 the engine's units, gravity being that of a block of 1 m, and the first corner is put into the origin exactly, without which
 single precision has nothing to work with far away."""
 
@@ -23,7 +24,8 @@ import confirm  # noqa: E402
 import pieces  # noqa: E402
 import score  # noqa: E402
 
-EXTENT, FAR, STEPS, HALVINGS = 100, 0.002, 2000, 16
+EXTENT, FAR, STEP, STEPS, HALVINGS = 100, 0.002, 0.001, 2000, 16
+MOST_STEPS = 20000  # of a block that is let go
 GRAVITY = 9.80665 * EXTENT
 
 
@@ -48,13 +50,13 @@ class Engine:
         """One case, with the pieces of its blocks in the engine's units: those of the largest block."""
         blocks, rock = shapes(own)
         origin = blocks[0][0]
-        scale = EXTENT / max(max(p[k] for p in ring) - min(p[k] for p in ring) for ring in blocks for k in (0, 1))
+        scale = self.scale = EXTENT / max(max(p[k] for p in ring) - min(p[k] for p in ring) for ring in blocks for k in (0, 1))
 
         def numbers(points):
             return [len(points), *(f"{float((v - o) * scale):.17g}" for p in points for v, o in zip(p, origin))]
         self.say("case")
         self.say("friction", math.tan(math.radians(float(own["friction_deg"]))))
-        self.say("time", 0.001, STEPS, FAR * EXTENT)
+        self.say("time", STEP, STEPS, FAR * EXTENT)
         self.say("rock", *numbers(rock))
         for ring in blocks:
             self.say("block")
@@ -98,20 +100,37 @@ def halved(moves):
     return f"{(low + high) / 2:.3f}"
 
 
+def time_of_fall(engine, own):
+    """The time by which it has moved so far; a second of the engine is that of a block of 1 m."""
+    engine.describe(own)
+
+    def has_moved(steps):
+        engine.say("time", STEP, steps, float(own["moved_m"]) * engine.scale)
+        return engine.go(0.0, -GRAVITY)
+    low, high = 0, MOST_STEPS
+    if not has_moved(high):
+        return "never"
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if has_moved(middle) else (middle, high)
+    return f"{high * STEP * math.sqrt(EXTENT / engine.scale):.4f}"
+
+
 def main(path, corners, command):
     manifest, answers = score.load()
     with open(path, "w", encoding="utf-8") as file:
         print("case,quantity,value", file=file)
         engine = None
         for name, own in manifest.items():
-            if "moves_deg" not in answers[name]:
+            quantity = next((asked for asked in ("moves_deg", "moved_s") if asked in answers[name]), None)
+            if quantity is None:
                 continue
             engine = engine or Engine(corners, command)
             try:
-                value = first_motion(engine, own)
+                value = (first_motion if quantity == "moves_deg" else time_of_fall)(engine, own)
             except (RuntimeError, BrokenPipeError):
                 value, engine = "", None
-            print(f"{name},moves_deg,{value}", file=file, flush=True)
+            print(f"{name},{quantity},{value}", file=file, flush=True)
 
 
 if __name__ == "__main__":
