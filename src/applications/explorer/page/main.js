@@ -19,6 +19,7 @@ import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
 import { sceneTools } from "./scene_tools.js";
 import { Photograph } from "../photograph/photograph.js";
+import { SolidView } from "../solid/solid_view.js";
 import { gallery } from "../send/gallery.js";
 import { Player } from "./player.js";
 import { sheet } from "./sheet.js";
@@ -49,6 +50,7 @@ async function begin() {
   };
   const messages = new Messages(element("message"), { store, show });
   text.messages = messages;
+  new SolidView(element("solid-stage"), store);
   drawingTools(element, drawing, store);
   badge(element, drawing, store);
   addMenu(element("add"), drawing, store, messages);

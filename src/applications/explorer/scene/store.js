@@ -11,23 +11,24 @@
 
 import { History } from "./history.js";
 import { kindOf } from "./kind.js";
+import { solutionOf } from "./solution.js";
 import { SceneText } from "./scene_text.js";
 import { readComplaint } from "./complaint.js";
 
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
 
-/** How the core is asked for each kind of scene; of many blocks its figure is drawn. */
+/** How the core is asked for each kind of scene; of many blocks and of solids its figure is drawn. */
 const FIGURE = ".figure.svg";
 const ASKED = {
   block: ["solve", "--json", "--outlines"],
   blocks: ["solve", "--json", "--figure", FIGURE],
-  solid: ["solve", "--json"],
+  solid: ["solve", "--json", "--figure", FIGURE],
 };
 
 /** @param {"block"|"blocks"|"solid"} kind @returns {{args: string[], collect: string[]}} how the core is asked, and the file that it then writes */
 export function askedFor(kind) {
-  return { args: ASKED[kind], collect: kind === "blocks" ? [FIGURE] : [] };
+  return { args: ASKED[kind], collect: kind === "block" ? [] : [FIGURE] };
 }
 
 /** How long a solve may hold up that of a newer text, milliseconds. */
@@ -186,7 +187,7 @@ export class SceneStore extends EventTarget {
 
   #answered(answer, kind) {
     if (answer.out !== "") {
-      this.solution = { kind, cases: [], notes: [], ...JSON.parse(answer.out) };
+      this.solution = solutionOf(kind, answer.out);
       this.figure = answer.files?.[FIGURE] ?? null;
       this.lastSolution = this.solution;
       this.problem = null;

@@ -6,6 +6,7 @@
 import { element } from "../panels/element.js";
 import { kindOf } from "../scene/kind.js";
 import { SceneText } from "../scene/scene_text.js";
+import { solutionOf } from "../scene/solution.js";
 import { askedFor } from "../scene/store.js";
 import { say } from "../words/language.js";
 import { shortVerdict, thumbnail } from "./thumbnail.js";
@@ -44,7 +45,7 @@ async function draw({ scene, place, verdict, card }, core) {
   try {
     const answer = await core.run([...args, scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS, collect });
     if (answer.out === "") throw new Error(answer.err.trim());
-    const solution = { kind, cases: [], ...JSON.parse(answer.out) };
+    const solution = solutionOf(kind, answer.out);
     place.replaceChildren(thumbnail(solution, answer.files?.[collect[0]] ?? null));
     const { words, kind: colour } = shortVerdict(solution);
     verdict.textContent = words;

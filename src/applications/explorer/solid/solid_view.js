@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * A solid on its base, tilted as the scene says, to be turned by the hand or by arrow keys: the mesh, the support within the band
+ * that governs, the edge that it topples about, its weight, and the way down. Where a browser or a mesh cannot be drawn so, the
+ * core's own figure stays.
+ */
+
+import { element, refill, svgElement } from "../panels/element.js";
+import { numeral, say } from "../words/language.js";
+import { trianglesOf, volumeOf } from "./mesh.js";
+import { MeshPicture } from "./mesh_picture.js";
+import { after, seenFrom, tilted, turned, upright } from "./turning.js";
+
+const PER_DOT = 0.008; // radians
+const STEP = Math.PI / 36;
+const CLOSER = 1.2;
+const FIRST = { around: 0.5, height: 0.35, zoom: 1 };
+const DISC = 48; // corners of the ground that is drawn
+const WEIGHT = 0.8; // of the solid's reach
+const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+export class SolidView {
+  #eye = { ...FIRST };
+  #read = null; // the file that the mesh is of
+
+  /** @param {HTMLElement} place @param {import("../scene/store.js").SceneStore} store */
+  constructor(place, store) {
+    Object.assign(this, { place, store });
+    this.ground = svgElement("svg", { class: "solid-lines below-mesh", "aria-hidden": "true" });
+    this.canvas = element("canvas", { tabindex: 0, role: "img", onkeydown: (event) => this.#key(event), onwheel: (event) => this.#wheel(event),
+      onpointerdown: (event) => this.canvas.setPointerCapture(event.pointerId), onpointermove: (event) => event.buttons === 1 && this.#drag(event) });
+    this.lines = svgElement("svg", { class: "solid-lines", "aria-hidden": "true" });
+    place.append(this.ground, this.canvas, this.lines);
+    this.picture = null; // made for the first solid: most pages need none
+    store.addEventListener("solution", () => this.#solved());
+    new ResizeObserver(() => this.#draw()).observe(place);
+    new MutationObserver(() => this.#draw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  }
+
+  #solved() {
+    const { solution } = this.store;
+    if (solution.kind === "solid") this.picture ??= new MeshPicture(this.canvas);
+    const shown = solution.kind === "solid" && this.picture.works && this.#mesh(solution);
+    document.body.classList.toggle("solid", shown);
+    this.place.hidden = !shown;
+    if (!shown) return;
+    this.solution = solution;
+    this.canvas.setAttribute("aria-label", say("The solid, of %s triangles: arrow keys turn it, + and - zoom, 0 as at first", solution.triangles));
+    this.#draw();
+  }
+
+  /** @returns {boolean} whether there is one, as the core counts it */
+  #mesh(solution) {
+    const content = this.store.files[this.store.parsed.scalar(["solid", "file"]) ?? ""];
+    if (content === undefined) return false;
+    if (content === this.#read?.content) return this.#read.fits;
+    const triangles = trianglesOf(content);
+    const fits = triangles !== null && triangles.length === 9 * solution.triangles;
+    this.#read = { content, fits };
+    if (!fits) return false;
+    // metres in a length of the mesh, by the volume that the core tells
+    this.unit = Math.cbrt(solution.volume_m3.value / volumeOf(triangles));
+    this.centroid = solution.centroid_m.map(({ value }) => value / this.unit);
+    const near = triangles.map((value, k) => value - this.centroid[k % 3]);
+    this.reach = 0;
+    for (let k = 0; k < near.length; k += 3) this.reach = Math.max(this.reach, Math.hypot(near[k], near[k + 1], near[k + 2]));
+    this.up = upright(solution.up);
+    this.lowest = Infinity;
+    for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
+    this.picture.set(near);
+    this.#eye = { ...FIRST };
+    return true;
+  }
+
+  #draw() {
+    if (this.place.hidden || this.solution === undefined) return;
+    const { width, height } = this.place.getBoundingClientRect();
+    if (width === 0) return;
+    const { around, height: high, zoom } = this.#eye;
+    const base = tilted(this.solution.tilt_angle_deg ?? 0, this.solution.tilt_azimuth_deg ?? 0);
+    const eye = seenFrom(around, high);
+    this.dots = (zoom * Math.min(width, height)) / (2.9 * this.reach);
+    const style = getComputedStyle(document.documentElement);
+    const hex = style.getPropertyValue("--block").trim();
+    const colour = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
+    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3 * this.reach, x: 0, y: 0 }, colour);
+    const project = (turn) => (point) => {
+      const [x, y] = turned(turn, point);
+      return (width / 2 + this.dots * x).toFixed(2) + " " + (height / 2 - this.dots * y).toFixed(2);
+    };
+    for (const svg of [this.ground, this.lines]) svg.setAttribute("viewBox", "0 0 " + width + " " + height);
+    this.#lines(project(after(eye, base)), project(eye), project(after(eye, after(base, this.up))));
+  }
+
+  /** @param of points of the base @param free points of the world @param own points of the mesh, all from the centroid */
+  #lines(of, free, own) {
+    const { solution, lowest, reach } = this;
+    const band = solution.bands?.find(({ band: one }) => one === solution.governing_band);
+    const path = (points, end = "") => (points.length === 0 ? "" : "M" + points.join("L") + end);
+    const disc = Array.from({ length: DISC }, (_, k) => of([1.3 * reach * Math.cos((2 * Math.PI * k) / DISC), 1.3 * reach * Math.sin((2 * Math.PI * k) / DISC), lowest]));
+    const azimuth = ((solution.tilt_azimuth_deg ?? 0) * Math.PI) / 180;
+    const way = (long) => [long * Math.sin(azimuth), long * Math.cos(azimuth), lowest];
+    refill(this.ground, svgElement("path", { class: "disc", d: path(disc, "Z") }),
+      solution.tilt_angle_deg > 0 ? [svgElement("path", { class: "way", d: path([of([0, 0, lowest]), of(way(1.25 * reach))]) })] : null);
+    const support = (band?.support ?? []).map(({ east_m: east, north_m: north }) => of([east / this.unit, north / this.unit, lowest]));
+    const least = band?.least;
+    const edge = [least?.edge_from, least?.edge_to].filter((end) => end !== undefined).map((end) => own(end.map((value, k) => value - this.centroid[k])));
+    refill(this.lines, svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
+      svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }),
+      svgElement("text", { x: 12, y: Number(this.lines.viewBox.baseVal.height) - 12 }, this.#words(band)));
+  }
+
+  #words(band) {
+    const tilt = this.solution.tilt_angle_deg;
+    return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((this.solution.tilt_azimuth_deg ?? 0) + "") + "°") : null,
+      band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " m")].filter((each) => each !== null).join("; ");
+  }
+
+  #drag(event) {
+    this.#turn(event.movementX * PER_DOT, event.movementY * PER_DOT);
+  }
+
+  #turn(around, height) {
+    const eye = this.#eye;
+    eye.around += around;
+    eye.height = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, eye.height + height));
+    this.#draw();
+  }
+
+  #wheel(event) {
+    event.preventDefault();
+    this.#eye.zoom *= Math.exp(-event.deltaY / 500);
+    this.#draw();
+  }
+
+  #key(event) {
+    const way = KEYS[event.key];
+    if (way !== undefined) this.#turn(STEP * way[0], STEP * way[1]);
+    else if (event.key === "+" || event.key === "=") this.#eye.zoom *= CLOSER;
+    else if (event.key === "-") this.#eye.zoom /= CLOSER;
+    else if (event.key === "0") this.#eye = { ...FIRST };
+    else return;
+    event.preventDefault();
+    this.#draw();
+  }
+}
