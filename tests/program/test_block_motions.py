@@ -173,12 +173,24 @@ class BlockMotions(GoverningCase):
             self.case(pile, 38.15, "slope: {dip_deg: 30, towards: left}")
 
     def test_cohesion(self):
-        """Where joints have cohesion only equilibrium without friction is tried: it is told."""
+        """Where joints have cohesion that no motion begins is tried by equilibrium without friction alone: it is told. One begins where a box
+        overcomes all of it along its base, however many pieces that has, and a slab all of the tension as it topples."""
         loads = "\nloads: {cohesion_kpa: 5}"
-        pile = on_ground().add("a", box(0, 0, 2, 1))
-        self.assertEqual(self.case(pile, 30, tilted(0) + loads)["verdict"], "stands")
-        own = self.case(pile, 30, tilted(10) + loads)
-        self.assertEqual((own["verdict"], own["motions_sought"]), ("can be held", "joints have cohesion"))
+        self.assertEqual(self.case(on_ground().add("a", box(0, 0, 2, 1)), 30, tilted(0) + loads)["verdict"], "stands")
+        sine, cosine = math.sin(math.radians(10)), math.cos(math.radians(10))
+        known = (5 * 2 + 50 * cosine * math.tan(math.radians(30))) / (50 * sine)
+        split = Pile().add("g", [(-50, -1), (60, -1), (60, 0), (1, 0), (-50, 0)], True)
+        for pile in (on_ground(), split):
+            own = self.told(pile.add("a", box(0, 0, 2, 1)), tilted(10) + loads)
+            self.assertEqual((own["verdict"], own["motions_sought"]), ("can be held", "joints have cohesion"))
+            self.assertGreaterEqual(own["moving_fos"], known)
+            self.assertAlmostEqual(own["moving_fos"], known, delta=2e-5)
+        own = self.told(on_ground().add("a", box(0, 0, 1, 3)), tilted(10) + "\nloads: {cohesion_kpa: 100, bond_kpa: 10}")
+        angle = math.radians(own["moving_angle_deg"])
+        self.assertAlmostEqual(75 * (1.5 * math.sin(angle) - 0.5 * math.cos(angle)), 10 * 0.5, delta=1e-4)
+
+    def told(self, pile, more):
+        return json.loads(run("solve", "--json", self.scene(pile.scene(30, more)))[1])["cases"][0]
 
 
 if __name__ == "__main__":

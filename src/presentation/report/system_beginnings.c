@@ -59,11 +59,11 @@ void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_sy
   add_tilts(t, s, c);
   if (c->sought == TP_SYSTEM_SOUGHT || c->verdict == TP_SYSTEM_COLLAPSES) return;
   if (c->verdict == TP_SYSTEM_STANDS) return; /* without friction */
+  if (c->sought == TP_SYSTEM_SOUGHT_COHESIVE && c->verdict == TP_SYSTEM_MAY_MOVE) return;
   tp_text_add(
       t,
       c->sought == TP_SYSTEM_SOUGHT_COHESIVE
-          ? "  Motions that begin all the same were not looked for: joints have cohesion or\n"
-            "  tensile strength.\n"
+          ? "  That none begins was not looked for: joints have cohesion or tensile strength.\n"
           : "  Motions that begin all the same were not looked for: there are too many blocks.\n");
 }
 

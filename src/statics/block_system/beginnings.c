@@ -30,7 +30,7 @@ typedef struct beginnings {
 static tp_status state_at_strength(bool *exists, tp_blocks_at *at, const void *context,
                                    double logarithm, tp_message *message) {
   const beginnings *b = context;
-  tp_blocks_at_divisor(at, b->task->system, exp(logarithm));
+  tp_blocks_at_divisor(at, &b->resting, b->task->system, exp(logarithm));
   *exists = true;
   return tp_blocks_at_rest(at, &b->resting, b->task->resultant, message);
 }
@@ -38,7 +38,7 @@ static tp_status state_at_strength(bool *exists, tp_blocks_at *at, const void *c
 static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *context, double degrees,
                                tp_message *message) {
   const beginnings *b = context;
-  tp_blocks_at_divisor(at, b->task->system, 1);
+  tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
   return tp_blocks_at_tilt(exists, at, &b->resting, b->task->resultant,
                            b->task->system->is_measured, degrees, message);
 }
@@ -48,6 +48,7 @@ static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *conte
 
 static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
   *excluded = false;
+  if (b->own->sought != TP_SYSTEM_SOUGHT) return TP_OK;
   const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
   if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
   return tp_moving_prove_modes(&b->moving, 0, b->standing.left, message);
@@ -176,7 +177,7 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
   if (moves || !b->task->asks_factor) status = b->moving.found ? tell(b, message) : TP_OK;
   if (status != TP_OK || !b->task->asks_factor) return status;
   if (moves) status = tp_moving_least(&b->moving, &r, message);
-  if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS) {
+  if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && own->sought == TP_SYSTEM_SOUGHT) {
     double standing = 0;
     status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
     own->has_standing_fos = true;
@@ -246,9 +247,9 @@ static tp_status search(beginnings *b, tp_message *message) {
 }
 
 static tp_system_sought how_far(const tp_built_system *s) {
-  return s->has_cohesion                          ? TP_SYSTEM_SOUGHT_COHESIVE
-         : s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY
-                                                  : TP_SYSTEM_SOUGHT;
+  return s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY
+         : s->has_cohesion                      ? TP_SYSTEM_SOUGHT_COHESIVE
+                                                : TP_SYSTEM_SOUGHT;
 }
 
 /* Whatever friction there is. */
@@ -267,7 +268,7 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
   if (status != TP_OK) return status;
   if (own->verdict != TP_SYSTEM_COLLAPSES)
     status = tp_frictionless_blocks(&b.frictionless, &b.resting, task->resultant, message);
-  if (status == TP_OK && own->sought == TP_SYSTEM_SOUGHT && !task->resultant->beyond) {
+  if (status == TP_OK && own->sought != TP_SYSTEM_SOUGHT_TOO_MANY && !task->resultant->beyond) {
     status = search(&b, message);
   }
   if (status == TP_OK) judge_frictionless(&b);

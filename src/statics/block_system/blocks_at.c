@@ -12,21 +12,30 @@ enum { BITS = 128 };
 
 bool tp_blocks_at_init(tp_blocks_at *at, const tp_resting *r) {
   at->friction = calloc((size_t)r->contact_count + 1, sizeof *at->friction);
+  at->cohesion = calloc((size_t)r->contact_count + 1, sizeof *at->cohesion);
+  at->tension = calloc((size_t)r->contact_count + 1, sizeof *at->tension);
   at->loads = calloc((size_t)r->rows + 1, sizeof *at->loads);
   at->central = calloc((size_t)r->rows + 1, sizeof *at->central);
-  return at->friction != NULL && at->loads != NULL && at->central != NULL;
+  return at->friction != NULL && at->cohesion != NULL && at->tension != NULL && at->loads != NULL &&
+         at->central != NULL;
 }
 
 void tp_blocks_at_clear(tp_blocks_at *at) {
   free(at->friction);
+  free(at->cohesion);
+  free(at->tension);
   free(at->loads);
   free(at->central);
   *at = (tp_blocks_at){.friction = NULL};
 }
 
-void tp_blocks_at_divisor(tp_blocks_at *at, const tp_built_system *s, double divisor) {
-  for (long k = 0; k < s->assemblage.contact_count; k++) {
-    at->friction[k] = tp_built_system_strength(s, k, divisor).tangent;
+void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *r, const tp_built_system *s,
+                          double divisor) {
+  for (long k = 0; k < r->contact_count; k++) {
+    const tp_contact_strength own = tp_built_system_strength(s, k, divisor);
+    at->friction[k] = own.tangent;
+    at->cohesion[k] = tp_near_times(own.cohesion, r->contacts[k].length);
+    at->tension[k] = r->contacts[k].ends == 1 ? (tp_near){0, 0} : own.tension;
   }
 }
 
@@ -45,7 +54,7 @@ tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const t
                             tp_message *message) {
   tp_weight_loads loads;
   const tp_near live = tp_blocks_loads(&loads, r);
-  return tp_resting_loads(at->loads, at->central, resting, &loads, live, message);
+  return tp_resting_loads(at->loads, at->central, resting, &loads, live, at->tension, message);
 }
 
 /* Weights alone: by the tangent of the angle of their resultant. */
@@ -68,7 +77,8 @@ static tp_status turn_weights(bool *within, tp_blocks_at *at, const tp_resting *
   arb_clear(sine);
   arb_clear(cosine);
   if (!*within) return TP_OK;
-  return tp_resting_loads(at->loads, at->central, resting, &r->loads, tangent, message);
+  return tp_resting_loads(at->loads, at->central, resting, &r->loads, tangent, at->tension,
+                          message);
 }
 
 tp_status tp_blocks_at_tilt(bool *within, tp_blocks_at *at, const tp_resting *resting,
@@ -78,5 +88,5 @@ tp_status tp_blocks_at_tilt(bool *within, tp_blocks_at *at, const tp_resting *re
   if (!is_measured) return turn_weights(within, at, resting, r, tilt_deg, message);
   const tp_weight_loads loads = tp_resultant_at(r, tilt_deg / radian);
   *within = true;
-  return tp_resting_loads(at->loads, at->central, resting, &loads, r->target, message);
+  return tp_resting_loads(at->loads, at->central, resting, &loads, r->target, at->tension, message);
 }

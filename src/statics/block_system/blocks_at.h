@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Blocks at rest with the strength of their joints over a number, at a tilt: what the proofs of
- * contact_modes are of. Joints have neither cohesion nor tension. */
+ * contact_modes are of. */
 
 #ifndef TP_BLOCK_SYSTEM_BLOCKS_AT_H
 #define TP_BLOCK_SYSTEM_BLOCKS_AT_H
@@ -14,6 +14,8 @@
 /* One state; its arrays are its own. */
 typedef struct tp_blocks_at {
   tp_near *friction; /* by contact */
+  tp_near *cohesion; /* by contact: the force of all of it, in units of its `along` */
+  tp_near *tension;  /* by contact: a pressure; its pull is part of the loads */
   tp_near *loads;    /* w by row, about blocks' own points */
   tp_near *central;  /* and about their centroids */
 } tp_blocks_at;
@@ -21,7 +23,8 @@ typedef struct tp_blocks_at {
 TP_MUST_USE bool tp_blocks_at_init(tp_blocks_at *at, const tp_resting *resting);
 void tp_blocks_at_clear(tp_blocks_at *at);
 
-void tp_blocks_at_divisor(tp_blocks_at *at, const tp_built_system *system, double divisor);
+void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *resting,
+                          const tp_built_system *system, double divisor);
 
 /* What acts as the blocks lie, exactly nothing along a level; how much of the live load. */
 tp_near tp_blocks_loads(tp_weight_loads *loads, const tp_resultant *resultant);

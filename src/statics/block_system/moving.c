@@ -53,6 +53,7 @@ static tp_status prove_trial(tp_moving_search *m, double x, tp_message *message)
   if (status != TP_OK || !exists) return status;
   const tp_beginning_question q = {.groups = &m->groups,
                                    .friction = m->at.friction,
+                                   .cohesion = m->at.cohesion,
                                    .loads = m->at.central,
                                    .normals = m->letting_go.normals,
                                    .shears = m->letting_go.shears};
@@ -81,11 +82,12 @@ tp_status tp_moving_prove_modes(tp_moving_search *m, double x, const tp_mode_set
 
 /* From the forces that there are to those of the laws; a motion is to be proven. */
 static tp_status let_go(tp_moving_search *m, double x, tp_message *message) {
-  if (!tp_letting_go_find(&m->letting_go, m->at.friction, m->at.loads, ROUNDS)) {
+  const tp_shear_strength strength = {m->at.friction, m->at.cohesion};
+  if (!tp_letting_go_find(&m->letting_go, &strength, m->at.loads, ROUNDS)) {
     return tp_fail_memory(message, "the motions");
   }
   if (!tp_letting_go_moves(&m->letting_go)) return TP_OK;
-  tp_letting_go_modes(m->modes, &m->letting_go, m->at.friction);
+  tp_letting_go_modes(m->modes, &m->letting_go, &strength);
   return tp_moving_prove_modes(m, x, m->modes, message);
 }
 

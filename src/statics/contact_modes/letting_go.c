@@ -87,7 +87,7 @@ static void accelerate(tp_letting_go *s, const end *own, double normal, double s
 }
 
 /* The force of an end by its law; how far that is from the one it had, as a velocity. */
-static double give(tp_letting_go *s, const end *own, long at, double friction) {
+static double give(tp_letting_go *s, const end *own, long at, double friction, double cohesion) {
   const double n = s->normals[at], t = s->shears[at];
   const double un =
       tp_resting_along_double(own->normal, s->accelerations) - own->nn * n - own->nt * t;
@@ -98,11 +98,12 @@ static double give(tp_letting_go *s, const end *own, long at, double friction) {
     const double volume = own->nn * own->tt - own->nt * own->nt;
     normal = (own->nt * ut - own->tt * un) / volume;
     shear = (own->nt * un - own->nn * ut) / volume;
-    if (!(fabs(shear) <= friction * normal)) {
+    if (!(fabs(shear) <= friction * normal + cohesion)) {
       const double side = shear > 0 ? friction : -friction;
-      const double stiff = own->nn + side * own->nt;
-      normal = stiff > 0 ? -un / stiff : 0;
-      shear = side * normal;
+      const double bound = shear > 0 ? cohesion : -cohesion;
+      const double stiff = own->nn + side * own->nt, rest = -un - bound * own->nt;
+      normal = stiff > 0 && rest > 0 ? rest / stiff : 0;
+      shear = side * normal + (normal > 0 ? bound : 0);
     }
   }
   accelerate(s, own, normal - n, shear - t);
@@ -134,15 +135,21 @@ static void find_most(tp_letting_go *s, const end *ends) {
   }
 }
 
+/* Its share of the cohesion: all of it where the other end is open. */
+static double cohesion_at(const tp_letting_go *s, const tp_shear_strength *strength, long at) {
+  if (strength == NULL || strength->cohesion[at / 2].value == 0) return 0;
+  return strength->cohesion[at / 2].value * (s->normals[at ^ 1] > 0 ? 0.5 : 1);
+}
+
 /* One round over all ends; how far forces were from their laws, as a velocity. */
-static double go_round(tp_letting_go *s, const end *ends, const tp_near *friction) {
+static double go_round(tp_letting_go *s, const end *ends, const tp_shear_strength *strength) {
   const long count = 2 * s->resting->contact_count;
   double change = 0;
   for (long k = 0; k < count; k++) {
     const long at = s->backwards ? count - 1 - k : k;
     if (ends[at].normal == NULL) continue;
-    const double own = friction == NULL ? 0 : friction[at / 2].value;
-    change = fmax(change, give(s, ends + at, at, own));
+    const double own = strength == NULL ? 0 : strength->friction[at / 2].value;
+    change = fmax(change, give(s, ends + at, at, own, cohesion_at(s, strength, at)));
   }
   return change;
 }
@@ -164,13 +171,13 @@ static void lead(tp_letting_go *s, const end *ends, double *before, double share
 }
 
 /* Rounds with momentum (Nesterov's), which begins anew where they do not come nearer. */
-static void settle(tp_letting_go *s, const end *ends, double *before, const tp_near *friction,
-                   long rounds) {
+static void settle(tp_letting_go *s, const end *ends, double *before,
+                   const tp_shear_strength *strength, long rounds) {
   static const double enough = 1e-13;
   double change = INFINITY, pace = 1;
   lead(s, ends, before, 0);
   for (long round = 0; round < rounds && change > enough; round++) {
-    const double own = go_round(s, ends, friction);
+    const double own = go_round(s, ends, strength);
     const bool alone = own > change || round < rounds / 8;
     const double next = alone ? 1 : (1 + sqrt(1 + 4 * pace * pace)) / 2;
     lead(s, ends, before, alone ? 0 : (pace - 1) / next);
@@ -179,7 +186,7 @@ static void settle(tp_letting_go *s, const end *ends, double *before, const tp_n
   }
 }
 
-bool tp_letting_go_find(tp_letting_go *s, const tp_near *friction, const tp_near *loads,
+bool tp_letting_go_find(tp_letting_go *s, const tp_shear_strength *strength, const tp_near *loads,
                         long rounds) {
   const tp_resting *r = s->resting;
   end *ends = calloc(2 * (size_t)r->contact_count + 1, sizeof *ends);
@@ -193,7 +200,7 @@ bool tp_letting_go_find(tp_letting_go *s, const tp_near *friction, const tp_near
     for (int e = 0; e < r->contacts[k].ends; e++) set_end(ends + 2 * k + e, r, r->contacts + k, e);
   }
   begin(s, ends, loads);
-  settle(s, ends, before, friction, rounds);
+  settle(s, ends, before, strength, rounds);
   begin(s, ends, loads); /* once more, without the roundings of so many steps */
   find_most(s, ends);
   free(ends);
@@ -205,7 +212,8 @@ bool tp_letting_go_moves(const tp_letting_go *s) {
   return s->most > still;
 }
 
-void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s, const tp_near *friction) {
+void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s,
+                         const tp_shear_strength *strength) {
   static const double within = 1e-6;
   const tp_resting *r = s->resting;
   const double nothing = 100 * still * s->most;
@@ -213,7 +221,8 @@ void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s, const tp_ne
     const tp_resting_contact *c = r->contacts + k;
     bool closed[2] = {false, false}, grips = false;
     for (int e = 0; e < c->ends; e++) {
-      const double n = s->normals[2 * k + e], most = friction[k].value * n;
+      const double n = s->normals[2 * k + e],
+                   most = strength->friction[k].value * n + cohesion_at(s, strength, 2 * k + e);
       closed[e] = tp_resting_along_double(c->normal + e, s->accelerations) <= nothing;
       grips = grips || (closed[e] && fabs(s->shears[2 * k + e]) < (1 - within) * most);
     }

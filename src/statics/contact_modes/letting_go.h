@@ -31,14 +31,20 @@ void tp_letting_go_release(tp_letting_go *letting_go);
 /* The forces of another. */
 void tp_letting_go_copy(tp_letting_go *own, const tp_letting_go *from);
 
-/* From its forces on; `friction` is tan(phi) by contact, NULL: none; `loads` w by row. False when
- * memory is exhausted. */
-TP_MUST_USE bool tp_letting_go_find(tp_letting_go *letting_go, const tp_near *friction,
+/* What contacts bear besides normal forces. */
+typedef struct tp_shear_strength {
+  const tp_near *friction; /* tan(phi), by contact */
+  const tp_near *cohesion; /* the force of all of it, by contact */
+} tp_shear_strength;
+
+/* From its forces on; without strength where that is NULL; `loads` w by row. False when memory is
+ * exhausted. */
+TP_MUST_USE bool tp_letting_go_find(tp_letting_go *letting_go, const tp_shear_strength *strength,
                                     const tp_near *loads, long rounds);
 
 /* One mode a contact, as it moves. */
 void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *letting_go,
-                         const tp_near *friction);
+                         const tp_shear_strength *strength);
 
 /* Does anything move? */
 bool tp_letting_go_moves(const tp_letting_go *letting_go);

@@ -173,6 +173,33 @@ static void set_shear(tp_mode_equations *s, long contact) {
   arb_clear(share);
 }
 
+/* How a line slips of which one contact at least stays closed, and bears something. */
+static int slip_of_line(const tp_mode_equations *s, long line) {
+  const tp_resting *r = s->groups->resting;
+  for (long k = line; k < r->contact_count; k++) {
+    const bool bears = s->normal_at[2 * k] >= 0 || s->normal_at[2 * k + 1] >= 0;
+    if (r->contacts[k].line != line || !bears) continue;
+    const int slip = tp_trial_slip(s->trial + k);
+    if (slip != 0) return slip;
+  }
+  return 0;
+}
+
+/* All of it against the slip of its line, as a load. */
+static void set_cohesion(tp_mode_equations *s, long contact) {
+  const tp_near own = s->question->cohesion[contact];
+  if (tp_near_is_zero(own)) return;
+  const tp_resting_contact *c = s->groups->resting->contacts + contact;
+  const int slip = slip_of_line(s, c->line);
+  if (slip == 0) return;
+  arb_t share;
+  arb_init(share);
+  set_ball(share, own);
+  if (slip < 0) arb_neg(share, share);
+  add_force(s->right, s, 0, &c->along, share);
+  arb_clear(share);
+}
+
 static void set_all(tp_mode_equations *s) {
   const tp_resting *r = s->groups->resting;
   set_shares(s);
@@ -185,6 +212,7 @@ static void set_all(tp_mode_equations *s) {
   for (long row = 0; row < r->rows; row++) {
     set_ball(arb_mat_entry(s->right, row, 0), s->question->loads[row]);
   }
+  for (long k = 0; k < r->contact_count; k++) set_cohesion(s, k);
 }
 
 /* ---- all ---------------------------------------------------------------------------------------

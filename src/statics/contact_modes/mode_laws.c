@@ -64,7 +64,7 @@ static const arb_struct *force(const tp_mode_equations *s, long at) {
   return arb_mat_entry(s->factors, at, 0);
 }
 
-/* N tan(phi) - |T| of a contact that sticks. */
+/* N tan(phi) + c - |T| of a contact that sticks. */
 static sign sign_of_reserve(const tp_mode_equations *s, long contact) {
   arb_t left, part;
   arb_init(left);
@@ -76,6 +76,9 @@ static sign sign_of_reserve(const tp_mode_equations *s, long contact) {
   tp_ball_set_bounded(part, s->question->friction[contact].value,
                       s->question->friction[contact].error);
   arb_mul(left, left, part, BITS);
+  tp_ball_set_bounded(part, s->question->cohesion[contact].value,
+                      s->question->cohesion[contact].error);
+  arb_add(left, left, part, BITS);
   arb_abs(part, force(s, s->shear_at[contact]));
   arb_sub(left, left, part, BITS);
   const sign own = sign_of(left);

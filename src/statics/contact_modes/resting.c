@@ -25,6 +25,31 @@ static void set_contact(tp_resting_contact *own, const tp_assemblage *a, long co
     tp_contact_frame_column(own->normal + e, a, contact, &f, e, normal);
   }
   tp_contact_frame_column(&own->along, a, contact, &f, 0, along);
+  own->length = f.length;
+}
+
+/* Contacts of two blocks follow each other. */
+static long line_of(const tp_assemblage *a, long contact) {
+  const tp_block_contact *own = a->contacts + contact;
+  for (long k = contact - 1; k >= 0; k--) {
+    const tp_block_contact *c = a->contacts + k;
+    const bool alike = c->block[0] == own->block[0] && c->block[1] == own->block[1];
+    const bool other = c->block[0] == own->block[1] && c->block[1] == own->block[0];
+    if (!alike && !other) break;
+    if (!alike || c->ends[0] == c->ends[1]) continue;
+    const long p = c->along[0], q = c->along[1];
+    if (tp_lattice_cross(&a->lattice, p, q, own->along[0], own->along[1]) == 0 &&
+        tp_lattice_cross(&a->lattice, p, q, c->ends[0], own->ends[0]) == 0) {
+      return k;
+    }
+  }
+  return contact;
+}
+
+/* The first of them all. */
+static void set_line(tp_resting *r, long contact) {
+  const long before = line_of(r->assemblage, contact);
+  r->contacts[contact].line = before < contact ? r->contacts[before].line : contact;
 }
 
 tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a, tp_message *message) {
@@ -38,23 +63,32 @@ tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a, tp_message *mes
   for (long k = 0; k < a->count; k++) {
     if (a->blocks[k].number >= 0) r->block[a->blocks[k].number] = k;
   }
-  for (long k = 0; k < a->contact_count; k++) set_contact(r->contacts + k, a, k);
+  for (long k = 0; k < a->contact_count; k++) {
+    set_contact(r->contacts + k, a, k);
+    set_line(r, k);
+  }
   return TP_OK;
 }
 
 tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *r,
-                           const tp_weight_loads *loads, tp_near live, tp_message *message) {
-  tp_contact_strength *none = calloc((size_t)r->contact_count + 1, sizeof *none);
-  if (none == NULL) return tp_fail_memory(message, "the loads");
+                           const tp_weight_loads *loads, tp_near live, const tp_near *tension,
+                           tp_message *message) {
+  tp_contact_strength *own = calloc((size_t)r->contact_count + 1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the loads");
+  bool pulls = false;
+  for (long k = 0; k < r->contact_count; k++) {
+    own[k].tension = tension[k];
+    pulls = pulls || !tp_near_is_zero(tension[k]);
+  }
   tp_force_program p;
-  const tp_status status = tp_force_program_init(&p, r->assemblage, none, loads, message);
-  free(none);
+  const tp_status status = tp_force_program_init(&p, r->assemblage, own, loads, message);
+  free(own);
   if (status != TP_OK) return status;
   for (long k = 0; k < r->rows; k++) {
     rows[k] = tp_near_plus(p.dead[k], tp_near_times(live, p.live[k]));
     central[k] = rows[k];
   }
-  const bool weights_alone = loads->applied == NULL && loads->push == NULL;
+  const bool weights_alone = loads->applied == NULL && loads->push == NULL && !pulls;
   for (long b = 0; b < r->rows / 3; b++) {
     const tp_rigid_block *block = r->assemblage->blocks + r->block[b];
     tp_near moment[3] = {rows[3 * b], rows[3 * b + 1]};

@@ -18,6 +18,8 @@
 typedef struct tp_resting_contact {
   int ends; /* 1: a corner */
   tp_force_column normal[2], along;
+  tp_near length; /* over that size; of a corner nothing */
+  long line;      /* the first contact of the same two blocks along the same line */
 } tp_resting_contact;
 
 typedef struct tp_resting {
@@ -32,11 +34,12 @@ TP_MUST_USE tp_status tp_resting_init(tp_resting *resting, const tp_assemblage *
                                       tp_message *message);
 void tp_resting_clear(tp_resting *resting);
 
-/* w by row, of loads with so much of the live one; its moments about blocks' own points, and in
- * `central` about their centroids, where weights have none. */
+/* w by row, of loads with so much of the live one, and of the pull of all that is `tension`, by
+ * contact: what bears so much less at each end may pull by that; its moments about blocks' own
+ * points, and in `central` about their centroids, where weights have none. */
 TP_MUST_USE tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *resting,
                                        const tp_weight_loads *loads, tp_near live,
-                                       tp_message *message);
+                                       const tp_near *tension, tp_message *message);
 
 /* M^-1 of a wrench on a block; in doubles too. */
 void tp_resting_accelerate(tp_near own[3], const tp_rigid_block *block, const tp_near wrench[3]);

@@ -21,6 +21,7 @@ typedef struct tp_trial_mode {
 typedef struct tp_beginning_question {
   tp_rigid_groups *groups;        /* of the blocks; kept from one question to the next */
   const tp_near *friction;        /* by contact */
+  const tp_near *cohesion;        /* by contact: the force of all of it */
   const tp_near *loads;           /* w by row, about centroids */
   const double *normals, *shears; /* 2 a contact: forces to begin from */
 } tp_beginning_question;
