@@ -111,6 +111,24 @@ def percentiles(values):
     return " | ".join(f"{q:.2f}" for q in np.quantile(values, (0.05, 0.5, 0.95)))
 
 
+def tell_seats(rows):
+    """Prints the tilts at which blocks lie still again, and begin anew, and how far apart the first
+    and the last are."""
+    print()
+    table("lies still again", "blocks", "at: 5 %", "50 %", "95 %", "begins anew at: 5 %", "50 %", "95 %",
+          "after: 5 %", "50 %", "95 %")
+    for k, name in enumerate(("for the first time", "the second", "the third")):
+        own = [row for row in rows if len(row.rests) > k]
+        if own:
+            plane = np.array([row.block.plane for row in own])
+            still = np.array([row.rests[k] for row in own]) / plane
+            anew = np.array([row.begins[k + 1] for row in own]) / plane
+            print(f"| {name} | {len(own)} | {percentiles(still)} | {percentiles(anew)} | "
+                  f"{percentiles(anew - still)} |")
+    apart = np.array([(row.overturned - row.begins[0]) / row.block.plane for row in rows])
+    print(f"\nfrom the first motion to overturning, over α₀: {percentiles(apart[~np.isnan(apart)])}\n")
+
+
 def tell_raised(rows):
     """Prints the first part; whether every course is sound."""
     blocks = [row.block for row in rows]
@@ -161,6 +179,7 @@ def tell_raised(rows):
                        ("below 0.5 α₀", lambda tilt: tilt <= 0.5)):
         print(f"| {name} | " + " | ".join(f"{100 * np.mean(test(tilt[of])):.0f} %"
                                           for tilt in (first, last, overturned)) + " |")
+    tell_seats([row for row, own in zip(rows, slides) if not own])
     apart = [row.limit - row.onset for row in rows]
     print(f"\nα_s below α_w in {np.sum(np.array(apart) > ALIKE)} of them\n")
     return slides, first, last, overturned
