@@ -322,6 +322,31 @@ class Cases(GoverningCase):
         self.assertTrue(figure.stat().st_size > 1000)
         self.assertIn("Slab over the access road, case static", out)
 
+    def test_of_many_blocks(self):
+        """Each case of a slope of columns is the scene that says the same, in one table or by itself; what is of one case asks for it, and
+        partial factors are of one block."""
+        scene = ("topple: 1\ntitle: Columns\nlength_unit: m\nslope: {dip_deg: 20, towards: left}\nblock: {unit_weight_kn_m3: 25}\n"
+                 "columns: {width: 3, step: 1, rise: 3, fall: 2, below_crest: 2, above_crest: 1}\nfriction_angle_deg: ")
+        loads = ("", "loads: {water: {level: 4, faces: behind, uplift: full}}", "loads: {seismic: {horizontal: 0.08}}")
+        cases = "".join(case(name, *([load] if load else [])) for name, load in zip(("static", "wet", "shaken"), loads)) \
+            + case("weak", "set: {friction_angle_deg: 30}", "required_fos: 9")
+        path = self.scene(scene + "35\nrequired_fos: 0.5\ncases:\n" + cases)
+        self.assertEqual(run("solve", "--json", path)[0], 3)
+        self.assertIn("static, wet, shaken, weak", run("sweep", path, "--x", "friction_angle_deg=30:36:3")[2])
+        self.assertEqual(run("solve", "--case", "wet", path)[1].splitlines()[0], "Columns, case wet")
+        status, out, err = run("solve", "--csv", path)
+        self.assertEqual(status, 1)
+        self.assertIn("weak: the required factor of safety 9 is not met", err)
+        rows = {}
+        for row in csv.DictReader(io.StringIO(out)):
+            rows.setdefault(row["scene"], []).append(row)
+        self.assertEqual(list(rows), [f"Columns, case {name}" for name in ("static", "wet", "shaken", "weak")])
+        for name, load in zip(("static", "wet", "shaken"), loads):
+            alone = list(csv.DictReader(io.StringIO(run("solve", "--csv", self.scene(f"{scene}35\nrequired_fos: 0.5\n{load}\n"))[1])))
+            self.assertEqual([row["fos"] for row in rows[f"Columns, case {name}"]], [row["fos"] for row in alone])
+        factored = self.scene(scene + "35\ncases:\n" + case("design", "partial_factors: DA1-2"))
+        self.assertIn("'partial_factors' is of a scene of one block", run("solve", factored)[2])
+
 
 if __name__ == "__main__":
     main()

@@ -152,8 +152,14 @@ static bool stands_alone(const tp_scene *scene) {
   return tp_scene_block_count(scene) > 0 || tp_scene_is_solid(scene);
 }
 
-static tp_status solve_alone(const tp_scene *scene, const tp_solve_words *a, int *ended,
+static tp_status solve_alone(const tp_cli_solved *solved, const tp_solve_words *a, int *ended,
                              tp_message *message) {
+  const tp_scene *scene = solved->scene;
+  if (tp_scene_load_case_count(scene) > 0) {
+    const char *path = a->scene;
+    const tp_status status = tp_cli_check_cases_of_many(a, message);
+    return status == TP_OK ? tp_cli_solve_systems(solved, &path, 1, a, ended, message) : status;
+  }
   return tp_scene_is_solid(scene) ? tp_cli_solve_solid(scene, a, ended, message)
                                   : tp_cli_solve_system(scene, a, ended, message);
 }
@@ -161,7 +167,7 @@ static tp_status solve_alone(const tp_scene *scene, const tp_solve_words *a, int
 static tp_status print_solved(const tp_cli_solved *solved, const char **paths, size_t count,
                               const tp_solve_words *a, int *ended, tp_message *message) {
   if (count == 1 && tp_scene_is_solid(solved[0].scene)) {
-    return solve_alone(solved[0].scene, a, ended, message);
+    return solve_alone(solved, a, ended, message);
   }
   bool of_many = false;
   tp_status status = tp_cli_check_kinds(&of_many, solved, paths, count, message);
@@ -225,7 +231,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   tp_cli_solved own;
   tp_status status = solve_scene(&own, a->scene, a, message);
   if (status == TP_OK && stands_alone(own.scene)) {
-    status = solve_alone(own.scene, a, ended, message);
+    status = solve_alone(&own, a, ended, message);
     tp_cli_solved_clear(&own);
     return status;
   }

@@ -66,6 +66,10 @@ tp_status tp_cli_solve_cases(tp_cli_solved *solved, const char *path, const tp_s
   tp_scene *all = NULL;
   tp_status status = read_scene(&solved->scene, &all, path, settings, message);
   if (status != TP_OK || all == NULL) return status;
+  if (tp_scene_block_count(all) > 0) {
+    solved->scene = all;
+    return TP_OK;
+  }
   status = refuse_one(words, path, message);
   if (status == TP_OK) {
     status = tp_solve_load_cases(&solved->cases, all, settings->items, settings->count, options,

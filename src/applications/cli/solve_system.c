@@ -112,6 +112,22 @@ static tp_status print_found(const tp_scene *scene, const tp_block_system *syste
   return status;
 }
 
+/* What is of one case, where the scene has several. */
+tp_status tp_cli_check_cases_of_many(const tp_solve_words *a, tp_message *message) {
+  const char *option = a->find.key != NULL    ? "--find"
+                       : a->json              ? "--json"
+                       : a->figure != NULL    ? "--figure"
+                       : a->report != NULL    ? "--report"
+                       : a->animation != NULL ? "--animation"
+                                              : NULL;
+  if (option == NULL) return TP_OK;
+  snprintf(message->text, sizeof message->text,
+           "%s: of many blocks %s is of one load case, and the scene has several: choose one with "
+           "--case NAME",
+           a->scene, option);
+  return TP_BAD_INPUT;
+}
+
 tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, int *ended,
                               tp_message *message) {
   tp_block_system *system = NULL;
@@ -137,47 +153,72 @@ tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, in
   return status;
 }
 
-/* Each by itself: what is wrong with one is told, and the others go on. */
-static tp_status solve_each(tp_block_system **systems, const char **solved_paths, size_t *done,
-                            const tp_cli_solved *scenes, const char **paths, size_t count,
-                            int *ended, tp_message *message) {
+/* Systems, and what each is judged by: its path, or the name of its case. */
+typedef struct solving {
+  tp_block_system **systems;
+  const char **names;
+  size_t done;
+  int *ended;
+  tp_message *message;
+} solving;
+
+/* By itself: what is wrong with one is told, and the others go on. */
+static tp_status solve_one(solving *s, const tp_scene *scene, const char *name) {
   const tp_solve_options options = tp_solve_options_default();
+  const tp_status status = tp_solve_block_system(s->systems + s->done, scene, &options, s->message);
+  if (status == TP_OK) s->names[s->done++] = name;
+  if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) return status;
+  *s->ended = tp_cli_graver(*s->ended, tp_cli_end(status, s->message, 0));
+  s->message->text[0] = '\0';
+  return TP_OK;
+}
+
+static tp_status solve_cases(solving *s, const tp_scene *scene, const char *path,
+                             const tp_solve_words *a) {
   tp_status status = TP_OK;
-  for (size_t k = 0; k < count && status == TP_OK; k++) {
-    status = tp_solve_block_system(systems + *done, scenes[k].scene, &options, message);
-    if (status == TP_OK) {
-      solved_paths[(*done)++] = paths[k];
-    } else if (status == TP_BAD_INPUT || status == TP_NO_ANSWER || status == TP_UNDECIDED) {
-      *ended = tp_cli_graver(*ended, tp_cli_end(status, message, 0));
-      message->text[0] = '\0';
-      status = TP_OK;
-    }
+  for (size_t k = 0; k < tp_scene_load_case_count(scene) && status == TP_OK; k++) {
+    tp_cli_settings settings = a->settings;
+    tp_scene *own = NULL;
+    settings.load_case = tp_scene_load_case_name(scene, k);
+    status = tp_cli_read_scene(&own, path, &settings, s->message);
+    if (status == TP_OK) status = solve_one(s, own, settings.load_case);
+    tp_scene_free(own);
   }
   return status;
 }
 
+static size_t count_rows(const tp_cli_solved *scenes, size_t count) {
+  size_t rows = 0;
+  for (size_t k = 0; k < count; k++) rows += 1 + tp_scene_load_case_count(scenes[k].scene);
+  return rows;
+}
+
 tp_status tp_cli_solve_systems(const tp_cli_solved *scenes, const char **paths, size_t count,
                                const tp_solve_words *a, int *ended, tp_message *message) {
-  tp_block_system **systems = calloc(count + 1, sizeof *systems);
-  const char **solved = calloc(count + 1, sizeof *solved);
-  size_t done = 0;
+  const size_t rows = count_rows(scenes, count);
+  solving s = {.systems = calloc(rows + 1, sizeof *s.systems),
+               .names = calloc(rows + 1, sizeof *s.names),
+               .ended = ended,
+               .message = message};
   char *text = NULL;
-  tp_status status = systems != NULL && solved != NULL ? TP_OK : TP_OUT_OF_MEMORY;
-  if (status == TP_OK) {
-    status = solve_each(systems, solved, &done, scenes, paths, count, ended, message);
+  tp_status status = s.systems != NULL && s.names != NULL ? TP_OK : TP_OUT_OF_MEMORY;
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    const tp_scene *scene = scenes[k].scene;
+    status = tp_scene_load_case_count(scene) > 0 ? solve_cases(&s, scene, paths[k], a)
+                                                 : solve_one(&s, scene, paths[k]);
   }
-  if (status == TP_OK && done > 0) {
-    const tp_block_system *const *all = (const tp_block_system *const *)systems;
-    status = a->csv ? tp_report_block_systems_csv(&text, all, done)
-                    : tp_report_block_systems_table(&text, all, done);
+  if (status == TP_OK && s.done > 0) {
+    const tp_block_system *const *all = (const tp_block_system *const *)s.systems;
+    status = a->csv ? tp_report_block_systems_csv(&text, all, s.done)
+                    : tp_report_block_systems_table(&text, all, s.done);
     if (status == TP_OK) *ended = tp_cli_graver(*ended, tp_cli_print(text));
   }
-  for (size_t k = 0; k < done && status == TP_OK; k++) {
-    *ended = tp_cli_graver(*ended, judge(systems[k], a, solved[k]));
+  for (size_t k = 0; k < s.done && status == TP_OK; k++) {
+    *ended = tp_cli_graver(*ended, judge(s.systems[k], a, s.names[k]));
   }
-  for (size_t k = 0; k < done; k++) tp_block_system_free(systems[k]);
+  for (size_t k = 0; k < s.done; k++) tp_block_system_free(s.systems[k]);
   free(text);
-  free(solved);
-  free(systems);
+  free(s.names);
+  free(s.systems);
   return status;
 }

@@ -10,6 +10,7 @@
 #include "common/outside.h"
 #include "evaluation/friction.h"
 #include "number/ball.h"
+#include "scene_varying/load_case.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -207,7 +208,8 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
  */
 
 static tp_status build(tp_built_system *s, tp_message *message) {
-  tp_status status = tp_built_system_set_blocks(s, message);
+  tp_status status = tp_check_load_case(s->scene, message);
+  if (status == TP_OK) status = tp_built_system_set_blocks(s, message);
   if (status == TP_OK) {
     status =
         tp_assemblage_init(&s->assemblage, s->given, s->count, s->scene->metres_per_unit, message);

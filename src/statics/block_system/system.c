@@ -12,6 +12,7 @@
 #include "number/ball.h"
 #include "scene_varying/settings.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -152,13 +153,24 @@ static bool set_lists(tp_block_system *own, const tp_built_system *s) {
   return done;
 }
 
+/* With the case that the scene is of. */
+static char *title_of(const tp_scene *scene) {
+  const char *title = scene->title != NULL ? scene->title : "Blocks";
+  static const char form[] = "%s, case %s";
+  if (scene->load_case == NULL) return scene->title != NULL ? strdup(title) : NULL;
+  const size_t size = sizeof form + strlen(title) + strlen(scene->load_case);
+  char *own = malloc(size);
+  if (own != NULL) snprintf(own, size, form, title, scene->load_case);
+  return own;
+}
+
 tp_status tp_block_system_describe(tp_block_system **system, const tp_built_system *s,
                                    tp_message *message) {
   const tp_scene *scene = s->scene;
   tp_block_system *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the result");
   own->size = sizeof *own;
-  own->title = scene->title != NULL ? strdup(scene->title) : NULL;
+  own->title = title_of(scene);
   own->scene = strdup(scene->path);
   own->length_unit = strdup(scene->length_unit);
   own->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
@@ -166,7 +178,7 @@ tp_status tp_block_system_describe(tp_block_system **system, const tp_built_syst
   own->has_required_fos = scene->required_fos.given;
   if (own->has_required_fos) own->required_fos = tp_result_rational(scene->required_fos.value);
   const bool done = set_lists(own, s) && own->scene != NULL && own->length_unit != NULL &&
-                    (own->title == NULL) == (scene->title == NULL);
+                    (own->title != NULL || (scene->title == NULL && scene->load_case == NULL));
   tp_status status = done ? TP_OK : tp_fail_memory(message, "the result");
   if (status == TP_OK) status = tp_scene_notes(&own->notes, scene, message);
   if (status == TP_OK) status = tp_notes_append(&own->notes, &s->notes, message);
