@@ -168,12 +168,13 @@ typedef struct tp_solid_way {
 
 /* A solid on contact points with normals and friction. Forces hold it where some forces, each in
  * its cone of Coulomb, are in equilibrium with its weight and earthquake: then it can stand.
- * Where there are none it certainly moves. */
+ * Where there are none it certainly moves. The verdict is: stands, where forces hold it and all
+ * contacts face one way; may move, where they face different ways and forces hold it that may never
+ * have come to be there; what it does, where none do; undecided, too close to tell. */
 typedef struct tp_solid_contacts {
   size_t contact_count;       /* of them */
   tp_solid_contact *contacts; /* contact_count of them: in the order of the scene */
-  tp_mechanism verdict;       /* at its tilt: stands, where forces hold it; what it does, where none
-                                 do; undecided: too close to tell */
+  tp_mechanism verdict;       /* at its tilt, as told above */
   bool has_motion;            /* none do: */
   tp_solid_motion motion;     /* if has_motion: one that begins */
   bool has_fos;               /* some friction is needed, and some is enough: */
@@ -189,6 +190,26 @@ typedef struct tp_solid_contacts {
   size_t way_count;         /* the azimuths, where it is held level; else 0 */
   tp_solid_way *ways;       /* way_count of them: evenly from 0 on */
 } tp_solid_contacts;
+
+/* A wedge between two joints A and B, as Hoek and Bray have it: friction and cohesion act against
+ * the sliding alone, along the line of both joints or down one of them; no joint is in tension, and
+ * nothing turns. Water fills the joints and the crack: its pressure rises from zero at the surface
+ * to the depth in between, in the mean a sixth of the head of the height, or a third of that of the
+ * crack. */
+typedef struct tp_solid_wedge {
+  tp_bounded plunge_deg, trend_deg; /* of the line of both joints, downwards */
+  tp_bounded areas_m2[2];           /* of the joints A and B */
+  bool has_crack;                   /* a tension crack ends it: */
+  tp_bounded crack_area_m2;         /* if has_crack: its area */
+  bool has_water;                   /* it is full of water: */
+  tp_bounded water_kpa;   /* if has_water: the mean pressure on the joints and the crack */
+  tp_mechanism verdict;   /* stands, slides, leaves its base, or undecided */
+  const char *slides_on;  /* a static string: a and b, a, b, or neither */
+  tp_bounded normal_n[2]; /* on A and B, without the water's */
+  tp_bounded driving_n;   /* along the way in which it slides */
+  bool has_fos;           /* something drives it: */
+  tp_bounded fos;         /* if has_fos: strength over what drives it */
+} tp_solid_wedge;
 
 /* A solid; owns what it points to. */
 typedef struct tp_solid {
@@ -232,6 +253,8 @@ typedef struct tp_solid {
   size_t governing;  /* if of_scene: the band that governs, by its number from 0: the least */
   bool has_contacts; /* its scene gives contacts instead of bands: */
   tp_solid_contacts contacts; /* if has_contacts: what it does on them */
+  bool has_wedge;             /* its scene gives a wedge instead of a mesh: */
+  tp_solid_wedge wedge;       /* if has_wedge: how safe it is against sliding */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

@@ -327,6 +327,13 @@ class Schema(unittest.TestCase):
             self.fits("solid", out)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         with tempfile.TemporaryDirectory() as folder:
+            wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")
+            crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2"
+            (pathlib.Path(folder) / "wedge.yaml").write_text(wedge.replace("required_fos: 1.3", crack), encoding="utf-8")
+            status, out, err = run("solve", "--json", "wedge.yaml", folder=folder)
+            self.assertEqual((status, err), (0, ""))
+            self.fits("solid", out)
+        with tempfile.TemporaryDirectory() as folder:
             text = rock.read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")
             (pathlib.Path(folder) / "rock.yaml").write_text(text.replace("horizontal: 0.05", "horizontal: 0.05, azimuth_deg: 3")
                                                             + "required_fos: 1.2\n")

@@ -15,6 +15,26 @@ typedef struct tp_contact_description {
   tp_quantity friction_angle_deg; /* not given: the scene's */
 } tp_contact_description;
 
+/* A plane of a wedge: its dip and the azimuth of that. */
+typedef struct tp_wedge_plane {
+  tp_quantity dip_deg, dip_direction_deg;
+} tp_wedge_plane;
+
+/* A wedge between two joints, a face and the ground above, as Hoek and Bray have it: instead of a
+ * mesh. */
+typedef struct tp_wedge_description {
+  tp_place place; /* no file: there is none */
+  tp_quantity height;
+  tp_wedge_plane planes[5]; /* the joints A and B, the face, the ground above, the crack */
+  tp_quantity friction_deg[2], cohesion_kpa[2]; /* of A and B */
+  bool has_crack;
+  tp_quantity crack_distance; /* if has_crack: from the crest, along A on the ground above */
+  bool has_water;
+  tp_quantity water_kn_m3; /* if has_water: the unit weight of the water that fills it */
+} tp_wedge_description;
+
+enum { TP_WEDGE_A, TP_WEDGE_B, TP_WEDGE_FACE, TP_WEDGE_UPPER, TP_WEDGE_CRACK, TP_WEDGE_PLANES };
+
 typedef struct tp_solid_description {
   tp_place place;         /* no file: the scene is of a section */
   const tp_mesh *mesh;    /* of the scene's file, */
@@ -27,6 +47,7 @@ typedef struct tp_solid_description {
   fmpq *bands;        /* in scene lengths */
   long contact_count; /* 0: what touches is by bands */
   tp_contact_description *contacts;
+  tp_wedge_description wedge; /* instead of the mesh and what touches */
 } tp_solid_description;
 
 #endif

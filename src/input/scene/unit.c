@@ -58,10 +58,23 @@ static bool is_other(const char *word, size_t length) {
 }
 
 bool tp_key_is_length(const char *key) {
-  static const char *const begins[] = {
-      "block.",           "base.",       "contact.",          "frame.",  "loads.",   "joint.",
-      "friction.facets.", "tilt_test.",  "section.",          "blocks.", "columns.", "support.",
-      "jointed_slope.",   "solid.bands", "solid.scale.length"};
+  static const char *const begins[] = {"block.",
+                                       "base.",
+                                       "contact.",
+                                       "frame.",
+                                       "loads.",
+                                       "joint.",
+                                       "friction.facets.",
+                                       "tilt_test.",
+                                       "section.",
+                                       "blocks.",
+                                       "columns.",
+                                       "support.",
+                                       "jointed_slope.",
+                                       "solid.bands",
+                                       "solid.scale.length",
+                                       "solid.wedge.height",
+                                       "solid.wedge.crack.distance"};
   const char *word = NULL;
   const size_t length = last_word(&word, key);
   for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {

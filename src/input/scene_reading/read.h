@@ -77,6 +77,7 @@ TP_MUST_USE tp_status tp_note_mesh_unit(const tp_reader *reader, const tp_node *
  * refused where the scene is of another kind, and those of a section where it is of a solid. */
 TP_MUST_USE tp_status tp_read_solid(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_solid_contacts(const tp_reader *reader, const tp_node *solid);
+TP_MUST_USE tp_status tp_read_wedge(const tp_reader *reader, const tp_node *solid);
 /* A point or a vector of space, [x, y, z], in the axes of the mesh. */
 TP_MUST_USE tp_status tp_read_triple(const tp_reader *reader, fmpq point[3], const tp_node *node,
                                      const char *name);

@@ -50,6 +50,20 @@ static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
              : TP_OK;
 }
 
+/* A wedge slides under its weight and its water. */
+static tp_status check_wedge(const tp_reader *reader, const tp_node *root) {
+  static const char *const keys[] = {"tilt", "loads", "friction_angle_deg"};
+  for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+    const tp_node *node = tp_node_get(root, keys[k]);
+    if (node == NULL) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "a 'wedge' lies as its planes dip, with their friction, under its weight "
+                        "and its water: leave out '%s'",
+                        keys[k]);
+  }
+  return TP_OK;
+}
+
 /* Contacts have friction, and are tilted and shaken one way. */
 static tp_status check_contacts(const tp_reader *reader) {
   const tp_scene *scene = reader->scene;
@@ -83,6 +97,9 @@ tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
   }
   const tp_node *loads = tp_node_get(root, "loads");
   tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
+  if (status == TP_OK && scene->solid.wedge.place.file != NULL) {
+    return check_wedge(reader, root);
+  }
   if (status == TP_OK) status = check_ways(reader, root);
   return status == TP_OK ? check_contacts(reader) : status;
 }

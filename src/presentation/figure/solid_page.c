@@ -225,10 +225,11 @@ tp_status tp_report_figure_solid_if(const char *path, const tp_solid *solid,
                      "the ending of the name of a figure of a solid is its format: .svg, .pdf or "
                      ".png");
   }
-  if (solid->has_contacts) {
+  if (solid->band_count == 0) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){solid->scene, 0, 0},
                      "a figure of a solid shows what of it touches a plane, and this one lies on "
-                     "contacts of its own: the report and --json have all that is found");
+                     "contacts of its own, or slides as a wedge: the report and --json have all "
+                     "that is found");
   }
   tp_solid_figure figure;
   tp_status status = init(&figure, solid, message);

@@ -41,7 +41,8 @@ static void add_body(tp_text *t, const tp_solid *s) {
     tp_text_add(t, "\n");
   }
   tp_encode_plain(t, s->file);
-  tp_text_add(t, "\n\nSolid of %zu triangles, %zu points; ", s->triangles, s->vertices);
+  tp_text_add(t, "\n\n%s of %zu triangles, %zu points; ", s->has_wedge ? "Wedge" : "Solid",
+              s->triangles, s->vertices);
   if (s->of_scene) {
     char metres[TP_SHORTEST_SIZE];
     tp_text_add(t, "a length of the mesh is %s m\n", tp_shortest(metres, s->metres_per_unit));
@@ -223,8 +224,9 @@ tp_status tp_report_solid(char **text, const tp_solid *solid) {
   if (solid->band_count > 0) add_bands(&t, solid);
   tp_text_solid_stances(&t, solid);
   tp_text_solid_contacts(&t, solid);
+  tp_text_solid_wedge(&t, solid);
   add_rose(&t, solid);
-  add_poses(&t, solid);
+  if (!solid->has_wedge) add_poses(&t, solid);
   if (solid->notes.count > 0) tp_text_add(&t, "\n");
   tp_text_notes(&t, &solid->notes);
   return tp_text_finish(&t, text);

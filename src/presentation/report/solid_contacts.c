@@ -41,8 +41,13 @@ static void add_contact(tp_text *t, const tp_solid_contact *c, size_t number, bo
   tp_text_add(t, "\n");
 }
 
+/* Do some forces hold it? */
+static bool is_held(const tp_solid_contacts *c) {
+  return c->verdict == TP_STANDS || c->verdict == TP_MAY_MOVE;
+}
+
 static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
-  const bool held = c->verdict == TP_STANDS;
+  const bool held = is_held(c);
   tp_text_add(t, "\n%zu contact%s%s\n", c->contact_count, c->contact_count == 1 ? "" : "s",
               held ? ", with one of the systems of forces that hold it, in shares of its weight"
                    : "");
@@ -58,7 +63,7 @@ static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
 
 static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
   char n[TP_NUMBER_SIZE];
-  if (c->verdict == TP_STANDS) {
+  if (is_held(c)) {
     tp_text_add(t, "  can stand: forces within all cones of friction hold it\n");
   } else if (c->has_motion) {
     tp_text_add(t, "  certainly moves, for no forces hold it:\n  it ");
@@ -73,7 +78,7 @@ static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
         "  factor of safety %s: what tan φ of all contacts may be divided by until no forces "
         "hold it;\n  then it %s\n",
         tp_text_significant(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
-  } else if (c->verdict == TP_STANDS) {
+  } else if (is_held(c)) {
     tp_text_add(t, "  no factor of safety: it is held without friction\n");
   }
 }
@@ -123,9 +128,10 @@ void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
   add_verdict(t, &s->contacts);
   add_critical(t, s);
   tp_text_solid_required(t, s);
-  tp_text_add(t,
-              "  Held means that forces can do it. Contacts that face each other may be wedged by "
-              "forces that nothing\n  has put there, and a shock can free them.\n");
+  if (s->contacts.verdict == TP_MAY_MOVE) {
+    tp_text_add(t, "  It may move all the same: contacts that face different ways can be wedged by "
+                   "forces that nothing\n  has put there, and a shock can free them.\n");
+  }
   add_contacts(t, &s->contacts);
   add_ways(t, &s->contacts);
 }

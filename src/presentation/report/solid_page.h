@@ -18,6 +18,9 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 /* Of a scene with contacts: what the solid does on them; else nothing. */
 void tp_text_solid_contacts(tp_text *t, const tp_solid *solid);
 
+/* Of a scene of a wedge: how safe it is; else nothing. */
+void tp_text_solid_wedge(tp_text *t, const tp_solid *solid);
+
 /* Whether it has the factor that the scene requires, where it requires one. */
 void tp_text_solid_required(tp_text *t, const tp_solid *solid);
 

@@ -51,8 +51,8 @@ static tp_status check(section *x) {
   if (!isfinite(x->azimuth_deg) || fabs(x->azimuth_deg) > 360) {
     return refuse(x, "the azimuth of a section lies between -360 and 360");
   }
-  if (x->solid->has_contacts) {
-    return refuse(x, "a section stands on a plane, and this rock on contacts of its own");
+  if (x->solid->band_count == 0) {
+    return refuse(x, "a section stands on a plane, and this rock does not");
   }
   if (x->solid->is_on_slope || !(z_is_up || x->y_is_up)) {
     return refuse(x, "a section is cut upright, of a mesh that has z or y upwards as it lies");

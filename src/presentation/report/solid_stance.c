@@ -59,7 +59,7 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
 }
 
 void tp_text_solid_required(tp_text *t, const tp_solid *s) {
-  const char *where = s->has_contacts ? "" : " in the least band";
+  const char *where = s->band_count == 0 ? "" : " in the least band";
   if (!s->has_required_fos) return;
   switch (tp_solid_meets(s, s->required_fos)) {
   case TP_DESIGN_MET:
@@ -76,7 +76,7 @@ void tp_text_solid_required(tp_text *t, const tp_solid *s) {
 
 void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
   bool any = false, shaken = false;
-  if (!s->of_scene || s->has_contacts) return;
+  if (!s->of_scene || s->has_contacts || s->has_wedge) return;
   tp_text_solid_loads(t, s);
   for (size_t k = 0; k < s->band_count; k++) {
     any = any || (s->bands[k].has_stance && s->bands[k].stance.has_fos);

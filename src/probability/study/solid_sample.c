@@ -55,10 +55,11 @@ static void take_stance(tp_study_row *row, const tp_solid *solid, const tp_solid
 /* On contacts: no least acceleration, and factors of toppling and sliding are one. */
 static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
   const tp_solid_contacts *own = &solid->contacts;
-  const double fos = !has_load(solid)            ? (double)NAN
-                     : own->has_fos              ? own->fos.value
-                     : own->verdict == TP_STANDS ? INFINITY
-                                                 : -INFINITY;
+  const double fos = !has_load(solid) ? (double)NAN
+                     : own->has_fos   ? own->fos.value
+
+                     : own->verdict == TP_STANDS || own->verdict == TP_MAY_MOVE ? INFINITY
+                                                                                : -INFINITY;
   row->at[at] = (tp_study_at){tp_study_outcome_of(own->verdict), fos};
   row->open = row->open || tp_solid_is_undecided(solid);
   if (at > 0) return;
@@ -74,9 +75,28 @@ static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
   if (solid->has_required_fos) row->design = (int)tp_solid_meets(solid, solid->required_fos);
 }
 
+static void take_wedge(tp_study_row *row, size_t at, const tp_solid *solid) {
+  const tp_solid_wedge *own = &solid->wedge;
+  const double fos = own->has_fos ? own->fos.value : INFINITY; /* nothing drives it */
+  row->at[at] = (tp_study_at){tp_study_outcome_of(own->verdict), fos};
+  row->open = row->open || tp_solid_is_undecided(solid);
+  if (at > 0) return;
+  row->quantities[TP_STUDY_LIMIT_DEG] = row->quantities[TP_STUDY_ACCELERATION_G] = (double)NAN;
+  row->quantities[TP_STUDY_FOS] = fos;
+  if (own->has_fos) {
+    row->fos_sliding = fos;
+    row->fos_mechanism = tp_study_outcome_name(tp_study_outcome_of(TP_SLIDES));
+  }
+  if (solid->has_required_fos) row->design = (int)tp_solid_meets(solid, solid->required_fos);
+}
+
 void tp_study_take_solid(tp_study_row *row, size_t at, const tp_solid *solid) {
   if (solid->has_contacts) {
     take_contacts(row, at, solid);
+    return;
+  }
+  if (solid->has_wedge) {
+    take_wedge(row, at, solid);
     return;
   }
   const tp_solid_band *own = solid->bands + solid->governing;

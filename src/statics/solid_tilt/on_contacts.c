@@ -79,6 +79,28 @@ static void set_motion(tp_solid_motion *own, const work *w, const double twist[T
   for (int k = 0; k < 3; k++) own->at[k] = settled(own->at[k], size);
 }
 
+/* Where all contacts face one way nothing is wedged between them: as on a plane. */
+static tp_mechanism held_verdict(const work *w) {
+  const tp_friction_cone *first = w->points.cones.cones;
+  fmpq_t own, other;
+  bool same = true;
+  fmpq_init(own);
+  fmpq_init(other);
+  for (long n = 1; n < w->points.cones.count; n++) {
+    const tp_friction_cone *cone = first + n;
+    for (int k = 0; k < 3; k++) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      fmpq_mul(own, first->normal + i, cone->normal + j);
+      fmpq_mul(other, first->normal + j, cone->normal + i);
+      same = same && fmpq_equal(own, other) &&
+             fmpq_sgn(first->normal + k) == fmpq_sgn(cone->normal + k);
+    }
+  }
+  fmpq_clear(own);
+  fmpq_clear(other);
+  return same ? TP_STANDS : TP_MAY_MOVE;
+}
+
 /* ---- at its tilt -------------------------------------------------------------------------------
  */
 
@@ -97,7 +119,7 @@ static tp_status set_stance(const work *w, tp_hold *hold) {
   if (!done) return fail_memory(w);
   own->has_motion = side == TP_HOLD_MOVES;
   if (own->has_motion) set_motion(&own->motion, w, twist);
-  own->verdict = side == TP_HOLD_HOLDS   ? TP_STANDS
+  own->verdict = side == TP_HOLD_HOLDS   ? held_verdict(w)
                  : side == TP_HOLD_MOVES ? own->motion.mechanism
                                          : TP_MECHANISM_UNDECIDED;
   for (size_t n = 0; n < own->contact_count && side == TP_HOLD_HOLDS; n++) {

@@ -51,6 +51,8 @@ static void give_back(void *made) {
 tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *scene,
                                  tp_message *message) {
   tp_scene_file *file = scene->file;
+  *body = NULL;
+  if (scene->solid.wedge.place.file != NULL) return TP_OK;
   *body = atomic_load(&file->kept);
   if (*body != NULL) return TP_OK;
   tp_solid_body *own = malloc(sizeof *own);

@@ -25,7 +25,7 @@ TP_MUST_USE tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mes
                                          tp_message *message);
 void tp_solid_body_clear(tp_solid_body *body);
 
-/* Of a scene of a solid, kept by its file. */
+/* Of a scene of a solid, kept by its file; of a wedge, which each scene makes for itself, NULL. */
 TP_MUST_USE tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *scene,
                                              tp_message *message);
 

@@ -8,6 +8,7 @@
 #include "common/host.h"
 #include "common/notes.h"
 #include "scene_varying/settings.h"
+#include "solid_tilt/wedge_slide.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -51,6 +52,42 @@ static tp_status take_scene(tp_solid *own, const tp_scene *scene, tp_message *me
   return status;
 }
 
+/* Rows of tables have the stance of the band that governs: a wedge has its own in the place behind
+ * those that are counted. */
+static void set_wedge_row(tp_solid *own) {
+  const tp_solid_wedge *wedge = &own->wedge;
+  own->bands->has_stance = true;
+  own->bands->stance = (tp_solid_stance){.verdict = wedge->verdict,
+                                         .has_fos = wedge->has_fos,
+                                         .fos = wedge->fos,
+                                         .fos_mechanism = TP_SLIDES};
+}
+
+/* A wedge is its own mesh, of this scene's numbers. */
+static tp_status find_wedge(tp_solid *own, const tp_scene *scene, tp_solid_given *given,
+                            tp_message *message) {
+  const tp_wedge_description *wedge = &scene->solid.wedge;
+  tp_wedge_shape shape;
+  tp_solid_body body;
+  tp_mesh mesh = {.file = scene->path};
+  given->azimuths = 0;
+  tp_status status = tp_wedge_shape_init(&shape, wedge, message);
+  if (status == TP_OK) status = tp_wedge_shape_mesh(&mesh, &shape, scene->path, message);
+  if (status == TP_OK) status = tp_solid_body_init(&body, &mesh, -1, message);
+  if (status == TP_OK) {
+    status = tp_solid_find(own, &body, given, message);
+    tp_solid_body_clear(&body);
+  }
+  if (status == TP_OK) {
+    own->has_wedge = true;
+    tp_wedge_slide(&own->wedge, &shape, scene);
+    set_wedge_row(own);
+  }
+  tp_mesh_clear(&mesh);
+  tp_wedge_shape_clear(&shape);
+  return status;
+}
+
 static tp_status find_in_scene(tp_solid *own, const tp_scene *scene, bool whole,
                                tp_message *message) {
   const tp_solid_body *body = NULL;
@@ -60,7 +97,10 @@ static tp_status find_in_scene(tp_solid *own, const tp_scene *scene, bool whole,
   if (status != TP_OK) return status;
   status = tp_solid_given_of_scene(&given, scene, message);
   if (!whole) given.azimuths = 0;
-  if (status == TP_OK) status = tp_solid_find(own, body, &given, message);
+  if (status == TP_OK) {
+    status = body == NULL ? find_wedge(own, scene, &given, message)
+                          : tp_solid_find(own, body, &given, message);
+  }
   tp_solid_given_clear(&given);
   return status;
 }
@@ -101,6 +141,7 @@ bool tp_solid_is_undecided(const tp_solid *solid) {
   if (solid != NULL && solid->has_contacts) {
     return solid->contacts.verdict == TP_MECHANISM_UNDECIDED;
   }
+  if (solid != NULL && solid->has_wedge) return solid->wedge.verdict == TP_MECHANISM_UNDECIDED;
   const tp_solid_band *own = governing_band(solid);
   return own == NULL || (own->has_stance && own->stance.verdict == TP_MECHANISM_UNDECIDED);
 }
@@ -108,7 +149,8 @@ bool tp_solid_is_undecided(const tp_solid *solid) {
 /* Without a factor it stands, or falls, whatever is required. */
 static tp_design meets(tp_mechanism verdict, bool has_fos, tp_bounded fos, double required) {
   if (verdict == TP_MECHANISM_UNDECIDED) return TP_DESIGN_OPEN;
-  if (!has_fos) return verdict == TP_STANDS ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
+  if (!has_fos)
+    return verdict == TP_STANDS || verdict == TP_MAY_MOVE ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
   if (fos.value - fos.error >= required) return TP_DESIGN_MET;
   return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
 }
@@ -118,6 +160,9 @@ tp_design tp_solid_meets(const tp_solid *solid, double required) {
   if (solid != NULL && solid->has_contacts) {
     const tp_solid_contacts *own = &solid->contacts;
     return meets(own->verdict, own->has_fos, own->fos, required);
+  }
+  if (solid != NULL && solid->has_wedge) {
+    return meets(solid->wedge.verdict, solid->wedge.has_fos, solid->wedge.fos, required);
   }
   const tp_solid_band *own = governing_band(solid);
   if (own == NULL) return TP_DESIGN_OPEN;
