@@ -73,10 +73,23 @@ class BlockStudies(StudyCase):
         tilt = summary["tilts"][0]
         self.assertEqual(tilt["certain_to_move"]["samples"], sum(map(moves, self.rows())))
         self.assertEqual(summary["below_required"]["samples"], below)
+        # where no factor is required, motions with less strength are not looked for, which changes no row
+        rows = [{key: own for key, own in row.items() if key != "meets_required"} for row in self.rows()]
+        (self.folder / "row.yaml").write_text(ROW.replace("required_fos: 1\n", ""))
+        self.summary("study.yaml", "--rows", "rows.csv", "--restart")
+        self.assertEqual(self.rows(), rows)
+
         self.assertTrue(0 < tilt["certain_to_move"]["samples"] < below < 12)
         self.assertEqual([own["quantity"] for own in summary["quantities"]],
                          ["moments_deg", "onset_deg", "limit_deg", "fos", "fos_goodman_bray", "critical_acceleration_g", "support_n_m"])
         self.assertEqual([own["samples"] for own in summary["quantities"]], [0, 0, 12, 12, 12, 12, 0])
+
+    def test_what_does_not_matter(self):
+        """By their unit weight columns have the same limits and factors, but for digits beyond those that are certain: it orders
+        none of them."""
+        (self.folder / "row.yaml").write_text(ROW.replace("loads: {seismic: {horizontal: 0.02}}\n", ""))
+        summary = self.summary(self.of_row("samples: 20\nvary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n"))
+        self.assertEqual(summary["variables"][0]["rank_correlations"], [])
 
     def test_slab(self):
         """It slides where tan(phi) < tan(dip), with the factor tan(phi)/tan(dip): of 64 strata of the friction those below 30° do."""

@@ -39,7 +39,8 @@ tp_map_sample tp_map_take_system(tp_map *map, const double *values) {
   for (size_t k = 0; k < map->varied.count; k++) sample.values[k] = values[k];
   tp_status status = tp_varied_scene(&scene, &map->varied, values, &map->why);
   if (status == TP_OK) {
-    status = tp_block_system_solve_limits(&system, scene, &map->varied.options, &map->why);
+    status =
+        tp_block_system_solve(&system, scene, &map->varied.options, TP_MOTIONS_NONE, &map->why);
   }
   if (status == TP_OK) {
     const tp_system_case *own = tp_system_governing(system);

@@ -25,6 +25,18 @@ static bool is_constant(const double *values, size_t count) {
   return true;
 }
 
+/* A quantity that differs by less than it is certain to has no order among its samples. */
+static bool is_certainly_ordered(const double *quantity, size_t count, const tp_study *study) {
+  const double accuracy = study->scene->many.count > 0 ? 1e-6 : 1e-12; /* of itself */
+  double least = INFINITY, most = -INFINITY;
+  for (size_t k = 0; k < count; k++) {
+    least = fmin(least, quantity[k]);
+    most = fmax(most, quantity[k]);
+  }
+  if (!isfinite(least) || !isfinite(most)) return least != most;
+  return most - least > 2 * accuracy * fmax(fabs(least), fabs(most));
+}
+
 /* Those of a column whose quantity is a number. */
 static size_t pick(double *picked, const double *column, const double *quantity, size_t kept) {
   size_t count = 0;
@@ -54,7 +66,7 @@ static tp_status rank_quantity(tp_study_result *result, const tp_tally *tally, s
   const size_t kept = tp_tally_kept(tally), inputs = tally->study->variable_count;
   const double *quantity = tally->columns[inputs + q];
   const size_t count = pick(p->values, quantity, quantity, kept);
-  if (count < FEWEST || is_constant(p->values, count)) return TP_OK;
+  if (count < FEWEST || !is_certainly_ordered(p->values, count, tally->study)) return TP_OK;
   tp_status status = tp_ranks(p->y, p->values, count, message);
   for (size_t k = 0; k < inputs && status == TP_OK; k++) {
     (void)pick(p->values, tally->columns[k], quantity, kept);

@@ -6,6 +6,7 @@
 
 #include "study/sample.h"
 
+#include "block_system/system.h"
 #include "evaluation/case_numbers.h"
 #include "number/ratio.h"
 #include "stability/tilts.h"
@@ -176,7 +177,10 @@ static tp_status solve_system(tp_study_row *row, size_t at, const tp_study *stud
   tp_message why = {.text = ""};
   const tp_solve_options options = tp_solve_options_default();
   tp_status status = vary(&scene, study, n, count, &why);
-  if (status == TP_OK) status = tp_solve_block_system(&system, scene, &options, &why);
+  /* a factor that is required must also be excluded from being too small by motions */
+  const tp_motions_sought motions =
+      study->scene->required_fos.given ? TP_MOTIONS_ALL : TP_MOTIONS_AS_THEY_LIE;
+  if (status == TP_OK) status = tp_block_system_solve(&system, scene, &options, motions, &why);
   if (status == TP_OK) {
     tp_study_take_system(row, at, system);
   } else {

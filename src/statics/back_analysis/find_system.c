@@ -73,7 +73,7 @@ tp_status tp_search_take_system(tp_sample *at, bool *unbounded, tp_search *s) {
   tp_block_system *system = NULL;
   tp_status status = tp_varied_scene(&scene, &s->varied, &at->x, &s->why);
   if (status == TP_OK) {
-    status = tp_block_system_solve_limits(&system, scene, &s->varied.options, &s->why);
+    status = tp_block_system_solve(&system, scene, &s->varied.options, TP_MOTIONS_NONE, &s->why);
   }
   if (status == TP_OK)
     take_from_system(at, unbounded, tp_system_governing(system), s->options->target);

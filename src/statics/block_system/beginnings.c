@@ -142,14 +142,27 @@ static tp_status tell(beginnings *b, tp_message *message) {
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
-/* Let go as they lie; else is all excluded; else does a motion from beyond a limit reach so far? */
+/* Let go as they lie; else is all excluded? */
+static tp_status try_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
+  *excluded = b->frictionless;
+  const tp_status status = tp_moving_try(&b->moving, 0, true, message);
+  if (status != TP_OK || b->moving.found || *excluded) return status;
+  return exclude_as_they_lie(excluded, b, message);
+}
+
+static tp_status search_verdict(beginnings *b, tp_message *message) {
+  bool excluded = false;
+  const tp_status status = try_as_they_lie(&excluded, b, message);
+  judge(b->own, excluded, b->moving.found);
+  return status;
+}
+
+/* As they lie; else does a motion from beyond a limit reach so far? */
 static tp_status find_as_they_lie(beginnings *b, tp_moving_search *turned, tp_message *message) {
   const tp_moving_range factor = factors(b), tilt = tilts(b);
   tp_moving_search *m = &b->moving;
-  bool excluded = b->frictionless;
-  tp_status status = tp_moving_try(m, 0, true, message);
-  if (status == TP_OK && !m->found && !excluded)
-    status = exclude_as_they_lie(&excluded, b, message);
+  bool excluded = false;
+  tp_status status = try_as_they_lie(&excluded, b, message);
   if (status == TP_OK && !m->found && b->task->asks_factor) {
     status = tp_moving_from_limit(m, &factor, factor.from, message);
   }
@@ -239,6 +252,7 @@ static tp_status search(beginnings *b, tp_message *message) {
   b->standing.most_work = most_work;
   if (status == TP_OK) {
     status = b->own->verdict == TP_SYSTEM_COLLAPSES ? search_collapse(b, message)
+             : b->task->verdict_alone               ? search_verdict(b, message)
                                                     : search_both(b, message);
   }
   tp_standing_clear(&b->standing);
@@ -268,7 +282,9 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
   if (status != TP_OK) return status;
   if (own->verdict != TP_SYSTEM_COLLAPSES)
     status = tp_frictionless_blocks(&b.frictionless, &b.resting, task->resultant, message);
-  if (status == TP_OK && own->sought != TP_SYSTEM_SOUGHT_TOO_MANY && !task->resultant->beyond) {
+  const bool judged = b.frictionless || own->verdict == TP_SYSTEM_COLLAPSES;
+  const bool searches = own->sought != TP_SYSTEM_SOUGHT_TOO_MANY && !task->resultant->beyond;
+  if (status == TP_OK && searches && !(task->verdict_alone && judged)) {
     status = search(&b, message);
   }
   if (status == TP_OK) judge_frictionless(&b);

@@ -19,6 +19,7 @@ typedef struct tp_beginnings_task {
   double held_factor; /* no forces hold with strength divided by more, as far as is known */
   double held_tilt_deg;
   bool asks_factor;
+  bool verdict_alone; /* whether they stand as they lie; no thresholds */
 } tp_beginnings_task;
 
 /* Into a case, of which the verdict is that of forces: it becomes `stands` or `may move` where one

@@ -22,7 +22,7 @@ static const double most_factor = 1000;
 typedef struct solving {
   const tp_built_system *s;
   const tp_solve_options *options;
-  bool limits_alone; /* no motions that can begin */
+  tp_motions_sought motions;
   tp_block_system *system;
 } solving;
 
@@ -166,6 +166,7 @@ static tp_status find_motions(direction *d, tp_message *message) {
       .system = d->x->s,
       .resultant = &d->resultant,
       .asks_factor = d->x->options->strength_reduction,
+      .verdict_alone = d->x->motions == TP_MOTIONS_AS_THEY_LIE,
       .held_factor = d->strength.is_bounded ? exp(d->strength.bound) : INFINITY,
       .held_tilt_deg =
           has_tilt ? own->critical_angle_deg.value + own->critical_angle_deg.error : INFINITY};
@@ -187,7 +188,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
     status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
   }
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
-  if (status == TP_OK && !d->x->limits_alone) status = find_motions(d, message);
+  if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = find_motions(d, message);
   if (status != TP_OK) return status;
   return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                               tp_system_is_weighed(d->x->system), message);
@@ -222,9 +223,9 @@ static tp_status solve_cases(const solving *x, tp_message *message) {
   return status;
 }
 
-static tp_status solve_whole(tp_block_system **system, const tp_scene *scene,
-                             const tp_solve_options *options, bool limits_alone,
-                             tp_message *message) {
+tp_status tp_block_system_solve(tp_block_system **system, const tp_scene *scene,
+                                const tp_solve_options *options, tp_motions_sought motions,
+                                tp_message *message) {
   if (scene->many.count == 0) {
     return tp_refuse(message, TP_FAULT_KEY, scene->block.place,
                      "this scene is of one block: tp_solve takes it");
@@ -232,7 +233,7 @@ static tp_status solve_whole(tp_block_system **system, const tp_scene *scene,
   tp_built_system built;
   tp_status status = tp_built_system_init(&built, scene, message);
   if (status != TP_OK) return status;
-  solving x = {.s = &built, .options = options, .limits_alone = limits_alone};
+  solving x = {.s = &built, .options = options, .motions = motions};
   status = tp_block_system_describe(&x.system, &built, message);
   if (status == TP_OK) status = solve_cases(&x, message);
   if (status == TP_OK) {
@@ -244,18 +245,13 @@ static tp_status solve_whole(tp_block_system **system, const tp_scene *scene,
   return status;
 }
 
-tp_status tp_block_system_solve_limits(tp_block_system **system, const tp_scene *scene,
-                                       const tp_solve_options *options, tp_message *message) {
-  return solve_whole(system, scene, options, true, message);
-}
-
 tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
                                 const tp_solve_options *options, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, system);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);
-  return solve_whole(system, scene, options, false, message);
+  return tp_block_system_solve(system, scene, options, TP_MOTIONS_ALL, message);
 }
 
 bool tp_block_system_is_undecided(const tp_block_system *system) {

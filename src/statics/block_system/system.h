@@ -8,11 +8,19 @@
 
 #include "block_system/built_system.h"
 
-/* As tp_solve_block_system, but the motions that can begin are not looked for, so that blocks that
- * do not collapse `can be held`: for many solves in a row. */
-TP_MUST_USE tp_status tp_block_system_solve_limits(tp_block_system **system, const tp_scene *scene,
-                                                   const tp_solve_options *options,
-                                                   tp_message *message);
+/* Which motions that can begin although forces hold the blocks are looked for: none, so that blocks
+ * that do not collapse `can be held`; whether any can as they lie, which tells whether they stand;
+ * or also with less strength and at other tilts, the most costly by far. */
+typedef enum tp_motions_sought {
+  TP_MOTIONS_NONE,
+  TP_MOTIONS_AS_THEY_LIE,
+  TP_MOTIONS_ALL
+} tp_motions_sought;
+
+/* tp_solve_block_system with so many motions: for many solves in a row. */
+TP_MUST_USE tp_status tp_block_system_solve(tp_block_system **system, const tp_scene *scene,
+                                            const tp_solve_options *options,
+                                            tp_motions_sought motions, tp_message *message);
 
 /* Without cases, and with room for two; to be freed by tp_block_system_free. */
 TP_MUST_USE tp_status tp_block_system_describe(tp_block_system **system,
