@@ -17,6 +17,7 @@ static const double still = 1e-7; /* of gravity, or of the largest velocity */
 typedef struct end {
   long row[2];
   double n[2][3], t[2][3];
+  double along_n[2][3], along_t[2][3]; /* the entries of both rows: in one place, for speed */
   double nn, nt, tt;
   const tp_force_column *normal, *along;
 } end;
@@ -70,6 +71,10 @@ static void set_end(end *own, const tp_resting *r, const tp_resting_contact *c, 
   for (int side = 0; side < 2; side++) {
     own->row[side] = c->along.row[side];
     if (own->row[side] < 0) continue;
+    for (int e = 0; e < 3; e++) {
+      own->along_n[side][e] = own->normal->entry[side][e].value;
+      own->along_t[side][e] = own->along->entry[side][e].value;
+    }
     push(own->n[side], r, own->normal, side);
     push(own->t[side], r, own->along, side);
   }
@@ -80,8 +85,21 @@ static void set_end(end *own, const tp_resting *r, const tp_resting_contact *c, 
 
 static void accelerate(tp_letting_go *s, const end *own, double normal, double shear) {
   for (int side = 0; side < 2; side++) {
-    for (int e = 0; e < 3 && own->row[side] >= 0; e++) {
-      s->accelerations[own->row[side] + e] += normal * own->n[side][e] + shear * own->t[side][e];
+    if (own->row[side] < 0) continue;
+    double *a = s->accelerations + own->row[side];
+    for (int e = 0; e < 3; e++) a[e] += normal * own->n[side][e] + shear * own->t[side][e];
+  }
+}
+
+/* u_n and u_t as they are. */
+static void velocities(double *normal, double *shear, const tp_letting_go *s, const end *own) {
+  *normal = *shear = 0;
+  for (int side = 0; side < 2; side++) {
+    if (own->row[side] < 0) continue;
+    const double *a = s->accelerations + own->row[side];
+    for (int e = 0; e < 3; e++) {
+      *normal += own->along_n[side][e] * a[e];
+      *shear += own->along_t[side][e] * a[e];
     }
   }
 }
@@ -89,10 +107,10 @@ static void accelerate(tp_letting_go *s, const end *own, double normal, double s
 /* The force of an end by its law; how far that is from the one it had, as a velocity. */
 static double give(tp_letting_go *s, const end *own, long at, double friction, double cohesion) {
   const double n = s->normals[at], t = s->shears[at];
-  const double un =
-      tp_resting_along_double(own->normal, s->accelerations) - own->nn * n - own->nt * t;
-  const double ut =
-      tp_resting_along_double(own->along, s->accelerations) - own->nt * n - own->tt * t;
+  double un = 0, ut = 0;
+  velocities(&un, &ut, s, own);
+  un -= own->nn * n + own->nt * t;
+  ut -= own->nt * n + own->tt * t;
   double normal = 0, shear = 0;
   if (un < 0) {
     const double volume = own->nn * own->tt - own->nt * own->nt;
@@ -170,11 +188,13 @@ static void lead(tp_letting_go *s, const end *ends, double *before, double share
   }
 }
 
-/* Rounds with momentum (Nesterov's), which begins anew where they do not come nearer. */
+/* Rounds with momentum (Nesterov's), which begins anew where they do not come nearer. Where so many
+ * did not halve what is left, they go in circles. */
 static void settle(tp_letting_go *s, const end *ends, double *before,
                    const tp_shear_strength *strength, long rounds) {
   static const double enough = 1e-13;
-  double change = INFINITY, pace = 1;
+  enum { CIRCLE = 600 };
+  double change = INFINITY, pace = 1, least = INFINITY, mark = INFINITY;
   lead(s, ends, before, 0);
   for (long round = 0; round < rounds && change > enough; round++) {
     const double own = go_round(s, ends, strength);
@@ -183,6 +203,10 @@ static void settle(tp_letting_go *s, const end *ends, double *before,
     lead(s, ends, before, alone ? 0 : (pace - 1) / next);
     pace = next;
     change = own;
+    least = fmin(least, own);
+    if ((round + 1) % CIRCLE != 0) continue;
+    if (least > mark / 2) break;
+    mark = least;
   }
 }
 
