@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The documentation as a site: build_site.py FOLDER puts it into FOLDER, by MkDocs (Debian: apt install mkdocs).
+"""The documentation as a site: build_site.py FOLDER [BUILD] puts it into FOLDER, by MkDocs (Debian: apt install mkdocs). With BUILD, a
+folder in which the program is built, the explorer stands in it as well, as topple.html, where its tools are there: one folder to publish.
 
 Pages are those of docs/, whose README.md lists them, with README.md for the front and CONTRIBUTING.md. What they link to outside of docs/ (examples, a
 table in the source) is copied along, and a folder gets a page that lists it. MkDocs ends with an error where a link leads
@@ -78,17 +79,42 @@ class Site:
         self.write(place, "\n".join([lines[0], *lines[1:]]) + "\n")
 
 
+def explorer(build):
+    """The page of the explorer, built of the program in a folder; None where what that needs is missing, which is told."""
+    missing = [tool for tool in ("emcc", "npm", "dpkg-source", "patch") if shutil.which(tool) is None]
+    if missing:
+        print(f"The site is without the explorer, which needs {', '.join(missing)}: ./run --explorer installs them", file=sys.stderr)
+        return None
+    for step in ("build_core", "bundle"):
+        done = subprocess.run([ROOT / "src" / "applications" / "explorer" / step], env={**os.environ, "TOPPLE_BUILD": str(build)}, check=False)
+        if done.returncode != 0:
+            sys.exit(done.returncode)
+    return ROOT / "build-explorer" / "explorer.html"
+
+
+def add_explorer(pages, page):
+    """The page itself, and a link to it below the heading of its documentation and of the front."""
+    shutil.copy(page, pages / "topple.html")
+    for name, words in (("explorer.md", "Open the explorer"), ("index.md", "Try it in the browser")):
+        text = (pages / name).read_text(encoding="utf-8")
+        heading, rest = text.split("\n", 1)
+        (pages / name).write_text(f"{heading}\n\n**[{words}](topple.html)**\n{rest}", encoding="utf-8")
+
+
 def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: build_site.py FOLDER")
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: build_site.py FOLDER [BUILD]")
     if shutil.which("mkdocs") is None:
         sys.exit("the site is built by MkDocs, which is not installed: apt install mkdocs")
     target = pathlib.Path(sys.argv[1]).resolve()
+    program = explorer(pathlib.Path(sys.argv[2]).resolve()) if len(sys.argv) == 3 else None
     with tempfile.TemporaryDirectory() as name:
         stage = pathlib.Path(name)
         site = Site(stage / "pages")
         for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
             site.put(page)
+        if program is not None:
+            add_explorer(stage / "pages", program)
         for file in ("mkdocs.yml", "site_markdown.py"):
             shutil.copy(ROOT / "docs" / "site" / file, stage)
         environment = {**os.environ, "PYTHONPATH": str(stage), "PYTHONDONTWRITEBYTECODE": "1"}

@@ -54,6 +54,20 @@ class Contents(unittest.TestCase):
         self.assertEqual([(group, name, ways.get(way, way)) for group, name, way in of_site], of_folder)
         self.assertGreater(len(of_folder), 45)
 
+    def test_explorer_in_the_site(self):
+        """The page as it is, and a link to it below both headings."""
+        sys.path.insert(0, str(SITE))
+        sys.dont_write_bytecode = True
+        import build_site
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for page in ("explorer.md", "index.md"):
+                (folder / page).write_text("# Heading\n\nText\n", encoding="utf-8")
+            (folder / "made").write_text("<!doctype html>", encoding="utf-8")
+            build_site.add_explorer(folder, folder / "made")
+            self.assertEqual((folder / "topple.html").read_text(encoding="utf-8"), "<!doctype html>")
+            self.assertEqual((folder / "explorer.md").read_text(encoding="utf-8"), "# Heading\n\n**[Open the explorer](topple.html)**\n\nText\n")
+
     def test_markdown(self):
         """Lists below a paragraph, not in code, and names of headings as the links of the pages have them."""
         sys.path.insert(0, str(SITE))

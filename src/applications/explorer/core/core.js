@@ -8,13 +8,16 @@ import { Requests } from "./requests.js";
 
 export { CoreStopped } from "./requests.js";
 
-/** @returns {Promise<WebAssembly.Module>} of the bytes within the page: gzip, in base 64 */
-async function compile() {
-  const letters = atob(carried.wasm);
-  const bytes = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
-  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(plain).arrayBuffer());
+/** @returns {Promise<WebAssembly.Module>} of the bytes within the page: gzip, in base 64; compiled while they are unpacked */
+function compile() {
+  const plain = new Blob([bytesOf(carried.wasm)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compileStreaming(new Response(plain, { headers: { "Content-Type": "application/wasm" } }));
+}
+
+/** @param {string} letters in base 64 @returns {Uint8Array} */
+function bytesOf(letters) {
+  if (typeof Uint8Array.fromBase64 === "function") return Uint8Array.fromBase64(letters);
+  return Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
 }
 
 /** Compiled once for all cores of the page. @type {Promise<WebAssembly.Module>|null} */

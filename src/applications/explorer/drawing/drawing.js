@@ -30,7 +30,7 @@ import { drawScale } from "./scale_bar.js";
 import { say } from "../words/language.js";
 
 const SNAP_DOTS = 3;
-const NARROW = 560; // dots: a drawing below the badge, in a wider one it stands beside
+const NARROW = 700; // dots: a drawing below the badge, in a wider one it stands beside
 const BADGE = 70;
 const ZOOM_MAX = 1e6;
 
