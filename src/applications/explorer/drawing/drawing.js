@@ -146,7 +146,7 @@ export class Drawing extends EventTarget {
     drawPhotograph(this.layers.photo, null, null);
     const isPicture = answer !== null && answer.kind !== "block";
     this.picture.put(isPicture ? this.store.figure : null, this.view, say("Figure of the blocks"));
-    if (isPicture) this.#leaveOut("");
+    if (isPicture) this.#leaveOut(answer.kind === "solid" ? say("This solid is not drawn here; its report stands beside this") : "");
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
     if (!isDrawable(outlines)) {

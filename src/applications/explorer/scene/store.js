@@ -18,17 +18,17 @@ import { readComplaint } from "./complaint.js";
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
 
-/** How the core is asked for each kind of scene; of many blocks and of solids its figure is drawn. */
+/** How the core is asked for each kind of scene; of many blocks its figure is drawn. */
 const FIGURE = ".figure.svg";
 const ASKED = {
   block: ["solve", "--json", "--outlines"],
   blocks: ["solve", "--json", "--figure", FIGURE],
-  solid: ["solve", "--json", "--figure", FIGURE],
+  solid: ["solve", "--json"],
 };
 
 /** @param {"block"|"blocks"|"solid"} kind @returns {{args: string[], collect: string[]}} how the core is asked, and the file that it then writes */
 export function askedFor(kind) {
-  return { args: ASKED[kind], collect: kind === "block" ? [] : [FIGURE] };
+  return { args: ASKED[kind], collect: kind === "blocks" ? [FIGURE] : [] };
 }
 
 /** How long a solve may hold up that of a newer text, milliseconds. */

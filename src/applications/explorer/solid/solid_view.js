@@ -3,8 +3,8 @@
 
 /**
  * A solid on its base, tilted as the scene says, to be turned by the hand or by arrow keys: the mesh, the support within the band
- * that governs, the edge that it topples about, its weight, and the way down. Where a browser or a mesh cannot be drawn so, the
- * core's own figure stays.
+ * that governs, the edge that it topples about, its weight, and the way down. Where a browser cannot draw it, or there is no
+ * mesh of it, its report stands alone.
  */
 
 import { element, refill, svgElement } from "../panels/element.js";
