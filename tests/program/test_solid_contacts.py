@@ -180,6 +180,9 @@ class Contacts(SceneCase):
         self.assertEqual(status, 3)  # not a number that the scene gives
         status, out, err = run("solve", plain)
         self.assertIn("can stand: forces within all cones of friction hold it", out)
+        for few in (1, 2):  # balanced on a point or a line
+            balanced = [{"at": [x, 0, 0], "normal": [0, 0, 1]} for x in (-0.5, 0.5)[:few]] if few == 2 else [{"at": [0, 0, 0]}]
+            self.assertEqual(self.found(balanced, "friction_angle_deg: 30\n")["verdict"], "may move")
         self.wrong(self.on(four, ""), "this contact has no friction")
         self.wrong(self.on(four, "friction_angle_deg: 30\ntilt: {angle_deg: 10}\n"), "give the tilt its 'azimuth_deg'")
         self.wrong(self.on(four, "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.1}}\n"), "is shaken one way")

@@ -49,6 +49,8 @@ typedef struct tp_json_subject {
 
 /* The band of a solid that governs. */
 const tp_solid_band *tp_solid_band_that_governs(const tp_solid *solid);
+/* What it does, in a row: on a point or a line it topples. */
+tp_mechanism tp_solid_row_verdict(const tp_solid *solid);
 
 #include "results_json.h"
 

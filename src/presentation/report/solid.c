@@ -32,6 +32,11 @@ const tp_solid_band *tp_solid_band_that_governs(const tp_solid *solid) {
   return solid->bands + solid->governing;
 }
 
+tp_mechanism tp_solid_row_verdict(const tp_solid *solid) {
+  const tp_solid_band *own = tp_solid_band_that_governs(solid);
+  return own->has_stance ? own->stance.verdict : TP_TOPPLES;
+}
+
 static void add_body(tp_text *t, const tp_solid *s) {
   static const char *const axes[] = {"x", "y", "z"};
   static const char *const pairs[] = {"xx", "yy", "zz", "yz", "zx", "xy"};

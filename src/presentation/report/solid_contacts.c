@@ -130,7 +130,8 @@ void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
   tp_text_solid_required(t, s);
   if (s->contacts.verdict == TP_MAY_MOVE) {
     tp_text_add(t, "  It may move all the same: contacts that face different ways can be wedged by "
-                   "forces that nothing\n  has put there, and a shock can free them.\n");
+                   "forces that nothing\n  has put there, and a shock can free them; on a point or "
+                   "a line it is balanced at best.\n");
   }
   add_contacts(t, &s->contacts);
   add_ways(t, &s->contacts);

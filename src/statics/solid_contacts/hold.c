@@ -54,6 +54,7 @@ bool tp_hold_load_side(tp_hold_side *side, double twist[TP_WRENCH], tp_hold *hol
   if (answer.outcome == TP_HOLD_FOUND) {
     bool proven = false;
     copy_forces(&hold->found, &hold->deep, hold->cones->count);
+    hold->found.t = hold->deep.t = answer.t;
     if (!tp_hold_prove_forces(&proven, &hold->found, &hold->deep, hold->cones, &hold->basis,
                               hold->share, load, NULL)) {
       return false;

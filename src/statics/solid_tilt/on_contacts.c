@@ -79,25 +79,58 @@ static void set_motion(tp_solid_motion *own, const work *w, const double twist[T
   for (int k = 0; k < 3; k++) own->at[k] = settled(own->at[k], size);
 }
 
-/* Where all contacts face one way nothing is wedged between them: as on a plane. */
-static tp_mechanism held_verdict(const work *w) {
-  const tp_friction_cone *first = w->points.cones.cones;
+static bool is_parallel(const fmpq a[3], const fmpq b[3]) {
   fmpq_t own, other;
   bool same = true;
   fmpq_init(own);
   fmpq_init(other);
-  for (long n = 1; n < w->points.cones.count; n++) {
-    const tp_friction_cone *cone = first + n;
-    for (int k = 0; k < 3; k++) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      fmpq_mul(own, first->normal + i, cone->normal + j);
-      fmpq_mul(other, first->normal + j, cone->normal + i);
-      same = same && fmpq_equal(own, other) &&
-             fmpq_sgn(first->normal + k) == fmpq_sgn(cone->normal + k);
-    }
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    fmpq_mul(own, a + i, b + j);
+    fmpq_mul(other, a + j, b + i);
+    same = same && fmpq_equal(own, other);
   }
   fmpq_clear(own);
   fmpq_clear(other);
+  return same;
+}
+
+static bool faces_as(const fmpq a[3], const fmpq b[3]) {
+  for (int k = 0; k < 3; k++) {
+    if (fmpq_sgn(a + k) != fmpq_sgn(b + k)) return false;
+  }
+  return is_parallel(a, b);
+}
+
+/* Do the contacts lie on one line, or in one point? */
+static bool is_on_line(const tp_friction_cones *cones) {
+  fmpq way[3], own[3];
+  bool on_line = true, has_way = false;
+  for (int k = 0; k < 3; k++) {
+    fmpq_init(way + k);
+    fmpq_init(own + k);
+  }
+  for (long n = 1; n < cones->count; n++) {
+    for (int k = 0; k < 3; k++) fmpq_sub(own + k, cones->cones[n].at + k, cones->cones[0].at + k);
+    on_line = on_line && (!has_way || is_parallel(way, own));
+    for (int k = 0; k < 3 && !has_way; k++) fmpq_set(way + k, own + k);
+    has_way = !(fmpq_is_zero(way) && fmpq_is_zero(way + 1) && fmpq_is_zero(way + 2));
+  }
+  for (int k = 0; k < 3; k++) {
+    fmpq_clear(way + k);
+    fmpq_clear(own + k);
+  }
+  return on_line;
+}
+
+/* Where all contacts face one way nothing is wedged between them: as on a plane. On a point or a
+ * line it is balanced at best, and at the limit, where some contact presses with nothing. */
+static tp_mechanism held_verdict(const work *w, const tp_hold *hold) {
+  const tp_friction_cones *cones = &w->points.cones;
+  bool same = !is_on_line(cones) && hold->found.t > 0;
+  for (long n = 1; n < cones->count; n++) {
+    same = same && faces_as(cones->cones[0].normal, cones->cones[n].normal);
+  }
   return same ? TP_STANDS : TP_MAY_MOVE;
 }
 
@@ -119,7 +152,7 @@ static tp_status set_stance(const work *w, tp_hold *hold) {
   if (!done) return fail_memory(w);
   own->has_motion = side == TP_HOLD_MOVES;
   if (own->has_motion) set_motion(&own->motion, w, twist);
-  own->verdict = side == TP_HOLD_HOLDS   ? held_verdict(w)
+  own->verdict = side == TP_HOLD_HOLDS   ? held_verdict(w, hold)
                  : side == TP_HOLD_MOVES ? own->motion.mechanism
                                          : TP_MECHANISM_UNDECIDED;
   for (size_t n = 0; n < own->contact_count && side == TP_HOLD_HOLDS; n++) {
