@@ -10,7 +10,9 @@
 void tp_hold_double(fmpq_t number, double value) {
   int exponent;
   const double mantissa = ldexp(frexp(value, &exponent), DBL_MANT_DIG);
-  fmpq_set_si(number, (slong)mantissa, 1);
+  /* not by way of a whole number of the machine, which may have 32 bits */
+  fmpz_set_d(fmpq_numref(number), mantissa);
+  fmpz_one(fmpq_denref(number));
   if (exponent >= DBL_MANT_DIG) {
     fmpq_mul_2exp(number, number, (ulong)(exponent - DBL_MANT_DIG));
   } else {
