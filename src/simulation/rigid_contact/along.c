@@ -59,8 +59,14 @@ typedef struct gap_look {
   double width, speed;
 } gap_look;
 
+double tp_slack_gap_width(const tp_slack_gap *own, const tp_turned_block *block) {
+  const tp_gap gap = tp_gap_moving(own->shapes, own->pair, block);
+  return own->beyond ? fmax(gap.width, -gap.margin) : gap.width + own->slack;
+}
+
 static gap_look look_at(const tp_slack_gap *own, const tp_along *along,
                         const tp_motion_state *state, const tp_turned_block *block) {
+  if (own->beyond) return (gap_look){tp_slack_gap_width(own, block), 0};
   const tp_gap gap = tp_gap_moving(own->shapes, own->pair, block);
   return (gap_look){gap.width + own->slack,
                     tp_gap_speed(gap.across, state->speed) * along->step / TP_LOOKS};
@@ -69,7 +75,7 @@ static gap_look look_at(const tp_slack_gap *own, const tp_along *along,
 static double width_at(const tp_slack_gap *own, const tp_along *along, double share) {
   const tp_motion_state state = tp_along_at(along, share);
   const tp_turned_block block = tp_turned_block_at(&state);
-  return tp_gap_moving(own->shapes, own->pair, &block).width + own->slack;
+  return tp_slack_gap_width(own, &block);
 }
 
 /* Where the cubic through two looks is least, as a share of the way from one to the other. */

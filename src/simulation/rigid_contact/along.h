@@ -36,6 +36,7 @@ typedef struct tp_slack_gap {
   const tp_contact_shapes *shapes;
   const tp_gap_pair *pair;
   double slack;
+  bool beyond; /* it begins beneath the line of a straight face, beyond its end */
 } tp_slack_gap;
 
 /* Shares of the step: the last look before a gap was below zero, and where it was. */
@@ -45,6 +46,9 @@ typedef struct tp_gap_span {
 
 /* Is it below zero at a look, or where it is least between two? Looks that begin behind a share of
  * the step are left out. */
+/* Its width, with the slack; of one that begins beyond its face above 0 as long as it is there. */
+double tp_slack_gap_width(const tp_slack_gap *gap, const tp_turned_block *block);
+
 bool tp_gap_span_find(tp_gap_span *found, const tp_along *along, const tp_slack_gap *gap,
                       double until);
 

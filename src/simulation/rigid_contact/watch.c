@@ -24,6 +24,10 @@ static const double gap_rounding = 1e-13;
 /* A gap that is as good as zero, a thousandth of what is closed; and to what a time is found. */
 static const double flat_gap = 1e-15, least_width = 1e-15;
 
+/* What shares of a step by its polynomial are told apart by: an event that is no more than this
+ * before a gap closes may be behind it. */
+static const double told_share = 1e-6;
+
 /* A contact goes on a little farther than where it would not be taken for one (gap.h). */
 static const double end_slack = 1.1 * TP_FACE_SLACK;
 
@@ -32,6 +36,7 @@ typedef struct watched {
   tp_watched what;
   long number;
   double slack; /* of a gap */
+  bool beyond;  /* the end of its face (along.h) */
 } watched;
 
 /* ---- the numbers ---- */
@@ -41,13 +46,20 @@ static double slip_of(const tp_smooth_moment *m, const tp_smooth *smooth, long k
   return -smooth->pressing[k].side * tp_gap_speed(m->gaps[k].along, state->speed);
 }
 
+static tp_slack_gap slack_gap_of(const tp_watch *w, const watched *own) {
+  return (tp_slack_gap){&w->system->shapes, w->system->pairs + own->number, own->slack,
+                        own->beyond};
+}
+
 static double value_of(const tp_watch *w, const watched *own, double time,
                        const tp_motion_state *state) {
   tp_smooth_moment moment;
   if (own->what == TP_WATCH_OVERTURN) return w->overturn - fabs(state->place[2]);
   if (own->what == TP_WATCH_LEAVE) return tp_contact_system_overlap(w->system, state);
   if (own->what == TP_WATCH_GAP) {
-    return tp_gap_at(&w->system->shapes, w->system->pairs + own->number, state).width + own->slack;
+    const tp_turned_block block = tp_turned_block_at(state);
+    const tp_slack_gap gap = slack_gap_of(w, own);
+    return tp_slack_gap_width(&gap, &block);
   }
   if (own->what == TP_WATCH_MARGIN || own->what == TP_WATCH_ARC) {
     const tp_gap gap = tp_gap_at(&w->system->shapes, &w->smooth->pressing[own->number].pair, state);
@@ -91,10 +103,6 @@ static bool look(looking *of) {
     if (value_of(of->watch, of->own, time, of->along->looks + k) < 0) return true;
   }
   return false;
-}
-
-static tp_slack_gap closing_gap(const tp_watch *w, const watched *own) {
-  return (tp_slack_gap){&w->system->shapes, w->system->pairs + own->number, own->slack};
 }
 
 /* ---- when it does ---- */
@@ -145,9 +153,9 @@ static bool locate(double *step, looking *of) {
 
 /* Of a gap: from close by where the polynomial closes it, as a rule. */
 static bool locate_closing(double *step, looking *of, double share) {
-  const double whole = of->watch->step, near = 1e-6;
-  tp_root_end low = {fmax(of->found.sound, share - near) * whole, 0},
-              high = {fmin(of->found.below, share + near) * whole, 0};
+  const double whole = of->watch->step;
+  tp_root_end low = {fmax(of->found.sound, share - told_share) * whole, 0},
+              high = {fmin(of->found.below, share + told_share) * whole, 0};
   const bool between = share > of->found.sound && sample(&low.value, of, low.x) && low.value > 0 &&
                        sample(&high.value, of, high.x) && high.value < 0;
   return (between && find_between(step, of, low, high)) || locate(step, of);
@@ -209,17 +217,22 @@ static bool can_close(watched *own, const looking *of, double moves, long near) 
   if (!tp_gap_in_reach(&w->system->shapes, pair, of->along->blocks, moves)) return false;
   if (presses(w->smooth, pair)) return false;
   const tp_gap gap = tp_gap_moving(&w->system->shapes, pair, of->along->blocks);
-  if (gap.width > moves || gap.width < (pair->touching ? -TP_DEEPEST_GAP : 0)) return false;
+  if (gap.width > moves) return false;
+  if (gap.width < 0 && gap.margin < -TP_FACE_SLACK && pair->kind != TP_CORNER_ON_CORNER) {
+    *own = (watched){TP_WATCH_GAP, number, 0, true};
+    return true;
+  }
+  if (gap.width < (pair->touching ? -TP_DEEPEST_GAP : 0)) return false;
   const bool leaves = tp_gap_speed(gap.across, of->along->looks[0].speed) > 2 * TP_NO_SPEED;
   const double more = leaves ? gap_rounding : TP_CLOSED_GAP;
-  *own = (watched){TP_WATCH_GAP, number, pair->touching ? more + fmax(0, -gap.width) : 0};
+  *own = (watched){TP_WATCH_GAP, number, pair->touching ? more + fmax(0, -gap.width) : 0, false};
   return true;
 }
 
 /* The share of the step at which a gap closes by the polynomial, if both parts face each other
  * there, by all that the polynomial may be off. */
 static bool closes_by(double *share, looking *of, const watched *own, double moves, double least) {
-  const tp_slack_gap gap = closing_gap(of->watch, own);
+  const tp_slack_gap gap = slack_gap_of(of->watch, own);
   if (!tp_gap_span_find(&of->found, of->along, &gap, least)) return false;
   *share = tp_gap_span_share(&of->found, of->along, &gap);
   const tp_motion_state state = tp_along_at(of->along, *share);
@@ -232,8 +245,8 @@ static bool closes_by(double *share, looking *of, const watched *own, double mov
 static void consider_pairs(looking *of, int looks) {
   const tp_watch *w = of->watch;
   const double moves = TP_CLOSED_GAP + tp_along_reach(of->along, looks);
-  double least = fmin(until(of), (double)looks / TP_LOOKS), share;
-  watched own, first = {TP_WATCH_NOTHING, 0, 0};
+  double least = fmin(until(of) + told_share, (double)looks / TP_LOOKS), share;
+  watched own, first = {TP_WATCH_NOTHING, 0, 0, false};
   tp_gap_span found = {0, 0};
   tp_contact_system_near(w->system, of->along->looks, moves);
   for (long k = 0; k < w->system->near_count; k++) {
@@ -256,13 +269,13 @@ static void consider_all(looking *of) {
   const tp_watch *w = of->watch;
   for (int k = 0; k < w->smooth->count; k++) {
     const tp_pressing *own = w->smooth->pressing + k;
-    consider(of, &(watched){TP_WATCH_FORCE, k, 0});
-    if (!own->sticks && !own->pinned) consider(of, &(watched){TP_WATCH_SLIP, k, 0});
-    consider(of, &(watched){TP_WATCH_MARGIN, k, 0});
-    consider(of, &(watched){TP_WATCH_ARC, k, 0});
+    consider(of, &(watched){TP_WATCH_FORCE, k, 0, false});
+    if (!own->sticks && !own->pinned) consider(of, &(watched){TP_WATCH_SLIP, k, 0, false});
+    consider(of, &(watched){TP_WATCH_MARGIN, k, 0, false});
+    consider(of, &(watched){TP_WATCH_ARC, k, 0, false});
   }
-  consider(of, &(watched){TP_WATCH_LEAVE, 0, 0});
-  if (w->overturn > 0) consider(of, &(watched){TP_WATCH_OVERTURN, 0, 0});
+  consider(of, &(watched){TP_WATCH_LEAVE, 0, 0, false});
+  if (w->overturn > 0) consider(of, &(watched){TP_WATCH_OVERTURN, 0, 0, false});
   /* most closings come early in a step, and few pairs are that near */
   consider_pairs(of, TP_LOOKS / 4);
   if (until(of) > 0.25) consider_pairs(of, TP_LOOKS);
