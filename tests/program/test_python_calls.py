@@ -57,7 +57,9 @@ class Blocks(unittest.TestCase):
         self.assertEqual(own.cases[0].fos.value.value, told["cases"][0]["fos"]["value"])
         self.assertEqual(own.cases[0].verdict, topple.SystemVerdict.MAY_MOVE)
         self.assertEqual(own.cases[0].start.divisor, 1)
-        self.assertEqual([own.meets(0.9), own.meets(1.2)], [topple.Design.OPEN, topple.Design.NOT_MET])
+        moving = own.cases[0].moving_fos  # at more than this it is certain that a motion can begin
+        self.assertEqual([own.meets(0.99 * moving), own.meets(1.01 * moving), own.meets(1.2)],
+                         [topple.Design.OPEN, topple.Design.NOT_MET, topple.Design.NOT_MET])
         self.assertEqual([c.state.value for c in own.cases[0].goodman_bray.columns[:4]], ["slides"] * 3 + ["topples"])
         with tempfile.TemporaryDirectory() as folder:
             figure = pathlib.Path(folder) / "figure.svg"
