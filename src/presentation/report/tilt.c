@@ -143,8 +143,12 @@ static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
     return;
   }
   const int d = decimals_of(c);
-  tp_text_add(t, "  Stands at %.*f°, begins to move at %.*f°", d, c->stands_at_deg, d,
-              c->lets_go_at_deg);
+  if (c->lets_go_at_deg > c->stands_at_deg) {
+    tp_text_add(t, "  Stands at %.*f°, begins to move at %.*f°", d, c->stands_at_deg, d,
+                c->lets_go_at_deg);
+  } else {
+    tp_text_add(t, "  Begins to move as it is set down, at %.4g°", c->lets_go_at_deg);
+  }
   if (c->has_mechanism) {
     tp_text_add(t, ":\n  it %s",
                 c->mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(c->mechanism));
