@@ -6,7 +6,9 @@ The compiler takes longer to start and to read headers than to compile most file
 define the same name never come into one unit, nor a macro beside a file that uses its name, so that names within a
 file stay free; headers are guarded and say what they need, so that their order does not matter.
 
-    units.py UNIT.c... -- FILE.c...
+    units.py UNIT.c... -- FUNCTION... -- FILE.c...
+
+No unit defines one of the FUNCTIONs and calls it: the linker, by which tests count such calls, sees those between units.
 
 Each unit is a list of #include, written only where it changes: what an edit does not regroup is not compiled again.
 """
@@ -30,12 +32,13 @@ DEFINED = [
 ]
 ENUMERATED = re.compile(r"^(?:static |typedef )*enum\s*\w*\s*\{(.*?)\}", re.M | re.S)
 MACRO = re.compile(r"^\s*#\s*define\s+(\w+)", re.M)
+FUNCTION = re.compile(r"^[A-Za-z_][\w *]*?(\w+)\(", re.M)
 # What must be said before the first header: a unit has one such file, and that first.
 BEFORE_HEADERS = re.compile(r"^#define _\w+_SOURCE\b", re.M)
 
 
 class Source:
-    def __init__(self, path):
+    def __init__(self, path, functions):
         text = ASIDE.sub(" ", Path(path).read_text(encoding="utf-8"))
         self.path = path
         self.lines = text.count("\n")
@@ -45,6 +48,7 @@ class Source:
             self.defines.update(re.findall(r"(?:^|,)\s*(\w+)", body))
         self.macros = set(MACRO.findall(text))
         self.words = set(re.findall(r"[A-Za-z_]\w*", text))
+        self.functions = functions & set(FUNCTION.findall(text))
 
 
 class Unit:
@@ -52,13 +56,15 @@ class Unit:
         self.path = Path(path)
         self.sources = []
         self.lines = 0
-        self.defines, self.macros, self.words = set(), set(), set()
+        self.defines, self.macros, self.words, self.functions = set(), set(), set(), set()
 
     def takes(self, source):
         return not (
             self.defines & source.defines
             or self.macros & source.words
             or source.macros & self.words
+            or self.functions & source.words
+            or source.functions & self.words
             or (source.leads and any(held.leads for held in self.sources))
         )
 
@@ -68,6 +74,7 @@ class Unit:
         self.defines |= source.defines
         self.macros |= source.macros
         self.words |= source.words
+        self.functions |= source.functions
 
     def write(self):
         ordered = sorted(self.sources, key=lambda source: (not source.leads, source.path))
@@ -82,9 +89,11 @@ def held_before(unit):
 
 
 def main():
-    between = sys.argv.index("--")
-    units = [Unit(path) for path in sys.argv[1:between]]
-    left = {path: Source(path) for path in sys.argv[between + 1 :]}
+    before = sys.argv.index("--")
+    between = sys.argv.index("--", before + 1)
+    units = [Unit(path) for path in sys.argv[1:before]]
+    functions = set(sys.argv[before + 1 : between])
+    left = {path: Source(path, functions) for path in sys.argv[between + 1 :]}
     for unit in units:
         for path in held_before(unit):
             if path in left and unit.takes(left[path]):

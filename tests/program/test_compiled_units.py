@@ -20,12 +20,12 @@ class Units(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def group(self, texts, count):
+    def group(self, texts, count, counted=()):
         """Writes the files; the names that each unit includes, in its order."""
         for name, text in texts.items():
             (self.folder / name).write_text(text, encoding="utf-8")
         units = [self.folder / f"unit_{k}.c" for k in range(count)]
-        self.done = subprocess.run([sys.executable, MAKER, *units, "--", *(self.folder / name for name in texts)],
+        self.done = subprocess.run([sys.executable, MAKER, *units, "--", *counted, "--", *(self.folder / name for name in texts)],
                                    capture_output=True, text=True)
         return [[pathlib.Path(line.split('"')[1]).name for line in unit.read_text(encoding="utf-8").splitlines()]
                 for unit in units if unit.exists()]
@@ -42,6 +42,12 @@ class Units(unittest.TestCase):
     def test_a_macro_reaches_no_other_file(self):
         units = self.group({"a.c": "#define size 3\n", "b.c": "int f(int size) {\n  return size;\n}\n"}, 2)
         self.assertEqual(sorted(units), [["a.c"], ["b.c"]])
+
+    def test_calls_that_are_counted(self):
+        """The linker sees a call only where the function is of another unit."""
+        texts = {"a.c": "void tp_load(tp_wrench *own,\n             int a) {\n}\n", "b.c": "void f(void) {\n  tp_load(0, 1);\n}\n"}
+        self.assertEqual(sorted(self.group(texts, 2, ["tp_load"])), [["a.c"], ["b.c"]])
+        self.assertIn(["a.c", "b.c"], self.group(texts, 1))
 
     def test_what_comments_and_texts_say_is_nothing(self):
         units = self.group({"a.c": "#define size 3\n", "b.c": 'const char *f(void) {\n  return "size"; /* size */\n}\n'}, 1)

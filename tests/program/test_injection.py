@@ -198,6 +198,8 @@ class Sources(unittest.TestCase):
             marked = fields if re.search("batch|cases|block", source.name) else fields - {"name"}
             if not re.search("report/batch", source.as_posix()):
                 marked = marked - {"text"}
+            if source.name == "solid_contacts.c":
+                marked = marked - {"at"}  # where a contact is
             if source.name == "profile.c":
                 marked = marked - {"source"}  # the publication of a correlation
             use = re.compile(r"->(%s)\b(?!\s*[!=]=|\(|\.|->)" % "|".join(sorted(marked)))

@@ -7,6 +7,7 @@
 #include "comma_locale.h"
 
 #include <fenv.h>
+#include <langinfo.h>
 #include <locale.h>
 #include <mpfr.h>
 #include <string.h>
@@ -26,7 +27,8 @@ setting setting_now(void) {
   _FPU_GETCW(x87);
   now.other = x87;
 #endif
-  strncpy(now.decimal_point, localeconv()->decimal_point, sizeof now.decimal_point - 1);
+  /* not localeconv, of which all threads share the answer */
+  strncpy(now.decimal_point, nl_langinfo(RADIXCHAR), sizeof now.decimal_point - 1);
   return now;
 }
 

@@ -157,7 +157,7 @@ static tp_status solve_alone(const tp_cli_solved *solved, const tp_solve_words *
   const tp_scene *scene = solved->scene;
   if (tp_scene_load_case_count(scene) > 0) {
     const char *path = a->scene;
-    const tp_status status = tp_cli_check_cases_of_many(a, message);
+    const tp_status status = tp_cli_check_cases_of_many(a->scene, a, message);
     return status == TP_OK ? tp_cli_solve_systems(solved, &path, 1, a, ended, message) : status;
   }
   return tp_scene_is_solid(scene) ? tp_cli_solve_solid(scene, a, ended, message)

@@ -113,7 +113,8 @@ static tp_status print_found(const tp_scene *scene, const tp_block_system *syste
 }
 
 /* What is of one case, where the scene has several. */
-tp_status tp_cli_check_cases_of_many(const tp_solve_words *a, tp_message *message) {
+tp_status tp_cli_check_cases_of_many(const char *path, const tp_solve_words *a,
+                                     tp_message *message) {
   const char *option = a->find.key != NULL    ? "--find"
                        : a->json              ? "--json"
                        : a->figure != NULL    ? "--figure"
@@ -124,7 +125,7 @@ tp_status tp_cli_check_cases_of_many(const tp_solve_words *a, tp_message *messag
   snprintf(message->text, sizeof message->text,
            "%s: of many blocks %s is of one load case, and the scene has several: choose one with "
            "--case NAME",
-           a->scene, option);
+           path, option);
   return TP_BAD_INPUT;
 }
 

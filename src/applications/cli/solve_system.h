@@ -13,7 +13,8 @@ TP_MUST_USE tp_status tp_cli_check_system(const char *path, const tp_solve_words
                                           bool of_many, tp_message *message);
 
 /* What is of one load case, where a scene of many blocks has several and none was chosen. */
-TP_MUST_USE tp_status tp_cli_check_cases_of_many(const tp_solve_words *words, tp_message *message);
+TP_MUST_USE tp_status tp_cli_check_cases_of_many(const char *path, const tp_solve_words *words,
+                                                 tp_message *message);
 
 /* A table is of scenes of one block, or of many. */
 TP_MUST_USE tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved,
