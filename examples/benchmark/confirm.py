@@ -16,6 +16,7 @@ from fractions import Fraction
 
 import exact
 import fall
+import shake
 from rational import frictions, rational_tilt
 
 HERE = pathlib.Path(__file__).parent
@@ -211,9 +212,25 @@ def check_fall(own, answers):
     return [] if low < moved < high else ["moved_s"]
 
 
+def check_shaken(own, answers):
+    """It overturns on one side of each bracket and not on the other, nor does that change at peaks between the edges."""
+    ring, frequency = points(own["block"]), float(own["shaking"]["full_sine"]["frequency_hz"])
+    mu, wrong = float(frictions(own["friction_deg"])[0]), []
+    last = 1.15 * shake.Rectangle(ring, mu).lift
+    for k, (name, answer) in enumerate(answers.items()):
+        before, (low, high) = k % 2 == 1, (answer["low"], answer["high"])
+        quiet = [last + part * (low - last) for part in (0.05, 0.35, 0.65, 0.95, 1)]
+        if any(shake.overturns(ring, mu, peak, frequency) != before for peak in quiet) or shake.overturns(ring, mu, high, frequency) == before:
+            wrong.append(name)
+        last = high
+    return wrong
+
+
 def check(own, answers):
     if "moved_m" in own:
         return check_fall(own, answers)
+    if "shaking" in own:
+        return check_shaken(own, answers)
     return (check_single if "base" in own else check_many if "blocks" in own else check_solid)(own, answers)
 
 

@@ -25,7 +25,8 @@ def place(quantity, bracket, value):
     by = score.judged(quantity, bracket, value)
     if by is None:
         return 3 if value == "never" else 2
-    return 0 if abs(by) <= 0.1 else 1 if abs(by) <= 1 else 3 if by > 0 else 2
+    late = (by > 0) != quantity.startswith("spared")
+    return 0 if abs(by) <= 0.1 else 1 if abs(by) <= 1 else 3 if late else 2
 
 
 def tables():

@@ -18,11 +18,13 @@ import cases
 import cases_blocks
 import cases_falls
 import cases_placed
+import cases_shaken
 import cases_solids
 
 PLACE = "coordinates"  # the folder of the points
 ANGLE_DIGITS, MOMENT_DIGITS = 9, 12  # of a bracket: places of an angle in degrees, significant digits of a length or an area
 TIME_DIGITS = 9  # places of a time in seconds
+PEAK_DIGITS = 6  # places of a peak in shares of gravity
 REST_DIGITS = 7  # places of an angle of a block that comes to rest first
 BLOCKS_DIGITS = 4  # places of an angle of many blocks, of which the program's own bound is some 1e-5 degrees
 AZIMUTHS = (0, 90, 180, 270)
@@ -193,7 +195,7 @@ def solve(program, folder, own, lines, *options):
 
 def entry(own, **files):
     """What the manifest says of a case."""
-    kept = ("group", "place", "difficulty", "title", "seed", "unit_weight_kn_m3", "friction_deg", "towards", "loads", "moved_m")
+    kept = ("group", "place", "difficulty", "title", "seed", "unit_weight_kn_m3", "friction_deg", "towards", "loads", "moved_m", "shaking")
     said = {key: own[key] for key in kept if key in own}
     return {**said, "friction_deg": str(own["friction_deg"]), **{key: f"{PLACE}/{name}" for key, name in files.items()}}
 
@@ -212,6 +214,34 @@ def make_fall(_, folder, own):
     for what, name in files.items():
         write_points(folder / PLACE / name, own[what])
     return entry(own, **files), {"moved_s": bracket({"value": cases_falls.moved_s(own), "error": 1e-12}, TIME_DIGITS)}
+
+
+def overturns(program, folder, own, peak):
+    frequency = own["shaking"]["full_sine"]["frequency_hz"]
+    path = folder / PLACE / f"{own['name']}.yaml"
+    path.write_text(scene(own) + "tilt_test: {engine: dynamics, method: events, protocol: release, restitution: 0}\n"
+                    f"shaking: {{horizontal: {{full_sine: {{peak_g: {peak:.9f}, frequency_hz: {frequency}}}}}}}\n")
+    said = asked(program, path.parent, "tilt", "--json", path.name)
+    path.unlink()
+    return said["cases"][0]["end"] == "overturned"
+
+
+def make_shaken(program, folder, own):
+    """Each edge between a thousandth below and above where a scan has it."""
+    files = {what: f"{own['name']}_{what}.csv" for what in ("block", "base")}
+    for what, name in files.items():
+        write_points(folder / PLACE / name, own[what])
+    answers = {}
+    for k, (quantity, near) in enumerate(zip(cases_shaken.EDGES, own["near"])):
+        low, high = float(near) - 1e-3, float(near) + 1e-3
+        before = k % 2 == 1  # whether it overturns below the edge
+        if [overturns(program, folder, own, peak) for peak in (low, high)] != [before, not before]:
+            raise SystemExit(f"{own['name']}: {quantity} is not within a thousandth of {near}")
+        while high - low > 4e-7:
+            middle = (low + high) / 2
+            low, high = (middle, high) if overturns(program, folder, own, middle) == before else (low, middle)
+        answers[quantity] = bracket({"value": (low + high) / 2, "error": (high - low) / 2}, PEAK_DIGITS)
+    return entry(own, **files), answers
 
 
 def make_many(program, folder, own):
@@ -240,7 +270,8 @@ def make(program, folder, names=()):
     manifest, answers = {}, {}
     (folder / PLACE).mkdir(exist_ok=True)
     for made, found in (
-            (make_single, cases.single()), (make_single, cases_placed.placed()), (make_fall, cases_falls.let_go()), (make_many, cases_blocks.many()), (make_solid, cases_solids.solids())):
+            (make_single, cases.single()), (make_single, cases_placed.placed()), (make_fall, cases_falls.let_go()),
+            (make_shaken, cases_shaken.let_shake()), (make_many, cases_blocks.many()), (make_solid, cases_solids.solids())):
         for own in found:
             if not names or own["name"] in names:
                 manifest[own["name"]], answers[own["name"]] = made(program, folder, own)

@@ -18,7 +18,7 @@ STEPS = (0.01, 0.1, 1.0)  # degrees outside a bracket, or hundredths of its valu
 
 def is_of_motion(quantity):
     """Is it one that simulations are asked for?"""
-    return quantity.startswith("moves_") or quantity == "moved_s"
+    return quantity.startswith("moves_") or quantity == "moved_s" or quantity.endswith("_from_g")
 
 
 def outside(bracket, value):

@@ -54,6 +54,7 @@ static bool moves(const scene &own, const double gravity[2]) {
     for (const auto &load : own.loads)
       first->ApplyForce(first->GetMass() * first->GetWorldVector(at({load[2], load[3]})),
                         first->GetWorldPoint(at({load[0], load[1]})), true);
+    world.SetGravity(at(own.gravity_at(k, gravity)));
     world.Step(static_cast<float>(own.step), 8, 3);
     for (size_t b = 0; b < blocks.size(); b++)
       if ((blocks[b]->GetWorldCenter() - starts[b]).Length() > static_cast<float>(own.far))

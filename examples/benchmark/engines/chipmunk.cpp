@@ -84,6 +84,8 @@ static bool moves(const scene &own, const double gravity[2]) {
       cpBodyApplyForceAtLocalPoint(blocks[0],
                                    cpvmult(cpv(load[2], load[3]), cpBodyGetMass(blocks[0])),
                                    cpvsub(cpv(load[0], load[1]), starts[0]));
+    const auto now = own.gravity_at(k, gravity);
+    cpSpaceSetGravity(space, cpv(now[0], now[1]));
     cpSpaceStep(space, own.step);
     for (size_t b = 0; b < blocks.size(); b++)
       is_far = is_far || cpvdist(cpBodyGetPosition(blocks[b]), starts[b]) > own.far;

@@ -6,7 +6,7 @@
 
 import { Edge, Polygon, Vec2, World } from 'planck';
 
-import { answer } from './scene.mjs';
+import { answer, gravityAt } from './scene.mjs';
 
 await answer((own, gravity) => {
   const world = new World({ gravity, allowSleep: false });
@@ -26,6 +26,7 @@ await answer((own, gravity) => {
       const force = first.getWorldVector(Vec2(fx * first.getMass(), fy * first.getMass()));
       first.applyForce(force, first.getWorldPoint(Vec2(x, y)), true);
     }
+    world.setGravity(gravityAt(own, k, gravity));
     world.step(own.step, 8, 3);
     if (blocks.some((block, b) => Vec2.distance(block.getWorldCenter(), starts[b]) > own.far)) return true;
   }

@@ -6,7 +6,7 @@
 
 import RAPIER from '@dimforge/rapier2d-compat';
 
-import { answer } from './scene.mjs';
+import { answer, gravityAt } from './scene.mjs';
 
 const flat = (points) => new Float32Array(points.flatMap((p) => [p.x, p.y]));
 
@@ -39,6 +39,7 @@ await answer((own, gravity) => {
       const force = { x: (c * fx - s * fy) * first.mass(), y: (s * fx + c * fy) * first.mass() };
       first.addForceAtPoint(force, { x: place.x + c * x - s * y, y: place.y + s * x + c * y }, true);
     }
+    world.gravity = gravityAt(own, k, gravity);
     world.step();
     isFar = blocks.some((block, b) => Math.hypot(block.worldCom().x - starts[b].x, block.worldCom().y - starts[b].y) > own.far);
   }

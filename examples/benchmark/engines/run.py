@@ -8,7 +8,7 @@ CORNERS is the most that a convex piece of a block may have, COMMAND a driver of
 takes those of solids. Each block lies as its coordinates say, on rock that is fixed, and is let go at a tilt; it moves where its
 centroid, or that of any of many blocks, is displaced by more than FAR of the largest extent within STEPS steps of 1 ms. The tilt
 is halved between level and upright down to a few thousandths of a degree. Of blocks that are let go the number of steps is halved
-after which the centroid is `moved_m` away. Lengths are scaled so that the largest extent is EXTENT of
+after which the centroid is `moved_m` away; of shaken ones the peak is scanned and halved. Lengths are scaled so that the largest extent is EXTENT of
 the engine's units, gravity being that of a block of 1 m, and the first corner is put into the origin exactly, without which
 single precision has nothing to work with far away."""
 
@@ -21,11 +21,14 @@ HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent))
 
 import confirm  # noqa: E402
+from cases_shaken import EDGES  # noqa: E402
 import pieces  # noqa: E402
 import score  # noqa: E402
 
 EXTENT, FAR, STEP, STEPS, HALVINGS = 100, 0.002, 0.001, 2000, 16
 MOST_STEPS = 20000  # of a block that is let go
+ROCKS, LARGEST = 12, 3  # seconds after a shaking; shares of gravity
+ASKED = ("moves_deg", "moved_s", "overturns_from_g")
 GRAVITY = 9.80665 * EXTENT
 
 
@@ -116,21 +119,50 @@ def time_of_fall(engine, own):
     return f"{high * STEP * math.sqrt(EXTENT / engine.scale):.4f}"
 
 
+def edges_of_overturning(engine, own):
+    """The peaks at which overturning begins, ends and begins again, of peaks 1 % apart, each halved; `never` up to LARGEST."""
+    engine.describe(own)
+    (ring,), _ = shapes(own)
+    size = math.hypot(*(float(max(p[k] for p in ring) - min(p[k] for p in ring)) for k in (0, 1)))
+    frequency, second = float(own["shaking"]["full_sine"]["frequency_hz"]), math.sqrt(EXTENT / engine.scale)
+    engine.say("time", STEP, round((1 / frequency + ROCKS) / second / STEP), 0.45 * size * engine.scale)
+
+    def overturns(peak):
+        engine.say("shake", peak * GRAVITY, frequency * second)
+        return engine.go(0.0, -GRAVITY)
+    found, peak, now = [], 0.05, False
+    while len(found) < len(EDGES) and peak < LARGEST:
+        low, peak = peak, 1.01 * peak
+        if overturns(peak) == now:
+            continue
+        high = peak
+        for _ in range(8):
+            middle = (low + high) / 2
+            low, high = (middle, high) if overturns(middle) == now else (low, middle)
+        found.append(f"{(low + high) / 2:.5f}")
+        now = not now
+    return found + ["never"] * (len(EDGES) - len(found))
+
+
 def main(path, corners, command):
     manifest, answers = score.load()
     with open(path, "w", encoding="utf-8") as file:
         print("case,quantity,value", file=file)
         engine = None
         for name, own in manifest.items():
-            quantity = next((asked for asked in ("moves_deg", "moved_s") if asked in answers[name]), None)
+            quantity = next((asked for asked in ASKED if asked in answers[name]), None)
             if quantity is None:
                 continue
             engine = engine or Engine(corners, command)
             try:
-                value = (first_motion if quantity == "moves_deg" else time_of_fall)(engine, own)
+                if quantity == EDGES[0]:
+                    values = dict(zip(EDGES, edges_of_overturning(engine, own)))
+                else:
+                    values = {quantity: (first_motion if quantity == "moves_deg" else time_of_fall)(engine, own)}
             except (RuntimeError, BrokenPipeError):
-                value, engine = "", None
-            print(f"{name},{quantity},{value}", file=file, flush=True)
+                values, engine = {quantity: ""}, None
+            for asked, value in values.items():
+                print(f"{name},{asked},{value}", file=file, flush=True)
 
 
 if __name__ == "__main__":

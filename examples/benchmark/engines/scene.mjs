@@ -7,6 +7,12 @@ import { createInterface } from 'node:readline';
 
 const pairs = (numbers) => Array.from({ length: numbers[0] }, (_, k) => ({ x: numbers[1 + 2 * k], y: numbers[2 + 2 * k] }));
 
+/** In the frame of the rock that a whole sine accelerates, halfway through a step. */
+export function gravityAt(own, k, gravity) {
+  const cycles = (own.frequency ?? 0) * (k + 0.5) * own.step;
+  return { x: gravity.x - (cycles < 1 ? (own.peak ?? 0) * Math.sin(2 * Math.PI * cycles) : 0), y: gravity.y };
+}
+
 export async function answer(moves) {
   let own = {};
   for await (const line of createInterface({ input: process.stdin })) {
@@ -19,6 +25,7 @@ export async function answer(moves) {
     if (word === 'block') own.blocks.push([]);
     if (word === 'piece') own.blocks.at(-1).push(pairs(numbers));
     if (word === 'load') own.loads.push(numbers);
+    if (word === 'shake') [own.peak, own.frequency] = numbers;
     if (word === 'go') console.log(moves(own, { x: numbers[0], y: numbers[1] }) ? 1 : 0);
   }
 }
