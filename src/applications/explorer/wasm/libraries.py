@@ -49,11 +49,13 @@ def source_folder(work: Path, package: str) -> Path:
 
 
 def linked(into: Path, files: list[Path]) -> None:
-    """Links to files in a folder."""
+    """Links to files in a folder; copies of those of this checkout, which the cache outlives."""
     into.mkdir(parents=True, exist_ok=True)
     for file in files:
         link = into / file.name
-        if not link.is_symlink():
+        if HERE in file.parents:
+            (shutil.copytree(file, link, dirs_exist_ok=True) if file.is_dir() else shutil.copy(file, link))
+        elif not link.is_symlink():
             link.symlink_to(os.path.relpath(file, into))
 
 
