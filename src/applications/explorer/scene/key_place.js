@@ -12,7 +12,7 @@
  */
 
 const WORD = /[A-Za-z_]\w*$/;
-const TOKEN = /"(?:[^"\\]|\\.)*"?|'(?:[^']|'')*'?|\s#.*|[{}[\],]|:(?=\s|$)|[^\s{}[\],:"']+|\s+|./g;
+const TOKEN = /"(?:[^"\\]|\\.)*"?|'(?:[^']|'')*'?|\s+#.*|[{}[\],]|:(?=\s|$)|[^\s{}[\],:"']+|\s+|./g;
 
 const below = (path, key) => (path === "" ? key : key === "" ? path : path + "." + key);
 
@@ -97,7 +97,7 @@ function scanLine(line, blocks, flows, here) {
     const token = match[0];
     if (token.trim() !== "") look(match.index);
     const level = base();
-    if (/^\s#/.test(token)) {
+    if (/^\s+#/.test(token)) {
       if (here > match.index) found = null;
       break;
     } else if (token === "{" || token === "[") {
