@@ -49,9 +49,7 @@ static tp_status read_scene(tp_scene **scene, tp_scene **all, const char *path,
   return TP_OK;
 }
 
-/* Solutions of all cases say nothing of one of them. */
-static tp_status refuse_one(const tp_solve_words *words, const char *path, tp_message *message) {
-  const char *option = words->find.key != NULL ? "--find" : words->outlines ? "--outlines" : NULL;
+tp_status tp_cli_refuse_one_case(const char *path, const char *option, tp_message *message) {
   if (option == NULL) return TP_OK;
   snprintf(message->text, sizeof message->text,
            "%s: %s is of one load case, and the scene has several: choose one with --case NAME",
@@ -70,7 +68,9 @@ tp_status tp_cli_solve_cases(tp_cli_solved *solved, const char *path, const tp_s
     solved->scene = all;
     return TP_OK;
   }
-  status = refuse_one(words, path, message);
+  /* solutions of all cases say nothing of one of them */
+  const char *option = words->find.key != NULL ? "--find" : words->outlines ? "--outlines" : NULL;
+  status = tp_cli_refuse_one_case(path, option, message);
   if (status == TP_OK) {
     status = tp_solve_load_cases(&solved->cases, all, settings->items, settings->count, options,
                                  message);

@@ -21,6 +21,10 @@ TP_MUST_USE tp_status tp_cli_solve_cases(tp_cli_solved *solved, const char *path
                                          const tp_solve_words *words,
                                          const tp_solve_options *options, tp_message *message);
 
+/* An option, or NULL, of one load case, where there are several. */
+TP_MUST_USE tp_status tp_cli_refuse_one_case(const char *path, const char *option,
+                                             tp_message *message);
+
 void tp_cli_solved_clear(tp_cli_solved *solved);
 
 /* The table of scenes of one block: a row a case, in the order of their table. */

@@ -121,12 +121,7 @@ tp_status tp_cli_check_cases_of_many(const char *path, const tp_solve_words *a,
                        : a->report != NULL    ? "--report"
                        : a->animation != NULL ? "--animation"
                                               : NULL;
-  if (option == NULL) return TP_OK;
-  snprintf(message->text, sizeof message->text,
-           "%s: of many blocks %s is of one load case, and the scene has several: choose one with "
-           "--case NAME",
-           path, option);
-  return TP_BAD_INPUT;
+  return tp_cli_refuse_one_case(path, option, message);
 }
 
 tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, int *ended,

@@ -85,6 +85,12 @@ const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
   return NULL;
 }
 
+const tp_node *tp_node_first_of(const tp_node *mapping, const char *const *keys) {
+  const tp_node *found = NULL;
+  for (; *keys != NULL && found == NULL; keys++) found = tp_node_get(mapping, *keys);
+  return found;
+}
+
 bool tp_node_is_within(const tp_node *node, const tp_node *outer) {
   while (node != NULL && node != outer) node = node->parent;
   return node != NULL;

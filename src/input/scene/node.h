@@ -42,6 +42,9 @@ tp_node *tp_node_add(tp_node *mapping, const char *key, tp_node_kind kind, const
 /* The child of a mapping, or NULL, as of any other node, and of none. */
 const tp_node *tp_node_get(const tp_node *mapping, const char *key);
 
+/* The first of some keys (NULL-terminated) that it has, likewise. */
+const tp_node *tp_node_first_of(const tp_node *mapping, const char *const *keys);
+
 /* Is `node` a mapping with none but these keys (NULL-terminated)? An unknown key is reported with
  * the nearest known one. `what` names the mapping in the message. */
 TP_MUST_USE tp_status tp_node_expect_keys(const tp_node *node, const char *const *keys,

@@ -36,14 +36,13 @@ long tp_drawn_layer_count(const tp_node *drawing, const char *key) {
 
 tp_status tp_read_drawn_layers(const tp_reader *reader, const char **layers,
                                const tp_node *drawing) {
-  static const char *const others[] = {"block", "base", "hole", "part"};
-  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
-    const tp_node *other = tp_node_get(drawing, others[k]);
-    if (other == NULL) continue;
+  static const char *const others[] = {"block", "base", "hole", "part", NULL};
+  const tp_node *other = tp_node_first_of(drawing, others);
+  if (other != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, other,
                         "a drawing is of one block, by its 'block' and 'base', or of many, by "
                         "'blocks' and 'ground': leave out '%s'",
-                        others[k]);
+                        other->key);
   }
   const tp_node *blocks = NULL;
   const tp_status status =

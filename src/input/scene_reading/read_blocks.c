@@ -183,13 +183,10 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *root) {
  */
 
 /* The keys that give blocks, of which a scene has one, or a drawing of them. */
-static const char *const givers[] = {"blocks", "columns", "jointed_slope"};
+static const char *const givers[] = {"blocks", "columns", "jointed_slope", NULL};
 
 const tp_node *tp_read_blocks_given(const tp_node *root) {
-  const tp_node *found = NULL;
-  for (size_t k = 0; k < sizeof givers / sizeof givers[0] && found == NULL; k++) {
-    found = tp_node_get(root, givers[k]);
-  }
+  const tp_node *found = tp_node_first_of(root, givers);
   const tp_node *drawing = tp_node_get(root, "drawing");
   const bool of_blocks = drawing != NULL && (tp_node_get(drawing, "blocks") != NULL ||
                                              tp_node_get(drawing, "ground") != NULL);
@@ -239,7 +236,7 @@ static tp_status read_bodies(const tp_reader *reader, const tp_node *root,
                              const tp_quantity *unit_weight) {
   const tp_node *node = tp_read_blocks_given(root);
   reader->scene->many.place = tp_node_place(node, reader->scene->path);
-  for (size_t k = 0; k < sizeof givers / sizeof givers[0]; k++) {
+  for (size_t k = 0; givers[k] != NULL; k++) {
     const tp_node *other = tp_node_get(root, givers[k]);
     if (other == NULL || other == node) continue;
     return tp_read_fail(reader, TP_FAULT_KEY, other,

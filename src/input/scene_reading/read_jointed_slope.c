@@ -36,14 +36,13 @@ static tp_status check_surface(const tp_reader *reader, const tp_polyline *line)
 
 static tp_status read_surface(const tp_reader *reader, const tp_node *node,
                               const tp_node *surface) {
-  static const char *const others[] = {"face", "upper", "front", "behind"};
-  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
-    const tp_node *other = tp_node_get(node, others[k]);
-    if (other == NULL) continue;
+  static const char *const others[] = {"face", "upper", "front", "behind", NULL};
+  const tp_node *other = tp_node_first_of(node, others);
+  if (other != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, other,
                         "a slope has its 'surface', or the numbers that make it, not both: leave "
                         "out '%s'",
-                        others[k]);
+                        other->key);
   }
   tp_polyline *line = &reader->scene->many.slope.surface;
   const tp_status status = tp_read_points(reader, line, surface, false, "the surface");
@@ -220,13 +219,12 @@ static tp_status read_plane(const tp_reader *reader, const tp_node *node) {
 }
 
 static tp_status read_line(const tp_reader *reader, const tp_node *node, const tp_node *line) {
-  static const char *const others[] = {"dip_deg", "start", "steps", "tread_dip_deg"};
-  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
-    const tp_node *other = tp_node_get(node, others[k]);
-    if (other == NULL) continue;
+  static const char *const others[] = {"dip_deg", "start", "steps", "tread_dip_deg", NULL};
+  const tp_node *other = tp_node_first_of(node, others);
+  if (other != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, other,
                         "a base is a 'line', or a plane by its 'dip_deg', not both: leave out '%s'",
-                        others[k]);
+                        other->key);
   }
   tp_polyline *own = &reader->scene->many.slope.base_line;
   const tp_status status = tp_read_points(reader, own, line, false, "the base");

@@ -63,14 +63,13 @@ static tp_status read_contact(const tp_reader *reader, const tp_node *node) {
 
 /* Keys that have another meaning where a band touches a plane, or none. */
 static tp_status check_beside(const tp_reader *reader, const tp_node *solid, const tp_node *list) {
-  static const char *const keys[] = {"bands", "base"};
-  for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
-    const tp_node *node = tp_node_get(solid, keys[k]);
-    if (node == NULL) continue;
+  static const char *const keys[] = {"bands", "base", NULL};
+  const tp_node *node = tp_node_first_of(solid, keys);
+  if (node != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "what touches this rock is given by its 'contacts', as it lies: leave out "
                         "'%s'",
-                        keys[k]);
+                        node->key);
   }
   return list->kind == TP_NODE_SEQUENCE && list->count > 0 && list->count <= MOST_CONTACTS
              ? TP_OK

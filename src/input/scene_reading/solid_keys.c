@@ -52,14 +52,13 @@ static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
 
 /* A wedge slides under its weight and its water. */
 static tp_status check_wedge(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"tilt", "loads", "friction_angle_deg"};
-  for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
-    const tp_node *node = tp_node_get(root, keys[k]);
-    if (node == NULL) continue;
+  static const char *const keys[] = {"tilt", "loads", "friction_angle_deg", NULL};
+  const tp_node *node = tp_node_first_of(root, keys);
+  if (node != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "a 'wedge' lies as its planes dip, with their friction, under its weight "
                         "and its water: leave out '%s'",
-                        keys[k]);
+                        node->key);
   }
   return TP_OK;
 }

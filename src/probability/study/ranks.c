@@ -6,6 +6,7 @@
 
 #include "study/ranks.h"
 
+#include "block_system/state_limits.h"
 #include "statistics/rank_correlation.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static bool is_constant(const double *values, size_t count) {
 
 /* A quantity that differs by less than it is certain to has no order among its samples. */
 static bool is_certainly_ordered(const double *quantity, size_t count, const tp_study *study) {
-  const double accuracy = study->scene->many.count > 0 ? 1e-6 : 1e-12; /* of itself */
+  const double accuracy = study->scene->many.count > 0 ? TP_LIMIT_SHARE : 1e-12; /* of itself */
   double least = INFINITY, most = -INFINITY;
   for (size_t k = 0; k < count; k++) {
     least = fmin(least, quantity[k]);
