@@ -67,7 +67,8 @@ typedef struct tp_study_share {
 /* Outcomes of the samples at a tilt. Its shares of outcomes add up to 1. */
 typedef struct tp_study_tilt {
   bool of_scene;    /* at the scene's tilt; where it has none, what happens first as it is tilted */
-  bool as_it_lies;  /* of a scene in the frame of the world: at the dip of its mean plane */
+  bool as_it_lies;  /* of a scene in the frame of the world: at the dip of its mean plane; of a
+                       solid: as its base or its joints dip */
   bool has_tilt;    /* false: the scene has none, or lies as it lies */
   bool tilt_varies; /* it is the scene's, and has no one value */
   double tilt_deg;  /* the tilt; where it varies, that of the scene file */

@@ -167,6 +167,21 @@ class Wedges(Case):
         changed[4] = 20
         self.assertAlmostEqual(float(row["fos"]), oracle(*changed)[0], 9)
 
+    def test_a_study_is_of_the_wedge_as_it_lies(self):
+        """No table is tilted; of 64 strata of a joint's friction those slide whose factor by the closed form is below 1."""
+        own = [(45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25, 9.81]
+        with open(f"{self.scene(*own)}_study.yaml", "w", encoding="utf-8") as study:
+            study.write(f"topple_study: 1\nscene: {self.scene(*own)}\nsamples: 64\n"
+                        "vary: {solid.wedge.a.friction_angle_deg: {uniform: {low: 1, high: 33}}}\n")
+        status, out, err = run("study", study.name)
+        self.assertEqual(status, 0, err)
+        self.assertIn("\nAs it lies\n", out)
+        self.assertNotIn("as the table is tilted", out)
+        factors = [oracle(*own[:5], ((1.25 + k / 2, 24), (20, 48)), *own[6:])[0] for k in range(64)]
+        counted = int(next(line.split()[1] for line in out.splitlines() if line.startswith("  slides  ")))
+        self.assertAlmostEqual(counted, sum(factor < 1 for factor in factors), delta=1)  # one stratum has both
+        self.assertTrue(0 < counted < 64)
+
 
 if __name__ == "__main__":
     main()

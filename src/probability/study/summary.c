@@ -23,12 +23,18 @@ static const double confidence = 0.95;
 /* ---- tilts -------------------------------------------------------------------------------------
  */
 
+/* In the frame of the world; a solid as its base or its joints dip. */
+static bool lies(const tp_scene *scene) {
+  return tp_scene_lies_in_place(scene) || scene->solid.dip_deg.given ||
+         scene->solid.wedge.place.file != NULL;
+}
+
 static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   const tp_study *study = tally->study;
   const tp_row_counts *counts = &tally->counts;
   const tp_quantity *own = &study->scene->tilt_angle_deg;
   tilt->of_scene = k == 0;
-  tilt->as_it_lies = k == 0 && tp_scene_lies_in_place(study->scene);
+  tilt->as_it_lies = k == 0 && lies(study->scene);
   tilt->has_tilt = k > 0 || (own->given && !tilt->as_it_lies);
   tilt->tilt_varies = k == 0 && study->tilt_varies;
   if (tilt->has_tilt) tilt->tilt_deg = k > 0 ? study->tilts[k - 1] : fmpq_get_d(own->value);
