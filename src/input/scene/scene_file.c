@@ -40,7 +40,10 @@ void tp_scene_file_free(tp_scene_file *file) {
   free(file->chains);
   void *kept = atomic_load(&file->kept);
   if (kept != NULL) file->kept_free(kept);
-  for (long k = 0; k < file->mesh_count; k++) tp_mesh_clear(file->meshes + k);
+  for (long k = 0; k < file->mesh_count; k++) {
+    tp_mesh_clear(file->meshes[k]);
+    free(file->meshes[k]);
+  }
   free(file->meshes);
   if (file->drawn != NULL) tp_drawn_clear(file->drawn);
   free(file->drawn);
@@ -79,18 +82,24 @@ static bool is_path_of(const tp_scene_file *file, const char *path, const char *
 tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file, const char *name,
                              tp_message *message) {
   for (long k = 0; k < file->mesh_count; k++) {
-    if (!is_path_of(file, file->meshes[k].file, name)) continue;
-    *mesh = file->meshes + k;
+    if (!is_path_of(file, file->meshes[k]->file, name)) continue;
+    *mesh = file->meshes[k];
     return TP_OK;
   }
-  tp_mesh *meshes = tp_grow(file->meshes, file->mesh_count, &file->mesh_room, sizeof *file->meshes);
+  tp_mesh **meshes =
+      tp_grow(file->meshes, file->mesh_count, &file->mesh_room, sizeof *file->meshes);
   if (meshes == NULL) return tp_fail_memory(message, "a mesh");
   file->meshes = meshes;
   const char *path = tp_scene_file_name(file, name);
   if (path == NULL) return tp_fail_memory(message, "a mesh");
-  const tp_status status = tp_mesh_read(meshes + file->mesh_count, path, message);
-  if (status != TP_OK) return status;
-  *mesh = meshes + file->mesh_count++;
+  tp_mesh *own = malloc(sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "a mesh");
+  const tp_status status = tp_mesh_read(own, path, message);
+  if (status != TP_OK) {
+    free(own);
+    return status;
+  }
+  *mesh = meshes[file->mesh_count++] = own;
   return TP_OK;
 }
 

@@ -35,7 +35,7 @@ typedef struct tp_scene_file {
   long chain_count, chain_room;
   tp_file_chain *chains;
   long mesh_count, mesh_room; /* that its sections are cut through */
-  tp_mesh *meshes;
+  tp_mesh **meshes;
   tp_drawn *drawn;      /* what its drawing gives; NULL: it has none, or that varies */
   _Atomic(void *) kept; /* what higher rooms made of it once for all its scenes; NULL: nothing */
   void (*kept_free)(void *kept);
@@ -49,7 +49,7 @@ void tp_scene_file_free(tp_scene_file *file);
 /* The path of a file that the scene names, relative to the scene's folder; kept here. NULL when
  * memory is exhausted. */
 const char *tp_scene_file_name(tp_scene_file *file, const char *name);
-/* The mesh of a name that the scene gives, read once; it may move when another one is read. */
+/* The mesh of a name that the scene gives, read once. */
 TP_MUST_USE tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file,
                                          const char *name, tp_message *message);
 /* Keep what was made of the file, or give it back where another thread was faster; what is kept. */
