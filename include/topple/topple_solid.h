@@ -211,6 +211,15 @@ typedef struct tp_solid_wedge {
   tp_bounded fos;         /* if has_fos: strength over what drives it */
 } tp_solid_wedge;
 
+/* A closed mesh inside the solid: rock of another unit weight, or a hole. */
+typedef struct tp_solid_part {
+  TP_OUTSIDE char *file;    /* the mesh, */
+  TP_OUTSIDE char *object;  /* and the one object of it that is meant; NULL: all of it */
+  bool is_hole;             /* else a part: */
+  double unit_weight_kn_m3; /* of a part */
+  tp_bounded volume_m3;     /* within its surface */
+} tp_solid_part;
+
 /* A solid; owns what it points to. */
 typedef struct tp_solid {
   size_t size;               /* of this struct, as the library has it (TP_HAS_MEMBER) */
@@ -224,9 +233,10 @@ typedef struct tp_solid {
   tp_level level;            /* of the moment sums: double, or exact where these did not tell */
   bool has_weight;           /* a unit weight is given */
   tp_bounded weight_n;       /* if has_weight: its weight */
-  tp_bounded volume_m3;      /* within the surface */
-  tp_bounded centroid_m[3];  /* in the axes of the mesh, in metres */
-  tp_bounded inertia_m5[6];  /* integrals about the centroid of x x, y y, z z, y z, z x, x y */
+  tp_bounded volume_m3;      /* within the surface, without holes */
+  tp_bounded centroid_m[3];  /* of the weight, in the axes of the mesh, in metres */
+  tp_bounded inertia_m5[6];  /* integrals about the centroid of x x, y y, z z, y z, z x, x y,
+                                weighted by unit weight over mean unit weight */
   bool has_friction;         /* a friction angle is given */
   double friction_angle_deg; /* if has_friction: on the base */
   double up[3];              /* as in the options */
@@ -255,6 +265,8 @@ typedef struct tp_solid {
   tp_solid_contacts contacts; /* if has_contacts: what it does on them */
   bool has_wedge;             /* its scene gives a wedge instead of a mesh: */
   tp_solid_wedge wedge;       /* if has_wedge: how safe it is against sliding */
+  size_t part_count;          /* of what its scene puts inside: */
+  tp_solid_part *parts;       /* part_count of them: holes, then parts, in the order of the scene */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

@@ -335,6 +335,11 @@ class Schema(unittest.TestCase):
             self.fits("solid", out)
         with tempfile.TemporaryDirectory() as folder:
             text = rock.read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")
+            inside = "".join(f"o {name}\nv {x} 0 0.9\nv {x + 0.1} 0 0.9\nv {x} 0.1 0.9\nv {x} 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n"
+                             for name, x in (("hollow", 0.3), ("vein", 0.1)))
+            (pathlib.Path(folder) / "inside.obj").write_text(inside, encoding="utf-8")
+            text = text.replace("  unit: m\n", "  unit: m\n  holes: [{file: inside.obj, object: hollow}]\n"
+                                "  parts: [{file: inside.obj, object: vein, unit_weight_kn_m3: 30}]\n")
             (pathlib.Path(folder) / "rock.yaml").write_text(text.replace("horizontal: 0.05", "horizontal: 0.05, azimuth_deg: 3")
                                                             + "required_fos: 1.2\n")
             for words in ((), ("--set", "tilt.angle_deg=4")):

@@ -133,8 +133,8 @@ private:
     case 2:
       return CGAL::orientation(at(a[0]), at(a[1]), at(a[2]), at(b[2])) == CGAL::COPLANAR &&
              CGAL::coplanar_orientation(at(a[0]), at(a[1]), at(a[2]), at(b[2])) == CGAL::POSITIVE;
-    default:
-      return true;
+    default: /* one triangle of two surfaces that touch over it */
+      return false;
     }
   }
 

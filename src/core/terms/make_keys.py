@@ -31,7 +31,7 @@ LISTS = {"block.holes": ("HOLES", "tp_polyline"), "block.parts": ("PARTS", "tp_p
          "tilt_test.tractions": ("TRACTIONS", "tp_traction_description")}
 #: Items that are read from files alone: the type of one; and maps that have the keys of another besides their own.
 ITEMS = {"blocks": "tp_listed_block", "joints": "tp_joint_description", "jointed_slope.joints": "tp_joint_set",
-         "solid.contacts": "tp_contact_description"}
+         "solid.contacts": "tp_contact_description", "solid.parts": "tp_solid_part_description"}
 INCLUDES = {"blocks": "block"}
 
 

@@ -5,6 +5,7 @@
 
 #include "solid/gate.h"
 
+#include "common/outside.h"
 #include "solid/sides.h"
 #include "solid/turns.h"
 
@@ -97,8 +98,8 @@ static tp_status refuse_pieces(gate *g, tp_message *message) {
   char names[2][TP_SURFACE_NAME];
   return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, second),
                    "%ld pieces that share no edge: %s begins one of %ld triangles, %s another of "
-                   "%ld; a solid is one piece without cavities: give each by itself, or name an "
-                   "object",
+                   "%ld; a solid is one piece: give each by itself, or name an object; cavities "
+                   "are 'holes' of a scene",
                    pieces, tp_surface_name(names[0], s, 0), sizes[0],
                    tp_surface_name(names[1], s, second), sizes[1]);
 }
@@ -182,9 +183,20 @@ tp_status tp_gate_clashes(const tp_surface *surface, tp_message *message) {
   }
   if (clashes.count == 0) return TP_OK;
   char names[2][TP_SURFACE_NAME];
-  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(surface, (long)clashes.first),
+  const long first = (long)clashes.first, second = (long)clashes.second;
+  if (tp_surface_object(surface, first) != tp_surface_object(surface, second) &&
+      surface->mesh->objects->file != NULL) {
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, tp_surface_place(surface, second),
+        "%s of this mesh and %s of '%s' cross, or meet in a place where not both have "
+        "the same corner, edge or triangle; there are %zu such pairs: what lies inside "
+        "a rock may touch its surface, or another, in such alone",
+        tp_surface_name(names[0], surface, second), tp_surface_name(names[1], surface, first),
+        tp_quote_all(tp_surface_place(surface, first).file).text, clashes.count);
+  }
+  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(surface, first),
                    "the surface meets itself: %s and %s meet elsewhere than in an edge or a corner "
                    "that they share; there are %zu such pairs: repair the mesh",
-                   tp_surface_name(names[0], surface, (long)clashes.first),
-                   tp_surface_name(names[1], surface, (long)clashes.second), clashes.count);
+                   tp_surface_name(names[0], surface, first),
+                   tp_surface_name(names[1], surface, second), clashes.count);
 }

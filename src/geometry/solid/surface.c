@@ -39,7 +39,12 @@ const char *tp_surface_name(char name[TP_SURFACE_NAME], const tp_surface *surfac
 
 tp_place tp_surface_place(const tp_surface *surface, long triangle) {
   const tp_mesh_face *face = surface->mesh->faces + surface->faces[triangle];
-  return (tp_place){surface->mesh->file, face->line, 0};
+  const char *own = surface->mesh->objects[face->object].file;
+  return (tp_place){own != NULL ? own : surface->mesh->file, face->line, 0};
+}
+
+int tp_surface_object(const tp_surface *surface, long triangle) {
+  return surface->mesh->faces[surface->faces[triangle]].object;
 }
 
 /* A coordinate, of all of them in a row, as the mesh has it. */
@@ -234,4 +239,21 @@ tp_status tp_surface_init(tp_surface *surface, const tp_mesh *mesh, long object,
   if (status == TP_OK) status = set_coordinates(surface, message);
   if (status != TP_OK) tp_surface_clear(surface);
   return status;
+}
+
+tp_surface tp_surface_of_object(const tp_surface *surface, int object) {
+  tp_surface own = *surface;
+  long first = 0, end = 0;
+  while (first < surface->triangle_count && tp_surface_object(surface, first) != object) first++;
+  for (end = first; end < surface->triangle_count; end++) {
+    if (tp_surface_object(surface, end) != object) break;
+  }
+  own.triangles += 3 * first;
+  own.faces += first;
+  own.triangle_count = end - first;
+  own.vertex_count = 0;
+  for (long k = 0; k < 3 * own.triangle_count; k++) {
+    if (own.triangles[k] >= own.vertex_count) own.vertex_count = own.triangles[k] + 1L;
+  }
+  return own;
 }

@@ -41,6 +41,10 @@ TP_MUST_USE tp_status tp_surface_init(tp_surface *surface, const tp_mesh *mesh, 
                                       tp_message *message);
 void tp_surface_clear(tp_surface *surface);
 
+/* Of a mesh of several (tp_mesh_join): the triangles of one of its objects as a surface of its own,
+ * on the same lattice, borrowed and not to be cleared. Vertices of the first are the first. */
+tp_surface tp_surface_of_object(const tp_surface *surface, int object);
+
 /* For CGAL. */
 tp_geom_points tp_surface_points(const tp_surface *surface);
 
@@ -61,5 +65,7 @@ enum { TP_SURFACE_NAME = 48 };
 /* "triangle 12" by its number in the file, or "face 12" of one that was split. */
 const char *tp_surface_name(char name[TP_SURFACE_NAME], const tp_surface *surface, long triangle);
 tp_place tp_surface_place(const tp_surface *surface, long triangle);
+/* The object of the mesh that a triangle is of. */
+int tp_surface_object(const tp_surface *surface, long triangle);
 
 #endif

@@ -206,3 +206,32 @@ tp_status tp_mesh_add_face(tp_mesh *mesh, const int *corners, long count, int li
   mesh->objects[mesh->object].face_count++;
   return TP_OK;
 }
+
+/* ---- several meshes ----------------------------------------------------------------------------
+ */
+
+/* The vertices of a face, as they are here. */
+static tp_status join_face(tp_mesh *mesh, const tp_mesh *other, const tp_mesh_face *face,
+                           int *corners, tp_message *message) {
+  tp_status status = TP_OK;
+  for (int k = 0; k < face->count && status == TP_OK; k++) {
+    const long vertex = other->corners[face->first + k];
+    status = tp_mesh_add_vertex(mesh, corners + k, other->vertices + 3 * vertex, message);
+  }
+  if (status == TP_OK) status = tp_mesh_add_face(mesh, corners, face->count, face->line, message);
+  if (status == TP_OK) mesh->faces[mesh->face_count - 1].number = face->number;
+  return status;
+}
+
+tp_status tp_mesh_join(tp_mesh *mesh, const tp_mesh *other, long object, tp_message *message) {
+  int *corners = malloc(TP_MESH_CORNERS * sizeof *corners);
+  if (corners == NULL) return tp_fail_memory(message, "a mesh");
+  tp_status status = add_object(mesh, "", 0, message);
+  if (status == TP_OK) mesh->objects[mesh->object].file = other->file;
+  for (long f = 0; f < other->face_count && status == TP_OK; f++) {
+    if (object >= 0 && other->faces[f].object != object) continue;
+    status = join_face(mesh, other, other->faces + f, corners, message);
+  }
+  free(corners);
+  return status;
+}

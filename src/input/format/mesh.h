@@ -21,6 +21,7 @@ enum { TP_MESH_MOST = 20000000, TP_MESH_CORNERS = 10000, TP_MESH_BYTES = 1 << 30
 /* What one `solid`, `o` or `g` of a file holds. */
 typedef struct tp_mesh_object {
   TP_OUTSIDE char *name; /* empty where the file has none */
+  const char *file;      /* of a mesh of several: which it is of, borrowed; else NULL */
   long face_count;
 } tp_mesh_object;
 
@@ -64,6 +65,11 @@ void tp_mesh_clear(tp_mesh *mesh);
 /* For a message: the names of objects that have faces, in quotes, as many as there is room for. */
 enum { TP_MESH_NAMES = 300 };
 void tp_mesh_object_names(char names[TP_MESH_NAMES], const tp_mesh *mesh);
+
+/* The faces of an object of another mesh, or of all where it is below zero, as a new object of this
+ * one: equal vertices of both are one. The other's file must outlive the mesh. */
+TP_MUST_USE tp_status tp_mesh_join(tp_mesh *mesh, const tp_mesh *other, long object,
+                                   tp_message *message);
 
 /* For the readers: the vertex of these coordinates, an old one where it is equal. */
 TP_MUST_USE tp_status tp_mesh_add_vertex(tp_mesh *mesh, int *index, const fmpq coordinates[3],

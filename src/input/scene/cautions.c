@@ -110,11 +110,20 @@ static tp_status check_blocks(tp_notes *notes, const tp_scene *scene, tp_message
   return status;
 }
 
+static tp_status check_solid(tp_notes *notes, const tp_solid_description *solid,
+                             tp_message *message) {
+  tp_status status = check_unit_weight(notes, &solid->unit_weight_kn_m3, message);
+  for (long k = 0; k < solid->part_count && status == TP_OK; k++) {
+    status = check_unit_weight(notes, &solid->parts[k].unit_weight_kn_m3, message);
+  }
+  return status;
+}
+
 tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
   if (scene->many.count > 0) return check_blocks(notes, scene, message);
   if (scene->solid.place.file != NULL) {
-    return check_unit_weight(notes, &scene->solid.unit_weight_kn_m3, message);
+    return check_solid(notes, &scene->solid, message);
   }
   fmpq_t extent;
   fmpq_init(extent);

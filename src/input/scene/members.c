@@ -38,11 +38,13 @@ static const size_t of_listed_block[] = {TP_NUMBERS_OF_LISTED_BLOCK(OFFSET)};
 static const size_t of_joint[] = {TP_NUMBERS_OF_JOINT_DESCRIPTION(OFFSET)};
 static const size_t of_joint_set[] = {TP_NUMBERS_OF_JOINT_SET(OFFSET)};
 static const size_t of_contact[] = {TP_NUMBERS_OF_CONTACT_DESCRIPTION(OFFSET)};
+static const size_t of_solid_part[] = {TP_NUMBERS_OF_SOLID_PART_DESCRIPTION(OFFSET)};
 
 const tp_offsets tp_listed_block_numbers = OFFSETS(of_listed_block);
 const tp_offsets tp_joint_numbers = OFFSETS(of_joint);
 const tp_offsets tp_joint_set_numbers = OFFSETS(of_joint_set);
 const tp_offsets tp_contact_numbers = OFFSETS(of_contact);
+const tp_offsets tp_solid_part_numbers = OFFSETS(of_solid_part);
 
 #define ITEMS(list, number, type)                                                                  \
   .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)

@@ -21,7 +21,7 @@ extern const tp_offsets tp_scene_numbers, tp_scene_lines;
 
 /* Numbers of an item of the lists of blocks, joints and joint sets. */
 extern const tp_offsets tp_listed_block_numbers, tp_joint_numbers, tp_joint_set_numbers,
-    tp_contact_numbers;
+    tp_contact_numbers, tp_solid_part_numbers;
 
 typedef enum tp_list_kind {
   TP_LIST_HOLES,

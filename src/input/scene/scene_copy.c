@@ -118,6 +118,10 @@ void tp_scene_free(tp_scene *scene) {
   free(scene->solid.bands);
   for (long k = 0; k < scene->solid.contact_count; k++) clear_contact(scene->solid.contacts + k);
   free(scene->solid.contacts);
+  for (long k = 0; k < scene->solid.part_count; k++) {
+    clear_numbers(scene->solid.parts + k, &tp_solid_part_numbers);
+  }
+  free(scene->solid.parts);
   for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
   for (size_t k = 0; k < tp_scene_lines.count; k++) {
     tp_polyline_clear(tp_member_line(scene, tp_scene_lines.items[k]));

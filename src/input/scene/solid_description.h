@@ -15,6 +15,15 @@ typedef struct tp_contact_description {
   tp_quantity friction_angle_deg; /* not given: the scene's */
 } tp_contact_description;
 
+/* A closed mesh inside the solid: rock of another unit weight, or a hole. */
+typedef struct tp_solid_part_description {
+  tp_place place;
+  const tp_mesh *mesh; /* of the scene's file, in the axes and lengths of the solid's, */
+  long object;         /* one object of it; below zero: all */
+  bool is_hole;
+  tp_quantity unit_weight_kn_m3; /* of a part */
+} tp_solid_part_description;
+
 /* A plane of a wedge: its dip and the azimuth of that. */
 typedef struct tp_wedge_plane {
   tp_quantity dip_deg, dip_direction_deg;
@@ -40,7 +49,9 @@ typedef struct tp_solid_description {
   const tp_mesh *mesh;    /* of the scene's file, */
   long object;            /* one object of it; below zero: all */
   fmpq_t metres_per_unit; /* of the mesh, by its unit or by a known length */
-  fmpq up[3];             /* across the base, in the axes of the mesh: not zero */
+  long part_count;        /* holes, then parts */
+  tp_solid_part_description *parts;
+  fmpq up[3]; /* across the base, in the axes of the mesh: not zero */
   tp_quantity unit_weight_kn_m3, azimuths;
   tp_quantity dip_deg, dip_direction_deg; /* of the base, where `up` is the vertical instead */
   long band_count;

@@ -252,20 +252,6 @@ static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   return TP_OK;
 }
 
-static tp_status read_file_name(const tp_reader *reader, const tp_node *node) {
-  tp_solid_description *own = &reader->scene->solid;
-  const tp_node *name = NULL;
-  tp_status status = tp_read_required(reader, &name, node, "file", "file: boulder.stl");
-  if (status != TP_OK) return status;
-  if (name->kind != TP_NODE_SCALAR) {
-    return tp_read_fail(reader, TP_FAULT_KEY, name,
-                        "file must be the name of an STL, PLY or OBJ file");
-  }
-  status = tp_scene_file_mesh(&own->mesh, reader->scene->file, name->text, reader->message);
-  if (status != TP_OK) return status;
-  return tp_read_mesh_object(reader, &own->object, tp_node_get(node, "object"), own->mesh);
-}
-
 static tp_status check_azimuth_count(const tp_reader *reader) {
   const tp_quantity *azimuths = &reader->scene->solid.azimuths;
   const bool is_count = fmpz_is_one(fmpq_denref(azimuths->value)) &&
@@ -285,7 +271,10 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_map(reader, scene, node, &tp_key_map_solid, "a solid");
   if (status == TP_OK && tp_node_get(node, "wedge") != NULL) return tp_read_wedge(reader, node);
   if (status == TP_OK) status = check_azimuth_count(reader);
-  if (status == TP_OK) status = read_file_name(reader, node);
+  if (status == TP_OK) {
+    status = tp_read_solid_mesh(reader, &scene->solid.mesh, &scene->solid.object, node);
+  }
+  if (status == TP_OK) status = tp_read_solid_parts(reader, node);
   if (status == TP_OK) status = read_lengths(reader, node);
   if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));
   if (status == TP_OK) status = read_solid_base(reader, tp_node_get(node, "base"));

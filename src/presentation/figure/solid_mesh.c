@@ -79,8 +79,21 @@ static bool set_edges(tp_solid_mesh *mesh) {
   return done;
 }
 
-static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid) {
+/* As the surface's `near`. */
+static void set_centre(double centre[3], const tp_surface *surface, const tp_solid *solid,
+                       double metres) {
   tp_near sums[TP_SOLID_SUM_COUNT];
+  if (solid->part_count == 0) tp_solid_sums_near(sums, surface);
+  for (int k = 0; k < 3; k++) {
+    centre[k] = solid->part_count == 0
+                    ? sums[TP_SOLID_X24 + k].value / (4 * sums[TP_SOLID_V6].value)
+                    : (solid->centroid_m[k].value -
+                       solid->metres_per_unit * tp_surface_given(surface, 0, k)) /
+                          metres; /* its parts are not read: from the first vertex, the origin */
+  }
+}
+
+static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid) {
   double centre[3];
   const size_t corners = 3 * (size_t)surface->triangle_count;
   *mesh = (tp_solid_mesh){.vertex_count = surface->vertex_count,
@@ -89,12 +102,9 @@ static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid 
   mesh->triangles = malloc(corners * sizeof *mesh->triangles);
   if (mesh->points == NULL || mesh->triangles == NULL) return false;
   memcpy(mesh->triangles, surface->triangles, corners * sizeof *mesh->triangles);
-  tp_solid_sums_near(sums, surface);
-  for (int k = 0; k < 3; k++) {
-    centre[k] = sums[TP_SOLID_X24 + k].value / (4 * sums[TP_SOLID_V6].value);
-  }
   const double metres =
       solid->metres_per_unit * ldexp(1, (int)surface->exponent) / fmpz_get_d(surface->divisor);
+  set_centre(centre, surface, solid, metres);
   set_points(mesh, surface, solid, centre, metres);
   return set_edges(mesh);
 }

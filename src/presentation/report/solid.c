@@ -37,6 +37,18 @@ tp_mechanism tp_solid_row_verdict(const tp_solid *solid) {
   return own->has_stance ? own->stance.verdict : TP_TOPPLES;
 }
 
+static void add_parts(tp_text *t, const tp_solid *s) {
+  for (size_t k = 0; k < s->part_count; k++) {
+    const tp_solid_part *own = s->parts + k;
+    char n[TP_SHORTEST_SIZE];
+    add_bounded(t, own->is_hole ? "hole" : "part", own->volume_m3, "m³");
+    tp_text_add(t, "    in ");
+    tp_encode_plain(t, own->file);
+    if (!own->is_hole) tp_text_add(t, ", %s kN/m³", tp_shortest(n, own->unit_weight_kn_m3));
+    tp_text_add(t, "\n");
+  }
+}
+
 static void add_body(tp_text *t, const tp_solid *s) {
   static const char *const axes[] = {"x", "y", "z"};
   static const char *const pairs[] = {"xx", "yy", "zz", "yz", "zx", "xy"};
@@ -56,6 +68,7 @@ static void add_body(tp_text *t, const tp_solid *s) {
   }
   add_bounded(t, "volume", s->volume_m3, "m³");
   if (s->has_weight) add_bounded(t, "weight", s->weight_n, "N");
+  add_parts(t, s);
   for (int k = 0; k < 3; k++) {
     snprintf(label, sizeof label, "centroid %s", axes[k]);
     add_bounded(t, label, s->centroid_m[k], "m");

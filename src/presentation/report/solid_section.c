@@ -54,6 +54,9 @@ static tp_status check(section *x) {
   if (x->solid->band_count == 0) {
     return refuse(x, "a section stands on a plane, and this rock does not");
   }
+  if (x->solid->part_count > 0) {
+    return refuse(x, "a section has no holes or parts of a solid; leave them out");
+  }
   if (x->solid->is_on_slope || !(z_is_up || x->y_is_up)) {
     return refuse(x, "a section is cut upright, of a mesh that has z or y upwards as it lies");
   }

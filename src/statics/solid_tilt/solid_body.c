@@ -9,35 +9,92 @@
 
 #include <stdlib.h>
 
-static tp_status pass(tp_solid_body *body, tp_message *message) {
-  const tp_surface *surface = &body->surface;
-  tp_status status = tp_gate_areas(surface, message);
-  if (status == TP_OK) status = tp_gate_edges(surface, message);
-  if (status != TP_OK) return status;
-  tp_solid_moments_init(&body->moments, surface);
-  status = tp_solid_moments_check(&body->moments, message);
-  if (status == TP_OK) status = tp_gate_clashes(surface, message);
-  if (status == TP_OK) status = tp_hull_facets_init(&body->facets, surface, message);
-  if (status == TP_OK) return TP_OK;
-  tp_hull_facets_clear(&body->facets);
-  tp_solid_moments_clear(&body->moments);
+/* ---- parts ------------------------------------------------------------------------------------
+ */
+
+/* The meshes of the rock and of all parts as one. */
+static tp_status join(tp_solid_body *body, const tp_solid_part_description *parts,
+                      tp_message *message) {
+  body->joined.file = body->mesh->file;
+  tp_status status = tp_mesh_join(&body->joined, body->mesh, body->object, message);
+  for (long k = 0; k < body->part_count && status == TP_OK; k++) {
+    status = tp_mesh_join(&body->joined, parts[k].mesh, parts[k].object, message);
+  }
   return status;
 }
 
-tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
-                             tp_message *message) {
-  *body = (tp_solid_body){.mesh = mesh, .object = object};
-  tp_status status = tp_surface_init(&body->surface, mesh, object, message);
+static bool make_pieces(tp_solid_body *body, const tp_solid_part_description *parts) {
+  const size_t count = (size_t)body->part_count;
+  body->pieces = calloc(count + 1, sizeof *body->pieces);
+  body->part_moments = calloc(count, sizeof *body->part_moments);
+  if (body->pieces == NULL || body->part_moments == NULL) return false;
+  for (int k = 0; k <= body->part_count; k++) {
+    body->pieces[k] =
+        (tp_solid_piece){tp_surface_of_object(&body->whole, k), k > 0 && parts[k - 1].is_hole};
+  }
+  body->surface = body->pieces[0].surface;
+  return true;
+}
+
+static tp_status take_surfaces(tp_solid_body *body, const tp_solid_part_description *parts,
+                               tp_message *message) {
+  if (body->part_count == 0) {
+    const tp_status status = tp_surface_init(&body->whole, body->mesh, body->object, message);
+    body->surface = body->whole;
+    return status;
+  }
+  tp_status status = join(body, parts, message);
+  if (status == TP_OK) status = tp_surface_init(&body->whole, &body->joined, -1, message);
+  if (status == TP_OK && !make_pieces(body, parts)) {
+    status = tp_fail_memory(message, "the parts of a solid");
+  }
+  return status;
+}
+
+/* ---- the gate ---------------------------------------------------------------------------------
+ */
+
+/* A surface by itself. */
+static tp_status pass(tp_solid_moments *moments, const tp_surface *surface, tp_message *message) {
+  tp_status status = tp_gate_areas(surface, message);
+  if (status == TP_OK) status = tp_gate_edges(surface, message);
   if (status != TP_OK) return status;
-  status = pass(body, message);
-  if (status != TP_OK) tp_surface_clear(&body->surface);
+  tp_solid_moments_init(moments, surface);
+  return tp_solid_moments_check(moments, message);
+}
+
+static tp_status pass_all(tp_solid_body *body, tp_message *message) {
+  tp_status status = pass(&body->moments, &body->surface, message);
+  for (long k = 0; k < body->part_count && status == TP_OK; k++) {
+    status = pass(body->part_moments + k, &body->pieces[k + 1].surface, message);
+  }
+  if (status == TP_OK) status = tp_gate_clashes(&body->whole, message);
+  if (status == TP_OK && body->part_count > 0) {
+    status = tp_gate_pieces(body->pieces, body->part_count + 1, message);
+  }
+  return status == TP_OK ? tp_hull_facets_init(&body->facets, &body->surface, message) : status;
+}
+
+tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
+                             const tp_solid_part_description *parts, long part_count,
+                             tp_message *message) {
+  *body = (tp_solid_body){.mesh = mesh, .object = object, .part_count = part_count};
+  tp_status status = take_surfaces(body, parts, message);
+  if (status == TP_OK) status = pass_all(body, message);
+  if (status != TP_OK) tp_solid_body_clear(body);
   return status;
 }
 
 void tp_solid_body_clear(tp_solid_body *body) {
   tp_hull_facets_clear(&body->facets);
   tp_solid_moments_clear(&body->moments);
-  tp_surface_clear(&body->surface);
+  for (long k = 0; k < body->part_count && body->part_moments != NULL; k++) {
+    tp_solid_moments_clear(body->part_moments + k);
+  }
+  free(body->part_moments);
+  free(body->pieces);
+  tp_surface_clear(&body->whole);
+  tp_mesh_clear(&body->joined);
 }
 
 /* ---- of a scene --------------------------------------------------------------------------------
@@ -57,7 +114,9 @@ tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *sce
   if (*body != NULL) return TP_OK;
   tp_solid_body *own = malloc(sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "a solid");
-  const tp_status status = tp_solid_body_init(own, scene->solid.mesh, scene->solid.object, message);
+  const tp_solid_description *solid = &scene->solid;
+  const tp_status status =
+      tp_solid_body_init(own, solid->mesh, solid->object, solid->parts, solid->part_count, message);
   if (status == TP_OK) {
     *body = tp_scene_file_keep(file, own, give_back);
   } else {

@@ -9,19 +9,26 @@
 
 #include "scene/scene.h"
 #include "solid/hull_facets.h"
+#include "solid/pieces.h"
 #include "solid_tilt/solid_moments.h"
 
 typedef struct tp_solid_body {
   const tp_mesh *mesh; /* borrowed */
   long object;
-  tp_surface surface;
+  tp_mesh joined;     /* where there are parts, with theirs; */
+  tp_surface whole;   /* then of all, */
+  tp_surface surface; /* of which this is the rock's; else the same */
   tp_hull_facets facets;
   tp_solid_moments moments; /* in doubles; exact where these do not tell that it has a volume */
+  long part_count;
+  tp_solid_piece *pieces;         /* the rock and its parts */
+  tp_solid_moments *part_moments; /* part_count of them, each of its surface alone, likewise */
 } tp_solid_body;
 
-/* Of one object, or of all where it is below zero; refused by triangle. To be cleared where it was
- * made. */
+/* Of one object, or of all where it is below zero, with what lies inside; refused by triangle. To
+ * be cleared where it was made. */
 TP_MUST_USE tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
+                                         const tp_solid_part_description *parts, long part_count,
                                          tp_message *message);
 void tp_solid_body_clear(tp_solid_body *body);
 

@@ -10,16 +10,31 @@
 
 #include <arb.h>
 
+/* Sums over what is inside a surface; with parts, by weight: with all of these times `excess`
+ * added, their unit weight over that of the rock, less one. */
 typedef struct tp_solid_moments {
   const tp_surface *surface;
   tp_level level;
   tp_centre centre;
   tp_near near[TP_SOLID_SUM_COUNT];
-  fmpz exact[TP_SOLID_SUM_COUNT]; /* at the level exact */
+  fmpz exact[TP_SOLID_SUM_COUNT]; /* at the level exact: */
+  fmpz_t multiple;                /* so many times the sums */
+  tp_near near_volume6;           /* without holes, whatever the weight; */
+  fmpz_t exact_volume6;           /* at the level exact */
+  long part_count;
+  const struct tp_solid_part_moments *parts; /* borrowed */
 } tp_solid_moments;
 
+/* What lies inside a solid. */
+typedef struct tp_solid_part_moments {
+  const tp_solid_moments *own; /* of its surface alone */
+  fmpq_t excess;               /* -1: a hole */
+} tp_solid_part_moments;
+
 void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface);
-void tp_solid_moments_copy(tp_solid_moments *copy, const tp_solid_moments *moments);
+/* Of those of a surface alone, with parts, which must outlive them. */
+void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *moments,
+                            const tp_solid_part_moments *parts, long part_count);
 void tp_solid_moments_climb(tp_solid_moments *moments); /* to the level exact */
 void tp_solid_moments_clear(tp_solid_moments *moments);
 
@@ -29,6 +44,9 @@ TP_MUST_USE tp_status tp_solid_moments_check(tp_solid_moments *moments, tp_messa
 
 /* Are volume, centroid and inertia certain to ten digits, of the size of the solid? */
 bool tp_solid_moments_told(const tp_solid_moments *moments);
+
+/* Without holes. */
+tp_bounded tp_solid_moments_volume(const tp_solid_moments *moments, const fmpq_t metres_per_unit);
 
 void tp_solid_moments_tell(tp_solid *solid, const tp_solid_moments *moments,
                            const fmpq_t metres_per_unit, const fmpq_t unit_weight);

@@ -15,6 +15,7 @@
 #include "solid/poses.h"
 #include "solid_tilt/on_contacts.h"
 #include "solid_tilt/rose.h"
+#include "solid_tilt/solid_parts.h"
 #include "solid_tilt/stance.h"
 
 #include <stdio.h>
@@ -32,6 +33,11 @@ void tp_solid_free(tp_solid *solid) {
   free(solid->poses);
   for (size_t k = 0; k < solid->band_count; k++) tp_solid_band_clear(solid->bands + k);
   free(solid->bands);
+  for (size_t k = 0; k < solid->part_count; k++) {
+    free(solid->parts[k].file);
+    free(solid->parts[k].object);
+  }
+  free(solid->parts);
   tp_solid_contacts_clear(&solid->contacts);
   free(solid);
 }
@@ -129,9 +135,11 @@ static tp_status find_results(work *w, const tp_centre *centre, bool *told) {
 /* In doubles, then in whole numbers. */
 static tp_status climb(work *w) {
   tp_solid_moments moments;
-  tp_status status = TP_OK;
   bool told = true;
-  tp_solid_moments_copy(&moments, &w->body->moments);
+  tp_solid_part_moments *parts = NULL;
+  tp_status status = tp_solid_parts_weigh(&parts, w->body, w->given, w->message);
+  if (status != TP_OK) return status;
+  tp_solid_moments_weigh(&moments, &w->body->moments, parts, w->body->part_count);
   if (w->given->scene != NULL && w->given->scene->solid.contact_count > 0) {
     tp_solid_moments_climb(&moments);
   }
@@ -152,8 +160,10 @@ static tp_status climb(work *w) {
   }
   if (status == TP_OK) {
     tp_solid_moments_tell(w->solid, &moments, w->given->metres_per_unit, w->given->unit_weight);
+    status = tp_solid_parts_tell(w->solid, w->body, w->given, w->message);
   }
   tp_solid_moments_clear(&moments);
+  tp_solid_parts_clear(parts, w->body->part_count);
   return status;
 }
 
@@ -250,7 +260,7 @@ static tp_status solve_mesh(tp_solid *solid, const tp_mesh *mesh, const tp_solid
   tp_solid_body body;
   long object = -1;
   tp_status status = find_object(&object, mesh, options->object, message);
-  if (status == TP_OK) status = tp_solid_body_init(&body, mesh, object, message);
+  if (status == TP_OK) status = tp_solid_body_init(&body, mesh, object, NULL, 0, message);
   if (status != TP_OK) return status;
   status = tp_solid_find(solid, &body, given, message);
   tp_solid_body_clear(&body);

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The meshes of a solid: its own, and those inside, by the keys solid.holes and solid.parts, as
+ * holes and parts of a block are outlines inside its own. That they lie inside is for whoever has
+ * their surfaces (solid/pieces.h). */
+
+#include "scene/members.h"
+#include "scene_reading/read.h"
+
+#include <stdlib.h>
+
+/* ---- one mesh ----------------------------------------------------------------------------------
+ */
+
+tp_status tp_read_solid_mesh(const tp_reader *reader, const tp_mesh **mesh, long *object,
+                             const tp_node *node) {
+  const tp_node *name = NULL;
+  tp_status status = tp_read_required(reader, &name, node, "file", "file: boulder.stl");
+  if (status != TP_OK) return status;
+  if (name->kind != TP_NODE_SCALAR) {
+    return tp_read_fail(reader, TP_FAULT_KEY, name,
+                        "file must be the name of an STL, PLY or OBJ file");
+  }
+  status = tp_scene_file_mesh(mesh, reader->scene->file, name->text, reader->message);
+  if (status != TP_OK) return status;
+  return tp_read_mesh_object(reader, object, tp_node_get(node, "object"), *mesh);
+}
+
+/* ---- lists -------------------------------------------------------------------------------------
+ */
+
+/* What both lists have in common. */
+typedef struct list {
+  const tp_node *node; /* NULL: none */
+  bool is_of_holes;
+  const tp_key_map *keys;
+  const char *item, *all; /* for messages */
+} list;
+
+static tp_status read_item(const tp_reader *reader, const list *l, const tp_node *node) {
+  tp_solid_description *solid = &reader->scene->solid;
+  tp_solid_part_description *own = solid->parts + solid->part_count++;
+  *own = (tp_solid_part_description){.place = tp_node_place(node, reader->scene->path),
+                                     .is_hole = l->is_of_holes};
+  for (size_t k = 0; k < tp_solid_part_numbers.count; k++) {
+    fmpq_init(tp_member_number(own, tp_solid_part_numbers.items[k]));
+  }
+  const tp_status status = tp_read_map(reader, own, node, l->keys, l->item);
+  return status == TP_OK ? tp_read_solid_mesh(reader, &own->mesh, &own->object, node) : status;
+}
+
+static tp_status read_list(const tp_reader *reader, const list *l) {
+  if (l->node == NULL) return TP_OK;
+  if (l->node->kind != TP_NODE_SEQUENCE)
+    return tp_read_fail(reader, TP_FAULT_FORMAT, l->node, "%s", l->all);
+  tp_status status = TP_OK;
+  for (const tp_node *n = l->node->first; n != NULL && status == TP_OK; n = n->next) {
+    status = read_item(reader, l, n);
+  }
+  return status;
+}
+
+static size_t length(const tp_node *list) {
+  return list != NULL && list->kind == TP_NODE_SEQUENCE ? (size_t)list->count : 0;
+}
+
+tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *solid = &reader->scene->solid;
+  const list holes = {tp_node_get(node, "holes"), true, &tp_key_map_solid_holes, "a hole",
+                      "holes must be a list of meshes: [{file: cave.obj}]"};
+  const list parts = {tp_node_get(node, "parts"), false, &tp_key_map_solid_parts, "a part",
+                      "parts must be a list of {file, unit_weight_kn_m3}"};
+  if (parts.node != NULL && !solid->unit_weight_kn_m3.given) {
+    return tp_read_fail(reader, TP_FAULT_KEY, parts.node,
+                        "parts of another density need the solid's 'unit_weight_kn_m3' too");
+  }
+  solid->parts = calloc(length(holes.node) + length(parts.node) + 1, sizeof *solid->parts);
+  if (solid->parts == NULL) return tp_fail_memory(reader->message, "the parts of a solid");
+  const tp_status status = read_list(reader, &holes);
+  return status == TP_OK ? read_list(reader, &parts) : status;
+}
