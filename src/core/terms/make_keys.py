@@ -27,10 +27,11 @@ LISTS = {"block.holes": ("HOLES", "tp_polyline"), "block.parts": ("PARTS", "tp_p
          "block.rounded.corners": ("CORNERS", "tp_corner_description"), "loads.pressures": ("PRESSURES", "tp_line_load"),
          "loads.surcharges": ("SURCHARGES", "tp_line_load"), "loads.support_pressures": ("SUPPORTS", "tp_line_load"),
          "loads.anchors": ("ANCHORS", "tp_anchor_description"), "loads.forces": ("FORCES", "tp_anchor_description"),
+         "joints": ("JOINTS", "tp_joint_description"),
          "friction.facets": ("FRICTIONS", "tp_facet_friction_description"),
          "tilt_test.tractions": ("TRACTIONS", "tp_traction_description")}
 #: Items that are read from files alone: the type of one; and maps that have the keys of another besides their own.
-ITEMS = {"blocks": "tp_listed_block", "joints": "tp_joint_description", "jointed_slope.joints": "tp_joint_set",
+ITEMS = {"blocks": "tp_listed_block", "jointed_slope.joints": "tp_joint_set",
          "solid.contacts": "tp_contact_description", "solid.parts": "tp_solid_part_description"}
 INCLUDES = {"blocks": "block"}
 

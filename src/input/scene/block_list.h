@@ -7,6 +7,9 @@
 #ifndef TP_SCENE_BLOCK_LIST_H
 #define TP_SCENE_BLOCK_LIST_H
 
+/* Of the name of a block, in bytes. */
+enum { TP_MOST_BLOCK_NAME = 60 };
+
 /* One block, shifted by `at`. */
 typedef struct tp_listed_block {
   tp_place place;

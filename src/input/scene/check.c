@@ -303,8 +303,8 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, (tp_place){scene->path, 0, 0},
                      "the scene has no block; set its outline, slab, teeth or ellipse");
   }
-  tp_status status = TP_OK;
-  if (block->form == TP_OUTLINE_ELLIPSE) {
+  tp_status status = tp_check_built_alone(scene, message);
+  if (status == TP_OK && block->form == TP_OUTLINE_ELLIPSE) {
     status = tp_check_ellipse_plain(block->hole_count == 0 && block->part_count == 0 &&
                                         block->arc_count == 0 && block->rounded.count == 0,
                                     block->place, message);

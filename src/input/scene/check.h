@@ -89,4 +89,16 @@ TP_MUST_USE tp_status tp_check_joint(const tp_scene *scene, tp_place place, tp_m
 /* All of these of a scene that was built, and is used now. */
 TP_MUST_USE tp_status tp_check_built(const tp_scene *scene, tp_message *message);
 
+/* Of many blocks: each that can move has a unit weight, or none has. */
+TP_MUST_USE tp_status tp_check_block_weights(const tp_scene *scene, tp_message *message);
+/* Of each bolt it is known where its far end holds. */
+TP_MUST_USE tp_status tp_check_bolt_ends(const tp_scene *scene, tp_message *message);
+/* Can water in and about many blocks have what a key says? */
+TP_MUST_USE tp_status tp_check_block_water(const tp_water_description *water, const char *key,
+                                           tp_place place, tp_message *message);
+/* A scene of many that was built has nothing of one block on its base, and is complete; and one of
+ * one block has nothing of many. */
+TP_MUST_USE tp_status tp_check_built_blocks(const tp_scene *scene, tp_message *message);
+TP_MUST_USE tp_status tp_check_built_alone(const tp_scene *scene, tp_message *message);
+
 #endif

@@ -41,7 +41,6 @@ static const size_t of_contact[] = {TP_NUMBERS_OF_CONTACT_DESCRIPTION(OFFSET)};
 static const size_t of_solid_part[] = {TP_NUMBERS_OF_SOLID_PART_DESCRIPTION(OFFSET)};
 
 const tp_offsets tp_listed_block_numbers = OFFSETS(of_listed_block);
-const tp_offsets tp_joint_numbers = OFFSETS(of_joint);
 const tp_offsets tp_joint_set_numbers = OFFSETS(of_joint_set);
 const tp_offsets tp_contact_numbers = OFFSETS(of_contact);
 const tp_offsets tp_solid_part_numbers = OFFSETS(of_solid_part);
@@ -67,6 +66,8 @@ const tp_list tp_scene_lists[TP_LISTS] = {
                          .numbers = OFFSETS(of_anchor)},
     [TP_LIST_FORCES] = {ITEMS(loads.forces, loads.force_count, tp_anchor_description),
                         .numbers = OFFSETS(of_anchor)},
+    [TP_LIST_JOINTS] = {ITEMS(many.joints, many.joint_count, tp_joint_description),
+                        .numbers = OFFSETS(of_joint)},
     [TP_LIST_FRICTIONS] = {ITEMS(friction.facets, friction.facet_count,
                                  tp_facet_friction_description),
                            .numbers = OFFSETS(of_facets)},
@@ -93,6 +94,10 @@ long tp_member_count(const tp_scene *scene, tp_list_kind list) {
   long count = 0;
   memcpy(&count, (const char *)scene + tp_scene_lists[list].count, sizeof count);
   return count;
+}
+
+void tp_member_set_count(tp_scene *scene, tp_list_kind list, long count) {
+  memcpy((char *)scene + tp_scene_lists[list].count, &count, sizeof count);
 }
 
 void tp_member_set_items(tp_scene *scene, tp_list_kind list, void *items) {

@@ -19,9 +19,9 @@ typedef struct tp_offsets {
 /* Numbers (fmpq_t) and chains (tp_polyline) of a scene. */
 extern const tp_offsets tp_scene_numbers, tp_scene_lines;
 
-/* Numbers of an item of the lists of blocks, joints and joint sets. */
-extern const tp_offsets tp_listed_block_numbers, tp_joint_numbers, tp_joint_set_numbers,
-    tp_contact_numbers, tp_solid_part_numbers;
+/* Numbers of an item of the lists of blocks, of joint sets, and of contacts and parts of a solid. */
+extern const tp_offsets tp_listed_block_numbers, tp_joint_set_numbers, tp_contact_numbers,
+    tp_solid_part_numbers;
 
 typedef enum tp_list_kind {
   TP_LIST_HOLES,
@@ -33,6 +33,7 @@ typedef enum tp_list_kind {
   TP_LIST_SUPPORTS,
   TP_LIST_ANCHORS,
   TP_LIST_FORCES,
+  TP_LIST_JOINTS,
   TP_LIST_FRICTIONS,
   TP_LIST_TRACTIONS,
   TP_LISTS
@@ -54,6 +55,7 @@ tp_polyline *tp_member_line(void *of, size_t offset);
 /* The items of a list, and how many there are. */
 char *tp_member_items(const tp_scene *scene, tp_list_kind list);
 long tp_member_count(const tp_scene *scene, tp_list_kind list);
+void tp_member_set_count(tp_scene *scene, tp_list_kind list, long count);
 void tp_member_set_items(tp_scene *scene, tp_list_kind list, void *items);
 
 /* Room for `more` holes of the block behind those that it has; false when memory is exhausted. */

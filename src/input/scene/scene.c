@@ -68,6 +68,7 @@ void tp_line_load_init(tp_line_load *load) {
   fmpq_init(load->y1.value);
   fmpq_init(load->first_kpa.value);
   fmpq_init(load->last_kpa.value);
+  load->block = -1;
 }
 
 void tp_line_load_clear(tp_line_load *load) {
@@ -87,6 +88,13 @@ void tp_anchor_init(tp_anchor_description *anchor) {
                               &anchor->rows,          &anchor->step_x,  &anchor->step_y,
                               &anchor->to_x,          &anchor->to_y};
   for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) fmpq_init(own[k]->value);
+  anchor->block = anchor->into = -1;
+}
+
+void tp_joint_init(tp_joint_description *joint) {
+  fmpq_init(joint->friction_angle_deg.value);
+  fmpq_init(joint->cohesion_kpa.value);
+  fmpq_init(joint->tension_kpa.value);
 }
 
 void tp_arc_init(tp_arc_description *arc) {

@@ -129,7 +129,7 @@ typedef struct tp_line_load {
   tp_quantity x0, y0, x1, y1;
   tp_quantity first_kpa, last_kpa;
   bool passive; /* of a support: counts as resistance; else takes from what overturns */
-  long block;   /* of many: which it acts on */
+  long block;   /* of many blocks: which it acts on; -1: that is not said */
 } tp_line_load;
 
 /* The side that a bolt runs to: into the slope, or the one that is said. */
@@ -309,6 +309,11 @@ tp_place tp_scene_shift_place(const tp_scene *scene);
 /* Does the block lie at its place, on a slope or in the frame of the world; else on a table? */
 bool tp_scene_lies_in_place(const tp_scene *scene);
 
+/* A block with nothing given but its place. */
+void tp_listed_block_init(tp_listed_block *listed, tp_place place);
+/* Its unit weight, or the one that all have which do not say so themselves. */
+const tp_quantity *tp_listed_block_unit_weight(const tp_scene *scene,
+                                               const tp_listed_block *listed);
 /* The next block of the list, of which there is room, with nothing given but its place; and that of
  * the scene has this place and this unit weight. */
 tp_listed_block *tp_scene_next_block(tp_scene *scene, tp_place place,
@@ -340,10 +345,12 @@ TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit
  * tooth, `height` the lesser one, a = dx / N and b = y - A / 2. */
 void tp_teeth_over(fmpq_t width, fmpq_t height, const fmpq_t amplitude, long count);
 
-/* The numbers of what a scene holds several of; the rest is zero already. */
+/* The numbers of what a scene holds several of, and that no block is named; the rest is zero
+ * already. */
 void tp_line_load_init(tp_line_load *load);
 void tp_line_load_clear(tp_line_load *load);
 void tp_anchor_init(tp_anchor_description *anchor);
+void tp_joint_init(tp_joint_description *joint);
 void tp_arc_init(tp_arc_description *arc);
 void tp_corner_init(tp_corner_description *corner);
 void tp_facet_friction_description_init(tp_facet_friction_description *facets);

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A scene made, with what holds where nothing is given, copied, and given back; the block that was
- * read moved to the list of many. */
+ * read moved to the list of many, and those of the list copied with it. */
 
 #include "scene/members.h"
 #include "scene/partial_factors.h"
@@ -57,13 +57,34 @@ static void clear_block(tp_scene *scene) {
   }
 }
 
+/* Numbers of a block with nothing given: it is all zero already. */
+static void init_shape(tp_block_description *shape) {
+  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
+    const size_t offset = tp_scene_numbers.items[k];
+    if (is_of_block(offset)) fmpq_init(tp_member_number(shape, offset - offsetof(tp_scene, block)));
+  }
+}
+
+void tp_listed_block_init(tp_listed_block *listed, tp_place place) {
+  memset(listed, 0, sizeof *listed);
+  listed->place = listed->shape.place = place;
+  for (size_t k = 0; k < tp_listed_block_numbers.count; k++) {
+    fmpq_init(tp_member_number(listed, tp_listed_block_numbers.items[k]));
+  }
+  init_shape(&listed->shape);
+}
+
+const tp_quantity *tp_listed_block_unit_weight(const tp_scene *scene,
+                                               const tp_listed_block *listed) {
+  const tp_quantity *own = &listed->shape.unit_weight_kn_m3;
+  return own->given ? own : &scene->block.unit_weight_kn_m3;
+}
+
 tp_listed_block *tp_scene_next_block(tp_scene *scene, tp_place place,
                                      const tp_quantity *unit_weight) {
   tp_listed_block *own = scene->many.blocks + scene->many.count++;
-  for (size_t k = 0; k < tp_listed_block_numbers.count; k++) {
-    fmpq_init(tp_member_number(own, tp_listed_block_numbers.items[k]));
-  }
-  own->place = scene->block.place = place;
+  tp_listed_block_init(own, place);
+  scene->block.place = place;
   tp_quantity_copy(&scene->block.unit_weight_kn_m3, unit_weight);
   return own;
 }
@@ -71,10 +92,7 @@ tp_listed_block *tp_scene_next_block(tp_scene *scene, tp_place place,
 void tp_scene_list_block(tp_scene *scene, tp_listed_block *listed) {
   listed->shape = scene->block;
   memset(&scene->block, 0, sizeof scene->block);
-  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
-    const size_t offset = tp_scene_numbers.items[k];
-    if (is_of_block(offset)) fmpq_init(tp_member_number(scene, offset));
-  }
+  init_shape(&scene->block);
 }
 
 const tp_joint_set *tp_block_list_set(const tp_block_list *many, long block, long edge) {
@@ -98,9 +116,7 @@ static void clear_blocks(tp_scene *scene) {
     free(many->slope.sets[k].name);
   }
   free(many->slope.sets);
-  for (long k = 0; k < many->joint_count; k++) clear_numbers(many->joints + k, &tp_joint_numbers);
   free(many->blocks);
-  free(many->joints);
 }
 
 static void clear_contact(tp_contact_description *contact) {
@@ -144,14 +160,16 @@ void tp_scene_free(tp_scene *scene) {
   free(scene);
 }
 
-/* Numbers that were copied as they lie in memory become numbers of their own. */
+/* A number that was copied as it lies in memory becomes one of its own. */
+static void own_number(void *copy, size_t offset) {
+  fmpq *number = tp_member_number(copy, offset);
+  const fmpq held = *number;
+  fmpq_init(number);
+  fmpq_set(number, &held);
+}
+
 static void own_numbers(void *copy, const tp_offsets *numbers) {
-  for (size_t k = 0; k < numbers->count; k++) {
-    fmpq *number = tp_member_number(copy, numbers->items[k]);
-    const fmpq held = *number;
-    fmpq_init(number);
-    fmpq_set(number, &held);
-  }
+  for (size_t k = 0; k < numbers->count; k++) own_number(copy, numbers->items[k]);
 }
 
 static void own_line(void *copy, size_t offset) {
@@ -160,15 +178,22 @@ static void own_line(void *copy, size_t offset) {
 }
 
 /* Room for a power of two, as the calls that add to a list keep it (scene_building/build.c). */
-static bool own_list(tp_scene *copy, tp_list_kind kind, const tp_scene *scene) {
-  const tp_list *list = tp_scene_lists + kind;
-  const long count = tp_member_count(scene, kind);
-  if (count == 0) return true;
+static void *room_for(long count, size_t size) {
   long room = 1;
   while (room < count) room *= 2;
-  char *items = malloc((size_t)room * list->size);
+  return malloc((size_t)room * size);
+}
+
+/* Instead of the one that it shares; it has none where memory is exhausted. */
+static bool own_list(tp_scene *copy, tp_list_kind kind) {
+  const tp_list *list = tp_scene_lists + kind;
+  const char *shared = tp_member_items(copy, kind);
+  const long count = tp_member_count(copy, kind);
+  tp_member_set_items(copy, kind, NULL);
+  if (count == 0) return true;
+  char *items = room_for(count, list->size);
   if (items == NULL) return false;
-  memcpy(items, tp_member_items(scene, kind), (size_t)count * list->size);
+  memcpy(items, shared, (size_t)count * list->size);
   for (long k = 0; k < count; k++) {
     char *item = items + (size_t)k * list->size;
     own_numbers(item, &list->numbers);
@@ -176,6 +201,49 @@ static bool own_list(tp_scene *copy, tp_list_kind kind, const tp_scene *scene) {
   }
   tp_member_set_items(copy, kind, items);
   return true;
+}
+
+static bool own_lists(tp_scene *copy, bool of_block_alone) {
+  bool done = true;
+  for (int k = 0; k < TP_LISTS; k++) {
+    if (of_block_alone && !is_of_block(tp_scene_lists[k].items)) continue;
+    done = own_list(copy, (tp_list_kind)k) && done;
+  }
+  return done;
+}
+
+static bool own_block(tp_scene *copy) {
+  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
+    if (is_of_block(tp_scene_numbers.items[k])) own_number(copy, tp_scene_numbers.items[k]);
+  }
+  for (size_t k = 0; k < tp_scene_lines.count; k++) {
+    if (is_of_block(tp_scene_lines.items[k])) own_line(copy, tp_scene_lines.items[k]);
+  }
+  return own_lists(copy, true);
+}
+
+/* As clear_blocks does, by the place of the scene's block. */
+static bool own_blocks(tp_scene *copy) {
+  tp_block_list *many = &copy->many;
+  const tp_listed_block *shared = many->blocks;
+  const tp_block_description held = copy->block;
+  const long count = many->count;
+  many->count = 0;
+  many->blocks = NULL;
+  if (count == 0) return true;
+  many->blocks = room_for(count, sizeof *many->blocks);
+  bool done = many->blocks != NULL;
+  for (; many->count < count && done; many->count++) {
+    tp_listed_block *own = many->blocks + many->count;
+    *own = shared[many->count];
+    own->name = strdup(own->name);
+    own_numbers(own, &tp_listed_block_numbers);
+    copy->block = own->shape;
+    done = own_block(copy) && own->name != NULL;
+    own->shape = copy->block;
+  }
+  copy->block = held;
+  return done;
 }
 
 static bool own_overrides(tp_scene *copy, const tp_scene *scene) {
@@ -191,14 +259,14 @@ tp_scene *tp_scene_copy(const tp_scene *scene) {
   tp_scene *copy = malloc(sizeof *copy);
   if (copy == NULL) return NULL;
   *copy = *scene;
-  for (int k = 0; k < TP_LISTS; k++) tp_member_set_items(copy, (tp_list_kind)k, NULL);
   own_numbers(copy, &tp_scene_numbers);
   for (size_t k = 0; k < tp_scene_lines.count; k++) own_line(copy, tp_scene_lines.items[k]);
   copy->title = scene->title != NULL ? strdup(scene->title) : NULL;
   const bool headed = tp_letterhead_copy(&copy->letterhead, &scene->letterhead);
   bool done =
       own_overrides(copy, scene) && headed && (copy->title == NULL) == (scene->title == NULL);
-  for (int k = 0; k < TP_LISTS && done; k++) done = own_list(copy, (tp_list_kind)k, scene);
+  done = own_lists(copy, false) && done;
+  done = own_blocks(copy) && done;
   if (done) return copy;
   tp_scene_free(copy);
   return NULL;

@@ -5,8 +5,8 @@
  * block is read as that of a scene of one block, and then moved to the list; joints name two of
  * them. */
 
-#include "scene/members.h"
-#include "scene_reading/block_names.h"
+#include "scene/block_names.h"
+#include "scene_reading/read.h"
 
 #include "common/outside.h"
 
@@ -14,7 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NAME = 60 };
 static const long most_blocks = 1000000;
 
 static tp_status read_name(const tp_reader *reader, tp_listed_block *listed, const tp_node *node,
@@ -25,10 +24,10 @@ static tp_status read_name(const tp_reader *reader, tp_listed_block *listed, con
     snprintf(text, sizeof text, "%ld", number);
     listed->name = strdup(text);
   } else if (node->kind != TP_NODE_SCALAR || node->text[0] == '\0' ||
-             strlen(node->text) > MOST_NAME) {
+             strlen(node->text) > TP_MOST_BLOCK_NAME) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "the name of a block is a text of 1 to %d characters, as 'name: B1'",
-                        MOST_NAME);
+                        TP_MOST_BLOCK_NAME);
   } else {
     listed->name = strdup(node->text);
   }
@@ -72,26 +71,6 @@ static tp_status read_listed(const tp_reader *reader, const tp_node *node,
   return status;
 }
 
-/* Of each block that has weight, or of none: then the material is the same for all. */
-static tp_status check_weights(const tp_reader *reader) {
-  const tp_block_list *many = &reader->scene->many;
-  const tp_listed_block *weighed = NULL, *other = NULL;
-  for (long k = 0; k < many->count; k++) {
-    const tp_listed_block *own = many->blocks + k;
-    if (own->fixed) continue;
-    if (own->shape.unit_weight_kn_m3.given) {
-      weighed = own;
-    } else {
-      other = own;
-    }
-  }
-  if (weighed == NULL || other == NULL) return TP_OK;
-  return tp_refuse(reader->message, TP_FAULT_KEY, other->place,
-                   "block '%s' has no 'unit_weight_kn_m3', and '%s' has one: give it to each, or "
-                   "to all by 'block: {unit_weight_kn_m3: 25}'",
-                   tp_quote_all(other->name).text, tp_quote_all(weighed->name).text);
-}
-
 static tp_status read_list(const tp_reader *reader, const tp_node *node,
                            const tp_quantity *unit_weight) {
   tp_block_list *many = &reader->scene->many;
@@ -107,7 +86,7 @@ static tp_status read_list(const tp_reader *reader, const tp_node *node,
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
     status = read_listed(reader, n, unit_weight);
   }
-  return status == TP_OK ? check_weights(reader) : status;
+  return status == TP_OK ? tp_check_block_weights(reader->scene, reader->message) : status;
 }
 
 /* What the blocks have in common. */
@@ -126,9 +105,9 @@ static tp_status read_common(const tp_reader *reader, const tp_node *node) {
 static tp_status read_end(const tp_reader *reader, long *number, const tp_node *node,
                           const tp_block_name *names, const tp_node *drawing) {
   const bool named = drawing != NULL && node->kind == TP_NODE_SCALAR &&
-                     !tp_block_name_is(reader, node->text, names);
+                     !tp_block_name_is(reader->scene, node->text, names);
   const long layer = named ? tp_drawn_layer_of(drawing, node->text) : 0;
-  if (layer == 0) return tp_block_name_find(reader, number, node, names);
+  if (layer == 0) return tp_block_name_find(number, reader->scene, node, names, reader->message);
   *number = -layer;
   return TP_OK;
 }
@@ -164,15 +143,13 @@ static tp_status read_joints(const tp_reader *reader, const tp_node *root) {
                         "joints are a list of {between: [B1, B2], friction_angle_deg: 25}");
   }
   tp_block_name *names = NULL;
-  tp_status status = tp_block_names_sort(&names, reader);
+  tp_status status = tp_block_names_sort(&names, reader->scene, reader->message);
   if (status != TP_OK) return status;
   many->joints = calloc((size_t)node->count + 1, sizeof *many->joints);
   if (many->joints == NULL) status = tp_fail_memory(reader->message, "the joints");
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
     tp_joint_description *own = many->joints + many->joint_count++;
-    for (size_t k = 0; k < tp_joint_numbers.count; k++) {
-      fmpq_init(tp_member_number(own, tp_joint_numbers.items[k]));
-    }
+    tp_joint_init(own);
     status = read_joint(reader, own, n, names, tp_node_get(root, "drawing"));
   }
   free(names);

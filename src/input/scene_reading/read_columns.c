@@ -247,9 +247,7 @@ tp_status tp_read_column_joints(const tp_reader *reader) {
   for (long k = 1; k + 1 < many->count; k++) {
     tp_joint_description *own = joints + many->joint_count++;
     memset(own, 0, sizeof *own);
-    for (size_t n = 0; n < tp_joint_numbers.count; n++) {
-      fmpq_init(tp_member_number(own, tp_joint_numbers.items[n]));
-    }
+    tp_joint_init(own);
     own->place = friction->place;
     own->between[0] = k;
     own->between[1] = k + 1;

@@ -31,18 +31,19 @@ static tp_status shift(tp_section *section, const tp_listed_block *listed, tp_me
   return TP_OK;
 }
 
-/* The block with chords for its arcs. */
-static tp_status set_section(tp_section *section, const tp_listed_block *listed,
-                             tp_message *message) {
-  if (listed->shape.arc_count == 0) return tp_section_init(section, &listed->shape, message);
+/* The block of its unit weight, with chords for its arcs. */
+static tp_status set_section(tp_section *section, const tp_scene *scene,
+                             const tp_listed_block *listed, tp_message *message) {
+  tp_block_description own = listed->shape; /* shares all with it */
+  own.unit_weight_kn_m3 = *tp_listed_block_unit_weight(scene, listed);
+  if (own.arc_count == 0) return tp_section_init(section, &own, message);
   tp_arc_chords chords;
-  const tp_status status = tp_arc_chords_init(&chords, &listed->shape, message);
+  const tp_status status = tp_arc_chords_init(&chords, &own, message);
   if (status != TP_OK) return status;
-  tp_block_description chorded = listed->shape;
-  chorded.outline = chords.ring;
-  chorded.arcs = NULL;
-  chorded.arc_count = 0;
-  const tp_status made = tp_section_init(section, &chorded, message);
+  own.outline = chords.ring;
+  own.arcs = NULL;
+  own.arc_count = 0;
+  const tp_status made = tp_section_init(section, &own, message);
   tp_arc_chords_clear(&chords);
   return made;
 }
@@ -66,7 +67,7 @@ static tp_status check(const tp_section *section, const fmpq_t metres_per_unit,
 
 static tp_status set_block(tp_built_system *s, const tp_listed_block *listed, tp_message *message) {
   tp_section *section = s->sections + s->count;
-  tp_status status = set_section(section, listed, message);
+  tp_status status = set_section(section, s->scene, listed, message);
   if (status != TP_OK) return status;
   s->given[s->count++] = (tp_given_block){
       .section = section, .name = listed->name, .place = listed->place, .fixed = listed->fixed};

@@ -15,7 +15,7 @@ static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
   const bool asks = scene->many.support.place.file != NULL;
   for (long k = 0; k < s->count && (s->is_measured || asks); k++) {
     const tp_listed_block *own = scene->many.blocks + k;
-    if (own->fixed || own->shape.unit_weight_kn_m3.given) continue;
+    if (own->fixed || tp_listed_block_unit_weight(scene, own)->given) continue;
     return tp_refuse(message, TP_FAULT_KEY, own->place,
                      "%s weighed against the blocks: give 'block: {unit_weight_kn_m3: 25}' or that "
                      "of each",

@@ -209,6 +209,9 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
 
 static tp_status build(tp_built_system *s, tp_message *message) {
   tp_status status = tp_check_load_case(s->scene, message);
+  if (status == TP_OK && s->scene->source == NULL) {
+    status = tp_check_built_blocks(s->scene, message);
+  }
   if (status == TP_OK) status = tp_built_system_set_blocks(s, message);
   if (status == TP_OK) {
     status =

@@ -104,7 +104,7 @@ static bool set_block(tp_system_block *own, const tp_built_system *s, long k, lo
   own->area_m2 = area_of(&a->lattice, chain, s->sections[k].hole_count);
   own->centroid_x_m = coordinate(a, a->lattice.origin_x, block->x, block->arm_x);
   own->centroid_y_m = coordinate(a, a->lattice.origin_y, block->y, block->arm_y);
-  own->has_weight = listed->shape.unit_weight_kn_m3.given;
+  own->has_weight = tp_listed_block_unit_weight(s->scene, listed)->given;
   own->weight_n_m =
       bounded(tp_near_mul(block->weight, (tp_near){ldexp(newtons, (int)a->weight_exponent), 0}));
   return own->name != NULL;
