@@ -164,6 +164,40 @@ TP_MUST_USE tp_status tp_scene_set_rounding_keeps_mass(tp_scene *scene, bool kee
  * note says so; unless set such rings are refused. */
 TP_MUST_USE tp_status tp_scene_set_repair(tp_scene *scene, bool repair, tp_message *message);
 
+/* Many blocks instead of one on its base (docs/blocks_in_contact.md): each by its `outline`, as
+ * above, where it lies; some are `ground`, which is fixed. `name` has up to 60 bytes; NULL: its
+ * number. Of the calls for one block and its base those of unit weight, of one angle of friction,
+ * of tilt, frame and slope, and of loads mean the same of all blocks; water by its height, its
+ * crack or its ice, and all calls for a block's form, base and tests are refused as the scene is
+ * used. */
+TP_MUST_USE tp_status tp_scene_add_block(tp_scene *scene, tp_coordinates outline, const char *name,
+                                         bool ground, tp_message *message);
+
+/* More of the block added as the `number`th, from 1 on: its own unit weight, where it is not that
+ * of all; a hole in it; a part of it with a different unit weight. */
+TP_MUST_USE tp_status tp_scene_set_block_unit_weight_kn_m3(tp_scene *scene, size_t number,
+                                                           tp_exact unit_weight_kn_m3,
+                                                           tp_message *message);
+TP_MUST_USE tp_status tp_scene_add_block_hole(tp_scene *scene, size_t number,
+                                              tp_coordinates outline, tp_message *message);
+TP_MUST_USE tp_status tp_scene_add_block_part(tp_scene *scene, size_t number,
+                                              tp_coordinates outline, tp_exact unit_weight_kn_m3,
+                                              tp_message *message);
+
+/* All contacts between the `first` and the `second` block, by their numbers, have strength of their
+ * own: by the calls below, of the joint added as the `number`th. What these do not set is the
+ * scene's: its friction angle, "loads.cohesion_kpa" and "loads.bond_kpa". */
+TP_MUST_USE tp_status tp_scene_add_joint(tp_scene *scene, size_t first, size_t second,
+                                         tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_joint_friction_angle_deg(tp_scene *scene, size_t number,
+                                                            tp_exact angle_deg,
+                                                            tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_joint_cohesion_kpa(tp_scene *scene, size_t number,
+                                                      tp_exact cohesion_kpa, tp_message *message);
+/* Its tensile strength. */
+TP_MUST_USE tp_status tp_scene_set_joint_tension_kpa(tp_scene *scene, size_t number,
+                                                     tp_exact tension_kpa, tp_message *message);
+
 /* The thickness of the block, normal to the section; 1 m unless set. */
 TP_MUST_USE tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness,
                                              tp_message *message);
@@ -409,6 +443,41 @@ TP_MUST_USE tp_status tp_scene_add_support_pressure(tp_scene *scene, tp_exact x0
                                                     tp_exact x1, tp_exact y1, tp_exact first_kpa,
                                                     tp_exact last_kpa, bool passive,
                                                     tp_message *message);
+
+/* Loads on many blocks. A bolt from the point (x, y) to its far end (to_x, to_y), which holds in
+ * the block that it lies in; a force on them from outside, which `direction_deg` is of, from x
+ * towards y. Forces are per metre of thickness, those of bolts of one bolt, on a metre or on its
+ * spacing. */
+TP_MUST_USE tp_status tp_scene_add_bolt_to(tp_scene *scene, tp_exact x, tp_exact y, tp_exact to_x,
+                                           tp_exact to_y, tp_exact force_kn, bool passive,
+                                           tp_message *message);
+TP_MUST_USE tp_status tp_scene_add_force(tp_scene *scene, tp_exact x, tp_exact y,
+                                         tp_exact direction_deg, tp_exact force_kn,
+                                         tp_message *message);
+
+/* The block, by its number, in which the far end of the anchor or bolt added as the `number`th
+ * holds; without it, the one that it lies in. */
+TP_MUST_USE tp_status tp_scene_set_bolt_into(tp_scene *scene, size_t number, size_t block,
+                                             tp_message *message);
+
+/* Loads that act where their points lie. */
+typedef enum tp_placed_load {
+  TP_PLACED_PRESSURE,
+  TP_PLACED_SURCHARGE,
+  TP_PLACED_SUPPORT_PRESSURE,
+  TP_PLACED_BOLT, /* or anchor */
+  TP_PLACED_FORCE
+} tp_placed_load;
+
+/* The block, by its number, that the load added as the `number`th of its kind acts on; without it,
+ * those that it lies on. */
+TP_MUST_USE tp_status tp_scene_set_load_block(tp_scene *scene, tp_placed_load load, size_t number,
+                                              size_t block, tp_message *message);
+
+/* Ask for the force that is needed at the point (x, y) of a block, by its number. Its direction and
+ * the factor of safety that it is for have keys, "support.direction_deg" and "support.fos". */
+TP_MUST_USE tp_status tp_scene_set_support(tp_scene *scene, size_t block, tp_exact x, tp_exact y,
+                                           tp_message *message);
 
 /* The numbers of a scene have keys: the way to them in a scene file, as in friction_angle_deg,
  * block.outline.3.1 (x of the third point) or block.rounded.corners.1.radius, with entries of lists

@@ -23,6 +23,7 @@ except ImportError as _error:
     ) from _error
 from .accuracy import accuracy_of_scene, accuracy_sweep
 from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
+from .blocks_builder import PlacedLoad
 from .batch import batch, batch_text
 from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
                      critical_angles, moments, outline_moments, verdicts)
@@ -56,7 +57,7 @@ if (_built := _ffi.string(_lib.built_version()).decode()) != __version__:
 
 __all__ = ["Along", "AreaMoments", "BadInput", "BaseBound", "Bounded", "Caution", "Chart", "CriticalAngles",
            "DependencyFailed", "FileNotFound", "FrictionIs", "Interrupted", "LeftEnd", "Moments", "NoAnswer", "OutOfMemory",
-           "PermissionDenied", "RoughnessBy", "Scene", "SeismicDirection", "Status", "Summary", "Sweep",
+           "PermissionDenied", "PlacedLoad", "RoughnessBy", "Scene", "SeismicDirection", "Status", "Summary", "Sweep",
            "SystemFailed", "ToppleError", "Towards", "Undecided", "UndersideEnd", "Verdicts", "WaterFaces", "WaterUplift", "Wear",
            "accuracy_of_scene", "accuracy_sweep", "batch", "batch_text", "chart_fos", "chart_map", "chart_mechanisms",
            "chart_overturning", "chart_ranges", "chart_study", "chart_study_scatter", "chart_tilt_phase",

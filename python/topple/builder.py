@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from ._library import lib
 from .base_builder import LeftEnd
+from .blocks_builder import BlocksBuilder
 from .given import Number, Points, c_number, c_text
-from .tilt_builder import TiltBuilder
 from .word import Word, number_of
 from .words import Direction
 class SeismicDirection(Word):
@@ -71,7 +71,7 @@ class FrictionIs(Word):
     APPARENT = "apparent"
 
 
-class Builder(TiltBuilder):
+class Builder(BlocksBuilder):
     """A scene in memory that is changed call by call."""
 
     def set_title(self, title: str) -> None:

@@ -76,9 +76,16 @@ class Scene(Builder):
                  water: Given | None = None, water_level: Given | None = None,
                  water_surface: Given | None = None, tension_crack_level: Number | None = None,
                  tension_crack_height: Given | None = None, ice: Given | None = None,
+                 blocks: Iterable[Given] = (), block_unit_weights_kn_m3: Iterable[Given] = (),
+                 block_holes: Iterable[Given] = (), block_parts: Iterable[Given] = (),
+                 joints: Iterable[Given] = (), joint_friction_angles_deg: Iterable[Given] = (),
+                 joint_cohesions_kpa: Iterable[Given] = (), joint_tensions_kpa: Iterable[Given] = (),
                  pressures: Iterable[Given] = (),
                  surcharges: Iterable[Given] = (), anchors: Iterable[Given] = (),
                  bolts: Iterable[Given] = (), support_pressures: Iterable[Given] = (),
+                 bolts_to: Iterable[Given] = (), forces: Iterable[Given] = (),
+                 bolts_into: Iterable[Given] = (), load_blocks: Iterable[Given] = (),
+                 support: Given | None = None, support_direction_deg: Number | None = None, support_fos: Number | None = None,
                  bond_kpa: Number | None = None, cohesion_kpa: Number | None = None,
                  tilt_test: Given | None = None, tilt_test_speed_deg_min: Number | None = None,
                  tilt_test_until_deg: Number | None = None,
@@ -96,12 +103,12 @@ class Scene(Builder):
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_new, receives, c_text(length_unit))
         self._own(receives, "new", length_unit)
+        for name, call in ADD.items():
+            for value in given[name]:
+                call(self, value)
         for name, call in SET.items():
             value = given[name]
             if value is not None:
-                call(self, value)
-        for name, call in ADD.items():
-            for value in given[name]:
                 call(self, value)
 
     @classmethod
@@ -433,6 +440,9 @@ SET = {
     "tension_crack_level": Scene.set_tension_crack_level,
     "tension_crack_height": _spread(Scene.set_tension_crack_height),
     "ice": _spread(Scene.set_ice),
+    "support": _spread(Scene.set_support),
+    "support_direction_deg": _by_key("support.direction_deg"),
+    "support_fos": _by_key("support.fos"),
     "bond_kpa": _by_key("loads.bond_kpa"),
     "cohesion_kpa": _by_key("loads.cohesion_kpa"),
     "tilt_test": _spread(Scene.set_tilt_test),
@@ -447,6 +457,14 @@ SET = {
     "tilt_test_restitution": _by_key("tilt_test.restitution"),
 }
 ADD = {
+    "blocks": _spread(Scene.add_block),
+    "block_unit_weights_kn_m3": _spread(Scene.set_block_unit_weight_kn_m3),
+    "block_holes": _spread(Scene.add_block_hole),
+    "block_parts": _spread(Scene.add_block_part),
+    "joints": _spread(Scene.add_joint),
+    "joint_friction_angles_deg": _spread(Scene.set_joint_friction_angle_deg),
+    "joint_cohesions_kpa": _spread(Scene.set_joint_cohesion_kpa),
+    "joint_tensions_kpa": _spread(Scene.set_joint_tension_kpa),
     "holes": Scene.add_hole,
     "parts": _spread(Scene.add_part),
     "arcs_through": _spread(Scene.add_arc_through),
@@ -459,7 +477,11 @@ ADD = {
     "surcharges": _spread(Scene.add_surcharge),
     "anchors": _spread(Scene.add_anchor),
     "bolts": _spread(Scene.add_bolt),
+    "bolts_to": _spread(Scene.add_bolt_to),
+    "bolts_into": _spread(Scene.set_bolt_into),
     "support_pressures": _spread(Scene.add_support_pressure),
+    "forces": _spread(Scene.add_force),
+    "load_blocks": _spread(Scene.set_load_block),
     "tilt_test_tractions": _spread(Scene.add_tilt_test_traction),
     "shaking_pulses": _spread(Scene.set_shaking_pulse),
     "shaking_records": _spread(Scene.set_shaking_record),

@@ -240,6 +240,45 @@ START_TEST(changes) {
 }
 END_TEST
 
+/* Many blocks: each by its number, which must be there; nothing of one block stands beside them. */
+START_TEST(blocks) {
+  tp_block_system *system = UNTOUCHED(tp_block_system);
+  const tp_solve_options options = tp_solve_options_default();
+#define SYSTEM tp_solve_block_system(&system, scene, &options, &message)
+  REFUSED(SYSTEM, "this scene is of one block");
+  tear_down();
+  DO(tp_scene_new(&scene, "m", &message));
+  REFUSED(tp_scene_add_block(scene, SQUARE, "", true, &message), "a text of 1 to 60 bytes");
+  REFUSED(tp_scene_add_block(scene, tp_coordinates_of(NULL, 3), "a", true, &message), "outline");
+  REFUSED(tp_scene_add_joint(scene, 1, 2, &message), "there is no block of this number");
+  DO(tp_scene_add_block(scene, SQUARE, "a", false, &message));
+  REFUSED(tp_scene_add_joint(scene, 1, 1, &message), "a joint is between two blocks");
+  REFUSED(tp_scene_add_joint(scene, 0, 1, &message), "the scene has 1");
+  REFUSED(tp_scene_set_joint_tension_kpa(scene, 1, E(1), &message), "there is no joint of this");
+  REFUSED(tp_scene_set_block_unit_weight_kn_m3(scene, 1, E(0), &message),
+          "tp_scene_set_block_unit_weight_kn_m3:1: unit_weight_kn_m3 must be above zero");
+  REFUSED(tp_scene_add_block_hole(scene, 2, SQUARE, &message), "there is no block of this number");
+  REFUSED(tp_scene_set_bolt_into(scene, 1, 1, &message), "there is no bolt of this number");
+  REFUSED(tp_scene_set_load_block(scene, (tp_placed_load)9, 1, 1, &message), "no such load");
+  REFUSED(tp_scene_set_load_block(scene, TP_PLACED_FORCE, 1, 1, &message), "there is no load of");
+  REFUSED(tp_scene_set_support(scene, 2, E(0), E(0), &message), "there is no block of this number");
+  DO(tp_scene_add_block(scene, SQUARE, "a", true, &message));
+  REFUSED(SYSTEM, "tp_scene_add_block:2: two blocks are named 'a', the first is block 1");
+  tear_down();
+  DO(tp_scene_new(&scene, "m", &message));
+  DO(tp_scene_add_block(scene, SQUARE, NULL, true, &message));
+  DO(tp_scene_set_water(scene, E(1), E(10), false, false, &message));
+  REFUSED(SYSTEM, "tp_scene_set_water: 'height' is of one block on its base");
+  DO(tp_scene_set_base_mated(scene, false, &message));
+  REFUSED(SYSTEM, "tp_scene_set_base_mated: this is of a scene of one block");
+  DO(tp_scene_set_slab(scene, E(1), E(1), &message));
+  REFUSED(SYSTEM, "tp_scene_set_slab: this is of a scene of one block");
+  ck_assert_ptr_eq(system, UNTOUCHED(tp_block_system));
+  tp_solution *solution = UNTOUCHED(tp_solution);
+  REFUSED(tp_solve(&solution, scene, &options, &message), "or many by tp_scene_add_block");
+}
+END_TEST
+
 SUITE(base_arguments) {
   Suite *suite = suite_create("base_arguments");
   TCase *tests = tcase_create("bases");
@@ -248,7 +287,7 @@ SUITE(base_arguments) {
   tcase_add_test(tests, bases);
   tcase_add_test(tests, loads);
   tcase_add_test(tests, bolts);
-  tcase_add_test(tests, bolts);
+  tcase_add_test(tests, blocks);
   tcase_add_test(tests, teeth);
   tcase_add_test(tests, self_affine);
   tcase_add_test(tests, changes);

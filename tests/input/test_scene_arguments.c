@@ -97,6 +97,19 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_bolt_capacity_kn(own, 1, E(1), &message), why);
   REFUSED(tp_scene_set_bolt_spacing(own, 1, E(1), &message), why);
   REFUSED(tp_scene_set_bolt_rows(own, 1, 2, E(0), E(1), &message), why);
+  REFUSED(tp_scene_add_block(own, s, "x", true, &message), why);
+  REFUSED(tp_scene_set_block_unit_weight_kn_m3(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_add_block_hole(own, 1, s, &message), why);
+  REFUSED(tp_scene_add_block_part(own, 1, s, E(1), &message), why);
+  REFUSED(tp_scene_add_joint(own, 1, 2, &message), why);
+  REFUSED(tp_scene_set_joint_friction_angle_deg(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_set_joint_cohesion_kpa(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_set_joint_tension_kpa(own, 1, E(1), &message), why);
+  REFUSED(tp_scene_add_bolt_to(own, E(1), E(1), E(2), E(2), E(1), false, &message), why);
+  REFUSED(tp_scene_add_force(own, E(1), E(1), E(1), E(1), &message), why);
+  REFUSED(tp_scene_set_bolt_into(own, 1, 1, &message), why);
+  REFUSED(tp_scene_set_load_block(own, TP_PLACED_BOLT, 1, 1, &message), why);
+  REFUSED(tp_scene_set_support(own, 1, E(1), E(1), &message), why);
 }
 
 START_TEST(scenes) {

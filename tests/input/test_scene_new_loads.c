@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Scenes built in memory with loads, with friction by laws, and with numbers that are set again:
- * each has the solution of the file that says the same. */
+/* Scenes built in memory with loads, with friction by laws, with numbers that are set again, and of
+ * many blocks: each has the solution of the file that says the same. */
 
 #include "built_scene.h"
 
@@ -98,6 +98,108 @@ START_TEST(sweeps) {
 }
 END_TEST
 
+/* ---- many blocks -------------------------------------------------------------------------------
+ */
+
+static void add_box(tp_scene *scene, const char *name, bool ground, double x0, double y0, double x1,
+                    double y1) {
+  const double box[] = {x0, y0, x1, y0, x1, y1, x0, y1};
+  DO(tp_scene_add_block(scene, tp_coordinates_of(box, 4), name, ground, &message));
+}
+
+/* A column beside a low block on ground. */
+static tp_scene *columns(void) {
+  tp_scene *scene = new_scene("m");
+  add_box(scene, "ground", true, -9, -1, 9, 0);
+  add_box(scene, NULL, false, 0, 0, 2, 1);
+  add_box(scene, "column", false, 2, 0, 3, 5);
+  DO(tp_scene_set_friction_angle_deg(scene, E(31), &message));
+  DO(tp_scene_set_unit_weight_kn_m3(scene, E(25), &message));
+  DO(tp_scene_set_tilt_towards(scene, true, false, &message));
+  return scene;
+}
+
+#define COLUMNS(of_low, of_column)                                                                 \
+  "topple: 1\nlength_unit: m\nfriction_angle_deg: 31\nblock: {unit_weight_kn_m3: 25}\n"            \
+  "tilt: {towards: left}\nblocks:\n"                                                               \
+  "- {name: ground, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"                \
+  "- {outline: [[0, 0], [2, 0], [2, 1], [0, 1]]" of_low "}\n"                                      \
+  "- {name: column, outline: [[2, 0], [3, 0], [3, 5], [2, 5]]" of_column "}\n"
+
+START_TEST(blocks) {
+  static const double hole[] = {0.5, 0.25, 1, 0.25, 1, 0.75}, part[] = {2.25, 1, 2.75, 1, 2.5, 2};
+  tp_scene *scene = columns();
+  DO(tp_scene_set_block_unit_weight_kn_m3(scene, 2, E(20), &message));
+  DO(tp_scene_add_block_hole(scene, 2, tp_coordinates_of(hole, 3), &message));
+  DO(tp_scene_add_block_part(scene, 3, tp_coordinates_of(part, 3), E(19), &message));
+  DO(tp_scene_add_joint(scene, 3, 2, &message));
+  DO(tp_scene_set_joint_friction_angle_deg(scene, 1, E(17), &message));
+  expect_same(
+      scene,
+      COLUMNS(
+          ", unit_weight_kn_m3: 20, holes: [[[0.5, 0.25], [1, 0.25], [1, 0.75]]]",
+          ", parts: [{outline: [[2.25, 1], [2.75, 1], [2.5, 2]], "
+          "unit_weight_kn_m3: 19}]") "joints: [{between: [column, 2], friction_angle_deg: 17}]\n");
+}
+END_TEST
+
+/* Every load, and what each of them can be told of blocks. */
+START_TEST(loaded_blocks) {
+  static const double surface[] = {-20, 0.5, 20, 2};
+  tp_scene *scene = columns();
+  DO(tp_scene_add_joint(scene, 2, 3, &message));
+  DO(tp_scene_set_joint_cohesion_kpa(scene, 1, E(4), &message));
+  DO(tp_scene_set_joint_tension_kpa(scene, 1, E(1), &message));
+  DO(tp_scene_set_number(scene, "loads.seismic.horizontal", T("0.05"), &message));
+  DO(tp_scene_set_water_surface(scene, tp_coordinates_of(surface, 2), T("9.81"), TP_WATER_BEHIND,
+                                TP_WATER_UPLIFT_FULL, &message));
+  DO(tp_scene_add_pressure(scene, E(3), E(3), E(3), E(5), E(4), E(0), &message));
+  DO(tp_scene_set_load_block(scene, TP_PLACED_PRESSURE, 1, 3, &message));
+  DO(tp_scene_add_surcharge(scene, E(2), E(1), E(0), E(1), E(6), &message));
+  DO(tp_scene_set_load_block(scene, TP_PLACED_SURCHARGE, 1, 2, &message));
+  DO(tp_scene_add_support_pressure(scene, E(0), E(1), E(0), E(0), E(2), E(2), true, &message));
+  DO(tp_scene_set_load_block(scene, TP_PLACED_SUPPORT_PRESSURE, 1, 2, &message));
+  DO(tp_scene_add_bolt_to(scene, E(2), E(4), E(8), T("-0.5"), E(30), false, &message));
+  DO(tp_scene_set_bolt_spacing(scene, 1, E(2), &message));
+  DO(tp_scene_add_bolt(scene, E(0), T("0.5"), E(20), E(5), true, &message));
+  DO(tp_scene_set_bolt_towards(scene, 2, TP_TOWARDS_RIGHT, &message));
+  DO(tp_scene_set_bolt_into(scene, 2, 1, &message));
+  DO(tp_scene_set_load_block(scene, TP_PLACED_BOLT, 2, 2, &message));
+  DO(tp_scene_add_force(scene, E(0), T("0.75"), E(0), E(3), &message));
+  DO(tp_scene_set_load_block(scene, TP_PLACED_FORCE, 1, 2, &message));
+  DO(tp_scene_set_support(scene, 2, E(0), T("0.5"), &message));
+  DO(tp_scene_set_number(scene, "support.direction_deg", E(10), &message));
+  DO(tp_scene_set_number(scene, "support.fos", T("1.3"), &message));
+  expect_same(
+      scene,
+      COLUMNS(
+          "",
+          "") "joints: [{between: [2, column], cohesion_kpa: 4, tension_kpa: 1}]\n"
+              "loads:\n  seismic: {horizontal: 0.05}\n"
+              "  water: {surface: [[-20, 0.5], [20, 2]], faces: behind, uplift: full}\n"
+              "  pressures: [{block: column, from: [3, 3], to: [3, 5], kpa: [4, 0]}]\n"
+              "  surcharges: [{block: 2, from: [2, 1], to: [0, 1], kpa: 6}]\n"
+              "  support_pressures: [{block: 2, from: [0, 1], to: [0, 0], kpa: 2}]\n"
+              "  anchors: [{at: [2, 4], to: [8, -0.5], force_kn: 30, spacing: 2}, {block: 2, at: "
+              "[0, 0.5], dip_deg: 20, towards: right, force_kn: 5, passive: true, into: ground}]\n"
+              "  forces: [{block: 2, at: [0, 0.75], direction_deg: 0, force_kn: 3}]\n"
+              "support: {block: 2, at: [0, 0.5], direction_deg: 10, fos: 1.3}\n");
+}
+END_TEST
+
+/* The blocks of a varied scene are its own: those of the first stay, and go, as they were. */
+START_TEST(varied_blocks) {
+  tp_scene *scene = columns(), *varied = NULL;
+  static const double hole[] = {0.5, 0.25, 1, 0.25, 1, 0.75};
+  DO(tp_scene_add_joint(scene, 2, 3, &message));
+  DO(tp_scene_set_joint_friction_angle_deg(scene, 1, E(17), &message));
+  DO(tp_scene_with(&varied, scene, "joints.1.friction_angle_deg", E(20), &message));
+  DO(tp_scene_add_block_hole(scene, 2, tp_coordinates_of(hole, 3), &message));
+  tp_scene_free(scene);
+  expect_same(varied, COLUMNS("", "") "joints: [{between: [2, column], friction_angle_deg: 20}]\n");
+}
+END_TEST
+
 SUITE(scene_new_loads) {
   Suite *suite = suite_create("scene_new_loads");
   TCase *tests = tcase_create("scenes");
@@ -105,6 +207,9 @@ SUITE(scene_new_loads) {
   tcase_add_test(tests, loads);
   tcase_add_test(tests, friction);
   tcase_add_test(tests, sweeps);
+  tcase_add_test(tests, blocks);
+  tcase_add_test(tests, loaded_blocks);
+  tcase_add_test(tests, varied_blocks);
   suite_add_tcase(suite, tests);
   return suite;
 }

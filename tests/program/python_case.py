@@ -35,6 +35,6 @@ def said(scene):
     """What the solved scene says, but for places, times and notes."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", topple.Caution)
-        text = scene.solve().to_json()
+        text = (scene.solve_block_system() if scene.block_count else scene.solve()).to_json()
     text = re.sub(r'"notes": \[[^\]]*\]', "", text)
     return re.sub(r'"called_for_by": "[^"]*"|"seconds": [^,}]*', "", text)

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """A scene that Python builds by every call is what the file that says the same is."""
 
+import copy
 import inspect
 import re
 import unittest
@@ -135,6 +136,37 @@ LOADS = [
 ]
 
 
+#: A column beside a low block, with all that many blocks can be given, and the file that says the same.
+BOX = {"ground": [(-9, -1), (9, -1), (9, 0), (-9, 0)], "low": [(0, 0), (2, 0), (2, 1), (0, 1)],
+       "column": [(2, 0), (3, 0), (3, 5), (2, 5)]}
+HOLE_OF_LOW, PART_OF_COLUMN = [(0.5, 0.25), (1, 0.25), (1, 0.75)], [(2.25, 1), (2.75, 1), (2.5, 2)]
+BLOCKS = {
+    "blocks": [(BOX["ground"], "ground", True), {"outline": BOX["low"]}, (BOX["column"], "column")],
+    "unit_weight_kn_m3": 25, "friction_angle_deg": 31, "tilt_towards": "left", "block_unit_weights_kn_m3": [(2, "20.5")],
+    "block_holes": [(2, HOLE_OF_LOW)], "block_parts": [(3, PART_OF_COLUMN, 19)], "joints": [(2, 3)],
+    "joint_friction_angles_deg": [(1, 17)], "joint_cohesions_kpa": [(1, 4)], "joint_tensions_kpa": [(1, 1)],
+    "bolts": [(0, "0.5", 20, 5, True)], "bolts_to": [(2, 4, 8, "-0.5", 30)], "bolts_into": [(1, 1)],
+    "forces": [(0, "0.75", 0, 3)], "load_blocks": [("force", 1, 2), (topple.PlacedLoad.BOLT, 1, 2)],
+    "support": (2, 0, "0.5"), "support_direction_deg": 10, "support_fos": "1.3"}
+BLOCKS_TEXT = f"""topple: 1
+length_unit: m
+block: {{unit_weight_kn_m3: 25}}
+friction_angle_deg: 31
+tilt: {{towards: left}}
+blocks:
+  - {{name: ground, ground: true, outline: {[list(p) for p in BOX["ground"]]}}}
+  - {{outline: {[list(p) for p in BOX["low"]]}, unit_weight_kn_m3: 20.5, holes: [{[list(p) for p in HOLE_OF_LOW]}]}}
+  - {{name: column, outline: {[list(p) for p in BOX["column"]]},
+     parts: [{{outline: {[list(p) for p in PART_OF_COLUMN]}, unit_weight_kn_m3: 19}}]}}
+joints: [{{between: [2, column], friction_angle_deg: 17, cohesion_kpa: 4, tension_kpa: 1}}]
+loads:
+  anchors: [{{at: [0, 0.5], block: 2, dip_deg: 20, force_kn: 5, passive: true, into: ground}},
+            {{at: [2, 4], to: [8, -0.5], force_kn: 30}}]
+  forces: [{{block: 2, at: [0, 0.75], direction_deg: 0, force_kn: 3}}]
+support: {{block: 2, at: [0, 0.5], direction_deg: 10, fos: 1.3}}
+"""
+
+
 class Scenes(unittest.TestCase):
     def check(self, given, text):
         with self.subTest(text):
@@ -149,7 +181,10 @@ class Scenes(unittest.TestCase):
                        WEIGHED_TEXT.replace("friction_angle_deg: 30", f"friction: {text}"))
         for given, text in LOADS:
             self.check({**WEIGHED, **given}, f"{WEIGHED_TEXT}loads: {text}\n")
-        tried = {name for given, _ in SAID + LAWS + LOADS for name in given} | set(WEIGHED) | {"length_unit"}
+        blocks = topple.Scene("m", **BLOCKS)
+        self.assertEqual(said(blocks), said(topple.Scene.from_text(BLOCKS_TEXT)))
+        self.assertEqual(said(copy.copy(blocks)), said(blocks))
+        tried = {name for given, _ in SAID + LAWS + LOADS for name in given} | set(WEIGHED) | set(BLOCKS) | {"length_unit"}
         self.assertEqual(set(inspect.signature(topple.Scene).parameters) - tried, set())
 
     def test_every_call_of_the_library(self):

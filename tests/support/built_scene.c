@@ -14,16 +14,31 @@ tp_scene *new_scene(const char *unit) {
   return scene;
 }
 
+static char *report_blocks(const tp_scene *scene, const tp_solve_options *options) {
+  tp_block_system *system = NULL;
+  char *json = NULL;
+  DO(tp_solve_block_system(&system, scene, options, &message));
+  DO(tp_report_block_system_json(&json, system));
+  tp_block_system_free(system);
+  return json;
+}
+
+static char *report_block(const tp_scene *scene, const tp_solve_options *options) {
+  tp_solution *solution = NULL;
+  char *json = NULL;
+  DO(tp_solve(&solution, scene, options, &message));
+  DO(tp_report_json(&json, solution));
+  tp_solution_free(solution);
+  return json;
+}
+
 /* The report of a solution, with what ran cut off; the caller's to free. */
 char *solve(const tp_scene *scene, int digits) {
-  tp_solution *solution = NULL;
   tp_solve_options options = tp_solve_options_default();
   options.digits = digits;
   options.motion_ranges = true;
-  DO(tp_solve(&solution, scene, &options, &message));
-  char *json = NULL;
-  DO(tp_report_json(&json, solution));
-  tp_solution_free(solution);
+  char *json = tp_scene_block_count(scene) > 0 ? report_blocks(scene, &options)
+                                               : report_block(scene, &options);
   for (char *effects = json; (effects = strstr(effects, "\"effects\"")) != NULL;) {
     char *end = strchr(effects, ']');
     ck_assert_ptr_nonnull(end);

@@ -8,7 +8,13 @@
 
 #include "built_scene.h"
 
-enum { MOST_NUMBERS = 26, KEYED_ROWS = 110, KEYED_BASE_ROWS = 33, KEYED_TEST_ROWS = 23 };
+enum {
+  MOST_NUMBERS = 26,
+  KEYED_ROWS = 110,
+  KEYED_BASE_ROWS = 33,
+  KEYED_TEST_ROWS = 23,
+  KEYED_BLOCK_ROWS = 13
+};
 
 /* A scene of numbers: built, and as text, in which @a is the first of them; or NULL. */
 typedef struct keyed_scene {
@@ -30,5 +36,7 @@ extern const keyed_row keyed_rows[KEYED_ROWS];
 extern const keyed_row keyed_base_rows[KEYED_BASE_ROWS];
 /* Of simulated tilt tests. */
 extern const keyed_row keyed_test_rows[KEYED_TEST_ROWS];
+/* Of many blocks. */
+extern const keyed_row keyed_block_rows[KEYED_BLOCK_ROWS];
 
 #endif

@@ -61,6 +61,39 @@ void build_scene(void) {
   tp_scene_free(scene);
 }
 
+/* Of many blocks too, and varied, which copies them. */
+static tp_status build_blocks(tp_scene *scene, tp_message *message) {
+  static const double low[] = {0, 0, 2, 0, 2, 1, 0, 1}, high[] = {2, 0, 3, 0, 3, 5, 2, 5},
+                      hole[] = {0.5, 0.25, 1, 0.25, 1, 0.75};
+  const tp_coordinates inside = tp_coordinates_of(hole, 3);
+  const tp_exact one = tp_exact_of(1), two = tp_exact_of(2);
+  tp_status status = tp_scene_add_block(scene, tp_coordinates_of(low, 4), "low", true, message);
+  if (status == TP_OK) {
+    status = tp_scene_add_block(scene, tp_coordinates_of(high, 4), NULL, false, message);
+  }
+  if (status == TP_OK) status = tp_scene_add_block_hole(scene, 1, inside, message);
+  if (status == TP_OK) status = tp_scene_add_block_part(scene, 1, inside, one, message);
+  if (status == TP_OK) status = tp_scene_add_joint(scene, 1, 2, message);
+  if (status == TP_OK) status = tp_scene_set_joint_cohesion_kpa(scene, 1, one, message);
+  if (status == TP_OK) status = tp_scene_add_force(scene, two, one, one, one, message);
+  return status;
+}
+
+void vary_blocks(void) {
+  tp_scene *scene = NULL, *varied = NULL;
+  tp_message message = {.text = ""};
+  if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
+    tp_status status = build_blocks(scene, &message);
+    if (status == TP_OK) {
+      status = tp_scene_with(&varied, scene, "joints.1.cohesion_kpa", tp_exact_of(2), &message);
+    }
+    EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status,
+           message.text);
+  }
+  tp_scene_free(varied);
+  tp_scene_free(scene);
+}
+
 void solve_outline(void) {
   static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
   tp_solution *solution = NULL;

@@ -7,6 +7,7 @@
 #define TP_TEST_MEMORY_ARRAYS_H
 
 void build_scene(void);
+void vary_blocks(void);
 void solve_outline(void);
 void solve_blocks(void);
 void vary_scenes(void);

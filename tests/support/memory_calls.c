@@ -276,6 +276,7 @@ static void explain(void) {
 }
 
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
+                                    {"vary blocks", vary_blocks, 100},
                                     {"solve an outline", solve_outline, 200},
                                     {"vary scenes", vary_scenes, 200},
                                     {"solve teeth", solve_teeth, 200},

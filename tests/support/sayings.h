@@ -51,6 +51,7 @@ void say_built(sayings *s);
 void say_built_shapes(sayings *s);
 void say_built_loads(sayings *s);
 void say_built_water(sayings *s);
+void say_built_blocks(sayings *s);
 void say_built_refused(sayings *s);
 /* Many blocks in arrays. */
 void say_blocks(sayings *s);

@@ -122,6 +122,13 @@ tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size) 
   return TP_OK;
 }
 
+tp_status tp_build_find(const tp_build *build, size_t number, long count, const char *what) {
+  if (number >= 1 && number <= (size_t)count) return TP_OK;
+  return tp_refuse(build->message, TP_FAULT_ARGUMENT, build->place,
+                   "there is no %s of this number: they count from 1, and the scene has %ld", what,
+                   count);
+}
+
 void tp_build_note_load(tp_build *build) {
   tp_loads_description *loads = &build->scene->loads;
   if (loads->place.file == NULL) loads->place = (tp_place){build->place.file, 0, 0};

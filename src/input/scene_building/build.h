@@ -9,6 +9,7 @@
 
 #include "scene/check.h"
 #include "scene/exact.h"
+#include "scene/members.h"
 #include "scene/scene.h"
 
 #include <stddef.h>
@@ -50,6 +51,16 @@ TP_MUST_USE tp_status tp_build_set(tp_scene *scene, const char *call, const char
 /* Make room for one more of `count` items, and name its place, which counts from 1. */
 TP_MUST_USE tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size);
 
+/* A hole or a part more of a block; the numbers of the build are given back. */
+TP_MUST_USE tp_status tp_build_hole(tp_build *build, tp_block_description *block,
+                                    tp_coordinates outline);
+TP_MUST_USE tp_status tp_build_part(tp_build *build, tp_block_description *block,
+                                    tp_coordinates outline, tp_exact unit_weight_kn_m3);
+
+/* Is `number` that of one of `count` things of a kind, from 1 on? */
+TP_MUST_USE tp_status tp_build_find(const tp_build *build, size_t number, long count,
+                                    const char *what);
+
 /* The number of a facet, as a call has it. */
 TP_MUST_USE tp_status tp_build_facet_number(const tp_build *build, long *number, size_t facet);
 
@@ -58,6 +69,19 @@ void tp_base_drop(tp_base_description *base);
 
 /* Make the profile of the base by its rule, which has one. */
 TP_MUST_USE tp_status tp_build_profile(tp_scene *scene, tp_message *message);
+
+/* An anchor, a bolt or a force: where it pulls, and by one number or two which way, at their
+ * members of a tp_anchor_description. */
+typedef struct tp_pull {
+  tp_exact x, y, force_kn;
+  bool passive;
+  tp_given way[2];
+  size_t members[2];
+} tp_pull;
+
+/* Add it to its list. */
+TP_MUST_USE tp_status tp_build_pull(tp_scene *scene, const char *call, tp_list_kind list,
+                                    const tp_pull *pull, tp_message *message);
 
 /* The scene has loads, first by this call. */
 void tp_build_note_load(tp_build *build);

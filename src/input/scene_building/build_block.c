@@ -144,21 +144,44 @@ tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height,
   return status;
 }
 
+tp_status tp_build_hole(tp_build *build, tp_block_description *block, tp_coordinates outline) {
+  void *holes = block->holes;
+  tp_status status = tp_build_grow(build, &holes, block->hole_count, sizeof *block->holes);
+  block->holes = holes;
+  if (status == TP_OK) {
+    status = tp_coordinates_read(block->holes + block->hole_count, outline, true, "outline",
+                                 build->place.file, block->hole_count + 1, build->message);
+  }
+  if (status == TP_OK) block->hole_count++;
+  return status;
+}
+
 tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   tp_build build;
-  tp_status status = tp_build_begin(&build, scene, __func__, message);
-  if (status != TP_OK) return status;
-  tp_block_description *block = &scene->block;
-  void *holes = block->holes;
-  status = tp_build_grow(&build, &holes, block->hole_count, sizeof *block->holes);
-  block->holes = holes;
+  const tp_status status = tp_build_begin(&build, scene, __func__, message);
+  return status == TP_OK ? tp_build_hole(&build, &scene->block, outline) : status;
+}
+
+tp_status tp_build_part(tp_build *build, tp_block_description *block, tp_coordinates outline,
+                        tp_exact unit_weight_kn_m3) {
+  const tp_given given = {"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_UNIT_WEIGHT};
+  void *parts = block->parts;
+  tp_status status = tp_build_grow(build, &parts, block->part_count, sizeof *block->parts);
+  block->parts = parts;
+  if (status == TP_OK) status = tp_build_read(build, &given, 1);
   if (status == TP_OK) {
-    status = tp_coordinates_read(block->holes + block->hole_count, outline, true, "outline",
-                                 __func__, block->hole_count + 1, message);
+    tp_part *part = block->parts + block->part_count;
+    status = tp_coordinates_read(&part->outline, outline, true, "outline", build->place.file,
+                                 block->part_count + 1, build->message);
+    if (status == TP_OK) {
+      fmpq_init(part->unit_weight_kn_m3.value);
+      tp_build_put(build, &part->unit_weight_kn_m3, 0);
+      block->part_count++;
+    }
   }
-  if (status == TP_OK) block->hole_count++;
+  tp_build_end(build);
   return status;
 }
 
@@ -166,27 +189,10 @@ tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline, tp_exact un
                             tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_given given = {"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_UNIT_WEIGHT};
   tp_build build;
-  tp_status status = tp_build_begin(&build, scene, __func__, message);
-  if (status != TP_OK) return status;
-  tp_block_description *block = &scene->block;
-  void *parts = block->parts;
-  status = tp_build_grow(&build, &parts, block->part_count, sizeof *block->parts);
-  block->parts = parts;
-  if (status == TP_OK) status = tp_build_read(&build, &given, 1);
-  if (status == TP_OK) {
-    tp_part *part = block->parts + block->part_count;
-    status = tp_coordinates_read(&part->outline, outline, true, "outline", __func__,
-                                 block->part_count + 1, message);
-    if (status == TP_OK) {
-      fmpq_init(part->unit_weight_kn_m3.value);
-      tp_build_put(&build, &part->unit_weight_kn_m3, 0);
-      block->part_count++;
-    }
-  }
-  tp_build_end(&build);
-  return status;
+  const tp_status status = tp_build_begin(&build, scene, __func__, message);
+  return status == TP_OK ? tp_build_part(&build, &scene->block, outline, unit_weight_kn_m3)
+                         : status;
 }
 
 tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness, tp_message *message) {

@@ -117,34 +117,37 @@ tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_e
                   &scene->loads.surcharge_count, message);
 }
 
-/* With its direction or its dip. */
-static tp_status add_anchor(tp_scene *scene, const char *call, tp_exact x, tp_exact y,
-                            tp_given direction, tp_exact force_kn, bool passive,
-                            tp_message *message) {
-  const tp_given given[] = {{"x", x, TP_RULE_ANY},
-                            {"y", y, TP_RULE_ANY},
-                            direction,
-                            {"force_kn", force_kn, TP_RULE_NOT_NEGATIVE}};
+tp_status tp_build_pull(tp_scene *scene, const char *call, tp_list_kind list, const tp_pull *pull,
+                        tp_message *message) {
+  const tp_given given[] = {{"x", pull->x, TP_RULE_ANY},
+                            {"y", pull->y, TP_RULE_ANY},
+                            {"force_kn", pull->force_kn, TP_RULE_NOT_NEGATIVE},
+                            pull->way[0],
+                            pull->way[1]};
+  const long ways = pull->way[1].name != NULL ? 2 : 1;
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, call, message);
-  if (status == TP_OK) status = tp_build_read(&build, given, 4);
+  if (status == TP_OK) status = tp_build_read(&build, given, 3 + ways);
+  const long count = tp_member_count(scene, list);
   if (status == TP_OK) {
-    tp_loads_description *loads = &scene->loads;
-    void *anchors = loads->anchors;
-    status = tp_build_grow(&build, &anchors, loads->anchor_count, sizeof *loads->anchors);
-    loads->anchors = anchors;
+    void *items = tp_member_items(scene, list);
+    status = tp_build_grow(&build, &items, count, sizeof(tp_anchor_description));
+    tp_member_set_items(scene, list, items);
   }
   if (status == TP_OK) {
-    tp_anchor_description *anchor = scene->loads.anchors + scene->loads.anchor_count++;
+    tp_anchor_description *anchor =
+        (tp_anchor_description *)(void *)tp_member_items(scene, list) + count;
+    tp_member_set_count(scene, list, count + 1);
     tp_build_note_load(&build);
     tp_anchor_init(anchor);
     anchor->place = build.place;
-    anchor->passive = passive;
+    anchor->passive = pull->passive;
     tp_build_put(&build, &anchor->x, 0);
     tp_build_put(&build, &anchor->y, 1);
-    tp_build_put(&build, direction.rule == TP_RULE_DIP ? &anchor->dip_deg : &anchor->direction_deg,
-                 2);
-    tp_build_put(&build, &anchor->force_kn, 3);
+    tp_build_put(&build, &anchor->force_kn, 2);
+    for (long k = 0; k < ways; k++) {
+      tp_build_put(&build, (tp_quantity *)(void *)((char *)anchor + pull->members[k]), 3 + k);
+    }
   }
   tp_build_end(&build);
   return status;
@@ -154,8 +157,13 @@ tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact 
                               tp_exact force_kn, bool passive, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_given direction = {"direction_deg", direction_deg, TP_RULE_ANY};
-  return add_anchor(scene, __func__, x, y, direction, force_kn, passive, message);
+  const tp_pull pull = {.x = x,
+                        .y = y,
+                        .force_kn = force_kn,
+                        .passive = passive,
+                        .way = {{"direction_deg", direction_deg, TP_RULE_ANY}},
+                        .members = {offsetof(tp_anchor_description, direction_deg)}};
+  return tp_build_pull(scene, __func__, TP_LIST_ANCHORS, &pull, message);
 }
 
 /* ---- bolts -------------------------------------------------------------------------------------
@@ -165,20 +173,21 @@ tp_status tp_scene_add_bolt(tp_scene *scene, tp_exact x, tp_exact y, tp_exact di
                             tp_exact force_kn, bool passive, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_given dip = {"dip_deg", dip_deg, TP_RULE_DIP};
-  return add_anchor(scene, __func__, x, y, dip, force_kn, passive, message);
+  const tp_pull pull = {.x = x,
+                        .y = y,
+                        .force_kn = force_kn,
+                        .passive = passive,
+                        .way = {{"dip_deg", dip_deg, TP_RULE_DIP}},
+                        .members = {offsetof(tp_anchor_description, dip_deg)}};
+  return tp_build_pull(scene, __func__, TP_LIST_ANCHORS, &pull, message);
 }
 
 /* One that was added, which the call gives more; a message where there is none of the number. */
 static tp_status find_bolt(tp_anchor_description **bolt, const tp_build *build, size_t number) {
   const tp_loads_description *loads = &build->scene->loads;
-  if (number >= 1 && number <= (size_t)loads->anchor_count) {
-    *bolt = loads->anchors + (number - 1);
-    return TP_OK;
-  }
-  return tp_refuse(build->message, TP_FAULT_ARGUMENT, build->place,
-                   "there is no bolt of this number: they count from 1, and the scene has %ld",
-                   loads->anchor_count);
+  const tp_status status = tp_build_find(build, number, loads->anchor_count, "bolt");
+  if (status == TP_OK) *bolt = loads->anchors + (number - 1);
+  return status;
 }
 
 tp_status tp_scene_set_bolt_towards(tp_scene *scene, size_t number, tp_direction towards,
