@@ -310,6 +310,12 @@ tp_design tp_block_system_meets(const tp_block_system *system, double required);
 TP_MUST_USE tp_status tp_report_block_system(char **text, const tp_block_system *system);
 TP_MUST_USE tp_status tp_report_block_system_json(char **text, const tp_block_system *system);
 
+/* The JSON with the geometry of the scene that was solved, for programs that draw it, as
+ * tp_report_json_outlines. Bad input where the system is that of another scene. */
+TP_MUST_USE tp_status tp_report_block_system_json_outlines(char **text, const tp_scene *scene,
+                                                           const tp_block_system *system,
+                                                           tp_message *message);
+
 /* CSV: a head, and a row for each direction, with what was set before it. */
 TP_MUST_USE tp_status tp_report_block_system_csv(char **text, const tp_block_system *system);
 

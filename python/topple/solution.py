@@ -57,6 +57,13 @@ class BlockSystemMethods:
         """What `topple solve --json` prints."""
         return written(lib.tp_report_block_system_json, struct_of(self))
 
+    def to_json_outlines(self: Any) -> str:
+        """The same with the geometry of all blocks, for programs that draw them, as `Solution.to_json_outlines`."""
+        scene: Scene = self.__dict__["_scene"]
+        receives = ffi.new("char **")
+        scene._use(lib.tp_report_block_system_json_outlines, receives, scene._c, struct_of(self), of=self.__dict__["_version"])
+        return taken(receives[0])
+
     def to_csv(self: Any) -> str:
         """What `topple solve --csv` prints: a row for each direction."""
         return written(lib.tp_report_block_system_csv, struct_of(self))

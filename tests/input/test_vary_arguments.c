@@ -62,6 +62,9 @@ START_TEST(block_systems) {
   ck_assert_int_eq(tp_report_found_block_system_json(&text, NULL, none[0]), TP_BAD_INPUT);
   REFUSED(tp_report_block_system_animation(&text, scene, NULL, &message), "'system'");
   REFUSED(tp_report_block_system_animation(&text, NULL, NULL, &message), "'scene'");
+  REFUSED(tp_report_block_system_json_outlines(NULL, scene, NULL, &message), "'text'");
+  REFUSED(tp_report_block_system_json_outlines(&text, NULL, NULL, &message), "'scene'");
+  REFUSED(tp_report_block_system_json_outlines(&text, scene, NULL, &message), "'system'");
   REFUSED(tp_report_block_system_animation_file(NULL, scene, NULL, &message), "'path'");
   REFUSED(tp_report_block_system_animation_file("a.svg", scene, NULL, &message), "'system'");
   ck_assert_uint_eq(tp_scene_block_count(NULL) + tp_scene_block_count(plain), 0);

@@ -128,6 +128,26 @@ class Outlines(unittest.TestCase):
             self.assertLess(len(document["outlines"]["block"]), 2_000_000)
             self.assertAlmostEqual(area(document["outlines"]["block"]), math.pi, delta=1e-3)
 
+    def test_many_blocks(self):
+        """Each encloses its area, in the order of the blocks; in other lengths, far from the origin, the same lies there."""
+        names = ("toppling_slope", "wet_columns", "jointed_slope")
+        for name in names:
+            document = self.solved(ROOT / "examples" / "blocks" / f"{name}.yaml")
+            lies = document["outlines"]
+            size = max(lies["box_m"][2] - lies["box_m"][0], lies["box_m"][3] - lies["box_m"][1])
+            self.assertEqual(len(lies["blocks"]), len(document["blocks"]))
+            for block, path in zip(document["blocks"], lies["blocks"]):
+                with self.subTest(scene=name, block=block["name"]):
+                    self.assertAlmostEqual(area(path), block["area_m2"]["value"], delta=1e-7 * max(size ** 2, block["area_m2"]["value"]))
+        loads = self.solved(ROOT / "examples" / "blocks" / "wet_columns.yaml")["outlines"]
+        self.assertEqual(([each["first_kpa"] for each in loads["surcharges"]], len(loads["anchors"]), len(points(loads["water"][0])[0])), ([20], 2, 5))
+        wall = "block: {unit_weight_kn_m3: 20}\nfriction_angle_deg: 30\ntilt: {towards: left}\nblocks:\n" \
+            "  - {name: a, ground: true, outline: [[1000000, 0], [1000004, 0], [1000004, 1], [1000000, 1]]}\n" \
+            "  - {name: b, slab: {width: 2, height: 3}, at: [1000001, 1]}\n"
+        lies = self.solved(self.written(wall))["outlines"]
+        self.assertEqual([(x + lies["origin_x_m"], y + lies["origin_y_m"]) for x, y in points(lies["blocks"][1])[0]],
+                         [(1000001, 1), (1000003, 1), (1000003, 4), (1000001, 4)])
+
     def test_what_it_goes_with(self):
         for words in (["--outlines"], ["--json", "--outlines", "--find", "a", "--for", "critical_angle=20"]):
             status, out, err = run("solve", *words, ROOT / "examples" / "block_e_valley.yaml")

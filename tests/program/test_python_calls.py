@@ -51,6 +51,7 @@ class Blocks(unittest.TestCase):
         told = json.loads(printed("solve", "--json", path))
         self.assertEqual(json.loads(own.to_json()), told)
         self.assertEqual(own.to_csv(), printed("solve", "--csv", path))
+        self.assertEqual(json.loads(own.to_json_outlines()), json.loads(printed("solve", "--json", "--outlines", path)))
         swept = topple.sweep(scene, "friction_angle_deg=36,38.15").columns
         self.assertEqual(list(swept["verdict"]), ["may move"] * 2)
         self.assertEqual(swept["fos"][1], told["cases"][0]["fos"]["value"])

@@ -253,7 +253,8 @@ class Schema(unittest.TestCase):
             pinched.write_text(scene.read_text(encoding="utf-8") + "- {slab: {width: 2, height: 1}, at: [3, 0]}\n"
                                "- {slab: {width: 1, height: 0.25}, at: [2, 0.5]}\n", encoding="utf-8")
             files = ((scene, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (bonded, ()), (pinched, ()))
-            for path, more in ((example, ("--set", "friction_angle_deg=36")), *files):
+            drawn = (example.with_name("wet_columns.yaml"), ("--outlines",))
+            for path, more in ((example, ("--set", "friction_angle_deg=36")), drawn, *files):
                 status, out, err = run("solve", "--json", *more, path)
                 self.assertIn(status, (0, 1, 4), err)
                 self.fits("block_system", out)

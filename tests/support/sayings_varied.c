@@ -127,6 +127,7 @@ static void say_block_system(sayings *s) {
     const tp_block_system *const both[] = {system, system};
     if (tp_report_block_systems_csv(next_saying(s), both, 2) != TP_OK) s->count--;
     if (tp_report_block_systems_table(next_saying(s), both, 2) != TP_OK) s->count--;
+    SAY(tp_report_block_system_json_outlines(next_saying(s), scene, system, &message));
     SAY(tp_report_block_system_animation(next_saying(s), scene, system, &message));
     say_block_figures(s, scene, system);
     say_found_blocks(s, scene, system);

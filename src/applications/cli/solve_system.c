@@ -21,10 +21,7 @@ tp_status tp_cli_check_system(const char *path, const tp_solve_words *a, bool of
              path);
     return TP_BAD_INPUT;
   }
-  const char *option = a->profile != NULL ? "--write-profile"
-                       : a->outlines      ? "--outlines"
-                       : a->elements      ? "--elements"
-                                          : NULL;
+  const char *option = a->profile != NULL ? "--write-profile" : a->elements ? "--elements" : NULL;
   if (option == NULL) return TP_OK;
   snprintf(message->text, sizeof message->text,
            "%s: %s is of scenes of one block, and this one has many: leave it out; --json has all "
@@ -72,9 +69,11 @@ typedef struct solved {
 static tp_status print(const void *of, int *ended, tp_message *message) {
   const solved *own = of;
   char *text = NULL;
-  (void)message;
-  const tp_status status = own->words->json ? tp_report_block_system_json(&text, own->system)
-                                            : tp_report_block_system(&text, own->system);
+  const tp_status status =
+      own->words->outlines
+          ? tp_report_block_system_json_outlines(&text, own->scene, own->system, message)
+      : own->words->json ? tp_report_block_system_json(&text, own->system)
+                         : tp_report_block_system(&text, own->system);
   return tp_cli_print_report(status, text, ended);
 }
 
