@@ -138,8 +138,8 @@ def write_ninja(libraries: Path) -> None:
         made = f"objects/{name}.o"
         lines += [f"build {made}: {'cxx' if language == 'cpp' else 'cc'} {source}", f"  flags = $flags_{language}"]
         objects.append(made)
-    tools.written(BUILD / "fonts.s", fonts.assembly())
-    lines.append(f"build objects/fonts.o: as fonts.s | {' '.join(str(fonts.FOLDER / file) for file in fonts.FILES.values())}")
+    tools.written(BUILD / "fonts.s", fonts.assembly(BUILD / "fonts"))
+    lines.append(f"build objects/fonts.o: as fonts.s | {' '.join(f'fonts/{file}' for file in fonts.FILES.values())}")
     objects.append("objects/fonts.o")
     archives = [str(libraries / "lib" / f"lib{name}.a") for name in LIBRARIES]
     lines += [

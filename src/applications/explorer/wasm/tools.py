@@ -32,8 +32,9 @@ def cache() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "topple-explorer"
 
 
-def written(path: Path, text: str) -> None:
+def written(path: Path, content: str | bytes) -> None:
     """Write a file where it does not say so already, so that its age tells when it changed."""
-    if not path.exists() or path.read_text() != text:
+    data = content.encode() if isinstance(content, str) else content
+    if not path.exists() or path.read_bytes() != data:
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        path.write_bytes(data)
