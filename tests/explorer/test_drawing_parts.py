@@ -150,6 +150,35 @@ class Parts(unittest.TestCase):
                     self.assertIn({"water": "water", "anchor": "anchor", "earthquake": "seismic", "cohesion": "cohesion"}[kind], told)
                     self.assertEqual(text.count("force_kn"), 2 if kind == "anchor" else 0)
 
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_blocks_of_many_that_are_dragged(self):
+        """A vertex that two blocks share takes both along; a block is shifted by its `at`, which it gets where it has none, and is put
+        level with corners of others that are near: the program then finds the contact again."""
+        text = "topple: 1\nlength_unit: m\nfriction_angle_deg: 30\ntilt: {towards: left}\nblocks:\n" \
+            "  - {name: g, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [2, 0], [-9, 0]]}\n" \
+            "  - {name: a, outline: [[0, 0], [2, 0], [2, 3], [0, 3]]}\n  - {name: b, slab: {width: 1, height: 2}, at: [3.3, 0.25]}\n"
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        drawn = text.replace("[3.3, 0.25]", "[3, 0]")
+        (folder / "scene.yaml").write_text(drawn, encoding="utf-8")
+        answer = json.loads(run("solve", "--json", "--outlines", "scene.yaml", folder=folder)[1])
+        body = """const [{SceneText}, {Context}, {View}] = await Promise.all(given.modules.map((each) => import(each)));
+          const view = new View(); view.fit(given.answer.outlines.box_m);
+          const dragged = (text, key, x, y) => {
+            const scene = new SceneText(text);
+            const context = new Context(scene, given.answer.cases[0], given.answer.outlines, {x: given.answer.outlines.origin_x_m, y: given.answer.outlines.origin_y_m});
+            const handle = it.listedCandidates(context, view).find((one) => one.key === key).made();
+            const hand = {x: handle.at.x + x, y: handle.at.y + y};
+            return scene.withNumbers(handle.drag(hand, -1)); };
+          return [dragged(given.text, "blocks.1.outline.1", 0.23, -0.31), dragged(given.text, "blocks.1", 0, 0.5), dragged(given.text, "blocks.2", -1.28, -0.24)];"""
+        modules = [(EXPLORER / part).as_uri() for part in ("scene/scene_text.js", "drawing/handle.js", "drawing/view.js")]
+        corner, whole, level = node(DRAWING / "listed_blocks.js", body, {"modules": modules, "answer": answer, "text": text})
+        self.assertEqual(corner, text.replace("[9, 0], [2, 0]", "[9, 0], [2.2, -0.3]").replace("[0, 0], [2, 0]", "[0, 0], [2.2, -0.3]"))
+        self.assertEqual(whole, text.replace("[0, 3]]", "[0, 3]], at: [0, 0.5]"))
+        self.assertEqual(level, text.replace("[3.3, 0.25]", "[2, 0]"))
+        (folder / "scene.yaml").write_text(level, encoding="utf-8")
+        pairs = [(c["first"], c["second"]) for c in json.loads(run("solve", "--json", "scene.yaml", folder=folder)[1])["contacts"]]
+        self.assertIn({"a", "b"}, [set(pair) for pair in pairs])
+
     def solved(self, folder, text):
         (folder / "scene.yaml").write_text(text, encoding="utf-8")
         status, out, err = run("solve", "--json", "scene.yaml", folder=folder)

@@ -10,13 +10,14 @@ import tempfile
 import time
 import unittest
 
-from page_case import ADDRESS, ROOT, PageCase, main, run
+from drawn_case import DrawnCase
+from page_case import ADDRESS, ROOT, main, run
 
 EXAMPLES = ROOT / "examples"
 BLOCK = "document.querySelector('.shape.block').getAttribute('d')"
 
 
-class Files(PageCase):
+class Files(DrawnCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -153,17 +154,15 @@ class Files(PageCase):
             self.assertIn("slab", self.value("document.getElementById('scene-title').title"))
 
     def test_many_blocks(self):
-        """Of many blocks the core's own figure is drawn, with the factor that the native program finds; the dip follows its
-        slider; other panels say what they are of; and one block is drawn again as before."""
+        """They are drawn as the core lays them, with the factor that the native program finds; the dip follows its slider; other
+        panels say what they are of; and one block is drawn again as before."""
         self.example("wet_columns")
         status, out, err = run("solve", "--json", "examples/blocks/wet_columns.yaml", folder=ROOT)
         self.assertEqual(status, 0, err)
         fos = json.loads(out)["cases"][0]["fos"]["value"]
         self.assertAlmostEqual(float(self.value("document.querySelector('#factor-said strong').textContent")), fos, delta=0.0006)
-        picture = "document.querySelector('image.picture')"
-        self.awaits(f"{picture}.getAttribute('href')?.startsWith('blob:')")
-        before = self.value(f"{picture}.getAttribute('href')")
-        self.assertEqual(self.value("document.querySelectorAll('.handle').length"), 0)
+        self.assertEqual(self.value("['block.slides', 'block:not(.slides)', 'ground', 'mechanism', 'surface'].map(c => document.querySelectorAll('.shape.' + c).length)"),
+                         [3, 3, 1, 3, 1])
         self.awaits("document.querySelector('#panel-verdict pre')?.textContent.includes('strength reduction')")
         self.click("#tab-pivots")
         self.frame()
@@ -172,10 +171,33 @@ class Files(PageCase):
                    " s.dispatchEvent(new Event('input')); s.dispatchEvent(new Event('change')); })()")
         self.answered()
         self.assertIn("dip_deg: 10", self.text())
-        self.awaits(f"{picture}.getAttribute('href') !== '{before}'")
+        self.assertAlmostEqual(self.drawn_turn(), 10, places=3)
         self.example("block_e_valley")
-        self.assertEqual(self.value(f"{picture}.getAttribute('display')"), "none")
+        self.assertEqual(self.value("document.querySelectorAll('.shape.ground, .shape.mechanism').length"), 0)
         self.assertGreater(self.value("document.querySelectorAll('.handle').length"), 4)
+
+    def test_blocks_are_dragged(self):
+        """A whole block beside the others, which it meets exactly; the height of a column, whose handle comes with the pointer; the
+        same by keys; and the drawing of a block that touches no other says so."""
+        self.example("toppling_slope")
+        line = lambda: next(line for line in self.text().split("\n") if "column 16," in line)  # noqa: E731
+        self.drag("blocks.16", 1.3, 0.9)  # as near as makes it level again
+        self.assertIn("at: [150, 15]", line())
+        self.drag("blocks.16", 96, -72)
+        self.refused()
+        self.assertIn("'column 16' touches no other", self.message())
+        self.click("#undo")
+        self.answered()
+        self.mouse("mouseMoved", *self.knob("blocks.9"))
+        self.awaits("document.querySelector('[data-handle=\"blocks.9.slab.height\"]') !== null")
+        self.drag("blocks.9.slab.height", -10, -17)
+        self.answered()
+        self.assertRegex(self.text(), r"column 9, slab: {width: 10, height: (3[89]|4[0-4])")
+        self.value("document.querySelector('[data-handle=\"blocks.16\"]').focus()")
+        self.press("ArrowRight")
+        self.answered()
+        self.assertIn("at: [150.1, 15]", line())
+        self.awaits("document.querySelector('[data-handle=\"blocks.16.slab.height\"]') !== null")
 
 
 if __name__ == "__main__":

@@ -23,19 +23,19 @@ export function blockHandles(context) {
   return [];
 }
 
-/** The rings of points of an outline with its holes and parts: where each stands, and its name. @returns {[(string|number)[], string][]} */
-export function ringsOf(context) {
-  const rings = [[["block", "outline"], say("the outline")]];
-  for (let i = 0; i < (context.scene.count(["block", "holes"]) ?? 0); i++) rings.push([["block", "holes", i], say("hole %s", i + 1)]);
-  for (let i = 0; i < (context.scene.count(["block", "parts"]) ?? 0); i++) {
-    rings.push([["block", "parts", i, "outline"], say("part %s", i + 1)]);
+/** The rings of points of an outline with its holes and parts: where each stands, and its name. @param {(string|number)[]} [of] the block @returns {[(string|number)[], string][]} */
+export function ringsOf(context, of = ["block"]) {
+  const rings = [[[...of, "outline"], say("the outline")]];
+  for (let i = 0; i < (context.scene.count([...of, "holes"]) ?? 0); i++) rings.push([[...of, "holes", i], say("hole %s", i + 1)]);
+  for (let i = 0; i < (context.scene.count([...of, "parts"]) ?? 0); i++) {
+    rings.push([[...of, "parts", i, "outline"], say("part %s", i + 1)]);
   }
   return rings;
 }
 
 function outlineHandles(context) {
   const places = namedVertices(context.scene);
-  return ringsOf(context).flatMap(([path, name]) => listHandles(context, context.block, path, name, places));
+  return ringsOf(context).flatMap(([path, name]) => listHandles(context, context.block, path, name, (own, label) => vertexHandle(context, context.block, own, label, places)));
 }
 
 /** Where a scene names vertices of the outline by their coordinates. @returns {(string|number)[][]} */
@@ -52,31 +52,34 @@ function namedVertices(scene) {
 
 /**
  * @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points
+ * @param {(path: (string|number)[], label: string) => import("./handle.js").Handle|null} [made]
  * @returns {import("./nearest.js").Candidate[]}
  */
-export function listHandles(context, placement, path, name, places = []) {
+export function listHandles(context, placement, path, name, made = (own, label) => vertexHandle(context, placement, own, label)) {
   return pointsOf(context, path).map((point, i) => (point === null ? null : {
     key: path.join(".") + "." + i,
     at: placement.toFrame(point.x, point.y),
-    made: () => vertexHandle(context, placement, [...path, i], say("vertex %s of %s", i + 1, name), places),
+    made: () => made([...path, i], say("vertex %s of %s", i + 1, name)),
   })).filter((candidate) => candidate !== null);
 }
 
 /** A size of a block that is made from numbers; at and value in the scene's own coordinates. */
-function sizeHandle(context, { path, name, moves, at, value }) {
+function sizeHandle(context, { key, path, name, moves, at, value, placement = context.block }) {
   return lengthHandle(context, {
-    name, of: context.number(path), kind: "size", moves, least: 1, at: context.block.toFrame(at.x, at.y),
-    value: (hand) => value(context.block.toScene(hand.x, hand.y)),
+    key, name, of: context.number(path), kind: "size", moves, least: 1, at: placement.toFrame(at.x, at.y),
+    value: (hand) => value(placement.toScene(hand.x, hand.y)),
   });
 }
 
-function slabHandles(context) {
-  const path = (key) => ["block", "slab", key];
+/** @param {(string|number)[]} [block] one of many @param {import("./view.js").Placement} [placement] its own */
+export function slabHandles(context, block = ["block"], placement = context.block) {
+  const path = (key) => [...block, "slab", key];
+  const key = (of) => (context.many ? path(of).join(".") : undefined);
   const [width, height] = ["width", "height"].map((key) => context.number(path(key)).value);
   if (width === null || height === null) return [];
   return [
-    sizeHandle(context, { path: path("width"), name: "width of the slab", moves: "x", at: { x: width, y: height / 2 }, value: (hand) => hand.x }),
-    sizeHandle(context, { path: path("height"), name: "height of the slab", moves: "y", at: { x: width / 2, y: height }, value: (hand) => hand.y }),
+    sizeHandle(context, { key: key("width"), placement, path: path("width"), name: "width of the slab", moves: "x", at: { x: width, y: height / 2 }, value: (hand) => hand.x }),
+    sizeHandle(context, { key: key("height"), placement, path: path("height"), name: "height of the slab", moves: "y", at: { x: width / 2, y: height }, value: (hand) => hand.y }),
   ];
 }
 
@@ -99,10 +102,10 @@ function ellipseHandles(context) {
  * b + c/2, amplitude c, wavelength 2a). Its top lies at b + c over its valleys.
  * @returns {{count: number, a: number, b: number, c: number, valley: boolean, general: boolean}|null}
  */
-export function teethOf(context) {
-  const of = (key) => context.number(["block", "teeth", key]);
-  const valley = context.scene.scalar(["block", "teeth", "left_end"]) !== "peak";
-  const general = context.scene.scalar(["block", "teeth", "wavelength"]) !== null;
+export function teethOf(context, block = ["block"]) {
+  const of = (key) => context.number([...block, "teeth", key]);
+  const valley = context.scene.scalar([...block, "teeth", "left_end"]) !== "peak";
+  const general = context.scene.scalar([...block, "teeth", "wavelength"]) !== null;
   const [a, b, c] = general
     ? [of("wavelength").value / 2, of("mean_height").value - of("amplitude").value / 2, of("amplitude").value]
     : [of("width").value, of("height").value, of("depth").value];

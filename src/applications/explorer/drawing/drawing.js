@@ -18,12 +18,12 @@ import { waterPath } from "./water.js";
 import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
 import { nearPath } from "./thin_path.js";
 import { symbolsOf } from "./symbols.js";
+import { symbolsOfMany } from "./symbols_of_many.js";
 import { drawPhotograph } from "./photo_behind.js";
-import { Picture } from "./picture.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
-import { drawArc } from "./tilt_handle.js";
+import { drawArc, tiltPath } from "./tilt_handle.js";
 import { emptied, layersOf } from "./layers.js";
 import { isElsewhere, roomOf } from "./room.js";
 import { drawScale } from "./scale_bar.js";
@@ -45,7 +45,8 @@ export class Drawing extends EventTarget {
   #hand = null; // where the pointer is, dots
   #handWaits = false;
   #photograph = null;
-  #crowded = false; // there are more vertices than handles
+  #crowded = false; // some handles come with the hand: there are too many, or those of a block's sizes
+  #touched = new Set(); // of many blocks those that were dragged since the last answer
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
@@ -58,7 +59,6 @@ export class Drawing extends EventTarget {
     this.context = null;
     this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", say("Drawing of the block on its base"));
     this.layers = layersOf(this.svg);
-    this.picture = new Picture(this.svg);
     this.frame = this.layers.frame;
     this.zooming = zoom().scaleExtent([0.05, ZOOM_MAX]).filter((event) => this.#zooms(event)).on("zoom", (event) => this.#zoomed(event.transform));
     this.svg.call(this.zooming).on("dblclick.zoom", null);
@@ -68,6 +68,7 @@ export class Drawing extends EventTarget {
       ended: () => store.endGesture(),
       exponent: () => this.exponent,
       told: (words) => this.#tell(words),
+      focused: () => this.#follow(),
     });
     this.svg.on("dblclick", (event) => this.#addAt(pointer(event, this.svg.node())));
     this.svg.on("pointermove", (event) => this.#handAt(pointer(event, this.svg.node())));
@@ -75,7 +76,10 @@ export class Drawing extends EventTarget {
       this.#byHand = this.#editing;
       this.#later();
     });
-    store.addEventListener("solution", () => this.#later());
+    store.addEventListener("solution", () => {
+      this.#touched.clear();
+      this.#later();
+    });
     store.addEventListener("problem", () => this.#later());
     new ResizeObserver(() => this.#resized(element)).observe(element);
   }
@@ -144,9 +148,7 @@ export class Drawing extends EventTarget {
     this.svg.classed("stale", stale && store.problem !== null);
     this.context = null;
     drawPhotograph(this.layers.photo, null, null);
-    const isPicture = answer !== null && answer.kind !== "block";
-    this.picture.put(isPicture ? this.store.figure : null, this.view, say("Figure of the blocks"));
-    if (isPicture) this.#leaveOut(answer.kind === "solid" ? say("This solid is not drawn here; its report stands beside this") : "");
+    if (answer?.kind === "solid") this.#leaveOut(say("This solid is not drawn here; its report stands beside this"));
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
     if (!isDrawable(outlines)) {
@@ -186,8 +188,9 @@ export class Drawing extends EventTarget {
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
   #turn() {
-    const { frame } = this.context.kase;
-    const own = this.context.number(["tilt", "angle_deg"]).value ?? 0;
+    const { frame, tilt_angle_deg: answered } = this.context.kase;
+    if (this.context.many && this.store.solution !== null) return (this.sign * answered.value * Math.PI) / 180;
+    const own = this.context.number(tiltPath(this.context)).value ?? 0;
     const dip = frame?.inclined ? frame.inclination_deg.value : frame?.is === "world" ? frame.dip_deg.value : 0;
     return (this.sign * Math.min(180, Math.max(0, own) + Math.abs(dip)) * Math.PI) / 180;
   }
@@ -201,17 +204,17 @@ export class Drawing extends EventTarget {
     const { moving } = this.layers;
     const [dx, dy] = [outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y];
     const shift = "translate(" + dx + " " + dy + ")";
-    const drawn = [outlines, shift, Math.round(4 * Math.log2(this.view.dotsPerMetre))];
+    const drawn = [outlines, this.case, shift, Math.round(4 * Math.log2(this.view.dotsPerMetre))];
     if (this.#drawn?.every((one, i) => one === drawn[i])) return;
     this.#drawn = drawn;
     for (const group of [this.layers.still, this.layers.front, select(moving.node().parentNode)]) group.attr("transform", shift);
-    drawShapes(this.layers, shapesOf(outlines, 1 / this.view.dotsPerMetre));
+    drawShapes(this.layers, shapesOf(this.store.lastSolution, this.case, 1 / this.view.dotsPerMetre));
   }
 
   #drawPreview(stale) {
     const { outlines } = this.store.lastSolution;
-    const path = (stale ? previewPath(this.context, 1 / this.view.dotsPerMetre) : null) ?? "";
-    this.layers.water.attr("d", waterPath(this.context, outlines, this.view.turn));
+    const path = stale ? previewPath(this.context, 1 / this.view.dotsPerMetre, this.#touched) : "";
+    this.layers.water.attr("d", this.context.many ? "" : waterPath(this.context, outlines, this.view.turn));
     this.layers.preview.attr("d", nearPath(path, reachOf(outlines))).classed("wrong", this.store.problem !== null);
   }
 
@@ -222,7 +225,8 @@ export class Drawing extends EventTarget {
     const answer = this.store.lastSolution;
     if (answer?.outlines === undefined || this.context === null) return;
     const stale = this.store.solution === null;
-    layers.symbols.selectAll("g").data(stale && this.store.problem !== null ? [] : symbolsOf(this.case, answer.outlines, view, this.origin))
+    const symbols = this.context.many ? symbolsOfMany : symbolsOf;
+    layers.symbols.selectAll("g").data(stale && this.store.problem !== null ? [] : symbols(answer, this.case, view, this.origin))
       .join((enter) => {
         const made = enter.append("g");
         made.append("path");
@@ -245,14 +249,19 @@ export class Drawing extends EventTarget {
   /** Of many vertices those near the hand have handles, which it brings along. */
   #placeHandles() {
     if (this.context === null) return;
-    const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept });
-    this.#crowded = hidden > 0;
+    const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept, byKeys: this.handles.byKeys });
+    this.#crowded = hidden > 0 || this.context.many;
     this.handles.set(handles);
     this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
   }
 
   #handAt([x, y]) {
     this.#hand = { x, y };
+    this.#follow();
+  }
+
+  /** Handles that come with the hand, or with the focus. */
+  #follow() {
     if (!this.#crowded || this.#handWaits || this.handles.dragged !== null) return;
     this.#handWaits = true;
     requestAnimationFrame(() => {
@@ -263,6 +272,7 @@ export class Drawing extends EventTarget {
 
   #edit(handle, edits) {
     this.#editing = true;
+    for (const { path } of edits) if (path[0] === "blocks") this.#touched.add(path[1]);
     this.store.setNumbers(edits, { mergeWith: "drag " + handle.key });
     this.#editing = false;
     // the next key press or report of the hand counts from what is drawn now

@@ -9,11 +9,12 @@
  * @typedef {object} Handle
  * @property {string} key stays the same while the scene changes, so that a drag and the keyboard's focus do
  * @property {string} label what it is, with its numbers and their unit
- * @property {"vertex"|"size"|"tilt"|"load"|"base"} kind
+ * @property {"vertex"|"size"|"tilt"|"load"|"base"|"whole"} kind
  * @property {"xy"|"x"|"y"} moves which way the arrow keys move it
  * @property {string|null} fixed why it cannot be dragged; null: it can
  * @property {Point} [at] in the frame of the drawing, metres; or else
  * @property {Point} [dots] on the screen
+ * @property {number} [reach] how far from its place the hand takes it, metres; else some dots
  * @property {(hand: Point, exponent: number) => Edit[]} drag to a place in the same measure as its own
  * @property {(dx: number, dy: number, exponent: number) => Edit[]} step by so many steps of 10^exponent
  */
@@ -40,6 +41,8 @@ export class Context {
     this.unit = scene.scalar(["length_unit"]) ?? "";
     this.origin = origin;
     this.outlines = outlines;
+    /** Whether the scene is of many blocks. */
+    this.many = outlines.blocks !== undefined;
     const { metres_per_unit: metres, block, base } = outlines.placed;
     const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
     this.metres = metres;
@@ -116,17 +119,17 @@ function sameOnce(edits) {
 /**
  * A length that is read off one axis of the drawing.
  * @param {Context} context
- * @param {{name: string, of: import("../scene/quantity.js").Quantity, at: Point, moves: "x"|"y", kind: Handle["kind"],
+ * @param {{key?: string, name: string, of: import("../scene/quantity.js").Quantity, at: Point, moves: "x"|"y", kind: Handle["kind"],
  *   value: (hand: Point) => number, least: number, sign?: number}} says at: where it is, in the frame; value: what the
  *   hand's place there makes of it; least: in steps: 0, 1 where it must stay above 0, or none; sign: -1 where it grows against
  *   the axis
  * @returns {Handle}
  */
-export function lengthHandle(context, { name, of, at, moves, kind, value, least, sign = 1 }) {
+export function lengthHandle(context, { name, key = name, of, at, moves, kind, value, least, sign = 1 }) {
   const put = (number, exponent) => [edit(of, Math.max(number, least * 10 ** exponent), exponent)];
   const along = of.parameter === null ? "" : " (" + say("parameter %s", of.parameter) + ")";
   return {
-    key: name, kind, moves, at, fixed: of.fixed === null ? null : say(name) + " " + of.fixed,
+    key, kind, moves, at, fixed: of.fixed === null ? null : say(name) + " " + of.fixed,
     label: say(name) + along + " " + numeral((of.value ?? 0) + "") + " " + context.unit,
     drag: (hand, exponent) => put(value(hand), exponent),
     step: (dx, dy, exponent) => put((of.value ?? 0) + sign * (moves === "x" ? dx : dy) * 10 ** exponent, exponent),

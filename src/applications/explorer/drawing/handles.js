@@ -5,6 +5,7 @@
 
 import { blockHandles, blockVertices } from "./block_handles.js";
 import { baseHandles, baseVertices } from "./base_handles.js";
+import { listedCandidates, withSizes } from "./listed_blocks.js";
 import { loadHandles } from "./load_handles.js";
 import { nearestOf } from "./nearest.js";
 import { tiltHandle } from "./tilt_handle.js";
@@ -12,14 +13,20 @@ import { tiltHandle } from "./tilt_handle.js";
 /**
  * @param {import("./handle.js").Context} context @param {import("./view.js").View} view
  * @param {number} sign 1 where the tilt turns counter-clockwise on the screen
- * @param {{hand: import("./handle.js").Point|null, kept: Set<string>}} near the hand on the screen; keys of handles that stay
+ * @param {{hand: import("./handle.js").Point|null, kept: Set<string>, byKeys: string[]}} near the hand on the screen; keys of handles that stay, and of one that keys led to
  * @returns {{handles: import("./handle.js").Handle[], hidden: number}} hidden: how many vertices in the window have none
  */
 export function handlesOf(context, view, sign, near) {
   if (context.scene.unread !== null) return { handles: [], hidden: 0 };
-  const { chosen, hidden } = nearestOf([...baseVertices(context), ...blockVertices(context)], view, { ...near, contact: contactEnds(context) });
-  const vertices = chosen.map((candidate) => candidate.made()).filter((handle) => handle !== null);
-  const handles = [tiltHandle(context, view, sign), ...baseHandles(context), ...loadHandles(context, view), ...blockHandles(context), ...vertices];
+  const candidates = [...baseVertices(context), ...blockVertices(context), ...listedCandidates(context, view)];
+  const { chosen, hidden } = nearestOf(candidates, view, { ...near, contact: contactEnds(context) });
+  const made = chosen.map((candidate) => candidate.made()).filter((handle) => handle !== null);
+  const [wholes, vertices] = [true, false].map((whole) => made.filter(({ kind }) => (kind === "whole") === whole));
+  // whole blocks below all else, which lies on them
+  const handles = [
+    ...withSizes(context, view, wholes, near), tiltHandle(context, view, sign), ...baseHandles(context), ...loadHandles(context, view),
+    ...blockHandles(context), ...vertices,
+  ];
   return { handles, hidden };
 }
 

@@ -7,6 +7,7 @@ import { drag } from "d3-drag";
 import { say } from "../words/language.js";
 
 const RADIUS = 7;
+const REACH = 2.4 * RADIUS;
 const APART = 24; // dots
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -17,7 +18,7 @@ export class HandlesLayer {
 
   /**
    * @param group a d3 selection @param {import("./view.js").View} view
-   * @param {{change: (key: string, handle: object) => boolean, edit: (handle: object, edits: object[]) => void, ended: () => void, exponent: () => number,
+   * @param {{change: (key: string, handle: object) => boolean, edit: (handle: object, edits: object[]) => void, ended: () => void, focused: () => void, exponent: () => number,
    *   told: (text: string) => void}} hand
    */
   constructor(group, view, hand) {
@@ -35,6 +36,11 @@ export class HandlesLayer {
     return new Set([this.dragged, focused].filter((key) => key !== null));
   }
 
+  /** Of the handle that has the focus by keys, if one has. @returns {string[]} */
+  get byKeys() {
+    return [...this.group.node().querySelectorAll(".handle:focus-visible")].map((handle) => handle.dataset.handle);
+  }
+
   /** @param {import("./handle.js").Handle[]} handles */
   set(handles) {
     this.handles = handles;
@@ -44,6 +50,7 @@ export class HandlesLayer {
   /** Put them where they are now; those outside of the window are not drawn. */
   place() {
     const { width, height } = this.view;
+    const dotsOf = (metres) => String(Math.max(REACH, metres * this.view.dotsPerMetre));
     const seen = apart(this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
       .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < width + 20 && y < height + 20)),
     this.view.direction(0, -1), this.#grip);
@@ -53,6 +60,7 @@ export class HandlesLayer {
       .each(function ({ handle, away }) {
         this.querySelector(".lead").setAttribute("d", away.x === 0 && away.y === 0 ? "" : "M0 0L" + -away.x + " " + -away.y);
         // of a hundred handles one is dragged: the others' words stay, and are not laid out again
+        if (handle.reach !== undefined) this.querySelector(".reach").setAttribute("r", dotsOf(handle.reach));
         const words = handle.fixed ?? handle.label;
         if (this.words === words) return;
         this.words = words;
@@ -66,12 +74,15 @@ export class HandlesLayer {
     const made = enter.append("g").attr("tabindex", 0).attr("role", "button").attr("aria-roledescription", "handle")
       .attr("data-handle", ({ handle }) => handle.key)
       .on("keydown", (event, { handle }) => this.#key(event, handle))
-      .on("focus", (event, { handle }) => this.hand.told(handle.fixed ?? handle.label))
+      .on("focus", (event, { handle }) => {
+        this.hand.told(handle.fixed ?? handle.label);
+        this.hand.focused();
+      })
       .on("pointerenter", (event, { handle }) => this.hand.told(handle.fixed ?? handle.label))
       .call(this.#dragging());
     made.append("title");
     made.append("path").attr("class", "lead");
-    made.append("circle").attr("class", "reach").attr("r", 2.4 * RADIUS);
+    made.append("circle").attr("class", "reach").attr("r", REACH);
     made.append("circle").attr("class", "knob").attr("r", RADIUS);
     return made;
   }

@@ -3,6 +3,7 @@
 
 /** Block, base and contact as the core drew them: paths in metres inside a group that the view turns and scales. */
 
+import { shapesOfMany } from "./shapes_of_many.js";
 import { nearPath, pathPoints, thinPath } from "./thin_path.js";
 
 /** Browsers draw in single precision: diagonals beyond these are not drawn, in metres, ... */
@@ -24,11 +25,16 @@ export function reachOf(outlines) {
 }
 
 /**
- * @param {object} outlines of the answer
+ * @param {object} answer @param {object} kase of it
  * @param {number} dot the length of a dot of the screen, metres
- * @returns {{name: string, path: string, layer: "still"|"moving"|"front"}[]} from the back to the front
+ * @returns {{name: string, path: string, layer: "still"|"moving"|"front", transform?: string}[]} from the back to the front
  */
-export function shapesOf(outlines, dot) {
+export function shapesOf(answer, kase, dot) {
+  const { outlines } = answer;
+  return answer.kind === "blocks" ? shapesOfMany(answer, kase, dot, reachOf(outlines)) : shapesOfOne(outlines, dot);
+}
+
+function shapesOfOne(outlines, dot) {
   const base = thinPath(nearPath(outlines.base, reachOf(outlines)), dot);
   const shapes = [["rock", rockPath(base, outlines.box_m), "still"], ["base", base, "still"], ["block", thinPath(outlines.block, dot), "moving"]];
   outlines.parts.forEach((path, i) => shapes.push([i % 2 === 0 ? "part" : "part other", thinPath(path, dot), "moving"]));
@@ -48,6 +54,6 @@ function rockPath(base, [, bottom, , top]) {
 export function drawShapes(layers, shapes) {
   for (const layer of ["still", "moving", "front"]) {
     layers[layer].selectAll("path").data(shapes.filter((shape) => shape.layer === layer)).join("path")
-      .attr("class", (shape) => "shape " + shape.name).attr("d", (shape) => shape.path);
+      .attr("class", (shape) => "shape " + shape.name).attr("d", (shape) => shape.path).attr("transform", (shape) => shape.transform ?? null);
   }
 }

@@ -17,14 +17,15 @@ const GOVERNING_DOTS = 13;
 const HEAD = 9;
 const COMB = 6; // gaps between the arrows of a pressure
 const COMB_DOTS = 30;
+const PULL_DOTS = 58;
 
 /**
  * @typedef {{kind: string, d?: string, x?: number, y?: number, text?: string, title?: string}} Symbol
- * @param {object} kase of the answer @param {object} outlines
+ * @param {object} answer of one block @param {object} kase of it
  * @param {import("./view.js").View} view @param {{x: number, y: number}} origin metres
  * @returns {Symbol[]} from the back to the front
  */
-export function symbolsOf(kase, outlines, view, origin) {
+export function symbolsOf({ outlines }, kase, view, origin) {
   const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
   const on = (x, y) => {
     const at = resultPoint(outlines, x, y);
@@ -116,13 +117,16 @@ function wedge(at, view, [nx, ny], half, long) {
   return "M" + at.x + " " + at.y + "L" + side(half) + "L" + side(-half) + "Z";
 }
 
-function loads(outlines, view, shift) {
-  const anchors = (outlines.anchors ?? []).map((anchor, i) => {
-    const at = view.toScreen(anchor.x_m + shift.x, anchor.y_m + shift.y);
-    const angle = (anchor.direction_deg * Math.PI) / 180;
+/** A pull begins at its point, a force from outside ends there. */
+export function loads(outlines, view, shift) {
+  const pull = (from, to, title) => (own, i) => {
+    const at = view.toScreen(own.x_m + shift.x, own.y_m + shift.y);
+    const angle = (own.direction_deg * Math.PI) / 180;
     const along = view.direction(Math.cos(angle), Math.sin(angle));
-    return { kind: "anchor", d: arrow(at, { x: at.x + 58 * along.x, y: at.y + 58 * along.y }), title: say("anchor %s", i + 1) };
-  });
+    const on = (dots) => ({ x: at.x + dots * along.x, y: at.y + dots * along.y });
+    return { kind: "anchor", d: arrow(on(from), on(to)), title: say(title, i + 1) };
+  };
+  const anchors = [...(outlines.anchors ?? []).map(pull(0, PULL_DOTS, "anchor %s")), ...(outlines.forces ?? []).map(pull(-PULL_DOTS, 0, "force %s"))];
   const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, shift, kind), title: say(kind) }));
   return [...anchors, ...spread(outlines.pressures, "pressure"), ...spread(outlines.surcharges, "surcharge")];
 }

@@ -15,7 +15,7 @@ const EDGE = 30;
  * @param {number} sign 1 where the tilt turns counter-clockwise on the screen, that is towards the left
  */
 export function tiltHandle(context, view, sign) {
-  const of = context.number(["tilt", "angle_deg"]);
+  const of = context.number(tiltPath(context));
   const shape = tiltArc(view, sign);
   const angle = (of.value ?? 0) / DEGREES;
   const put = (degrees, exponent) => [edit(of, Math.min(90, Math.max(0, degrees)), exponent)];
@@ -26,6 +26,11 @@ export function tiltHandle(context, view, sign) {
     drag: (hand) => put(Math.atan2(shape.y - hand.y, sign * (hand.x - shape.x)) * DEGREES, -1),
     step: (dx, dy) => put((of.value ?? 0) + (dx + dy) * 0.1, -1),
   };
+}
+
+/** Where the angle stands at which all lies: of many blocks on a slope its dip. @param {import("./handle.js").Context} context */
+export function tiltPath(context) {
+  return context.many && context.scene.node(["slope", "dip_deg"]) !== null ? ["slope", "dip_deg"] : ["tilt", "angle_deg"];
 }
 
 /** The arc, its two arms, and the angle between them. @param layer a d3 selection with a path and a text */

@@ -7,13 +7,15 @@ import { isSeq } from "yaml";
 import { snap } from "../scene/decimal.js";
 import { withItem, withoutItem } from "../scene/list_edits.js";
 import { ringsOf } from "./block_handles.js";
+import { listedBlocks } from "./listed_blocks.js";
 import { pointsOf } from "./points.js";
 
 const REACH = 14; // dots from an edge
 
 /** Lists of points of a scene that are drawn. @param {import("./handle.js").Context} context */
 function listsOf(context) {
-  const rings = context.block === null ? [] : ringsOf(context).map(([path]) => ({ path, placement: context.block, closed: true }));
+  const blocks = context.many ? listedBlocks(context) : [{ path: ["block"], placement: context.block }];
+  const rings = context.block === null ? [] : blocks.flatMap(({ path: of, placement }) => ringsOf(context, of).map(([path]) => ({ path, placement, closed: true })));
   const profile = context.base === null ? [] : [{ path: ["base", "profile"], placement: context.base, closed: false }];
   return [...rings, ...profile].filter(({ path }) => isSeq(context.scene.node(path)));
 }

@@ -84,6 +84,12 @@ export class Placement {
     this.shift = { x: of.x_m + shift.x, y: of.y_m + shift.y };
   }
 
+  /** That of points which are shifted, in lengths of the scene. */
+  shifted(x, y) {
+    const at = this.toFrame(x, y);
+    return new Placement(this.of, this.unit, { x: at.x - this.of.x_m, y: at.y - this.of.y_m });
+  }
+
   toFrame(x, y) {
     const { cosine, sine } = this.of;
     return { x: (cosine * x - sine * y) * this.unit + this.shift.x, y: (sine * x + cosine * y) * this.unit + this.shift.y };

@@ -3,7 +3,7 @@
 
 /** The menu that gives a scene water, an anchor, an earthquake, cohesion, or corners of its own, to be dragged then. */
 
-import { ringOf } from "../drawing/preview.js";
+import { ringOf } from "../drawing/rings.js";
 import { ADDITIONS } from "../scene/additions.js";
 import { say } from "../words/language.js";
 
@@ -22,7 +22,7 @@ export function addMenu(select, drawing, store, messages) {
     }
   });
   const update = () => {
-    const known = drawing.context !== null && drawing.context.block !== null && store.parsed.unread === null;
+    const known = drawing.context !== null && !drawing.context.many && drawing.context.block !== null && store.parsed.unread === null;
     const sizes = known ? sizesOf(drawing) : null;
     for (const option of options) option.disabled = !known || ADDITIONS[option.value].has(store.parsed, sizes);
   };

@@ -42,7 +42,7 @@ export class ComparePanel extends Panel {
   }
 
   draw(solution) {
-    this.present = { solution, figure: this.store.figure, state: { name: this.store.name, text: this.store.text, files: this.store.files } };
+    this.present = { solution, state: { name: this.store.name, text: this.store.text, files: this.store.files } };
     if (this.#kept !== null) this.#show();
   }
 
@@ -70,10 +70,10 @@ export class ComparePanel extends Panel {
     );
   }
 
-  #side({ solution, figure, state }, heading) {
+  #side({ solution, state }, heading) {
     const { words, kind } = shortVerdict(solution);
     const title = /^title: *["']?(.*?)["']?$/m.exec(state.text)?.[1] ?? state.name;
-    return element("figure", { "data-kind": kind }, element("figcaption", {}, element("strong", {}, heading), ": " + title), thumbnail(solution, figure), element("p", { class: "card-verdict" }, words));
+    return element("figure", { "data-kind": kind }, element("figcaption", {}, element("strong", {}, heading), ": " + title), thumbnail(solution), element("p", { class: "card-verdict" }, words));
   }
 
   #lines(before, after) {

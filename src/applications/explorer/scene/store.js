@@ -18,17 +18,9 @@ import { readComplaint } from "./complaint.js";
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
 
-/** How the core is asked for each kind of scene; of many blocks its figure is drawn. */
-const FIGURE = ".figure.svg";
-const ASKED = {
-  block: ["solve", "--json", "--outlines"],
-  blocks: ["solve", "--json", "--figure", FIGURE],
-  solid: ["solve", "--json"],
-};
-
-/** @param {"block"|"blocks"|"solid"} kind @returns {{args: string[], collect: string[]}} how the core is asked, and the file that it then writes */
+/** @param {"block"|"blocks"|"solid"} kind @returns {string[]} how the core is asked */
 export function askedFor(kind) {
-  return { args: ASKED[kind], collect: kind === "blocks" ? [FIGURE] : [] };
+  return ["solve", "--json", ...(kind === "solid" ? [] : ["--outlines"])];
 }
 
 /** How long a solve may hold up that of a newer text, milliseconds. */
@@ -57,8 +49,6 @@ export class SceneStore extends EventTarget {
     this.solution = null;
     /** The last answer there was, of whatever text: what the drawing keeps. */
     this.lastSolution = null;
-    /** Of many blocks the figure of the last answer, an SVG. @type {Uint8Array|null} */
-    this.figure = null;
     /** @type {import("./complaint.js").Complaint|null} */
     this.problem = null;
     /** How many scenes were opened: another number, another scene. */
@@ -166,14 +156,13 @@ export class SceneStore extends EventTarget {
     for (const [control, since] of this.#pending) if (now - since > PATIENCE_MS) control.abort();
     const control = new AbortController();
     const kind = kindOf(this.parsed);
-    const { args, collect } = askedFor(kind);
     this.#pending.set(control, now);
     this.#tellBusy();
     try {
       const answer = await this.core.run(
-        [...args, this.argument],
+        [...askedFor(kind), this.argument],
         { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal, collect },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal },
       );
       if (asked === this.#asked) this.#answered(answer, kind);
     } catch (error) {
@@ -188,7 +177,6 @@ export class SceneStore extends EventTarget {
   #answered(answer, kind) {
     if (answer.out !== "") {
       this.solution = solutionOf(kind, answer.out);
-      this.figure = answer.files?.[FIGURE] ?? null;
       this.lastSolution = this.solution;
       this.problem = null;
       this.#tell("solution");

@@ -41,12 +41,11 @@ function cardOf(scene, open) {
 
 async function draw({ scene, place, verdict, card }, core) {
   const kind = kindOf(new SceneText(scene.text));
-  const { args, collect } = askedFor(kind);
   try {
-    const answer = await core.run([...args, scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS, collect });
+    const answer = await core.run([...askedFor(kind), scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS });
     if (answer.out === "") throw new Error(answer.err.trim());
     const solution = solutionOf(kind, answer.out);
-    place.replaceChildren(thumbnail(solution, answer.files?.[collect[0]] ?? null));
+    place.replaceChildren(thumbnail(solution));
     const { words, kind: colour } = shortVerdict(solution);
     verdict.textContent = words;
     card.dataset.kind = colour;

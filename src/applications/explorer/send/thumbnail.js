@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** A scene in small, from an answer of the core: the block on its base as it is tilted; of others the core's own figure. */
+/** A scene in small, from an answer of the core: blocks as they are tilted. */
 
 import { isDrawable, shapesOf } from "../drawing/shapes.js";
 import { element, svgElement } from "../panels/element.js";
@@ -12,19 +12,14 @@ import { say } from "../words/language.js";
 const MARGIN = 0.06;
 const DOTS = 200; // across it
 
-/** @param {any} solution with its kind @param {Uint8Array|null} figure @returns {Element} */
-export function thumbnail(solution, figure) {
-  if (figure !== null) {
-    const address = URL.createObjectURL(new Blob([figure], { type: "image/svg+xml" }));
-    const free = () => URL.revokeObjectURL(address);
-    return element("img", { class: "thumb picture", alt: "", src: address, onload: free, onerror: free });
-  }
+/** @param {any} solution with its kind @returns {Element} */
+export function thumbnail(solution) {
   const { outlines, cases } = solution;
   if (outlines === undefined || !isDrawable(outlines)) return element("div", { class: "thumb" });
   const tilt = (cases[0].tilt_angle_deg?.value ?? 0) * (cases[0].towards === "right" ? -1 : 1);
   return svgElement("svg", { class: "thumb", viewBox: boxOf(outlines.box_m, (tilt * Math.PI) / 180), "aria-hidden": "true" },
     svgElement("g", { transform: "scale(1 -1) rotate(" + tilt + ")" },
-      shapesOf(outlines, dotOf(outlines.box_m)).map(({ name, path }) => svgElement("path", { class: "shape " + name, d: path }))));
+      shapesOf(solution, cases[0], dotOf(outlines.box_m)).map(({ name, path, transform }) => svgElement("path", { class: "shape " + name, d: path, ...(transform === undefined ? {} : { transform }) }))));
 }
 
 const dotOf = ([x0, y0, x1, y1]) => Math.hypot(x1 - x0, y1 - y0) / DOTS;
