@@ -45,7 +45,7 @@ static int sense_of(const planning *p, const tp_near twist[3], const tp_plan_ray
   bool open = false;
   for (int k = 0; k < p->plan->point_count; k++) {
     if (stays(p, ray, k)) continue;
-    const int sign = tp_near_sign(tp_sparse_dot(twist, p->shape->points[k].normal));
+    const int sign = tp_near_sign(tp_near_dot(twist, p->shape->points[k].normal));
     if (sign != 0 && sense == -sign) return 0;
     if (sign != 0) sense = sign;
     open = open || sign == 0;

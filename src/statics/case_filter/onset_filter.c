@@ -14,8 +14,6 @@
 
 #include "case_filter/strong_modes.h"
 
-#include <string.h>
-
 enum { GENERATORS = 2 + TP_PLAN_EDGES };
 
 /* The normal of the plane of two generators, and the loads' power on it. */
@@ -29,8 +27,8 @@ typedef struct cone {
   const tp_plan_mode *mode;
   const tp_filter_loads *loads;
   tp_near of[GENERATORS][3];
-  tp_near across[3]; /* to both rays: M^-1 h of their normal line, times k^2 */
-  bool known[GENERATORS][GENERATORS];
+  tp_near across[3];                    /* to both rays: M^-1 h of their normal line, times k^2 */
+  unsigned known[GENERATORS];           /* bit j of the i-th: their plane is there */
   plane planes[GENERATORS][GENERATORS]; /* of each two, the lesser first, that were asked for */
 } cone;
 
@@ -40,7 +38,7 @@ static void set_cone(cone *c, const tp_plan_mode *mode, const tp_filter_case *of
   const int count = mode->ray_count + mode->edge_count;
   c->mode = mode;
   c->loads = of->loads;
-  for (int k = 0; k < count; k++) memset(c->known[k], 0, (size_t)count);
+  for (int k = 0; k < count; k++) c->known[k] = 0;
   for (int k = 0; k < mode->ray_count; k++) {
     for (int e = 0; e < 3; e++) c->of[k][e] = shape->inertia[mode->rays[k]][e];
   }
@@ -61,8 +59,8 @@ static bool is_across(const cone *c, int i, int j) {
 /* Of i < j; of two rays from their normal line, which is exact where its facet is level. */
 static const plane *plane_of(cone *c, int i, int j) {
   plane *own = &c->planes[i][j];
-  if (c->known[i][j]) return own;
-  c->known[i][j] = true;
+  if ((c->known[i] & 1U << j) != 0) return own;
+  c->known[i] |= 1U << j;
   if (is_across(c, i, j)) {
     for (int e = 0; e < 3; e++) own->h[e] = c->across[e];
   } else {

@@ -3,7 +3,7 @@
 
 /* A mode can begin where its loads, with what is fixed of cohesion and bonds, are a sum of its
  * generators with factors that are not negative, and of what is free with factors from -1 to 1: by
- * Caratheodory of three of these, all that is free besides at a bound (motion/mode_shares.h). Such
+ * Caratheodory of three of these, all that is free besides at a bound (motion/share_mode.h). Such
  * tilts are an interval where each plane that bounds them is passed once from level to upright; as
  * it may be any plane of two, at any bounds of the rest, that is asked of all. */
 

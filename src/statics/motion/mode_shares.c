@@ -9,27 +9,6 @@
 #include "number/ball.h"
 
 #include <math.h>
-#include <string.h>
-
-/* Three of the generators and of what is free, the rest of that at its bounds. */
-typedef struct choice {
-  int of[3];
-  unsigned bounds; /* bit k: the k-th of what is free, not among the three, is at 1, else at -1 */
-} choice;
-
-static bool is_free(const tp_share_mode *m, int k) {
-  return k >= m->count;
-}
-
-/* Forces through one point, or along one direction, span no solid; with a ray each two of them do.
- */
-static bool is_flat(const tp_share_mode *m, const int of[3]) {
-  const tp_share_line *a = m->of + of[0], *b = m->of + of[1], *c = m->of + of[2];
-  const bool site = a->site != 0 && a->site == b->site && a->site == c->site;
-  const bool parallel =
-      a->parallel != 0 && a->parallel == b->parallel && a->parallel == c->parallel;
-  return m->ray_count > 0 && (site || parallel);
-}
 
 static void add_line(tp_share_line *sum, const tp_share_line *other, bool turned) {
   for (int e = 0; e < 3; e++) {
@@ -48,7 +27,7 @@ static void add_balls(tp_ball_line *sum, const tp_ball_line *other, bool turned,
 }
 
 /* What is left to the three. */
-static tp_share_line loads_of(const tp_share_mode *m, const choice *c) {
+static tp_share_line loads_of(const tp_share_mode *m, const tp_share_choice *c) {
   tp_share_line loads = m->loads;
   if (m->sum != NULL) {
     for (int e = 0; e < 3; e++) {
@@ -67,79 +46,73 @@ static tp_share_line loads_of(const tp_share_mode *m, const choice *c) {
   return loads;
 }
 
-/* The next choice: sets of three in their order, each with all bounds. */
-static bool next_choice(choice *c, const tp_share_mode *m) {
-  const int all = m->count + m->free_count;
-  unsigned free = 0; /* those among the three have no bound */
-  for (int k = 0; k < 3; k++) {
-    if (is_free(m, c->of[k])) free |= 1U << (c->of[k] - m->count);
-  }
-  for (c->bounds++; c->bounds < 1U << m->free_count; c->bounds++) {
-    if ((c->bounds & free) == 0) return true;
-  }
-  c->bounds = 0;
-  int k = 2;
-  while (k >= 0 && c->of[k] == all - 3 + k) k--;
-  if (k < 0) return false;
-  c->of[k]++;
-  for (k++; k < 3; k++) c->of[k] = c->of[k - 1] + 1;
-  return true;
-}
+/* det(w, g_i, g_j) of two generators, and its sign at all shares that matter, 0 where these differ
+ * or all matter. */
+typedef struct part {
+  tp_share_polynomial of;
+  int sign;
+} part;
 
-enum { LINES = TP_SHARE_LINES + TP_SHARE_FREE };
-
-/* det(w, g_i, g_j) of two generators, where nothing is free: the same for all choices that have
- * both. */
+/* Where nothing is free: the same for all choices that have both. */
 typedef struct pair_parts {
-  bool known[LINES][LINES];
-  tp_share_polynomial of[LINES][LINES];
+  double ratio;                       /* shares matter from its inverse to it */
+  unsigned known[TP_SHARE_ALL_LINES]; /* bit j of the i-th */
+  part of[TP_SHARE_ALL_LINES][TP_SHARE_ALL_LINES];
 } pair_parts;
 
-static tp_share_polynomial part_of(pair_parts *parts, const tp_share_mode *m,
-                                   const tp_share_line *loads, int i, int j) {
-  if (m->free_count > 0) return tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
-  tp_share_polynomial *own = &parts->of[i][j];
-  if (!parts->known[i][j]) *own = tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
-  parts->known[i][j] = true;
-  return *own;
+static int sign_of(const tp_share_polynomial *p, double ratio) {
+  return ratio < INFINITY ? tp_share_polynomial_sign(p, 1 / ratio, ratio) : 0;
 }
 
-/* The parts of a choice; false where two differ in sign at all shares that matter. */
-static bool find_parts(tp_share_polynomial part[3], pair_parts *parts, const tp_share_mode *m,
-                       const choice *own, double ratio) {
-  const tp_share_line loads = loads_of(m, own);
-  const bool rejects = ratio < INFINITY && !is_free(m, own->of[2]);
+static const part *part_of(pair_parts *parts, const tp_share_mode *m, const tp_share_line *loads,
+                           int i, int j) {
+  part *own = &parts->of[i][j];
+  const unsigned bit = 1U << j;
+  if (m->free_count > 0 || (parts->known[i] & bit) == 0) {
+    own->of = tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
+    own->sign = sign_of(&own->of, parts->ratio);
+    parts->known[i] |= bit;
+  }
+  return own;
+}
+
+/* The parts of a choice; false where two of generators differ in sign at all shares that matter. */
+static bool find_parts(const part *own[3], pair_parts *parts, const tp_share_mode *m,
+                       const tp_share_choice *c) {
+  const tp_share_line loads = loads_of(m, c);
+  int sign = 0;
   for (int k = 0; k < 3; k++) {
-    part[k] = part_of(parts, m, &loads, own->of[(k + 1) % 3], own->of[(k + 2) % 3]);
-    for (int before = 0; before < k && rejects; before++) {
-      if (tp_share_polynomials_oppose(part + before, part + k, 1 / ratio, ratio)) return false;
-    }
+    own[k] = part_of(parts, m, &loads, c->of[(k + 1) % 3], c->of[(k + 2) % 3]);
+    if (tp_share_choice_is_free(m, c->of[k])) continue;
+    if (sign * own[k]->sign < 0) return false;
+    if (sign == 0) sign = own[k]->sign;
   }
   return true;
 }
 
-static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own,
-                       double ratio, pair_parts *parts) {
+static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const tp_share_choice *own,
+                       pair_parts *parts) {
   const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
-  tp_share_polynomial part[3];
-  if (!find_parts(part, parts, m, own, ratio)) return true;
+  const part *of[3];
+  if (!find_parts(of, parts, m, own)) return true;
   const tp_share_polynomial whole = tp_share_determinant(g[0], g[1], g[2], m->bits);
-  tp_share_conditions c = {.count = 0};
   if (whole.degree < 0) return true;
+  const int sign = sign_of(&whole, parts->ratio);
+  tp_share_conditions c = {.count = 0};
   for (int k = 0; k < 3; k++) {
+    const tp_share_polynomial *own_part = &of[k]->of;
     tp_share_polynomial *to = c.of[c.count++];
-    to[0] = part[k];
+    to[0] = *own_part;
     to[1] = whole;
-    if (!is_free(m, own->of[k])) {
-      if (ratio < INFINITY && tp_share_polynomials_oppose(to, to + 1, 1 / ratio, ratio))
-        return true;
+    if (!tp_share_choice_is_free(m, own->of[k])) {
+      if (sign * of[k]->sign < 0) return true;
       continue;
     }
     for (int e = 0; e <= TP_SHARE_DEGREE; e++) { /* from -1 to 1 */
-      to[0].of[e] = whole.of[e] - part[k].of[e];
-      to[1].of[e] = whole.of[e] + part[k].of[e];
+      to[0].of[e] = whole.of[e] - own_part->of[e];
+      to[1].of[e] = whole.of[e] + own_part->of[e];
     }
-    to[0].degree = to[1].degree = whole.degree > part[k].degree ? whole.degree : part[k].degree;
+    to[0].degree = to[1].degree = whole.degree > own_part->degree ? whole.degree : own_part->degree;
   }
   return tp_share_spans_where(spans, &c, m->mechanism);
 }
@@ -174,90 +147,29 @@ bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *m) {
   return tp_share_spans_add_near(spans, m, INFINITY);
 }
 
+static tp_near from_inverse_to(double ratio) {
+  const double half = (ratio - 1 / ratio) / 2;
+  return tp_near_of(1 / ratio + half, half + 4 * ratio * DBL_EPSILON);
+}
+
+/* Up to this ratio the lines, each with all of its values there, rule out nearly all choices for
+ * less than the polynomials take. */
+static const double narrow = 1.125;
+
 bool tp_share_spans_add_near(tp_share_spans *spans, const tp_share_mode *m, double ratio) {
   if (m->interior) return add_interior(spans, m);
   if (m->count + m->free_count < 3) return true; /* they span no solid */
-  choice c = {.of = {0, 1, 2}};
+  tp_share_choice c = {.of = {0, 1, 2}};
   pair_parts parts;
-  for (int k = 0; k < m->count; k++) memset(parts.known[k], 0, (size_t)m->count);
+  parts.ratio = ratio;
+  tp_share_values near_one;
+  const bool is_near = ratio < narrow;
+  if (is_near) tp_share_values_at(&near_one, m, from_inverse_to(ratio));
+  for (int k = 0; k < m->count + m->free_count; k++) parts.known[k] = 0;
   do {
-    if (!is_flat(m, c.of) && !add_choice(spans, m, &c, ratio, &parts)) return false;
-  } while (next_choice(&c, m));
+    if (tp_share_choice_is_flat(m, c.of)) continue;
+    if (is_near && tp_share_choice_side(m, &near_one, &c) < 0) continue;
+    if (!add_choice(spans, m, &c, &parts)) return false;
+  } while (tp_share_choice_next(&c, m));
   return true;
-}
-
-/* ---- proofs ------------------------------------------------------------------------------------
- */
-
-static void evaluate_line(tp_near own[3], const tp_share_line *line, tp_near share) {
-  for (int e = 0; e < 3; e++) {
-    own[e] = line->rise[e].value == 0 && line->rise[e].error == 0
-                 ? line->at[e]
-                 : tp_near_add(line->at[e], tp_near_mul(line->rise[e], share));
-  }
-}
-
-/* The loads as a sum of three: 1, or -1: they are none; 0 where it is open. */
-static int side_of_choice(const tp_share_mode *m, const choice *c, tp_near share) {
-  const tp_share_line loads = loads_of(m, c);
-  tp_near w[3], g[3][3];
-  evaluate_line(w, &loads, share);
-  for (int k = 0; k < 3; k++) evaluate_line(g[k], m->of + c->of[k], share);
-  const tp_near whole = tp_near_determinant(g[0], g[1], g[2]);
-  const int turn = tp_near_sign(whole);
-  if (turn == 0) return 0;
-  int all = 1;
-  for (int k = 0; k < 3; k++) {
-    const tp_near part = tp_near_determinant(w, g[(k + 1) % 3], g[(k + 2) % 3]);
-    int side = turn * tp_near_sign(part);
-    if (is_free(m, c->of[k])) {
-      const int below = turn * tp_near_sign(tp_near_sub(whole, part));
-      const int above = turn * tp_near_sign(tp_near_add(whole, part));
-      side = below < above ? below : above;
-    }
-    if (side < 0) return -1;
-    if (side == 0) all = 0;
-  }
-  return all;
-}
-
-/* One generator or two are no sum of anything off their line or plane. */
-static int side_of_flat(const tp_share_mode *m, tp_near share) {
-  tp_near w[3], g[2][3], cross[3];
-  if (m->free_count > 0 || m->count <= 0) return 0;
-  evaluate_line(w, &m->loads, share);
-  for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of + k, share);
-  if (m->count == 2) return tp_near_sign(tp_near_determinant(w, g[0], g[1])) != 0 ? -1 : 0;
-  tp_near_cross(cross, w, g[0]);
-  for (int e = 0; e < 3; e++) {
-    if (tp_near_sign(cross[e]) != 0) return -1;
-  }
-  return 0;
-}
-
-static int side_of_interior(const tp_share_mode *m, tp_near share) {
-  tp_near w[3];
-  evaluate_line(w, &m->loads, share);
-  int all = 1;
-  for (long k = 0; k < m->plane_count; k++) {
-    const int side = tp_near_sign(tp_near_dot(m->planes[k].at, w));
-    if (side < 0) return -1;
-    if (side == 0) all = 0;
-  }
-  return all;
-}
-
-int tp_share_mode_side(const tp_share_mode *m, double share) {
-  const tp_near s = {share, 0};
-  if (m->interior) return side_of_interior(m, s);
-  if (m->count + m->free_count < 3) return side_of_flat(m, s);
-  choice c = {.of = {0, 1, 2}};
-  int any = -1;
-  do {
-    if (is_flat(m, c.of)) continue;
-    const int side = side_of_choice(m, &c, s);
-    if (side > 0) return 1;
-    if (side == 0) any = 0;
-  } while (next_choice(&c, m));
-  return any;
 }

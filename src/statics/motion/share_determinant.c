@@ -50,10 +50,17 @@ static tp_near ball_coefficient(const tp_share_line *of[3], int power, long bits
   return near;
 }
 
-/* A vector, the sizes of its components, and with their errors. */
+/* A number's part at 0 and its rise, in one operation of the processor. */
+typedef double pair __attribute__((vector_size(16)));
+
+/* Values of a vector, sizes, and sizes with their errors, as numbers and as pairs. */
 typedef struct sized {
   double value[3], size[3], most[3];
 } sized;
+
+typedef struct sized_pairs {
+  pair value[3], size[3], most[3];
+} sized_pairs;
 
 static void set_sized(sized *own, const tp_near vector[3]) {
   for (int e = 0; e < 3; e++) {
@@ -63,14 +70,24 @@ static void set_sized(sized *own, const tp_near vector[3]) {
   }
 }
 
-/* The determinant with every term taken for positive. */
-static double permanent(const double a[3], const double b[3], const double c[3]) {
-  double sum = 0;
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    sum += a[k] * (b[next] * c[last] + b[last] * c[next]);
+static void set_pairs(sized_pairs *own, const tp_share_line *line) {
+  for (int e = 0; e < 3; e++) {
+    const tp_near at = line->at[e], rise = line->rise[e];
+    own->value[e] = (pair){at.value, rise.value};
+    own->size[e] = (pair){fabs(at.value), fabs(rise.value)};
+    own->most[e] = own->size[e] + (pair){at.error, rise.error};
   }
-  return sum;
+}
+
+static inline pair determinant_of(const double a[3], const double b[3], const pair c[3]) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/* The same with every term taken for positive. */
+static inline pair permanent_of(const double a[3], const double b[3], const pair c[3]) {
+  return a[0] * (b[1] * c[2] + b[2] * c[1]) + a[1] * (b[2] * c[0] + b[0] * c[2]) +
+         a[2] * (b[0] * c[1] + b[1] * c[0]);
 }
 
 /* det(a, b, c) as a polynomial of the share; what its bound does not tell from zero is none.
@@ -81,26 +98,27 @@ static double permanent(const double a[3], const double b[3], const double c[3])
 static tp_share_polynomial plain_determinant(const tp_share_line *of[3]) {
   static const double unit = 0x1p-53, roundings = 24;
   double sums[TP_SHARE_DEGREE + 1] = {0}, errors[TP_SHARE_DEGREE + 1] = {0};
-  sized parts[3][2];
-  bool has_rise[3];
-  for (int k = 0; k < 3; k++) {
-    has_rise[k] = rises(of[k]);
-    set_sized(parts[k], of[k]->at);
-    if (has_rise[k]) set_sized(parts[k] + 1, of[k]->rise);
-  }
-  const int risers = has_rise[0] + has_rise[1] + has_rise[2];
-  for (unsigned ups = 0; ups < 8; ups++) {
-    const unsigned up[3] = {ups & 1U, ups >> 1 & 1U, ups >> 2 & 1U};
-    if ((up[0] && !has_rise[0]) || (up[1] && !has_rise[1]) || (up[2] && !has_rise[2])) continue;
-    const sized *a = parts[0] + up[0], *b = parts[1] + up[1], *c = parts[2] + up[2];
-    const unsigned power = up[0] + up[1] + up[2];
-    const double most = permanent(a->most, b->most, c->most);
-    sums[power] += tp_double_determinant(a->value, b->value, c->value);
-    errors[power] +=
-        (most - permanent(a->size, b->size, c->size)) + roundings * unit * most + DBL_MIN;
+  sized a, b[2];
+  sized_pairs c;
+  const int a_parts = rises(of[0]) ? 2 : 1, b_parts = rises(of[1]) ? 2 : 1;
+  set_sized(b, of[1]->at);
+  if (b_parts == 2) set_sized(b + 1, of[1]->rise);
+  set_pairs(&c, of[2]);
+  for (int a_up = 0; a_up < a_parts; a_up++) {
+    set_sized(&a, a_up == 0 ? of[0]->at : of[0]->rise);
+    for (int b_up = 0; b_up < b_parts; b_up++) {
+      const pair value = determinant_of(a.value, b[b_up].value, c.value);
+      const pair size = permanent_of(a.size, b[b_up].size, c.size);
+      const pair most = permanent_of(a.most, b[b_up].most, c.most);
+      const pair error = (most - size) + roundings * unit * most + DBL_MIN;
+      for (int up = 0; up < 2; up++) {
+        sums[a_up + b_up + up] += value[up];
+        errors[a_up + b_up + up] += error[up];
+      }
+    }
   }
   tp_share_polynomial p = {.degree = -1};
-  for (int k = 0; k <= risers; k++) {
+  for (int k = 0; k <= TP_SHARE_DEGREE; k++) {
     if (!(fabs(sums[k]) > errors[k])) continue;
     p.of[k] = sums[k];
     p.degree = k;

@@ -44,7 +44,7 @@ static int sign_at(const tp_share_polynomial *p, double s) {
 
 /* The sign that it has throughout by that of all of its coefficients as a sum of Bernstein's
  * polynomials; 0 where they differ. */
-static int sign_within(const tp_share_polynomial *p, double low, double high) {
+int tp_share_polynomial_sign(const tp_share_polynomial *p, double low, double high) {
   const double w = high - low, *a = p->of;
   const double c0 = a[0] + low * (a[1] + low * (a[2] + low * a[3]));
   const double c1 = w * (a[1] + low * (2 * a[2] + low * 3 * a[3]));
@@ -52,11 +52,6 @@ static int sign_within(const tp_share_polynomial *p, double low, double high) {
   const double b1 = c0 + c1 / 3, b2 = b1 + (c1 + c2) / 3, b3 = c0 + c1 + c2 + c3;
   if (c0 > 0 && b1 > 0 && b2 > 0 && b3 > 0) return 1;
   return c0 < 0 && b1 < 0 && b2 < 0 && b3 < 0 ? -1 : 0;
-}
-
-bool tp_share_polynomials_oppose(const tp_share_polynomial *p, const tp_share_polynomial *q,
-                                 double low, double high) {
-  return sign_within(p, low, high) * sign_within(q, low, high) < 0;
 }
 
 typedef struct zeros {

@@ -30,10 +30,8 @@ typedef struct tp_share_conditions {
   tp_share_polynomial of[TP_SHARE_CONDITIONS][2];
 } tp_share_conditions;
 
-/* Is the product of two below zero at all shares from one to another? False where that is not seen
- * at once. */
-bool tp_share_polynomials_oppose(const tp_share_polynomial *p, const tp_share_polynomial *q,
-                                 double low, double high);
+/* The sign that it has at all shares from one to another; 0 where that is not seen at once. */
+int tp_share_polynomial_sign(const tp_share_polynomial *p, double low, double high);
 
 /* Between two shares. */
 typedef struct tp_share_span {
