@@ -11,13 +11,24 @@
 
 enum { GENERATORS = 2 + TP_PLAN_EDGES + TP_MODE_PULLS + TP_MODE_FREE };
 
+/* The plane of two generators: its normal, and on that the loads less what is fixed, and what is
+ * free. */
+typedef struct plane {
+  tp_near h[3];
+  tp_tilt_form power;
+  tp_near free[TP_MODE_FREE];
+} plane;
+
 typedef struct strong_mode {
   int ray_count, count,
       all; /* rays come first, and then edges and pulls; behind `count` what is free */
   tp_near of[GENERATORS][3];
   long site[GENERATORS], parallel[GENERATORS]; /* of forces, from 1 on; 0 of others */
   tp_near across[3];                           /* to both rays */
-  tp_filter_loads loads;                       /* less what is fixed */
+  const tp_filter_loads *loads;
+  tp_near staying[3];         /* of them, less what is fixed */
+  unsigned known[GENERATORS]; /* bit j of the i-th: their plane is there, i < j */
+  plane planes[GENERATORS][GENERATORS];
 } strong_mode;
 
 static void add(strong_mode *m, const tp_near of[3], bool turned, long site, long parallel) {
@@ -26,20 +37,12 @@ static void add(strong_mode *m, const tp_near of[3], bool turned, long site, lon
   m->parallel[m->all++] = parallel;
 }
 
-/* What the base bears besides a force on the block. */
-static void take_off(tp_filter_loads *loads, const tp_near force[3], int times) {
-  for (int e = 0; e < 3; e++) {
-    tp_near *own = loads->sum.fixed + e;
-    if (times != 0) *own = times > 0 ? tp_near_minus(*own, force[e]) : tp_near_plus(*own, force[e]);
-  }
-}
-
 static bool set_mode(strong_mode *m, const tp_plan_mode *mode, const tp_filter_case *of) {
   const tp_contact_plan *plan = of->plan;
   tp_mode_capacities held;
   m->all = 0;
   m->ray_count = mode->ray_count;
-  m->loads = *of->loads;
+  m->loads = of->loads;
   if (!tp_mode_capacities_find(&held, of, mode)) return false;
   for (int k = 0; k < mode->ray_count; k++) add(m, of->shape->inertia[mode->rays[k]], false, 0, 0);
   for (int k = 0; k < mode->edge_count; k++) {
@@ -52,7 +55,10 @@ static bool set_mode(strong_mode *m, const tp_plan_mode *mode, const tp_filter_c
   for (int k = 0; k < held.pull_count; k++) add(m, held.pulls[k], false, held.pull_site[k] + 1, -1);
   m->count = m->all;
   for (int k = 0; k < held.free_count; k++) add(m, held.free[k], false, held.free_site[k] + 1, 0);
-  take_off(&m->loads, held.fixed, 1);
+  for (int e = 0; e < 3; e++) {
+    m->staying[e] = tp_near_minus(of->loads->sum.fixed[e], held.fixed[e]);
+  }
+  for (int k = 0; k < m->all; k++) m->known[k] = 0;
   if (mode->ray_count == 2) tp_shape_response(m->across, of->shape, mode->line);
   return true;
 }
@@ -61,6 +67,8 @@ static bool set_mode(strong_mode *m, const tp_plan_mode *mode, const tp_filter_c
  * free tells its side. */
 typedef struct choice {
   int of[3];
+  const plane *across[3]; /* of the other two, */
+  tp_near whole[3];       /* and each on that */
   unsigned bounds;
 } choice;
 
@@ -76,25 +84,35 @@ static bool is_flat(const strong_mode *m, const int of[3]) {
                   m->parallel[a] == m->parallel[c]);
 }
 
-static void set_plane(tp_near plane[3], const strong_mode *m, int i, int j) {
+static const plane *plane_of(strong_mode *m, int i, int j) {
+  plane *own = &m->planes[i][j];
+  if ((m->known[i] & 1U << j) != 0) return own;
+  m->known[i] |= 1U << j;
   if (m->ray_count == 2 && i + j == 1) {
-    for (int e = 0; e < 3; e++) plane[e] = m->across[e];
+    for (int e = 0; e < 3; e++) own->h[e] = m->across[e];
   } else {
-    tp_sparse_cross(plane, m->of[i], m->of[j]);
+    tp_sparse_cross(own->h, m->of[i], m->of[j]);
   }
+  tp_filter_loads_power(&own->power, m->loads, own->h);
+  own->power.fixed = tp_sparse_dot(own->h, m->staying);
+  for (int k = m->count; k < m->all; k++) {
+    own->free[k - m->count] = tp_sparse_dot(own->h, m->of[k]);
+  }
+  return own;
 }
 
 /* The factor of the k-th of a choice, (h . w) / (h . g): above zero, and what is free within its
  * bounds. */
-static bool keep_factor(tp_near_interval *own, const strong_mode *m, const choice *c, int k,
-                        const tp_filter_loads *loads) {
-  tp_near h[3];
-  tp_tilt_form power;
-  const int k_1 = c->of[(k + 1) % 3], k_2 = c->of[(k + 2) % 3];
-  set_plane(h, m, k_1, k_2);
-  const tp_near whole = tp_sparse_dot(h, m->of[c->of[k]]);
+static bool keep_factor(tp_near_interval *own, const strong_mode *m, const choice *c, int k) {
+  const tp_near whole = c->whole[k];
   const int sign = tp_near_sign(whole);
-  tp_filter_loads_power(&power, loads, h);
+  tp_tilt_form power = c->across[k]->power;
+  for (int at = m->count; at < m->all; at++) { /* what the base bears besides */
+    const tp_near free = c->across[k]->free[at - m->count];
+    if (c->of[0] == at || c->of[1] == at || c->of[2] == at) continue;
+    const bool up = (c->bounds >> (at - m->count) & 1U) != 0;
+    power.fixed = up ? tp_near_minus(power.fixed, free) : tp_near_plus(power.fixed, free);
+  }
   if (sign == 0) return false;
   if (!is_free(m, c->of[k])) return tp_near_interval_keep(own, &power, sign, true);
   tp_tilt_form other = power;
@@ -105,14 +123,9 @@ static bool keep_factor(tp_near_interval *own, const strong_mode *m, const choic
 }
 
 static bool span(tp_near_interval *own, const strong_mode *m, const choice *c) {
-  tp_filter_loads loads = m->loads;
-  *own = (tp_near_interval){.empty = false};
-  for (int k = m->count; k < m->all; k++) {
-    if (c->of[0] == k || c->of[1] == k || c->of[2] == k) continue;
-    take_off(&loads, m->of[k], (c->bounds >> (k - m->count) & 1U) != 0 ? 1 : -1);
-  }
   bool told = true;
-  for (int k = 0; k < 3 && told; k++) told = keep_factor(own, m, c, k, &loads);
+  *own = (tp_near_interval){.empty = false};
+  for (int k = 0; k < 3 && told; k++) told = keep_factor(own, m, c, k);
   tp_near_interval_settle(own);
   return told;
 }
@@ -137,9 +150,11 @@ static void take(gathering *g, const strong_mode *m, const choice *c, tp_near_in
   }
 }
 
-static bool take_choices(gathering *g, const strong_mode *m, choice *c) {
+static bool take_choices(gathering *g, strong_mode *m, choice *c) {
   unsigned among = 0; /* of what is free */
   for (int k = 0; k < 3; k++) {
+    c->across[k] = plane_of(m, c->of[k == 0 ? 1 : 0], c->of[k == 2 ? 1 : 2]);
+    c->whole[k] = tp_near_dot(c->across[k]->h, m->of[c->of[k]]);
     if (is_free(m, c->of[k])) among |= 1U << (c->of[k] - m->count);
   }
   for (c->bounds = 0; c->bounds < 1U << (m->all - m->count); c->bounds++) {
@@ -174,16 +189,15 @@ bool tp_strong_mode_find(tp_mode_interval *own, const tp_plan_mode *mode,
 
 bool tp_strong_leaving_find(tp_near_interval *own, const tp_filter_case *of) {
   const tp_contact_plan *plan = of->plan;
-  tp_filter_loads loads = *of->loads;
   tp_near bonds[3];
   tp_bonds_of_all(bonds, of->capacities);
-  take_off(&loads, bonds, 1);
   *own = (tp_near_interval){.empty = !plan->opens_all};
   for (int k = 0; k < plan->point_count && !own->empty; k++) {
     tp_near response[3];
     tp_tilt_form power;
     tp_shape_response(response, of->shape, k);
-    tp_filter_loads_power(&power, &loads, response);
+    tp_filter_loads_power(&power, of->loads, response);
+    power.fixed = tp_near_minus(power.fixed, tp_sparse_dot(response, bonds));
     if (!tp_near_interval_keep(own, &power, 1, true)) return false;
   }
   tp_near_interval_settle(own);
