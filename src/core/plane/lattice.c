@@ -213,15 +213,34 @@ static int bilinear_sign(const fmpz *a, const fmpz *b, const fmpz *c, const fmpz
   return sign;
 }
 
+/* In words, where all coordinates are small: differences have 63 bits, products 126. */
+static bool sign_by_words(int *sign, const tp_lattice *l, long a, long b, long c, long d,
+                          bool dot) {
+  const long points[] = {a, b, c, d};
+  int64_t x[4], y[4];
+  for (int k = 0; k < 4; k++) {
+    const fmpz *own_x = l->x + points[k], *own_y = l->y + points[k];
+    if (!tp_word_is_small(own_x) || !tp_word_is_small(own_y)) return false;
+    x[k] = tp_word_get(own_x);
+    y[k] = tp_word_get(own_y);
+  }
+  const __int128 dx = x[1] - x[0], dy = y[1] - y[0], other_dx = x[3] - x[2], other_dy = y[3] - y[2];
+  const __int128 product = dot ? dx * other_dx + dy * other_dy : dx * other_dy - dy * other_dx;
+  *sign = (product > 0) - (product < 0);
+  return true;
+}
+
 static int sign_of_product(const tp_lattice *l, long a, long b, long c, long d, bool dot) {
+  int sign;
+  if (sign_by_words(&sign, l, a, b, c, d, dot)) return sign;
   fmpz r[4]; /* dx and dy of b - a and of d - c */
   for (int k = 0; k < 4; k++) fmpz_init(r + k);
   fmpz_sub(r, l->x + b, l->x + a);
   fmpz_sub(r + 1, l->y + b, l->y + a);
   fmpz_sub(r + 2, l->x + d, l->x + c);
   fmpz_sub(r + 3, l->y + d, l->y + c);
-  const int sign = dot ? bilinear_sign(r, r + 2, r + 1, r + 3, true)
-                       : bilinear_sign(r, r + 3, r + 1, r + 2, false);
+  sign = dot ? bilinear_sign(r, r + 2, r + 1, r + 3, true)
+             : bilinear_sign(r, r + 3, r + 1, r + 2, false);
   for (int k = 0; k < 4; k++) fmpz_clear(r + k);
   return sign;
 }

@@ -17,22 +17,8 @@
 
 #include "base/contact.h"
 
-typedef struct tp_mean_plane {
-  fmpq_t along[2];             /* the line between the ends */
-  fmpq_t length, a, b, aa, ab; /* L, 2 S_a, 2 S_b, 6 S_aa, 6 S_ab: whole where the points are */
-} tp_mean_plane;
-
-void tp_mean_plane_init(tp_mean_plane *plane);
-void tp_mean_plane_clear(tp_mean_plane *plane);
-
-/* Begin with the ends, add the facets, and find the direction (u, v); false where the ends are one
- * point, which has no direction. All points are relative to the first end. */
-void tp_mean_plane_ends(tp_mean_plane *plane, const fmpq_t dx, const fmpq_t dy);
-void tp_mean_plane_add(tp_mean_plane *plane, const fmpq_t x0, const fmpq_t y0, const fmpq_t x1,
-                       const fmpq_t y1);
-bool tp_mean_plane_direction(fmpq_t u, fmpq_t v, const tp_mean_plane *plane);
-
-/* Of a stretch of the outline, and of a contact found on the lattice. */
+/* The direction (u, v) of a stretch of the outline, and of a contact found on the lattice; false
+ * where the ends are one point, which has no direction. */
 bool tp_mean_plane_of_outline(fmpq_t u, fmpq_t v, const tp_polyline *outline, long first,
                               long last);
 bool tp_mean_plane_of_contact(fmpq_t u, fmpq_t v, const tp_contact *contact,
