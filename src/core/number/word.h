@@ -48,6 +48,18 @@ static inline int64_t tp_word_get(const fmpz *number) {
 #endif
 }
 
+/* The number where it is small, else false: without a call. */
+static inline bool tp_word_small(int64_t *word, const fmpz *number) {
+#if FLINT_BITS == 64
+  *word = *number;
+  return !COEFF_IS_MPZ(*number);
+#else
+  if (!tp_word_is_small(number)) return false;
+  *word = tp_word_get(number);
+  return true;
+#endif
+}
+
 static inline void tp_word_set_unsigned(fmpz *number, uint64_t word) {
 #if FLINT_BITS == 64
   fmpz_set_ui(number, word);

@@ -213,19 +213,24 @@ static int bilinear_sign(const fmpz *a, const fmpz *b, const fmpz *c, const fmpz
   return sign;
 }
 
-/* In words, where all coordinates are small: differences have 63 bits, products 126. */
+/* to - from in 63 bits, where both are small. */
+static bool difference(int64_t *word, const fmpz *to, const fmpz *from) {
+  int64_t start;
+  if (!tp_word_small(word, to) || !tp_word_small(&start, from)) return false;
+  *word -= start;
+  return true;
+}
+
+/* By words, where all coordinates are small: their products have 126 bits. */
 static bool sign_by_words(int *sign, const tp_lattice *l, long a, long b, long c, long d,
                           bool dot) {
-  const long points[] = {a, b, c, d};
-  int64_t x[4], y[4];
-  for (int k = 0; k < 4; k++) {
-    const fmpz *own_x = l->x + points[k], *own_y = l->y + points[k];
-    if (!tp_word_is_small(own_x) || !tp_word_is_small(own_y)) return false;
-    x[k] = tp_word_get(own_x);
-    y[k] = tp_word_get(own_y);
+  int64_t dx, dy, other_dx, other_dy;
+  if (!difference(&dx, l->x + b, l->x + a) || !difference(&dy, l->y + b, l->y + a) ||
+      !difference(&other_dx, l->x + d, l->x + c) || !difference(&other_dy, l->y + d, l->y + c)) {
+    return false;
   }
-  const __int128 dx = x[1] - x[0], dy = y[1] - y[0], other_dx = x[3] - x[2], other_dy = y[3] - y[2];
-  const __int128 product = dot ? dx * other_dx + dy * other_dy : dx * other_dy - dy * other_dx;
+  const __int128 product = dot ? (__int128)dx * other_dx + (__int128)dy * other_dy
+                               : (__int128)dx * other_dy - (__int128)dy * other_dx;
   *sign = (product > 0) - (product < 0);
   return true;
 }
