@@ -101,24 +101,60 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   return told == TP_OPEN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
+/* An end with the source, of the spans from one to before another; NULL: none. */
+static const tp_tilt *end_of(const tp_motion_tilts *spans, const tp_source *source, long first,
+                             long last) {
+  for (long k = 2 * first; k < 2 * last; k++) {
+    const tp_tilt_span *span = spans->items + k / 2;
+    const tp_tilt *end = k % 2 == 0 ? &span->from : &span->to;
+    if (!end->endless && tp_source_is_same(&end->source, source)) return end;
+  }
+  return NULL;
+}
+
+/* The first span of a ray or of later ones: those of single rays come first, in their order. */
+static long first_of_ray(const tp_motions *m, long ray) {
+  long low = 0, high = m->spans.count;
+  while (low < high) {
+    const long middle = low + (high - low) / 2;
+    const tp_motion_mode *mode = m->modes + m->spans.items[middle].mode;
+    const bool before = mode->ray_count == 0 || (mode->ray_count == 1 && mode->rays[0] < ray);
+    if (before) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+/* The same in modes side by side: the last ones, and those of the rays of a face. */
+static const tp_tilt *shared_end(const tp_motions *m, const tp_mode *mode,
+                                 const tp_source *source) {
+  enum { NEIGHBOURS = 4, OF_RAY = 2 };
+  const tp_motion_tilts *spans = &m->spans;
+  const long count = spans->count;
+  const tp_tilt *end = end_of(spans, source, count > NEIGHBOURS ? count - NEIGHBOURS : 0, count);
+  for (int k = 0; k < 2 && end == NULL && mode->ray_count == 2; k++) {
+    const long first = first_of_ray(m, mode->rays[k]);
+    end = end_of(spans, source, first, first + OF_RAY < count ? first + OF_RAY : count);
+  }
+  return end;
+}
+
 /* A plane that doubles have chosen: where A cos + B sin of its loads is zero. Planes at one end are
  * one tilt, of which only what they share counts; so are those of one source in modes side by side.
  */
 static tp_motion_outcome apply_chosen(collecting *c, long number, const tp_mode *mode) {
-  enum { NEIGHBOURS = 4 };
   const tp_bound *bound = c->bounds.items + number;
-  const tp_motion_tilts *spans = &c->m->spans;
   tp_tilt *end = bound->lower ? &c->own.items->from : &c->own.items->to;
   if (!end->endless) {
     end->rays &= bound->rays;
     return TP_MOTION_PROVEN;
   }
-  const long first = spans->count > NEIGHBOURS ? spans->count - NEIGHBOURS : 0;
-  for (long k = 2 * first; k < 2 * spans->count; k++) {
-    const tp_tilt_span *span = spans->items + k / 2;
-    const tp_tilt *other = k % 2 == 0 ? &span->from : &span->to;
-    if (other->endless || !tp_source_is_same(&other->source, &bound->source)) continue;
-    tp_tilt_set(end, other);
+  const tp_tilt *shared = shared_end(c->m, mode, &bound->source);
+  if (shared != NULL) {
+    tp_tilt_set(end, shared);
     end->rays = bound->rays;
     return TP_MOTION_PROVEN;
   }
