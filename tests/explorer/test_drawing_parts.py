@@ -179,6 +179,23 @@ class Parts(unittest.TestCase):
         pairs = [(c["first"], c["second"]) for c in json.loads(run("solve", "--json", "scene.yaml", folder=folder)[1])["contacts"]]
         self.assertIn({"a", "b"}, [set(pair) for pair in pairs])
 
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_a_wedge_lies_where_the_program_has_it(self):
+        """Its four corners have the centroid that the program tells; of other joints than it solved, or with a crack, it is not drawn."""
+        path = ROOT / "examples" / "solids" / "wedge.yaml"
+        text = path.read_text(encoding="utf-8")
+        answer = json.loads(run("solve", "--json", path)[1])
+        body = """const {SceneText} = await import(given.module);
+          return given.texts.map((text) => { const mesh = it.meshOf(given.answer, new SceneText(text), {}); return mesh && {...mesh, near: [...mesh.near]}; });"""
+        given = {"module": (EXPLORER / "scene" / "scene_text.js").as_uri(), "answer": answer, "texts": [text, text.replace("dip_deg: 70", "dip_deg: 71"), text.replace("height: 130", "height: x")]}
+        mesh, other, none = node(EXPLORER / "solid" / "solid_mesh.js", body, given)
+        self.assertEqual((other, none), (None, None))
+        self.assertAlmostEqual(mesh["unit"], 0.3048, places=12)
+        corners = {tuple(round(mesh["unit"] * each, 9) for each in mesh["near"][k:k + 3]) for k in range(0, 36, 3)}
+        self.assertEqual(len(corners), 4)
+        for axis in range(3):
+            self.assertAlmostEqual(sum(corner[axis] for corner in corners), 0, places=6)
+
     def solved(self, folder, text):
         (folder / "scene.yaml").write_text(text, encoding="utf-8")
         status, out, err = run("solve", "--json", "scene.yaml", folder=folder)

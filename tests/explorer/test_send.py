@@ -72,6 +72,7 @@ class Sent(PanelCase):
         empty = self.value("[...document.querySelectorAll('.card')].filter(c => !c.dataset.kind).map(c => c.textContent)")
         self.assertEqual(empty, [])
         self.assertGreater(self.value("document.querySelectorAll('.card svg.thumb path.block').length"), 35)
+        self.assertEqual(self.value("[...document.querySelectorAll('.card')].filter(c => !c.querySelector('svg.thumb path')).map(c => c.textContent)"), [])
         self.value("[...document.querySelectorAll('.card')].find(c => c.textContent.includes('Columns on a wet slope')).click()")
         self.answered()
         self.assertEqual(self.said("#scene-title"), "Columns on a wet slope")

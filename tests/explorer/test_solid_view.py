@@ -78,6 +78,19 @@ class Solid(PanelCase):
         self.assertIn("1.641", self.said("#factor-said"))
         self.assertIn("tilted by 5° towards 120°", self.said(".solid-lines text"))
 
+    def test_wedge_and_contacts(self):
+        """A wedge, which no file has, between its planes, with the line that it would slide along; points that a rock lies on."""
+        for name, said, factor, words, kind, count in (
+                ("wedge", "Stands", "1.346 against sliding", "plunges by 31.197° towards 157.732°", "way", 1),
+                ("rock_on_contacts", "May move at 5°", "15.89", "tilted by 5°", "touching", 4)):
+            with self.subTest(name):
+                self.example(name)
+                self.assertEqual(self.said("#verdict-said"), said)
+                self.assertIn(factor, self.said("#factor-said"))
+                self.assertIn(words, self.said(".solid-lines text"))
+                self.assertEqual(self.value(f"document.querySelectorAll('.solid-lines:not(.below-mesh) .{kind}').length"), count)
+                self.assertGreater(self.rock(), 5_000)
+
     def test_turned_by_hand_and_keys(self):
         before = self.edge()
         x, y = self.value("(() => { const r = document.querySelector('.solid-stage canvas').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")

@@ -23,6 +23,7 @@ export function badge(element, drawing, store) {
 /** @param {any} kase of the answer @returns {string} */
 export function verdictWords(kase) {
   const does = sentence(say(kase.mechanism ?? kase.verdict));
+  if (kase.in_place) return does;
   return kase.tilt_angle_deg ? say("%s at %s", does, degreesText(kase.tilt_angle_deg)) : say("%s first, as it is tilted", does);
 }
 

@@ -9,12 +9,16 @@ export function solutionOf(kind, printed) {
   return { kind, cases: kind === "solid" ? casesOfSolid(own) : [], notes: [], ...own };
 }
 
-/** A solid has no cases of its own: one, of the contacts that the scene gives, or of the band that governs. */
-function casesOfSolid({ bands = [], contacts, governing_band: governing, tilt_angle_deg: tilt }) {
+/** A solid has no cases of its own: one, of its wedge, of the contacts that the scene gives, or of the band that governs. */
+function casesOfSolid({ bands = [], wedge, contacts, governing_band: governing, tilt_angle_deg: tilt }) {
+  if (wedge !== undefined) return [{ mechanism: wedge.verdict, in_place: true, ...factorOf(wedge.fos, "slides") }];
   const band = bands.find(({ band: one }) => one === governing) ?? bands[0];
   const stance = contacts ?? band?.stance;
   if (stance?.verdict === undefined) return band?.mechanism ? [{ mechanism: band.mechanism }] : [];
-  const { verdict, fos, fos_mechanism: mechanism } = stance;
-  const factor = fos === undefined || fos === null ? {} : { governing_fos: { fos, mechanism, complete: true } };
-  return [{ mechanism: verdict, tilt_angle_deg: tilt > 0 ? { value: tilt, error: 0 } : undefined, ...factor }];
+  return [{ mechanism: stance.verdict, tilt_angle_deg: tilt > 0 ? { value: tilt, error: 0 } : undefined, ...factorOf(stance.fos, stance.fos_mechanism) }];
+}
+
+/** @param {object|null|undefined} fos @param {string} mechanism that it is against */
+function factorOf(fos, mechanism) {
+  return fos === undefined || fos === null ? {} : { governing_fos: { fos, mechanism, complete: true } };
 }

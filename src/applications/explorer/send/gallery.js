@@ -45,7 +45,7 @@ async function draw({ scene, place, verdict, card }, core) {
     const answer = await core.run([...askedFor(kind), scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS });
     if (answer.out === "") throw new Error(answer.err.trim());
     const solution = solutionOf(kind, answer.out);
-    place.replaceChildren(thumbnail(solution));
+    place.replaceChildren(thumbnail(solution, scene));
     const { words, kind: colour } = shortVerdict(solution);
     verdict.textContent = words;
     card.dataset.kind = colour;

@@ -4,6 +4,9 @@
 /** A scene in small, from an answer of the core: blocks as they are tilted. */
 
 import { isDrawable, shapesOf } from "../drawing/shapes.js";
+import { SceneText } from "../scene/scene_text.js";
+import { meshOf } from "../solid/solid_mesh.js";
+import { solidSketch } from "../solid/solid_sketch.js";
 import { element, svgElement } from "../panels/element.js";
 import { COLOUR_CLASS, sentence } from "../panels/words.js";
 import { fosText } from "../panels/certain.js";
@@ -12,14 +15,15 @@ import { say } from "../words/language.js";
 const MARGIN = 0.06;
 const DOTS = 200; // across it
 
-/** @param {any} solution with its kind @returns {Element} */
-export function thumbnail(solution) {
+/** @param {any} solution with its kind @param {{text: string, files: Record<string, string|Uint8Array>}} scene @returns {Element} */
+export function thumbnail(solution, { text, files }) {
+  if (solution.kind === "solid") return solidSketch(solution, meshOf(solution, new SceneText(text), files));
   const { outlines, cases } = solution;
   if (outlines === undefined || !isDrawable(outlines)) return element("div", { class: "thumb" });
   const tilt = (cases[0].tilt_angle_deg?.value ?? 0) * (cases[0].towards === "right" ? -1 : 1);
   return svgElement("svg", { class: "thumb", viewBox: boxOf(outlines.box_m, (tilt * Math.PI) / 180), "aria-hidden": "true" },
     svgElement("g", { transform: "scale(1 -1) rotate(" + tilt + ")" },
-      shapesOf(solution, cases[0], dotOf(outlines.box_m)).map(({ name, path, transform }) => svgElement("path", { class: "shape " + name, d: path, ...(transform === undefined ? {} : { transform }) }))));
+      shapesOf(solution, cases[0], dotOf(outlines.box_m)).map(({ name, path, style }) => svgElement("path", { class: "shape " + name, d: path, style }))));
 }
 
 const dotOf = ([x0, y0, x1, y1]) => Math.hypot(x1 - x0, y1 - y0) / DOTS;

@@ -7,22 +7,24 @@
  * mesh of it, its report stands alone.
  */
 
+import { degreesText } from "../panels/certain.js";
 import { element, refill, svgElement } from "../panels/element.js";
 import { numeral, say } from "../words/language.js";
-import { trianglesOf, volumeOf } from "./mesh.js";
 import { MeshPicture } from "./mesh_picture.js";
-import { after, seenFrom, tilted, turned, upright } from "./turning.js";
+import { meshOf } from "./solid_mesh.js";
+import { FIRST, after, seenFrom, tilted, turned, upright } from "./turning.js";
 
 const PER_DOT = 0.008; // radians
 const STEP = Math.PI / 36;
 const CLOSER = 1.2;
-const FIRST = { around: 0.5, height: 0.35, zoom: 1 };
 const DISC = 48; // corners of the ground that is drawn
 const WEIGHT = 0.8; // of the solid's reach
+const NORMAL = 0.25; // of it, of a contact
+const SLIDES = 0.7; // of it, beyond the toe of a wedge
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class SolidView {
-  #eye = { ...FIRST };
+  #eye = { ...FIRST, zoom: 1 };
   #read = null; // the file that the mesh is of
 
   /** @param {HTMLElement} place @param {import("../scene/store.js").SceneStore} store */
@@ -51,26 +53,21 @@ export class SolidView {
     this.#draw();
   }
 
-  /** @returns {boolean} whether there is one, as the core counts it */
+  /** @returns {boolean} whether there is one */
   #mesh(solution) {
-    const content = this.store.files[this.store.parsed.scalar(["solid", "file"]) ?? ""];
-    if (content === undefined) return false;
+    const { parsed, files } = this.store;
+    // of a mesh in a file nothing but the file counts, which is read once
+    const content = files[parsed.scalar(["solid", "file"]) ?? ""] ?? parsed.text;
     if (content === this.#read?.content) return this.#read.fits;
-    const triangles = trianglesOf(content);
-    const fits = triangles !== null && triangles.length === 9 * solution.triangles;
-    this.#read = { content, fits };
-    if (!fits) return false;
-    // metres in a length of the mesh, by the volume that the core tells
-    this.unit = Math.cbrt(solution.volume_m3.value / volumeOf(triangles));
-    this.centroid = solution.centroid_m.map(({ value }) => value / this.unit);
-    const near = triangles.map((value, k) => value - this.centroid[k % 3]);
-    this.reach = 0;
-    for (let k = 0; k < near.length; k += 3) this.reach = Math.max(this.reach, Math.hypot(near[k], near[k + 1], near[k + 2]));
+    const mesh = meshOf(solution, parsed, files);
+    this.#read = { content, fits: mesh !== null };
+    if (mesh === null) return false;
+    const { near } = Object.assign(this, mesh);
     this.up = upright(solution.up);
     this.lowest = Infinity;
     for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
     this.picture.set(near);
-    this.#eye = { ...FIRST };
+    this.#eye = { ...FIRST, zoom: 1 };
     return true;
   }
 
@@ -102,17 +99,23 @@ export class SolidView {
     const disc = Array.from({ length: DISC }, (_, k) => of([1.3 * reach * Math.cos((2 * Math.PI * k) / DISC), 1.3 * reach * Math.sin((2 * Math.PI * k) / DISC), lowest]));
     const azimuth = ((solution.tilt_azimuth_deg ?? 0) * Math.PI) / 180;
     const way = (long) => [long * Math.sin(azimuth), long * Math.cos(azimuth), lowest];
-    refill(this.ground, svgElement("path", { class: "disc", d: path(disc, "Z") }),
+    const onPlane = solution.bands?.length > 0;
+    refill(this.ground, onPlane ? svgElement("path", { class: "disc", d: path(disc, "Z") }) : null,
       solution.tilt_angle_deg > 0 ? [svgElement("path", { class: "way", d: path([of([0, 0, lowest]), of(way(1.25 * reach))]) })] : null);
     const support = (band?.support ?? []).map(({ east_m: east, north_m: north }) => of([east / this.unit, north / this.unit, lowest]));
     const least = band?.least;
     const edge = [least?.edge_from, least?.edge_to].filter((end) => end !== undefined).map((end) => own(end.map((value, k) => value - this.centroid[k])));
-    refill(this.lines, svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
+    const at = (point) => own(point.map((value, k) => value - this.centroid[k]));
+    const contacts = (solution.contacts?.contacts ?? []).map((contact) => path([at(contact.at), at(contact.at.map((value, k) => value + NORMAL * reach * contact.normal[k]))]));
+    refill(this.lines, contacts.map((d) => svgElement("path", { class: "touching", d })),
+      solution.wedge === undefined ? null : svgElement("path", { class: "way", d: path([at([0, 0, 0]), at(alongLine(solution.wedge, reach))]) }), svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
       svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }),
       svgElement("text", { x: 12, y: Number(this.lines.viewBox.baseVal.height) - 12 }, this.#words(band)));
   }
 
   #words(band) {
+    const { wedge } = this.solution;
+    if (wedge !== undefined) return say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)));
     const tilt = this.solution.tilt_angle_deg;
     return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((this.solution.tilt_azimuth_deg ?? 0) + "") + "°") : null,
       band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " m")].filter((each) => each !== null).join("; ");
@@ -140,9 +143,15 @@ export class SolidView {
     if (way !== undefined) this.#turn(STEP * way[0], STEP * way[1]);
     else if (event.key === "+" || event.key === "=") this.#eye.zoom *= CLOSER;
     else if (event.key === "-") this.#eye.zoom /= CLOSER;
-    else if (event.key === "0") this.#eye = { ...FIRST };
+    else if (event.key === "0") this.#eye = { ...FIRST, zoom: 1 };
     else return;
     event.preventDefault();
     this.#draw();
   }
+}
+
+/** A point on the line of a wedge's joints beyond its toe, which is the origin. */
+function alongLine({ plunge_deg: plunge, trend_deg: trend }, reach) {
+  const [p, t] = [plunge, trend].map(({ value }) => (value * Math.PI) / 180);
+  return [Math.cos(p) * Math.sin(t), Math.cos(p) * Math.cos(t), -Math.sin(p)].map((each) => SLIDES * reach * each);
 }

@@ -42,3 +42,6 @@ export function tilted(degrees, azimuth) {
 export function seenFrom(around, height) {
   return after(about([1, 0, 0], -Math.PI / 2 + height), about([0, 0, 1], around));
 }
+
+/** Where a solid is looked at from at first, radians. */
+export const FIRST = { around: 0.5, height: 0.35 };
