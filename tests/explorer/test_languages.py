@@ -163,6 +163,8 @@ class Languages(PanelCase):
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         sheet = self.saved(folder, lambda: self.button("Berechnungsblatt, Markdown"), "block_e_valley.md")
         self.assertTrue("Der Block steht." in sheet.decode())
+        self.awaits("document.querySelector('#panel-report iframe.sheet-of-scene')?.title === 'Bericht'")
+        self.assertFalse(self.value("document.querySelector('#panel-report pre') !== null"))
 
 
 if __name__ == "__main__":

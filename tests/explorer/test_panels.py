@@ -271,7 +271,7 @@ class Panels(PanelCase):
         """The report as text but for its time, and the figure byte for byte."""
         self.shown("block_e_valley")
         self.tab("report")
-        self.awaits("document.querySelector('#panel-report pre').textContent.includes('Certain to every digit')")
+        self.awaits("document.querySelector('#panel-report pre')?.textContent.includes('Certain to every digit')")
         _, out, _ = run("solve", scene("block_e_valley"))
         self.assertEqual(self.said("#panel-report pre").splitlines()[:-1], out.splitlines()[:-1])
         saved = self.saved(self.folder(), lambda: self.button("Solution, JSON"), "block_e_valley.json")

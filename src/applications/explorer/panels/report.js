@@ -2,14 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
 /**
- * What the command line prints and writes of the scene, the same bytes: its report as text, the calculation sheet to
- * check and sign, the figure, the JSON.
+ * What the command line prints and writes of the scene, the same bytes: its report, the calculation sheet to check and sign,
+ * the figure, the JSON.
  */
 
 import { element } from "./element.js";
 import { offer } from "../page/offer.js";
 import { Panel } from "./panel.js";
-import { language, say } from "../words/language.js";
+import { languageWords, reportOf, textOf } from "./report_text.js";
+import { say } from "../words/language.js";
 
 const WRITE_MAX_MS = 60_000;
 
@@ -33,7 +34,7 @@ export class ReportPanel extends Panel {
   constructor(place, context) {
     super(place, context);
     this.told = element("p", { class: "told", role: "status" });
-    this.text = element("pre", { class: "wide", tabindex: 0, "aria-label": "Report of the command line" });
+    this.text = element("div", {});
     this.body.append(
       element("p", { class: "choices" }, FILES.map((file) => element("button", { type: "button", onclick: () => this.write(file) }, say(file.label))),
         element("button", { type: "button", onclick: () => this.#json() }, say("Solution, JSON"))),
@@ -44,10 +45,10 @@ export class ReportPanel extends Panel {
   async draw() {
     const asked = ++this.#asked;
     try {
-      const answer = await this.core.run(["solve", this.store.argument], this.files(), { latest: "report", timeoutMs: WRITE_MAX_MS });
-      if (asked === this.#asked) this.text.textContent = answer.out + answer.err;
+      const report = await reportOf(this, this.core);
+      if (asked === this.#asked) this.text.replaceChildren(report);
     } catch (error) {
-      if (asked === this.#asked && error.name !== "AbortError") this.text.textContent = error.message;
+      if (asked === this.#asked && error.name !== "AbortError") this.text.replaceChildren(textOf(error.message));
     }
   }
 
@@ -57,7 +58,7 @@ export class ReportPanel extends Panel {
     this.told.textContent = say(label) + " …";
     try {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
-      const answer = await this.background.run(["solve", "--quiet", option, name, ...this.#inLanguage(option), this.store.argument], this.files(), options);
+      const answer = await this.background.run(["solve", "--quiet", option, name, ...(option === "--report" ? languageWords(this.store) : []), this.store.argument], this.files(), options);
       const written = answer.files[name];
       if (written === undefined) throw new Error(answer.err.trim() || say("nothing was written"));
       offer(name, written, type);
@@ -65,12 +66,6 @@ export class ReportPanel extends Panel {
     } catch (error) {
       this.told.textContent = say(label) + ": " + error.message;
     }
-  }
-
-  /** The sheet of a scene that names no language is in that of the page. */
-  #inLanguage(option) {
-    const own = this.store.parsed.scalar(["report", "language"]);
-    return option === "--report" && own === null && language !== "en" ? ["--language", language] : [];
   }
 
   #json() {

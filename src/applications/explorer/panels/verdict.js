@@ -9,8 +9,8 @@
 import { alpha, element } from "./element.js";
 import { degreesText, fosText } from "./certain.js";
 import { lengthUnit, pointText } from "./lengths.js";
-import { otherReport } from "./other_report.js";
 import { Panel } from "./panel.js";
+import { reportOf, textOf } from "./report_text.js";
 import { windowGauge } from "./window_gauge.js";
 import { COLOUR_CLASS, againstText, definitionText, directionText, sentence, termOfDefinition } from "./words.js";
 import { parts, say } from "../words/language.js";
@@ -24,6 +24,7 @@ export class VerdictPanel extends Panel {
   }
 
   #told = 0;
+  #reported = -1; // of which scene the report is
 
   constructor(place, context) {
     super(place, context);
@@ -33,7 +34,7 @@ export class VerdictPanel extends Panel {
 
   draw(solution) {
     if (solution.kind !== "block") {
-      this.body.replaceChildren(otherReport(this));
+      this.#report(solution);
       return;
     }
     this.body.replaceChildren(
@@ -47,6 +48,18 @@ export class VerdictPanel extends Panel {
     this.#told = setTimeout(() => {
       this.live.textContent = solution.cases.map(spoken).join(" ");
     }, STILL);
+  }
+
+  /** Of many blocks, and of solids, all words and numbers are those of the report. */
+  async #report(solution) {
+    if (this.#reported !== this.store.openings) this.body.replaceChildren(textOf("…"));
+    this.#reported = this.store.openings;
+    const show = (report) => this.store.solution === solution && this.body.replaceChildren(report);
+    try {
+      show(await reportOf(this, this.background));
+    } catch (error) {
+      if (error.name !== "AbortError") show(textOf(error.message));
+    }
   }
 
   #direction(theCase) {

@@ -4,7 +4,7 @@
 /**
  * The language of the page: English phrases, and what stands for them in the reader's language, by the program's table
  * (src/core/terms/phrases.csv) and the page's own beside this file. The page holds both as JSON in its element #phrases.
- * What the program itself says (messages, explanations, the report as text) is English, as on the command line.
+ * What the program itself says (messages, explanations, the report as text) is English, as on the command line; its sheets are translated.
  */
 
 const KEPT = "topple.language";
