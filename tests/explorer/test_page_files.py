@@ -164,6 +164,11 @@ class Files(DrawnCase):
         self.assertEqual(self.value("['block.slides', 'block:not(.slides)', 'ground', 'mechanism', 'surface'].map(c => document.querySelectorAll('.shape.' + c).length)"),
                          [3, 3, 1, 3, 1])
         self.awaits("document.querySelector('#panel-verdict pre')?.textContent.includes('strength reduction')")
+        self.assertEqual(self.value("document.getElementById('play').textContent"), "Show how it begins to move")
+        self.click("#play")
+        self.assertEqual(self.value("[...document.querySelectorAll('.shape.block')].filter(b => b.getAnimations().length).length"), 3)
+        self.click("#play")
+        self.assertEqual(self.value("document.getAnimations().length"), 0)
         self.click("#tab-pivots")
         self.frame()
         self.assertIn("of scenes of one block", self.value("document.querySelector('#panel-pivots').textContent"))

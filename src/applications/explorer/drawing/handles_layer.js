@@ -14,7 +14,7 @@ const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
 
 export class HandlesLayer {
   #waiting = null;
-  #grip = null; // the handle that is dragged, and how far from its place it is drawn
+  #grip = null; // the handle that is dragged, how far from its place it is drawn, and where that was
 
   /**
    * @param group a d3 selection @param {import("./view.js").View} view
@@ -93,11 +93,11 @@ export class HandlesLayer {
       .clickDistance(3)
       .subject((event, { x, y }) => ({ x, y }))
       .on("start", (event, { handle, away }) => {
-        this.#grip = { key: handle.key, away };
+        this.#grip = { key: handle.key, away, from: handle.at };
         this.dragged = handle.fixed === null ? handle.key : null;
         if (handle.fixed !== null) this.hand.told(handle.fixed);
       })
-      .on("drag", (event) => this.#dragTo({ x: event.x, y: event.y }))
+      .on("drag", (event) => this.#dragTo({ x: event.x, y: event.y, keepsAxis: event.sourceEvent.shiftKey }))
       .on("end", () => {
         this.#apply();
         this.dragged = this.#grip = null;
@@ -117,7 +117,8 @@ export class HandlesLayer {
     this.#waiting = null;
     const handle = this.handles.find((one) => one.key === this.dragged);
     if (dots === null || handle === undefined) return;
-    const hand = handle.dots === undefined ? this.view.toFrame(dots.x, dots.y) : dots;
+    const place = handle.dots === undefined ? this.view.toFrame(dots.x, dots.y) : dots;
+    const hand = dots.keepsAxis && handle.at !== undefined ? alongAxis(this.#grip.from, place) : place;
     this.hand.edit(handle, handle.drag(hand, this.hand.exponent()));
     this.hand.told((this.handles.find((one) => one.key === handle.key) ?? handle).label);
   }
@@ -141,6 +142,11 @@ export class HandlesLayer {
     const after = this.handles.find((one) => one.key === handle.key);
     if (after !== undefined) this.hand.told(after.label);
   }
+}
+
+/** With Shift a point keeps one of its coordinates: that in which the hand has moved less. */
+function alongAxis(from, hand) {
+  return Math.abs(hand.x - from.x) > Math.abs(hand.y - from.y) ? { x: hand.x, y: from.y } : { x: from.x, y: hand.y };
 }
 
 /**

@@ -27,7 +27,7 @@ export function reachOf(outlines) {
 /**
  * @param {object} answer @param {object} kase of it
  * @param {number} dot the length of a dot of the screen, metres
- * @returns {{name: string, path: string, layer: "still"|"moving"|"front", transform?: string}[]} from the back to the front
+ * @returns {{name: string, path: string, layer: "still"|"moving"|"front", style?: string|null}[]} from the back to the front
  */
 export function shapesOf(answer, kase, dot) {
   const { outlines } = answer;
@@ -54,6 +54,6 @@ function rockPath(base, [, bottom, , top]) {
 export function drawShapes(layers, shapes) {
   for (const layer of ["still", "moving", "front"]) {
     layers[layer].selectAll("path").data(shapes.filter((shape) => shape.layer === layer)).join("path")
-      .attr("class", (shape) => "shape " + shape.name).attr("d", (shape) => shape.path).attr("transform", (shape) => shape.transform ?? null);
+      .attr("class", (shape) => "shape " + shape.name).attr("d", (shape) => shape.path).attr("style", (shape) => shape.style ?? null);
   }
 }

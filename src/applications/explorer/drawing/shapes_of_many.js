@@ -17,13 +17,13 @@ const TINTS = { slides: "slides", topples: "topples", "slides and topples": "sli
  * @returns {ReturnType<import("./shapes.js").shapesOf>} from the back to the front
  */
 export function shapesOfMany({ blocks, cases, outlines }, kase, dot, reach) {
-  const motionOf = (k) => kase.motions?.[k];
+  const motions = kase.motions ?? [];
+  const moved = wayOf(outlines.box_m, motions);
+  const styles = blocks.map((block, k) => styleOf(block, motions[k], moved, outlines));
   const shapes = outlines.blocks.map((path, k) => (blocks[k].ground
     ? { name: "ground", path: thinPath(nearPath(path, reach), dot), layer: "still" }
-    : { name: "block at-rest " + (TINTS[motionOf(k)?.mechanism] ?? ""), path: thinPath(path, dot), layer: "moving" }));
-  const moved = kase.motions === undefined ? 0 : wayOf(outlines.box_m, kase.motions);
-  const mechanism = outlines.blocks.map((path, k) => ({ name: "mechanism", path, layer: "front", transform: transformOf(blocks[k], motionOf(k), moved, outlines) }))
-    .filter((shape) => shape.transform !== null);
+    : { name: "block at-rest " + (TINTS[motions[k]?.mechanism] ?? ""), path: thinPath(path, dot), layer: "moving", style: styles[k] }));
+  const mechanism = outlines.blocks.map((path, k) => ({ name: "mechanism", path, layer: "front", style: styles[k] })).filter(({ style }) => style !== null);
   const more = [...outlines.parts.map((path) => ["part", path, "moving"]), ["surface", outlines.water[cases.indexOf(kase)] ?? "", "front"]];
   return [...shapes, ...mechanism, ...more.map(([name, path, layer]) => ({ name, path, layer }))].filter(({ path }) => path !== "");
 }
@@ -34,10 +34,10 @@ function wayOf([x0, y0, x1, y1], motions) {
   return Math.min(MOVED * Math.max(x1 - x0, y1 - y0), turn > 0 ? TURN_MOST / turn : Infinity);
 }
 
-/** @returns {string|null} null: it stays where it is */
-function transformOf(block, motion, moved, outlines) {
+/** What the style sheet moves it by. @returns {string|null} null: it stays where it is */
+function styleOf(block, motion, moved, outlines) {
   if (block.ground || motion === undefined || motion.mechanism === "stands") return null;
   const [x, y] = [block.centroid_x_m.value - outlines.origin_x_m, block.centroid_y_m.value - outlines.origin_y_m];
-  const degrees = (motion.turn_per_m * moved * 180) / Math.PI;
-  return "translate(" + moved * motion.velocity_x + " " + moved * motion.velocity_y + ") rotate(" + degrees + " " + x + " " + y + ")";
+  const [dx, dy] = [moved * motion.velocity_x, moved * motion.velocity_y];
+  return "--cx:" + x + "px;--cy:" + y + "px;--dx:" + dx + "px;--dy:" + dy + "px;--turn:" + motion.turn_per_m * moved + "rad";
 }

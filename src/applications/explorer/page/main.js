@@ -56,7 +56,7 @@ async function begin() {
   addMenu(element("add"), drawing, store, messages);
   unitsMenu(element("units"), store, messages, lengthsOf(keys));
   sheet(element("grip"));
-  new Player(element("play"), element("film"), { drawing, store, core: background, messages });
+  new Player(element("play"), element("film"), { drawing, store, core: background, searcher: new Background(), messages });
   numbersForm(element("numbers"), store);
   sceneWords(element, store);
   const photograph = new Photograph({ stage: element("photo-stage"), place: element("photo"), button: element("trace"), drawing, store, messages });

@@ -19,11 +19,12 @@ const STEPS = 2000;
 export class Player {
   #film = null;
   #frame = 0;
+  #beginning = false; // many blocks begin to move
   #shown = 0; // seconds of the film
   #asked = 0;
 
-  /** @param {HTMLButtonElement} button @param {HTMLElement} place @param {{drawing: object, store: object, core: object, messages: object}} page */
-  constructor(button, place, { drawing, store, core, messages }) {
+  /** @param {HTMLButtonElement} button @param {HTMLElement} place @param {{drawing: object, store: object, core: object, searcher: object, messages: object}} page searcher: a core for what takes minutes, while others play */
+  constructor(button, place, { drawing, store, core, searcher, messages }) {
     Object.assign(this, { button, place, drawing, store, core, messages, view: new FilmView(drawing) });
     this.slider = element("input", { type: "range", min: 0, max: STEPS, step: 1, value: 0, "aria-label": "Time of the test", oninput: () => this.#seek() });
     this.pause = element("button", { type: "button", onclick: () => (this.#frame === 0 ? this.#run() : this.#halt()) }, say("Pause"));
@@ -35,9 +36,9 @@ export class Player {
       this.#halt();
       this.#put(seconds);
     };
-    this.strip = new ShakingStrip(place, { store, core, messages, seek, again: () => this.play() });
+    this.strip = new ShakingStrip(place, { store, searcher, messages, seek, again: () => this.play() });
     place.append(this.events);
-    button.addEventListener("click", () => (this.#film === null ? this.play() : this.end()));
+    button.addEventListener("click", () => (store.solution?.kind === "blocks" ? this.#begins(!this.#beginning) : this.#film === null ? this.play() : this.end()));
     this.speed.addEventListener("change", () => this.#put(this.#film.timeAt(this.#shown, this.#slowBefore)));
     store.addEventListener("text", () => this.end());
     for (const event of ["text", "solution", "problem"]) store.addEventListener(event, () => this.#canPlay());
@@ -66,6 +67,7 @@ export class Player {
 
   end() {
     this.#asked++;
+    this.#begins(false);
     if (this.#film === null) return;
     this.#halt();
     this.#film = null;
@@ -144,15 +146,30 @@ export class Player {
 
   #slowBefore = FIRST_SPEED;
 
+  /** Of many blocks: their mechanism, drawn over and over. */
+  #begins(beginning) {
+    this.#beginning = beginning;
+    this.drawing.svg.classed("beginning", beginning);
+    this.#named();
+  }
+
   #named() {
-    const playing = this.#film !== null;
+    const playing = this.#film !== null || this.#beginning;
     this.button.setAttribute("aria-pressed", String(playing));
-    this.button.textContent = say(playing ? "Leave the test" : this.store.parsed.keys(["shaking"]) === null ? "Tilt it until it falls" : "Shake it");
+    this.button.textContent = say(this.#words(playing));
+  }
+
+  #words(playing) {
+    const { lastSolution, parsed } = this.store;
+    if (lastSolution?.kind === "blocks") return playing ? "Stop the motion" : "Show how it begins to move";
+    return playing ? "Leave the test" : parsed.keys(["shaking"]) === null ? "Tilt it until it falls" : "Shake it";
   }
 
   #canPlay() {
     this.#named();
-    this.button.disabled = this.#film === null && this.store.solution?.kind !== "block";
+    const { solution } = this.store;
+    const moves = solution?.kind === "block" || (this.drawing.case?.motions ?? []).some(({ mechanism }) => mechanism !== "stands");
+    this.button.disabled = this.#film === null && !(solution !== null && moves);
   }
 }
 

@@ -3,7 +3,8 @@
 
 /**
  * The shaking under its film: accelerations over time with the moment that is shown, which a press leads to; and, asked for, which
- * multiples of this shaking overturn the block (`topple tilt --overturning`): a press on a range shakes it so.
+ * multiples of this shaking overturn the block (`topple tilt --overturning`): a press on a range shakes it so. Ranges of a few
+ * multiples are there after some seconds, and are replaced by those of the program's own grid, which may take a minute, or be stopped.
  */
 
 import { element, refill, svgElement } from "../panels/element.js";
@@ -13,7 +14,9 @@ import { numeral, say } from "../words/language.js";
 
 const WIDTH = 1000;
 const HEIGHT = 64;
-const SEARCH_MAX_MS = 120_000;
+const SEARCH_MAX_MS = 300_000;
+const FEW = ["--factors=0.0625:16:17"];
+const FINE_RUNS = 220; // of the program's own grid, about
 const NEAR = 1.15;
 const FACTORS = { from: 1 / 16, to: 16 }; // of the program's own first grid
 
@@ -25,8 +28,9 @@ function within({ from, to, falls }) {
 
 export class ShakingStrip {
   #end = 1;
+  #searching = null; // what stops the search
 
-  /** @param {HTMLElement} place @param {{store: object, core: object, messages: object, seek: (seconds: number) => void, again: () => void}} page */
+  /** @param {HTMLElement} place @param {{store: object, searcher: object, messages: object, seek: (seconds: number) => void, again: () => void}} page */
   constructor(place, page) {
     Object.assign(this, page);
     this.cursor = svgElement("line", { class: "now", y1: 0, y2: HEIGHT });
@@ -34,7 +38,9 @@ export class ShakingStrip {
     this.record = svgElement("svg", { class: "record", viewBox: "0 0 " + WIDTH + " " + HEIGHT, preserveAspectRatio: "none", role: "img",
       onpointerdown: (event) => this.#press(event), onpointermove: (event) => event.buttons === 1 && this.#press(event) }, this.curves, this.cursor);
     this.peak = element("span", { class: "quiet" });
-    this.search = element("button", { type: "button", onclick: () => this.#search() }, say("What overturns it?"));
+    this.search = element("button", { type: "button", onclick: () => (this.#searching === null ? this.#search() : this.#searching.abort()) });
+    this.#named();
+    this.said = element("p", { class: "quiet", role: "status" });
     this.ranges = element("div", { class: "ranges", role: "group", "aria-label": "Multiples of this shaking" });
     this.box = element("div", { class: "shaking", hidden: true }, this.record, element("div", { class: "film-line" }, this.peak, this.search), this.ranges);
     place.append(this.box);
@@ -53,7 +59,9 @@ export class ShakingStrip {
     const told = ["horizontal", "vertical"].filter((way) => shaking[way]).map((way) => say(way) + " " + numeral(shaking[way].peak_g.toPrecision(4)) + " g");
     this.peak.textContent = say("Greatest acceleration: %s", told.join(", "));
     this.record.setAttribute("aria-label", say("The shaking over time"));
-    if (this.#shape() !== this.key) this.ranges.replaceChildren();
+    if (this.#shape() === this.key) return;
+    this.#searching?.abort();
+    this.ranges.replaceChildren();
   }
 
   put(seconds) {
@@ -83,25 +91,41 @@ export class ShakingStrip {
   }
 
   async #search() {
-    const { store } = this;
-    const { text } = store;
-    const scene = new SceneText(text);
-    this.search.disabled = true;
+    const scene = new SceneText(this.store.text);
+    const control = (this.#searching = new AbortController());
+    this.#named();
+    this.key = this.#shape();
     this.ranges.textContent = say("Multiples from 1/16 to 16 are tried …");
     try {
-      const answer = await this.core.run(["tilt", "--overturning", "--json", store.argument], { ...store.files, [store.name]: text }, { latest: "overturning", timeoutMs: SEARCH_MAX_MS });
-      if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0]);
-      this.key = this.#shape();
-      this.#offer(JSON.parse(answer.out).cases[0].overturning_ranges ?? [], scene);
+      const begin = performance.now();
+      const few = await this.#scan(FEW, scene, control.signal);
+      const seconds = ((performance.now() - begin) / 1000 / few.runs) * FINE_RUNS;
+      this.#offer(few, scene, say("Coarse, of %s multiples: press a range to see it. More are tried, for some %s s.", few.runs, Math.ceil(seconds)));
+      this.#offer(await this.#scan([], scene, control.signal), scene, say("Of those tried, from 1/16 to 16 times: press a range to see it."));
     } catch (error) {
-      this.ranges.textContent = error.name === "AbortError" ? "" : error.message;
+      if (error.name !== "AbortError") this.ranges.textContent = error.message;
+      else if (this.ranges.contains(this.said)) this.said.textContent = say("Coarse: the search was stopped. Press a range to see it.");
+      else this.ranges.replaceChildren();
     } finally {
-      this.search.disabled = false;
+      this.#searching = null;
+      this.#named();
     }
   }
 
+  /** @returns the case of the answer */
+  async #scan(more, scene, signal) {
+    const { store, searcher } = this;
+    const answer = await searcher.run(["tilt", "--overturning", "--json", ...more, store.argument], { ...store.files, [store.name]: scene.text }, { timeoutMs: SEARCH_MAX_MS, signal });
+    if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0]);
+    return JSON.parse(answer.out).cases[0];
+  }
+
+  #named() {
+    this.search.textContent = say(this.#searching === null ? "What overturns it?" : "Stop the search");
+  }
+
   /** Ranges that overturn it, and those between, as buttons on a bar; the multiples are of the scene as it was asked for. */
-  #offer(ranges, scene) {
+  #offer({ overturning_ranges: ranges = [] }, scene, words) {
     const parts = [];
     let at = FACTORS.from;
     for (const { least, most } of ranges) {
@@ -112,12 +136,13 @@ export class ShakingStrip {
     if (at < FACTORS.to) parts.push({ from: at, to: FACTORS.to, falls: false });
     const share = ({ from, to }) => Math.log(to / from) / Math.log(FACTORS.to / FACTORS.from);
     const short = (value) => numeral(Number(value.toPrecision(3)) + "");
+    this.said.textContent = words;
     this.ranges.replaceChildren(
       element("div", { class: "range-bar" }, parts.map((part) => {
         const words = say(part.falls ? "overturned by %s to %s times" : "spared by %s to %s times", short(part.from), short(part.to));
         return element("button", { type: "button", class: part.falls ? "falls" : "spared", style: "flex-grow:" + share(part).toFixed(5), title: words, "aria-label": words, onclick: () => this.#shake(scene, within(part)) });
       })),
-      element("p", { class: "quiet" }, say("Of those tried, from 1/16 to 16 times: press a range to see it.")),
+      this.said,
     );
   }
 
