@@ -284,6 +284,8 @@ typedef struct tp_block_system {
   tp_system_block *blocks;     /* block_count of them: in the order of the scene */
   tp_system_contact *contacts; /* contact_count of them: by the numbers of their blocks */
   tp_system_case *cases;       /* case_count of them: one for each direction */
+  char *partial_factors;       /* those that it was solved with, as they act in the combination that
+                                  governs; NULL: none. All numbers are of the factored scene */
 } tp_block_system;
 
 /* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of

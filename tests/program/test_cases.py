@@ -323,8 +323,7 @@ class Cases(GoverningCase):
         self.assertIn("Slab over the access road, case static", out)
 
     def test_of_many_blocks(self):
-        """Each case of a slope of columns is the scene that says the same, in one table or by itself; what is of one case asks for it, and
-        partial factors are of one block."""
+        """Each case of a slope of columns is the scene that says the same, in one table or by itself; what is of one case asks for it."""
         scene = ("topple: 1\ntitle: Columns\nlength_unit: m\nslope: {dip_deg: 20, towards: left}\nblock: {unit_weight_kn_m3: 25}\n"
                  "columns: {width: 3, step: 1, rise: 3, fall: 2, below_crest: 2, above_crest: 1}\nfriction_angle_deg: ")
         loads = ("", "loads: {water: {level: 4, faces: behind, uplift: full}}", "loads: {seismic: {horizontal: 0.08}}")
@@ -344,8 +343,67 @@ class Cases(GoverningCase):
         for name, load in zip(("static", "wet", "shaken"), loads):
             alone = list(csv.DictReader(io.StringIO(run("solve", "--csv", self.scene(f"{scene}35\nrequired_fos: 0.5\n{load}\n"))[1])))
             self.assertEqual([row["fos"] for row in rows[f"Columns, case {name}"]], [row["fos"] for row in alone])
-        factored = self.scene(scene + "35\ncases:\n" + case("design", "partial_factors: DA1-2"))
-        self.assertIn("'partial_factors' is of a scene of one block", run("solve", factored)[2])
+        equilibrium = self.scene(scene + "35\ncases:\n" + case("design", "partial_factors: EQU"))
+        self.assertIn("EQU compares moments about the pivots of one block", run("solve", equilibrium)[2])
+
+    #: A column beside a low block, with every load that a factor is of.
+    MANY = """topple: 1
+length_unit: m
+block: {{unit_weight_kn_m3: {weight}}}
+blocks:
+  - {{name: ground, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}}
+  - {{name: low, slab: {{width: 2, height: 1}}, unit_weight_kn_m3: {low}}}
+  - {{name: column, slab: {{width: 1, height: 4}}, at: [2, 0]}}
+friction_angle_deg: {friction}
+joints: [{{between: [low, column], friction_angle_deg: {side}, cohesion_kpa: {cohesion}, tension_kpa: {tension}}}]
+tilt: {{towards: left, angle_deg: 5}}
+loads:
+  cohesion_kpa: {base}
+  seismic: {{horizontal: {seismic}}}
+  water: {{level: 1, unit_weight_kn_m3: {water}, faces: behind, uplift: full}}
+  surcharges: [{{from: [3, 4], to: [2, 4], kpa: {surcharge}}}]
+  forces: [{{block: column, at: [3, 3], direction_deg: 180, force_kn: {force}}}]
+  anchors: [{{at: [2, 3], to: [8, -0.5], force_kn: {active}}},
+            {{at: [0, 0.5], dip_deg: 20, into: ground, force_kn: {passive}, passive: true}}]
+{more}
+"""
+    GIVEN = {"weight": 25, "low": 22, "friction": 35, "side": 20, "cohesion": 7, "tension": 3.5, "base": 1.4, "seismic": 0.2,
+             "water": 10, "surcharge": 8, "force": 4, "active": 10, "passive": 11}
+
+    def test_factors_of_many_blocks(self):
+        """The scene with partial factors is the worst of those whose numbers are multiplied here, one for each combination: the factor
+        of the earthquake is on the weight without its own, and tan(phi) is divided, not phi."""
+        factors = ("{permanent_unfavourable: 1.35, permanent_favourable: 0.9, variable_unfavourable: 1.5, variable_favourable: 0, "
+                   "water_unfavourable: 1.2, water_favourable: 1, earthquake: 1.1, friction: 1.25, cohesion: 1.4, anchor: 1.1, "
+                   "resistance: 1.02}")
+        path = self.scene(self.MANY.format(**self.GIVEN, more=f"partial_factors: {factors}"))
+        status, out, err = run("solve", "--json", path)
+        self.assertEqual(status, 1, err)
+        own, given = json.loads(out), self.GIVEN
+        self.assertIn("with partial factors own: weight × 0.9, water × 1.2, forces × 1.35,", run("solve", path)[1])
+
+        def divided(degrees):
+            return math.degrees(math.atan(math.tan(math.radians(degrees)) / 1.25))
+
+        alone = []
+        for weight, water, force, surcharge in itertools.product((1.35, 0.9), (1.2, 1), (1.35, 0.9), (1.5, 0)):
+            scaled = {"weight": given["weight"] * weight, "low": given["low"] * weight, "friction": divided(given["friction"]),
+                      "side": divided(given["side"]), "cohesion": 5, "tension": 2.5, "base": 1, "seismic": given["seismic"] * 1.1 / weight,
+                      "water": given["water"] * water, "surcharge": given["surcharge"] * surcharge, "force": given["force"] * force,
+                      "active": given["active"] * 0.9, "passive": 10}
+            text = self.MANY.format(**scaled, more="required_fos: 1.02")
+            alone.append(json.loads(run("solve", "--json", self.scene(text))[1]))
+        worst = min(alone, key=lambda system: system["cases"][0]["fos"]["value"])
+        for key in ("fos", "critical_angle_deg"):
+            self.assertAlmostEqual(own["cases"][0][key]["value"], worst["cases"][0][key]["value"], delta=3e-6, msg=key)
+        self.assertEqual(own["cases"][0]["verdict"], worst["cases"][0]["verdict"])
+        self.assertEqual([one["cases"][0]["meets_required"] for one in (own, worst)], ["not met"] * 2)
+        for one, other in zip(own["contacts"], worst["contacts"]):
+            for key in ("friction_angle_deg", "cohesion_kpa", "tension_kpa"):
+                self.assertAlmostEqual(one[key]["value"], other[key]["value"], delta=1e-12)
+        for one, other in zip(own["blocks"][1:], worst["blocks"][1:]):
+            self.assertAlmostEqual(one["weight_n_m"]["value"], other["weight_n_m"]["value"], delta=1e-9)
+        self.assertIn("cohesion and bond / 1.4; the worst of 16 combinations: weight", own["partial_factors"])
 
 
 if __name__ == "__main__":

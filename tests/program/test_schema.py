@@ -229,10 +229,10 @@ class Schema(unittest.TestCase):
             scene.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nrequired_fos: 1.3\nblocks:\n"
                              "- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
                              "- {slab: {width: 2, height: 1}}\n", encoding="utf-8")
-            slot = pathlib.Path(name) / "slot.yaml"  # in which no tilt moves the block; of a weight that no rock has
+            slot = pathlib.Path(name) / "slot.yaml"  # in which no tilt moves the block; of a weight that no rock has; by the factors of a code
             slot.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nblock: {unit_weight_kn_m3: 2}\nblocks:\n"
                             "- {ground: true, outline: [[0, 0], [0, 1], [-1, 1], [-1, -1], [2, -1], [2, 1], [1, 1], [1, 0]]}\n"
-                            "- {slab: {width: 1, height: 1}}\n", encoding="utf-8")
+                            "- {slab: {width: 1, height: 1}}\npartial_factors: DA1-2\n", encoding="utf-8")
             row = pathlib.Path(name) / "row.yaml"  # of columns that nothing moves
             row.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 40\nslope: {dip_deg: 0.01, towards: left}\n"
                            "required_fos: 1\ncolumns: {width: 1, heights: [1, 1]}\n", encoding="utf-8")

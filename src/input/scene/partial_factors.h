@@ -64,18 +64,18 @@ enum { TP_COMBINATIONS = 16 };
 /* Is a combination one that can differ from those before it? */
 bool tp_combination_differs(const tp_scene *scene, unsigned combination);
 
-/* The scene with its factors applied, which shares all else with it, and must not outlive it. It is
- * tp_factored_clear's, whatever the outcome. */
+/* The scene with its factors applied, which shares all else with it, and must not outlive it; to be
+ * given back by tp_factored_clear. */
 TP_MUST_USE tp_status tp_factored_init(tp_scene *factored, const tp_scene *scene,
                                        unsigned combination, tp_message *message);
 void tp_factored_clear(tp_scene *factored);
 
-/* "DA1-2: weight x 1, water x 1.35, ..." of the factors that act in a combination, to be freed;
- * NULL when memory is exhausted. */
-char *tp_factored_text(const tp_scene *scene, unsigned combination);
-
-/* "weight unfavourable, water favourable" of the groups that a combination decides on. */
-enum { TP_COMBINATION_TEXT = 120 };
-void tp_combination_text(char *text, size_t size, const tp_scene *scene, unsigned combination);
+/* "DA1-2: weight x 1, water x 1.35, ...; the worst of 2 combinations: water unfavourable" of the
+ * factors that act in the combination that governs of those that were solved, to be freed; NULL
+ * when memory is exhausted. */
+char *tp_factored_text(const tp_scene *scene, unsigned combination, unsigned solved);
+/* The note that tells this text, of NULL that memory is exhausted. */
+TP_MUST_USE tp_status tp_factored_note(tp_notes *notes, const tp_scene *scene, const char *text,
+                                       tp_message *message);
 
 #endif

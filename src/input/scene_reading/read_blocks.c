@@ -172,9 +172,8 @@ const tp_node *tp_read_blocks_given(const tp_node *root) {
 
 /* Keys that say nothing of many blocks. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"base",    "joint",           "drawing",
-                                     "section", "friction",        "tilt_test",
-                                     "shaking", "partial_factors", NULL};
+  static const char *const keys[] = {"base",     "joint",     "drawing", "section",
+                                     "friction", "tilt_test", "shaking", NULL};
   for (size_t k = 0; keys[k] != NULL; k++) {
     const tp_node *node = tp_node_get(root, keys[k]);
     if (node == NULL || node == tp_read_blocks_given(root)) continue;

@@ -61,7 +61,10 @@ static tp_status read_own(const tp_reader *reader, tp_partial_factors *factors,
 /* What holds the block must be there to be divided. */
 static tp_status check_friction(const tp_reader *reader, const tp_partial_factors *factors,
                                 const tp_node *node) {
-  if (reader->scene->friction_angle_deg.given || factors->toppling_alone) return TP_OK;
+  if (reader->scene->friction_angle_deg.given || factors->toppling_alone ||
+      reader->scene->many.count > 0) { /* each of their contacts is asked when it is solved */
+    return TP_OK;
+  }
   const tp_node *own = node->kind == TP_NODE_MAPPING ? tp_node_get(node, "friction") : NULL;
   return tp_read_fail(reader, TP_FAULT_KEY, own != NULL ? own : node,
                       "partial factors need the friction of the contact, as sliding is judged with "
@@ -80,6 +83,11 @@ tp_status tp_read_partial_factors(const tp_reader *reader, const tp_node *node) 
     return tp_read_fail(reader, TP_FAULT_KEY, node,
                         "give required_fos or partial_factors, not both: partial factors say "
                         "themselves what the factor must reach, 'resistance' included");
+  }
+  if (status == TP_OK && factors->toppling_alone && scene->many.count > 0) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "EQU compares moments about the pivots of one block, and this scene has "
+                        "many: take another set, or factors of your own");
   }
   return status == TP_OK ? check_friction(reader, factors, node) : status;
 }

@@ -143,6 +143,7 @@ static void set_strength(tp_built_system *s, long contact) {
   arb_init(tension);
   arb_set_fmpq(tangent, tp_built_system_property(s, contact, TP_JOINT_FRICTION)->value, BITS);
   tp_friction_tangent(tangent, tangent, BITS);
+  tp_friction_divide_tangent(tangent, s->scene, BITS);
   set_pressure(cohesion, s, tp_built_system_property(s, contact, TP_JOINT_COHESION));
   set_pressure(tension, s, tp_built_system_property(s, contact, TP_JOINT_TENSION));
   s->strengths[contact] =

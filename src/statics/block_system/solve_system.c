@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Public calls that solve a scene of many blocks: for each direction the limits to both sides,
+/* A scene of many blocks solved: for each direction the limits to both sides,
  * verdict, factor of safety, the collapse, and the motions that can begin before it. */
 
 #include "block_system/beginnings.h"
@@ -223,9 +223,9 @@ static tp_status solve_cases(const solving *x, tp_message *message) {
   return status;
 }
 
-tp_status tp_block_system_solve(tp_block_system **system, const tp_scene *scene,
-                                const tp_solve_options *options, tp_motions_sought motions,
-                                tp_message *message) {
+tp_status tp_block_system_solve_as_given(tp_block_system **system, const tp_scene *scene,
+                                         const tp_solve_options *options, tp_motions_sought motions,
+                                         tp_message *message) {
   if (scene->many.count == 0) {
     return tp_refuse(message, TP_FAULT_KEY, scene->block.place,
                      "this scene is of one block: tp_solve takes it");
@@ -243,15 +243,6 @@ tp_status tp_block_system_solve(tp_block_system **system, const tp_scene *scene,
   }
   tp_built_system_clear(&built);
   return status;
-}
-
-tp_status tp_solve_block_system(tp_block_system **system, const tp_scene *scene,
-                                const tp_solve_options *options, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, system);
-  TP_REFUSE_NULL(message, scene);
-  TP_REFUSE_NULL(message, options);
-  return tp_block_system_solve(system, scene, options, TP_MOTIONS_ALL, message);
 }
 
 bool tp_block_system_is_undecided(const tp_block_system *system) {

@@ -9,6 +9,7 @@
 #include "block/ring_sums.h"
 #include "common/notes.h"
 #include "evaluation/certainty.h"
+#include "evaluation/friction.h"
 #include "number/ball.h"
 #include "scene_varying/settings.h"
 
@@ -43,6 +44,7 @@ void tp_block_system_free(tp_block_system *system) {
   free(system->title);
   free(system->scene);
   free(system->length_unit);
+  free(system->partial_factors);
   tp_notes_clear(&system->notes);
   tp_settings_clear(&system->settings);
   free(system);
@@ -114,6 +116,19 @@ static tp_bounded property_of(const tp_built_system *s, long contact, tp_joint_p
   return tp_result_rational(tp_built_system_property(s, contact, property)->value);
 }
 
+/* Of a factored scene that of the strength. */
+static tp_bounded friction_of(const tp_built_system *s, long contact) {
+  const tp_quantity *given = tp_built_system_property(s, contact, TP_JOINT_FRICTION);
+  if (s->scene->friction_divisor == NULL) return tp_result_rational(given->value);
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_fmpq(degrees, given->value, BITS);
+  tp_friction_divide_angle(degrees, s->scene, BITS);
+  const tp_bounded divided = tp_ball_bounded(degrees);
+  arb_clear(degrees);
+  return divided;
+}
+
 static void set_contact(tp_system_contact *own, const tp_built_system *s, long k) {
   const tp_assemblage *a = &s->assemblage;
   const tp_block_contact *contact = a->contacts + k;
@@ -127,7 +142,7 @@ static void set_contact(tp_system_contact *own, const tp_built_system *s, long k
     *ends[e][0] = coordinate(a, a->lattice.origin_x, a->lattice.x + p, nothing);
     *ends[e][1] = coordinate(a, a->lattice.origin_y, a->lattice.y + p, nothing);
   }
-  own->friction_angle_deg = property_of(s, k, TP_JOINT_FRICTION);
+  own->friction_angle_deg = friction_of(s, k);
   own->cohesion_kpa = property_of(s, k, TP_JOINT_COHESION);
   own->tension_kpa = property_of(s, k, TP_JOINT_TENSION);
 }

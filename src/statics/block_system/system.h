@@ -22,6 +22,13 @@ TP_MUST_USE tp_status tp_block_system_solve(tp_block_system **system, const tp_s
                                             const tp_solve_options *options,
                                             tp_motions_sought motions, tp_message *message);
 
+/* Of one scene, to which partial factors, where it has any, were applied. */
+TP_MUST_USE tp_status tp_block_system_solve_as_given(tp_block_system **system,
+                                                     const tp_scene *scene,
+                                                     const tp_solve_options *options,
+                                                     tp_motions_sought motions,
+                                                     tp_message *message);
+
 /* Without cases, and with room for two; to be freed by tp_block_system_free. */
 TP_MUST_USE tp_status tp_block_system_describe(tp_block_system **system,
                                                const tp_built_system *built, tp_message *message);

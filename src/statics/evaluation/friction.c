@@ -157,26 +157,27 @@ void tp_friction_stress_at(arb_t pascal, const tp_evaluation *e, const arb_t til
   arb_clear(ratio);
 }
 
-/* tan(phi) over the divisor of the scene, and the angle of that. */
-static void divide_tangent(arb_t tangent, const tp_evaluation *e) {
-  const fmpq *divisor = e->problem->scene->friction_divisor;
-  if (divisor == NULL || fmpq_is_one(divisor)) return;
+static bool is_one(const fmpq *divisor) {
+  return divisor == NULL || fmpq_is_one(divisor);
+}
+
+void tp_friction_divide_tangent(arb_t tangent, const tp_scene *scene, long bits) {
+  if (is_one(scene->friction_divisor)) return;
   arb_t own;
   arb_init(own);
-  arb_set_fmpq(own, divisor, e->rung.bits);
-  arb_div(tangent, tangent, own, e->rung.bits);
+  arb_set_fmpq(own, scene->friction_divisor, bits);
+  arb_div(tangent, tangent, own, bits);
   arb_clear(own);
 }
 
-static void divide_angle(arb_t degrees, const tp_evaluation *e) {
-  const long bits = e->rung.bits;
-  if (!tp_friction_is_divided(e)) return;
+void tp_friction_divide_angle(arb_t degrees, const tp_scene *scene, long bits) {
+  if (is_one(scene->friction_divisor)) return;
   arb_t tangent, one;
   arb_init(tangent);
   arb_init(one);
   arb_one(one);
   tp_friction_tangent(tangent, degrees, bits);
-  divide_tangent(tangent, e);
+  tp_friction_divide_tangent(tangent, scene, bits);
   if (arb_is_zero(tangent)) {
     arb_zero(degrees);
   } else {
@@ -187,8 +188,7 @@ static void divide_angle(arb_t degrees, const tp_evaluation *e) {
 }
 
 bool tp_friction_is_divided(const tp_evaluation *e) {
-  const fmpq *divisor = e->problem->scene->friction_divisor;
-  return divisor != NULL && !fmpq_is_one(divisor);
+  return !is_one(e->problem->scene->friction_divisor);
 }
 
 const fmpq *tp_friction_exact(const tp_evaluation *e, long facet) {
@@ -201,14 +201,14 @@ void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
   const long bits = e->rung.bits;
   if (!tp_friction_is_load_dependent(e)) {
     arb_set_fmpq(degrees, e->problem->scene->friction_angle_deg.value, bits);
-    divide_angle(degrees, e);
+    tp_friction_divide_angle(degrees, e->problem->scene, e->rung.bits);
     return;
   }
   arb_t sigma;
   arb_init(sigma);
   tp_friction_stress_at(sigma, e, tilt);
   barton(degrees, sigma, e);
-  divide_angle(degrees, e);
+  tp_friction_divide_angle(degrees, e->problem->scene, e->rung.bits);
   arb_clear(sigma);
 }
 
@@ -222,7 +222,7 @@ void tp_friction_of_facet(arb_t degrees, const tp_evaluation *e, long facet, con
   const fmpq *own = tp_friction_own(e->problem, facet);
   if (own != NULL) {
     arb_set_fmpq(degrees, own, e->rung.bits);
-    divide_angle(degrees, e);
+    tp_friction_divide_angle(degrees, e->problem->scene, e->rung.bits);
   } else {
     tp_friction_at(degrees, e, tilt);
   }
@@ -237,7 +237,7 @@ bool tp_friction_take_own(tp_cones *cones, const tp_evaluation *e) {
   for (long k = 0; k < f->count; k++) {
     arb_set_fmpq(degrees, f->angles[k], e->rung.bits);
     tp_friction_tangent(cones->own_friction + k, degrees, e->rung.bits);
-    divide_tangent(cones->own_friction + k, e);
+    tp_friction_divide_tangent(cones->own_friction + k, e->problem->scene, e->rung.bits);
   }
   arb_clear(degrees);
   return true;
@@ -276,6 +276,6 @@ void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *e) {
   arb_init(degrees);
   arb_set_fmpq(degrees, given->value, e->rung.bits);
   tp_friction_tangent(tangent, degrees, e->rung.bits);
-  divide_tangent(tangent, e);
+  tp_friction_divide_tangent(tangent, e->problem->scene, e->rung.bits);
   arb_clear(degrees);
 }

@@ -45,6 +45,10 @@ void tp_friction_facet_tangent(arb_t tangent, const tp_evaluation *evaluation, l
 /* tan(phi) of all facets that have their own, into cones as they are initialised. */
 TP_MUST_USE bool tp_friction_take_own(tp_cones *cones, const tp_evaluation *evaluation);
 
+/* tan(phi) over the divisor of a factored scene, and the angle of that. */
+void tp_friction_divide_tangent(arb_t tangent, const tp_scene *scene, long bits);
+void tp_friction_divide_angle(arb_t degrees, const tp_scene *scene, long bits);
+
 /* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
 

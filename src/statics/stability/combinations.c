@@ -5,13 +5,8 @@
 
 #include "stability/combinations.h"
 
-#include "common/notes.h"
 #include "scene/partial_factors.h"
 #include "stability/severity.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 bool tp_combinations_asked(const tp_scene *scene) {
   return scene->partial_factors != NULL && !scene->factored;
@@ -22,29 +17,11 @@ static bool is_worse(const tp_solution *one, const tp_solution *other) {
                              tp_severity_of(other->cases + tp_severity_worst(other))) < 0;
 }
 
-/* "DA1-2: weight × 1, water × 1, …; the worst of 2 combinations: water unfavourable" */
 static tp_status tell(tp_solution *solution, const tp_scene *scene, unsigned combination,
                       unsigned solved, tp_message *message) {
-  enum { SIZE = 900 };
-  char which[TP_COMBINATION_TEXT];
-  const char *name = scene->partial_factors->name;
-  char *factors = tp_factored_text(scene, combination);
-  char *text = calloc(1, SIZE);
-  if (factors != NULL && text != NULL) {
-    snprintf(text, SIZE, "%s: %s", name != NULL ? name : "own", factors);
-    const size_t used = strlen(text);
-    if (solved > 1) {
-      tp_combination_text(which, sizeof which, scene, combination);
-      snprintf(text + used, SIZE - used, "; the worst of %u combinations: %s", solved, which);
-    }
-  }
-  const bool told = factors != NULL && text != NULL;
-  free(factors);
-  solution->partial_factors = text;
+  solution->partial_factors = tp_factored_text(scene, combination, solved);
   solution->combination = combination;
-  if (!told) return tp_fail_memory(message, "the partial factors");
-  return tp_notes_add(&solution->notes, message, TP_NOTE, scene->partial_factors->place,
-                      "with partial factors %s; numbers are of the factored scene", text);
+  return tp_factored_note(&solution->notes, scene, solution->partial_factors, message);
 }
 
 tp_status tp_combinations_solve(tp_solution **solution, const tp_scene *scene,
