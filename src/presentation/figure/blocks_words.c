@@ -5,7 +5,6 @@
 
 #include "figure/blocks.h"
 #include "figure/legend.h"
-#include "output/translate.h"
 #include "report/column_page.h"
 #include "report/page.h"
 #include "report/system_words.h"
@@ -18,11 +17,7 @@
 
 /* In the language of the figure. */
 static void tell(tp_text *t, const tp_blocks_figure *f) {
-  if ((f->language == NULL && !f->comma) || t->data == NULL) return;
-  tp_text own = {.failed = t->failed};
-  tp_translate(&own, f->language, f->comma, t->data);
-  tp_text_drop(t);
-  *t = own;
+  tp_figure_tell_in(t, f->language, f->comma);
 }
 
 /* "φ = 31°", "φ from 17° to 31°" */

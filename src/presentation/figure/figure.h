@@ -93,6 +93,8 @@ typedef struct tp_figure {
   bool sketch; /* on a sheet, whose text has title, verdict and pivots already: without these */
 } tp_figure;
 
+/* An English text in a language, as far as that has phrases; `comma` before decimals. */
+void tp_figure_tell_in(tp_text *text, const tp_language *language, bool comma);
 /* A text of the figure, which is English: in its language as far as that has phrases. A word. */
 void tp_figure_tell(const tp_figure *figure, tp_text *text);
 void tp_figure_set_decimals(const tp_figure *figure, char *text);

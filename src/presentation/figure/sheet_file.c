@@ -52,6 +52,60 @@ tp_status tp_sheet_write(const char *path, const tp_document *document,
   return status;
 }
 
+/* ---- with a figure on a page -------------------------------------------------------------------
+ */
+
+tp_status tp_figured_sheet_begin(tp_figured_sheet *sheet, const tp_sheet_options *options,
+                                 tp_message *message) {
+  const tp_status status = tp_sheet_check(sheet->path, message);
+  if (status != TP_OK) return status;
+  return tp_sheet_head_make(&sheet->head, &sheet->scene->letterhead, options,
+                            tp_sheet_kind_of(sheet->path) == TP_SHEET_PDF, message);
+}
+
+static bool draw_page(cairo_t *cr, const void *context) {
+  const tp_drawn_page *page = context;
+  double height = 0;
+  return page->draw(&height, cr, page->what);
+}
+
+static tp_status write_document(tp_figured_sheet *sheet, const tp_vector_picture *drawing,
+                                tp_picture picture, tp_message *message) {
+  tp_file_sources sources = {0};
+  tp_sheet_files files = {0};
+  tp_status status = tp_sheet_sources(&sources, sheet->scene, message);
+  if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
+  files.logo = sheet->scene->letterhead.logo;
+  files.mesh = sheet->mesh;
+  if (status == TP_OK) {
+    tp_document document = {0};
+    sheet->build(&document, sheet->what, &files, &sheet->head, picture);
+    status = tp_sheet_write(sheet->path, &document, drawing, sources, message);
+    tp_document_clear(&document);
+  } else {
+    free(picture.svg);
+  }
+  tp_sheet_files_clear(&files);
+  free((void *)sources.paths);
+  return status;
+}
+
+tp_status tp_figured_sheet_write(tp_figured_sheet *sheet, const tp_drawn_page *page,
+                                 tp_message *message) {
+  tp_vector_picture drawing = {draw_page, page, page->width, 0};
+  tp_picture picture = {0};
+  tp_status status = TP_OK;
+  if (tp_sheet_kind_of(sheet->path) != TP_SHEET_PDF) {
+    status = tp_drawn_page_bytes(&picture.svg, &picture.svg_length, ".x.svg", page, message);
+  } else if (tp_drawn_page_measure(&drawing.height, page) != CAIRO_STATUS_SUCCESS) {
+    status = tp_fail_memory(message, "the report");
+  }
+  return status == TP_OK ? write_document(sheet, &drawing, picture, message) : status;
+}
+
+/* ---- with charts -------------------------------------------------------------------------------
+ */
+
 tp_status tp_sheet_chart(tp_picture *picture, tp_chart *chart, tp_status made, const char *path,
                          const tp_sheet_head *head, tp_message *message) {
   const bool paper = tp_sheet_kind_of(path) == TP_SHEET_PDF;

@@ -11,12 +11,16 @@
 #include <stdio.h>
 #include <string.h>
 
-void tp_figure_tell(const tp_figure *figure, tp_text *text) {
-  if ((figure->language == NULL && !figure->comma) || text->data == NULL) return;
+void tp_figure_tell_in(tp_text *text, const tp_language *language, bool comma) {
+  if ((language == NULL && !comma) || text->data == NULL) return;
   tp_text own = {.failed = text->failed};
-  tp_translate(&own, figure->language, figure->comma, text->data);
+  tp_translate(&own, language, comma, text->data);
   tp_text_drop(text);
   *text = own;
+}
+
+void tp_figure_tell(const tp_figure *figure, tp_text *text) {
+  tp_figure_tell_in(text, figure->language, figure->comma);
 }
 
 void tp_figure_set_decimals(const tp_figure *figure, char *text) {

@@ -143,7 +143,11 @@ static void add_front(tp_sheet *s, tp_picture picture) {
   for (size_t k = 0; k < s->solution->case_count; k++) {
     tp_sheet_add_conclusion(s, s->solution->cases + k);
   }
-  tp_sheet_count_cautions(s);
+  tp_sheet_count_cautions(d, &s->solution->notes,
+                          s->scene->letterhead.brief
+                              ? "Cautions on the input: %zu. They stand below the hand check."
+                              : "Cautions on the input: %zu. They stand at the head of the "
+                                "appendix.");
   tp_sheet_add_signatures(d, s->head);
 }
 

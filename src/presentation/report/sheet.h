@@ -34,7 +34,7 @@ typedef struct tp_sheet_file {
 typedef struct tp_sheet_files {
   size_t count;
   tp_sheet_file *items;
-  const char *logo; /* the path of the one that is told by its hash alone; NULL: none */
+  const char *logo, *mesh; /* paths of those that are told by their hash alone; NULL: none */
 } tp_sheet_files;
 
 TP_MUST_USE tp_status tp_sheet_files_read(tp_sheet_files *files, const char *const *paths,
@@ -88,8 +88,11 @@ void tp_sheet_add_signatures(tp_document *document, const tp_sheet_head *head);
 /* Below each page on paper. */
 void tp_sheet_add_foot(tp_document *document, const tp_sheet_files *files,
                        const tp_sheet_options *options);
-/* What was noted of the input; nothing where there is nothing. */
+/* What was noted of the input; nothing where there is nothing. How many cautions there are, as a
+ * phrase that says where they stand. */
 void tp_sheet_add_notes(tp_document *document, const tp_notes *notes);
+void tp_sheet_count_cautions(tp_document *document, const tp_notes *notes, const char *phrase)
+    __attribute__((format(printf, 3, 0)));
 
 /* The first page: project and persons, what was given, each case's factor, what follows. */
 void tp_sheet_add_persons(tp_document *document, const tp_sheet_head *head);
@@ -100,7 +103,6 @@ void tp_sheet_add_load_cases(tp_sheet *sheet);
 /* In the appendix; nothing where there is nothing to add. */
 void tp_sheet_add_load_case_details(tp_sheet *sheet);
 void tp_sheet_add_conclusion(tp_sheet *sheet, const tp_case *own);
-void tp_sheet_count_cautions(tp_sheet *sheet);
 
 /* Does the block lie at its place, so that angles from the level are dips; else it is on a table,
  * or angles count from how it lies. */
@@ -135,6 +137,13 @@ void tp_sheet_add_limit(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_motions(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_poses(tp_sheet *sheet);
 void tp_sheet_add_proof(tp_sheet *sheet);
+
+/* Of tables: a head above each column, a number, that or a dash, and what is said below the rows
+ * that there is room for. */
+void tp_sheet_add_heads(tp_document *document, const char *const *heads, size_t count);
+void tp_sheet_add_number(tp_document *document, tp_bounded number, int digits);
+void tp_sheet_add_number_if(tp_document *document, bool has, tp_bounded number, int digits);
+void tp_sheet_add_rest(tp_document *document, size_t rows, size_t most);
 
 /* ---- words -------------------------------------------------------------------------------------
  */

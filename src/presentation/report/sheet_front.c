@@ -236,16 +236,3 @@ void tp_sheet_add_conclusion(tp_sheet *s, const tp_case *c) {
   tp_document_set_decimals(d, &t);
   tp_document_take(d, TP_PASSAGE_ANSWER, 0, &t);
 }
-
-void tp_sheet_count_cautions(tp_sheet *s) {
-  size_t count = 0;
-  for (size_t k = 0; k < s->solution->notes.count; k++) {
-    count += s->solution->notes.items[k].kind == TP_CAUTION;
-  }
-  if (count == 0) return;
-  tp_document_add(&s->document, TP_PASSAGE_CAUTION,
-                  s->scene->letterhead.brief
-                      ? "Cautions on the input: %zu. They stand below the hand check."
-                      : "Cautions on the input: %zu. They stand at the head of the appendix.",
-                  count);
-}

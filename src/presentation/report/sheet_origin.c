@@ -153,9 +153,10 @@ static size_t add_lines(tp_text *t, const tp_sheet_file *file, size_t most) {
   return count > most ? count - most : 0;
 }
 
-/* The logo, and what is no text, is told by its hash alone. */
+/* The logo, a mesh, and what is no text, is told by its hash alone. */
 static bool is_shown(const tp_sheet_files *files, const tp_sheet_file *file) {
   if (file->why != 0 || memchr(file->bytes, '\0', file->length) != NULL) return false;
+  if (files->mesh != NULL && strcmp(files->mesh, file->path) == 0) return false;
   return files->logo == NULL || strcmp(files->logo, file->path) != 0;
 }
 
@@ -237,6 +238,12 @@ static void add_notes(tp_document *d, const tp_notes *notes, tp_note_kind kind) 
     }
     tp_document_take(d, kind == TP_CAUTION ? TP_PASSAGE_CAUTION : TP_PASSAGE_PARAGRAPH, 0, &text);
   }
+}
+
+void tp_sheet_count_cautions(tp_document *d, const tp_notes *notes, const char *phrase) {
+  size_t count = 0;
+  for (size_t k = 0; k < notes->count; k++) count += notes->items[k].kind == TP_CAUTION;
+  if (count > 0) tp_document_add(d, TP_PASSAGE_CAUTION, phrase, count);
 }
 
 void tp_sheet_add_notes(tp_document *d, const tp_notes *notes) {

@@ -8,19 +8,6 @@
 
 #include "terms/names.h"
 
-static void count_cautions(tp_system_sheet *s) {
-  size_t count = 0;
-  for (size_t k = 0; k < s->system->notes.count; k++) {
-    count += s->system->notes.items[k].kind == TP_CAUTION;
-  }
-  if (count == 0) return;
-  tp_document_add(&s->document, TP_PASSAGE_CAUTION,
-                  s->scene->letterhead.brief
-                      ? "Cautions on the input: %zu. They stand below the account."
-                      : "Cautions on the input: %zu. They stand at the head of the appendix.",
-                  count);
-}
-
 static void add_front(tp_system_sheet *s, const tp_sheet_head *head, tp_picture picture) {
   tp_document *d = &s->document;
   tp_sheet_add_persons(d, head);
@@ -34,7 +21,11 @@ static void add_front(tp_system_sheet *s, const tp_sheet_head *head, tp_picture 
   for (size_t k = 0; k < s->system->case_count; k++) {
     tp_system_sheet_add_conclusion(s, s->system->cases + k);
   }
-  count_cautions(s);
+  tp_sheet_count_cautions(d, &s->system->notes,
+                          s->scene->letterhead.brief
+                              ? "Cautions on the input: %zu. They stand below the account."
+                              : "Cautions on the input: %zu. They stand at the head of the "
+                                "appendix.");
   tp_sheet_add_signatures(d, head);
 }
 

@@ -15,24 +15,9 @@
 /* So many rows of a table; --json has all. */
 enum { MOST_ROWS = 120 };
 
-static void add_heads(tp_document *d, const char *const *heads, size_t count) {
-  for (size_t k = 0; k < count; k++) tp_document_word(d, heads[k]);
-}
-
-static void add_rest(tp_document *d, size_t rows) {
-  if (rows <= MOST_ROWS) return;
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH, "And %zu more, which topple solve --json has.",
-                  rows - MOST_ROWS);
-}
-
 /* A coordinate in the scene's lengths. */
 static void add_length(tp_document *d, const tp_block_system *s, double metres) {
   tp_document_cell(d, "%.*g", tp_text_system_digits(s), metres / s->metres_per_unit);
-}
-
-static void add_bounded(tp_document *d, tp_bounded value, int digits) {
-  char n[TP_NUMBER_SIZE];
-  tp_document_cell(d, "%s", tp_text_significant(n, value, digits));
 }
 
 /* ---- the collapse ------------------------------------------------------------------------------
@@ -49,7 +34,7 @@ void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1c,
                     "How the blocks begin to move: velocities of their centroids, the fastest "
                     "corner of all having 1");
-  add_heads(d, heads, 5);
+  tp_sheet_add_heads(d, heads, 5);
   for (size_t k = 0; k < c->motion_count; k++) {
     const tp_system_motion *m = c->motions + k;
     const bool rests = m->mechanism == TP_STANDS;
@@ -62,7 +47,7 @@ void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
     tp_document_cell(d, "%.4f", m->velocity_y);
     tp_document_cell(d, "%.3g", m->turn_per_m);
   }
-  add_rest(d, rows);
+  tp_sheet_add_rest(d, rows, MOST_ROWS);
   tp_text_add(&caption, "The collapse is that %s.", tp_text_system_collapse(own, c));
   tp_document_tell(d, TP_PASSAGE_PARAGRAPH, 0, &caption);
 }
@@ -93,12 +78,12 @@ void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
   if (c->force_count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, wet ? 8 : 7, wet ? 0xf8 : 0x78,
                     "Forces that hold the blocks just before it, one distribution of many");
-  add_heads(d, heads, 5);
+  tp_sheet_add_heads(d, heads, 5);
   tp_document_cell(d, "at x (%s)", own->length_unit);
   tp_document_cell(d, "y (%s)", own->length_unit);
   if (wet) tp_document_word(d, "Water (kN/m)");
   for (size_t k = 0; k < c->force_count && k < MOST_ROWS; k++) add_force_row(d, own, c, k, wet);
-  add_rest(d, c->force_count);
+  tp_sheet_add_rest(d, c->force_count, MOST_ROWS);
 }
 
 /* ---- columns -----------------------------------------------------------------------------------
@@ -142,7 +127,7 @@ void tp_system_sheet_add_columns(tp_system_sheet *s, const tp_system_case *c) {
   if (!own->has_forces || own->column_count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7c,
                     "Columns from the toe up, at the friction that there is: forces in kN/m");
-  add_heads(d, heads, 7);
+  tp_sheet_add_heads(d, heads, 7);
   for (size_t k = 0; k < own->column_count; k++) {
     const tp_goodman_bray_column *column = own->columns + k;
     const double forces[] = {column->toppling_n_m, column->sliding_n_m, column->push_n_m,
@@ -153,7 +138,7 @@ void tp_system_sheet_add_columns(tp_system_sheet *s, const tp_system_case *c) {
     tp_document_word(d, tp_column_state_name(column->state));
     for (size_t n = 0; n < 5; n++) tp_document_cell(d, "%.1f", forces[n] / 1e3);
   }
-  add_rest(d, own->column_count);
+  tp_sheet_add_rest(d, own->column_count, MOST_ROWS);
   if (all_hold) return;
   tp_document_add(d, TP_PASSAGE_CAUTION,
                   "Caution: under some columns the base would have to pull, or slip up the slope: "
@@ -170,21 +155,21 @@ void tp_system_sheet_add_blocks(tp_system_sheet *s) {
   tp_document *d = &s->document;
   tp_document_heading(d, 2, "Blocks and contacts");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x3c, "Blocks, with their centroids");
-  add_heads(d, heads, 6);
+  tp_sheet_add_heads(d, heads, 6);
   for (size_t k = 0; k < own->block_count && k < MOST_ROWS; k++) {
     const tp_system_block *block = own->blocks + k;
     tp_document_outside_cell(d, block->name);
     tp_document_word(d, block->ground ? "ground" : "free");
-    add_bounded(d, block->area_m2, 6);
-    add_bounded(d, block->centroid_x_m, 6);
-    add_bounded(d, block->centroid_y_m, 6);
+    tp_sheet_add_number(d, block->area_m2, 6);
+    tp_sheet_add_number(d, block->centroid_x_m, 6);
+    tp_sheet_add_number(d, block->centroid_y_m, 6);
     if (block->has_weight) {
-      add_bounded(d, tp_text_over(block->weight_n_m, 1e3), 6);
+      tp_sheet_add_number(d, tp_text_over(block->weight_n_m, 1e3), 6);
     } else {
       tp_document_word(d, "–");
     }
   }
-  add_rest(d, own->block_count);
+  tp_sheet_add_rest(d, own->block_count, MOST_ROWS);
 }
 
 void tp_system_sheet_add_contacts(tp_system_sheet *s) {
@@ -194,12 +179,12 @@ void tp_system_sheet_add_contacts(tp_system_sheet *s) {
   tp_document *d = &s->document;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 9, 0x1fc,
                     "Contacts, with their ends and the strength of their joints");
-  add_heads(d, heads, 2);
+  tp_sheet_add_heads(d, heads, 2);
   tp_document_cell(d, "from x (%s)", own->length_unit);
   tp_document_cell(d, "y (%s)", own->length_unit);
   tp_document_cell(d, "to x (%s)", own->length_unit);
   tp_document_cell(d, "y (%s)", own->length_unit);
-  add_heads(d, strength, 3);
+  tp_sheet_add_heads(d, strength, 3);
   for (size_t k = 0; k < own->contact_count && k < MOST_ROWS; k++) {
     const tp_system_contact *c = own->contacts + k;
     tp_document_outside_cell(d, own->blocks[c->first].name);
@@ -208,9 +193,9 @@ void tp_system_sheet_add_contacts(tp_system_sheet *s) {
     add_length(d, own, c->from_y_m.value);
     add_length(d, own, c->to_x_m.value);
     add_length(d, own, c->to_y_m.value);
-    add_bounded(d, c->friction_angle_deg, 5);
-    add_bounded(d, c->cohesion_kpa, 5);
-    add_bounded(d, c->tension_kpa, 5);
+    tp_sheet_add_number(d, c->friction_angle_deg, 5);
+    tp_sheet_add_number(d, c->cohesion_kpa, 5);
+    tp_sheet_add_number(d, c->tension_kpa, 5);
   }
-  add_rest(d, own->contact_count);
+  tp_sheet_add_rest(d, own->contact_count, MOST_ROWS);
 }

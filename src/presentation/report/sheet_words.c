@@ -140,6 +140,29 @@ tp_sheet_number tp_sheet_share(tp_bounded share) {
   return number_of(tp_text_fixed(n, share, 6));
 }
 
+void tp_sheet_add_heads(tp_document *d, const char *const *heads, size_t count) {
+  for (size_t k = 0; k < count; k++) tp_document_word(d, heads[k]);
+}
+
+void tp_sheet_add_number(tp_document *d, tp_bounded number, int digits) {
+  char n[TP_NUMBER_SIZE];
+  tp_document_cell(d, "%s", tp_text_significant(n, number, digits));
+}
+
+void tp_sheet_add_number_if(tp_document *d, bool has, tp_bounded number, int digits) {
+  if (has) {
+    tp_sheet_add_number(d, number, digits);
+  } else {
+    tp_document_word(d, "–");
+  }
+}
+
+void tp_sheet_add_rest(tp_document *d, size_t rows, size_t most) {
+  if (rows <= most) return;
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH, "And %zu more, which topple solve --json has.",
+                  rows - most);
+}
+
 void tp_sheet_take_lines(tp_document *document, tp_text *lines) {
   const size_t empty = lines->data != NULL ? strspn(lines->data, "\n") : 0;
   if (empty > 0) {
