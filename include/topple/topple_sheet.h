@@ -9,6 +9,7 @@
 
 #include "topple_block_system.h"
 #include "topple_load_cases.h"
+#include "topple_solid.h"
 #include "topple_solve.h"
 #include "topple_study.h"
 #include "topple_tilt_test.h"
@@ -68,6 +69,11 @@ TP_MUST_USE tp_status tp_report_sheet_block_system(const char *path, const tp_sc
                                                    const tp_block_system *system,
                                                    const tp_sheet_options *options,
                                                    tp_message *message);
+
+/* The solid of a scene likewise, whose mesh is named by its hash alone. */
+TP_MUST_USE tp_status tp_report_sheet_solid(const char *path, const tp_scene *scene,
+                                            const tp_solid *solid, const tp_sheet_options *options,
+                                            tp_message *message);
 
 /* The result of the study likewise, with its charts, drawn by gnuplot: of probability against tilt
  * and so on, and of each sample's angle. */

@@ -191,12 +191,29 @@ typedef struct tp_solid_contacts {
   tp_solid_way *ways;       /* way_count of them: evenly from 0 on */
 } tp_solid_contacts;
 
+/* A plane that bounds a wedge, as its scene gives it. */
+typedef struct tp_wedge_side {
+  double dip_deg;            /* of the plane */
+  double dip_direction_deg;  /* the azimuth of that */
+  double friction_angle_deg; /* of a joint; else 0 */
+  double cohesion_kpa;       /* likewise */
+} tp_wedge_side;
+
+/* A corner of a wedge, from where the line of both joints comes out of the face. */
+typedef struct tp_wedge_corner {
+  double east_m, north_m, up_m; /* in metres */
+} tp_wedge_corner;
+
 /* A wedge between two joints A and B, as Hoek and Bray have it: friction and cohesion act against
  * the sliding alone, along the line of both joints or down one of them; no joint is in tension, and
  * nothing turns. Water fills the joints and the crack: its pressure rises from zero at the surface
  * to the depth in between, in the mean a sixth of the head of the height, or a third of that of the
  * crack. */
 typedef struct tp_solid_wedge {
+  tp_wedge_side sides[5];     /* the joints A and B, the face, the ground above, and if has_crack
+                                 the crack */
+  tp_wedge_corner corners[6]; /* the ends of the crest on A and on B; behind them those on A and on
+                                 B, and the deepest, which are one without a crack; the toe */
   tp_bounded plunge_deg, trend_deg; /* of the line of both joints, downwards */
   tp_bounded areas_m2[2];           /* of the joints A and B */
   bool has_crack;                   /* a tension crack ends it: */

@@ -80,6 +80,17 @@ class SolidMethods:
         read again, and must be as it was."""
         checked(drawing().lib.tp_report_figure_solid, c_path(path), struct_of(self))
 
+    def write_report(self: Any, path: File, date: str | None = None, times: bool = True,
+                     lines: int = 400, letterhead: dict[str, str] | None = None) -> None:
+        """Write a calculation sheet to check and sign into a file, as `Solution.write_report`; of a
+        solid that a scene was solved for."""
+        scene: Scene | None = self.__dict__.get("_scene")
+        if scene is None:
+            raise TypeError("the sheet of a solid is of a scene: write one with the key 'solid'")
+        options, _held = sheet_options(date, times, lines, letterhead)
+        scene._use(drawing().lib.tp_report_sheet_solid, c_path(path), scene._c, struct_of(self), options,
+                   of=self.__dict__["_version"])
+
     def row_csv(self) -> str:
         """Of a scene: what `topple solve --csv` prints, a row of the band that governs."""
         return written(lib.tp_report_solid_row_csv, struct_of(self))

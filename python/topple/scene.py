@@ -271,9 +271,10 @@ class Scene(Builder):
     def solve_solid(self) -> Solid:
         """The solid of such a scene, as it lies at the scene's tilt."""
         receives = ffi.new("tp_solid **")
-        self._use(lib.tp_solve_solid, receives, self._c)
+        version = self._use(lib.tp_solve_solid, receives, self._c)
         owner = ffi.gc(receives[0], lib.tp_solid_free)
         solid = record(Solid, owner[0], owner)
+        solid.__dict__.update(_scene=self, _version=version)
         if owner.notes.count:
             warn(solid.notes, 3)
         return solid

@@ -78,6 +78,14 @@ START_TEST(scenes) {
   ck_assert(!tp_solid_is_undecided(solid));
   ck_assert_int_eq(tp_solid_meets(solid, 1.5), TP_DESIGN_MET);
   ck_assert_int_eq(tp_solid_meets(solid, 1.7), TP_DESIGN_NOT_MET);
+  const tp_sheet_options sheet = tp_sheet_options_default();
+  REFUSED(tp_report_sheet_solid(NULL, scene, solid, &sheet, &message), "'path'");
+  REFUSED(tp_report_sheet_solid("/tmp/x.html", NULL, solid, &sheet, &message), "'scene'");
+  REFUSED(tp_report_sheet_solid("/tmp/x.html", scene, NULL, &sheet, &message), "'solid'");
+  REFUSED(tp_report_sheet_solid("/tmp/x.html", scene, solid, NULL, &message), "'options'");
+  REFUSED(tp_report_sheet_solid("/tmp/x.txt", scene, solid, &sheet, &message),
+          ".html, .md or .pdf");
+  REFUSED(tp_report_sheet_solid("/tmp/x.html", plain, solid, &sheet, &message), "no 'solid'");
   tp_solid_free(solid);
   tp_scene_free(scene);
   tp_scene_free(plain);

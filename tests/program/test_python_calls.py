@@ -254,6 +254,18 @@ class Solids(unittest.TestCase):
             topple.solid_of_file(self.ROCK)
         with self.assertRaisesRegex(topple.BadInput, "no object"):
             topple.solid_of_file(self.ROCK, length_unit="m", object="roof")
+        with self.assertRaisesRegex(TypeError, "of a scene"):
+            own.write_report("x.md")
+
+    def test_sheet(self):
+        """Of a scene, in Spanish; of one that has been changed since it was solved it is refused."""
+        scene = topple.Scene.read(ROOT / "examples" / "solids" / "wedge.yaml")
+        own = scene.solve_solid()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "sheet.md"
+            own.write_report(path, letterhead={"language": "es"})
+            self.assertIn("Factor de seguridad", path.read_text(encoding="utf-8"))
+        self.assertEqual(own.wedge.sides[0].dip_deg, 45)
 
 
 class Profiles(unittest.TestCase):

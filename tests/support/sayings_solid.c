@@ -26,6 +26,16 @@ static void say_solid_figure(sayings *s, const tp_solid *solid) {
   note_number(s, asked);
 }
 
+static void say_solid_sheet(sayings *s, const tp_scene *scene, const tp_solid *solid) {
+  tp_message message = {.text = ""};
+  tp_sheet_options options = tp_sheet_options_default();
+  char path[100];
+  options.language = "de";
+  snprintf(path, sizeof path, "%s/solid.md", s->folder);
+  note_status(s, tp_report_sheet_solid(path, scene, solid, &options, &message), &message);
+  say_file(s, path);
+}
+
 static void say_solid_of_scene(sayings *s) {
   tp_solid *solid = NULL;
   tp_scene *scene = NULL;
@@ -37,7 +47,10 @@ static void say_solid_of_scene(sayings *s) {
   note_number(s, tp_solid_is_undecided(solid));
   note_number(s, (long)tp_solid_meets(solid, 1.5));
   if (solid != NULL && tp_report_solid_row_csv(next_saying(s), solid) != TP_OK) s->count--;
-  if (solid != NULL) say_solid_figure(s, solid);
+  if (solid != NULL) {
+    say_solid_figure(s, solid);
+    say_solid_sheet(s, scene, solid);
+  }
   tp_solid_free(solid);
   tp_scene_free(scene);
 }

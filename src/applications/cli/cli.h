@@ -57,6 +57,11 @@ TP_MUST_USE tp_status tp_cli_write_system_sheet(const char *path, const tp_scene
                                                 const tp_sheet_options *options,
                                                 tp_message *message);
 
+TP_MUST_USE tp_status tp_cli_write_solid_sheet(const char *path, const tp_scene *scene,
+                                               const tp_solid *solid,
+                                               const tp_sheet_options *options,
+                                               tp_message *message);
+
 TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,
                                          const tp_solution *solution,
                                          const tp_sheet_options *options, tp_message *message);

@@ -245,6 +245,23 @@ tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
               (tp_figure_consent){agree, NULL}, message);
 }
 
+static tp_status draw_solid_sheet(void *call, const void *what, tp_figure_consent consent,
+                                  tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_solid *, const tp_sheet_options *,
+                        tp_message *) = NULL;
+  const solved *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->solid, own->options, message);
+}
+
+tp_status tp_cli_write_solid_sheet(const char *path, const tp_scene *scene, const tp_solid *solid,
+                                   const tp_sheet_options *options, tp_message *message) {
+  const solved own = {.path = path, .scene = scene, .solid = solid, .options = options};
+  return draw(draw_solid_sheet, "tp_report_sheet_solid", &own, (tp_figure_consent){agree, NULL},
+              message);
+}
+
 typedef struct studied {
   const char *path;
   const tp_study *study;

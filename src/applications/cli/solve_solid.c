@@ -21,7 +21,6 @@ tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_messa
                        : a->outlines                  ? "--outlines"
                        : a->elements                  ? "--elements"
                        : a->animation != NULL         ? "--animation"
-                       : a->report != NULL            ? "--report"
                                                       : NULL;
   const char *ending = a->figure != NULL ? strrchr(a->figure, '.') : NULL;
   if (option == NULL && ending != NULL && strcasecmp(ending, ".dxf") == 0) {
@@ -47,6 +46,16 @@ static int judge_solid(const tp_solid *solid, const tp_solve_words *a) {
   if (!tp_solid_is_undecided(solid)) return 0;
   tp_cli_complain("%s: undecided: the tilt is too close to the critical one", a->scene);
   return tp_status_exit(TP_UNDECIDED);
+}
+
+static tp_status write_report(const tp_scene *scene, const tp_solid *solid, const tp_solve_words *a,
+                              tp_message *message) {
+  tp_sheet_options options;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&options, &date, message);
+  options.language = a->language;
+  return status == TP_OK ? tp_cli_write_solid_sheet(a->report, scene, solid, &options, message)
+                         : status;
 }
 
 typedef struct solved {
@@ -78,6 +87,9 @@ tp_status tp_cli_solve_solid(const tp_scene *scene, const tp_solve_words *a, int
   if (status == TP_OK) {
     const solved own = {solid, a};
     status = a->figure != NULL ? print_and_draw(&own, ended, message) : print(&own, ended, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_report(scene, solid, a, message);
   }
   if (status == TP_OK && *ended == 0) *ended = judge_solid(solid, a);
   tp_solid_free(solid);

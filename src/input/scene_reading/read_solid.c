@@ -239,9 +239,9 @@ static tp_status read_bands(const tp_reader *reader, const tp_node *parent) {
 /* Keys that say nothing of a solid. */
 static tp_status check_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "block",   "blocks",  "columns", "jointed_slope", "joints",          "base",  "joint",
-      "drawing", "section", "cases",   "friction",      "contact",         "frame", "slope",
-      "support", "shaking", "report",  "tilt_test",     "partial_factors", NULL};
+      "block",   "blocks",  "columns",   "jointed_slope",   "joints",  "base",  "joint",
+      "drawing", "section", "cases",     "friction",        "contact", "frame", "slope",
+      "support", "shaking", "tilt_test", "partial_factors", NULL};
   const tp_node *node = tp_node_first_of(root, keys);
   if (node != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, node,

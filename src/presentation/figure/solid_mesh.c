@@ -30,27 +30,45 @@ static void set_normal(tp_near up[3], const tp_solid *solid) {
   }
 }
 
-static double along(const tp_near axis[3], const double point[3]) {
-  return axis[0].value * point[0] + axis[1].value * point[1] + axis[2].value * point[2];
-}
-
-static void set_points(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid,
-                       const double centre[3], double metres) {
+static void set_axes(tp_solid_mesh *mesh, const tp_solid *solid) {
   tp_near up[3];
   tp_map_frame frame;
-  double lowest = INFINITY;
   set_normal(up, solid);
   tp_map_frame_init(&frame, up);
   const double length =
       sqrt(up[0].value * up[0].value + up[1].value * up[1].value + up[2].value * up[2].value);
+  for (int k = 0; k < 3; k++) {
+    mesh->axes[0][k] = frame.east[k].value;
+    mesh->axes[1][k] = frame.north[k].value;
+    mesh->axes[2][k] = up[k].value / length;
+  }
+}
+
+void tp_solid_mesh_turn(double turned[3], const tp_solid_mesh *mesh, const double vector[3]) {
+  for (int k = 0; k < 3; k++) {
+    const double *axis = mesh->axes[k];
+    turned[k] = axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
+  }
+}
+
+void tp_solid_mesh_place(double placed[3], const tp_solid_mesh *mesh, const tp_solid *solid,
+                         const double point[3]) {
+  double way[3];
+  for (int k = 0; k < 3; k++) {
+    way[k] = solid->metres_per_unit * point[k] - solid->centroid_m[k].value;
+  }
+  tp_solid_mesh_turn(placed, mesh, way);
+  placed[2] += mesh->height;
+}
+
+static void set_points(tp_solid_mesh *mesh, const tp_surface *surface, const double centre[3],
+                       double metres) {
+  double lowest = INFINITY;
   for (long v = 0; v < mesh->vertex_count; v++) {
     double way[3];
     for (int k = 0; k < 3; k++) way[k] = (surface->near[3 * v + k] - centre[k]) * metres;
-    double *own = mesh->points + 3 * v;
-    own[0] = along(frame.east, way);
-    own[1] = along(frame.north, way);
-    own[2] = along(up, way) / length;
-    lowest = fmin(lowest, own[2]);
+    tp_solid_mesh_turn(mesh->points + 3 * v, mesh, way);
+    lowest = fmin(lowest, mesh->points[3 * v + 2]);
   }
   mesh->height = -lowest;
   for (long v = 0; v < mesh->vertex_count; v++) {
@@ -104,8 +122,9 @@ static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid 
   memcpy(mesh->triangles, surface->triangles, corners * sizeof *mesh->triangles);
   const double metres =
       solid->metres_per_unit * ldexp(1, (int)surface->exponent) / fmpz_get_d(surface->divisor);
+  set_axes(mesh, solid);
   set_centre(centre, surface, solid, metres);
-  set_points(mesh, surface, solid, centre, metres);
+  set_points(mesh, surface, centre, metres);
   return set_edges(mesh);
 }
 

@@ -1,35 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The page of a solid: title, the rock from the side and what touches from above, the rose and the
- * table of bands; and the file that it becomes. */
+/* The page of a solid: title and verdict; the rock from the side and what touches from above, its
+ * rose and a table; of a wedge its shape and its planes in the lower hemisphere. */
 
-#include "common/host.h"
-#include "common/message.h"
-#include "figure/drawn_page.h"
-#include "figure/name.h"
+#include "report/solid_page.h"
 #include "figure/solid.h"
-#include "figure/version.h"
 #include "output/encode.h"
-#include "output/file.h"
+#include "terms/names.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#define WIDTH 558.0
 #define SIDE_WIDTH 326.0
 #define SIDE_HEIGHT 250.0
 #define ROSE_SIZE 270.0
-#define ELEVATION 0.21 /* of the eye over the horizontal, radians */
-
-enum { DOTS = 1100 };
-
-static const double radian = 3.14159265358979323846 / 180;
-
-double tp_solid_page_width(void) {
-  return 2 * TP_FIGURE_MARGIN + WIDTH;
-}
+#define NET_SIZE 300.0
+#define SKETCH_HEIGHT 190.0
+#define HEAD_ROOM (1.5 * TP_HEAD_SIZE)
 
 /* ---- what is said ------------------------------------------------------------------------------
  */
@@ -42,6 +27,8 @@ static const char *against(tp_mechanism mechanism) {
 
 static void add_verdict(tp_text *t, const tp_solid_figure *f) {
   const tp_solid *solid = f->solid;
+  tp_text_add(t, "With the least band, %.6g %s, which governs, ", f->band->band,
+              solid->length_unit);
   const tp_solid_stance *own = &f->band->stance;
   char n[TP_NUMBER_SIZE];
   if (!f->band->has_stance && !f->band->stands) {
@@ -76,166 +63,160 @@ static void add_verdict(tp_text *t, const tp_solid_figure *f) {
   }
 }
 
+static void add_held_verdict(tp_text *t, const tp_solid_contacts *own) {
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_add(t, tp_solid_is_held(own) ? "Forces within all cones of friction hold it"
+                 : own->has_motion     ? "No forces of its contacts hold it: it certainly moves"
+                                       : "Undecided");
+  if (own->has_fos) {
+    tp_text_add(t, "; factor of safety %s, until it %s", tp_text_significant(n[0], own->fos, 4),
+                tp_mechanism_name(own->fos_mechanism));
+  }
+  tp_text_add(t, ".");
+  if (!own->has_critical) return;
+  tp_text_add(t, " Up to a tilt of %s° towards %s° forces hold it; then it %s.",
+              tp_text_significant(n[0], own->critical_deg, 5),
+              tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
+              tp_mechanism_name(own->critical.mechanism));
+}
+
+static void add_wedge_verdict(tp_text *t, const tp_solid_wedge *own) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "The wedge %s. Sliding %s", tp_mechanism_name(own->verdict),
+              tp_text_solid_wedge_way(own));
+  if (own->has_fos) tp_text_add(t, ": factor of safety %s", tp_text_significant(n, own->fos, 4));
+  tp_text_add(t, ".");
+}
+
+/* Nothing on a sheet, which has it already. */
 static bool say(double *y, cairo_t *cr, const tp_solid_figure *f) {
   const tp_solid *solid = f->solid;
   tp_text title = {0}, verdict = {0};
+  if (f->sketch) return true;
   tp_encode_plain(&title, solid->title != NULL ? solid->title : solid->file);
-  tp_text_add(&verdict, "With the least band, %.6g %s, which governs, ", f->band->band,
-              solid->length_unit);
-  add_verdict(&verdict, f);
+  if (solid->has_wedge) {
+    add_wedge_verdict(&verdict, &solid->wedge);
+  } else if (solid->has_contacts) {
+    add_held_verdict(&verdict, &solid->contacts);
+  } else {
+    add_verdict(&verdict, f);
+  }
   const bool done = !title.failed && !verdict.failed;
   if (done) {
+    const double x = TP_FIGURE_MARGIN, width = TP_SOLID_PAGE_ROOM;
     tp_figure_ink(cr, TP_INK_BLACK);
-    *y = tp_figure_paragraph(cr, TP_FIGURE_MARGIN, *y, WIDTH, TP_TITLE_SIZE, true, title.data) + 2;
-    *y =
-        tp_figure_paragraph(cr, TP_FIGURE_MARGIN, *y, WIDTH, TP_BODY_SIZE, false, verdict.data) + 4;
+    *y = tp_figure_paragraph(cr, x, *y, width, TP_TITLE_SIZE, true, title.data) + 2;
+    *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, false, verdict.data) + 4;
   }
   tp_text_drop(&title);
   tp_text_drop(&verdict);
   return done;
 }
 
-static void head(cairo_t *cr, double x, double y, const char *text) {
+/* Over a part of the page. */
+static void head(cairo_t *cr, const tp_solid_figure *f, tp_box part, const char *text) {
+  char said[TP_LINE_SIZE];
   tp_figure_font(cr, TP_HEAD_SIZE, true);
   tp_figure_ink(cr, TP_INK_BLACK);
-  tp_figure_text(cr, x, y, text);
+  tp_figure_text(cr, part.x0, part.y0 - HEAD_ROOM + TP_HEAD_SIZE, tp_solid_say(f, said, text));
+}
+
+/* What is drawn, in words; a sheet has them as its caption. */
+static double explain(cairo_t *cr, const tp_solid_figure *f, double x, double y, double width,
+                      const char *text) {
+  if (f->sketch) return y;
+  tp_figure_ink(cr, TP_INK_GREY);
+  return tp_figure_paragraph(cr, x, y, width, TP_SMALL_SIZE, false, text) + 3;
 }
 
 static void say_below(cairo_t *cr, const tp_solid_figure *f, double x, double y, double width) {
-  static const char *const of_side =
-      "The rock at its tilt, which goes to the right. Red: what touches in the least band, and the "
-      "edge about which it would topple this way; the arrow: its weight, from the centroid to the "
-      "base.";
-  static const char *const of_rose =
+  if (f->band == NULL) {
+    y = tp_solid_draw_contacts(cr, f, x, y, width) + 6;
+    y = explain(
+        cr, f, x, y, width,
+        "The rock at its tilt, which goes to the right. Dots: its contacts, hollow where the "
+        "rock hides them; blue: their normals into the rock; green: forces of the ground "
+        "that hold it, and black, from the centroid, the load that they bear; purple: the "
+        "axis about which it turns as it begins to move, or the way in which it slides.");
+    explain(cr, f, x, y, width,
+            "How far from the middle the line lies in an azimuth is the tilt up to which forces "
+            "hold the rock that way; where there is none, they do at any.");
+    return;
+  }
+  y = tp_solid_draw_bands(cr, f, x, y, width) + 6;
+  y = explain(cr, f, x, y, width,
+              "The rock at its tilt, which goes to the right. Red: what touches in the least band, "
+              "and the edge about which it would topple this way; the arrow: its weight, from the "
+              "centroid to the base.");
+  explain(
+      cr, f, x, y, width,
       "The rose: how far from the middle a line lies in an azimuth is the tilt at which the rock "
       "topples that way. All that is no higher than the band over its lowest point is taken to "
-      "touch.";
-  y = tp_solid_draw_bands(cr, f, x, y, width) + 6;
-  tp_figure_ink(cr, TP_INK_GREY);
-  y = tp_figure_paragraph(cr, x, y, width, TP_SMALL_SIZE, false, of_side) + 3;
-  tp_figure_paragraph(cr, x, y, width, TP_SMALL_SIZE, false, of_rose);
+      "touch.");
+}
+
+/* ---- where it lies -----------------------------------------------------------------------------
+ */
+
+static double draw_wedge(cairo_t *cr, const tp_solid_figure *f, double y) {
+  const double left = TP_FIGURE_MARGIN, right = left + TP_SOLID_PAGE_ROOM;
+  const double top = y + HEAD_ROOM, low = top + NET_SIZE;
+  const tp_box wedge = {left, top, right - NET_SIZE - 10, low},
+               net = {right - NET_SIZE, top, right, low};
+  head(cr, f, wedge, "The wedge, from its face");
+  head(cr, f, net, "Its planes in the lower hemisphere, equal-angle");
+  tp_solid_draw_wedge(cr, f, wedge);
+  tp_solid_draw_stereonet(cr, f, net);
+  return explain(
+      cr, f, left, low + 4, TP_SOLID_PAGE_ROOM,
+      "Great circles: joints, face and ground. Circles about the poles of the joints: "
+      "their cones of friction. R: the resultant of weight and water; I: the line of both "
+      "joints. With friction alone it slides along that line where R is beyond the thick "
+      "line between the cones; cohesion holds more.");
+}
+
+/* Where the parts of a rock lie: on a sheet beside one another, so that they are not made small. */
+typedef struct parts {
+  tp_box side, above, rose;
+} parts;
+
+static parts place_parts(const tp_solid_figure *f, double y) {
+  const double left = TP_FIGURE_MARGIN, right = left + TP_SOLID_PAGE_ROOM, top = y + HEAD_ROOM;
+  if (f->sketch) {
+    const double low = top + SKETCH_HEIGHT;
+    return (parts){{left, top, left + 196, low},
+                   {left + 202, top, left + 362, low},
+                   {left + 368, top, right, low}};
+  }
+  const double middle = left + SIDE_WIDTH, low = top + SIDE_HEIGHT, below = low + 6 + HEAD_ROOM;
+  return (parts){{left, top, middle, low},
+                 {middle + 10, top, right, low},
+                 {left, below, left + ROSE_SIZE, below + ROSE_SIZE}};
+}
+
+static double draw_rock(cairo_t *cr, const tp_solid_figure *f, double y) {
+  const parts at = place_parts(f, y);
+  const bool held = f->band == NULL;
+  head(cr, f, at.side, held ? "On its contacts" : "On its base");
+  head(cr, f, at.above, held ? "Its contacts, from above" : "What touches, from above");
+  head(cr, f, at.rose,
+       held ? "Tilt that forces hold, by azimuth" : "Tilt at which it topples, by azimuth");
+  if (held) {
+    tp_solid_draw_held(cr, f, at.side);
+    tp_solid_draw_held_above(cr, f, at.above);
+  } else {
+    tp_solid_draw_side(cr, f, at.side);
+    tp_solid_draw_above(cr, f, at.above);
+  }
+  tp_solid_draw_rose(cr, f, at.rose);
+  if (f->sketch) return held ? at.rose.y1 : tp_solid_draw_key(cr, f, at.side.x0, at.rose.y1 + 4);
+  say_below(cr, f, at.rose.x1 + 14, at.rose.y0 + 24, TP_SOLID_PAGE_ROOM - ROSE_SIZE - 14);
+  return at.rose.y1;
 }
 
 bool tp_solid_page(double *height, cairo_t *cr, const tp_solid_figure *f) {
-  const double left = TP_FIGURE_MARGIN, right = left + WIDTH, middle = left + SIDE_WIDTH;
-  double y = left;
+  double y = TP_FIGURE_MARGIN;
   if (!say(&y, cr, f)) return false;
-  head(cr, left, y + TP_HEAD_SIZE, "On its base");
-  head(cr, middle + 10, y + TP_HEAD_SIZE, "What touches, from above");
-  y += 1.5 * TP_HEAD_SIZE;
-  tp_solid_draw_side(cr, f, (tp_box){left, y, middle, y + SIDE_HEIGHT});
-  tp_solid_draw_above(cr, f, (tp_box){middle + 10, y, right, y + SIDE_HEIGHT});
-  y += SIDE_HEIGHT + 6;
-  head(cr, left, y + TP_HEAD_SIZE, "Tilt at which it topples, towards every azimuth");
-  y += 1.5 * TP_HEAD_SIZE;
-  tp_solid_draw_rose(cr, f, (tp_box){left, y, left + ROSE_SIZE, y + ROSE_SIZE});
-  say_below(cr, f, left + ROSE_SIZE + 14, y + 24, WIDTH - ROSE_SIZE - 14);
-  *height = y + ROSE_SIZE + left;
+  *height = (f->solid->has_wedge ? draw_wedge(cr, f, y) : draw_rock(cr, f, y)) + TP_FIGURE_MARGIN;
   return true;
-}
-
-/* ---- what is drawn -----------------------------------------------------------------------------
- */
-
-/* The azimuth to the right, and the tilt that is drawn. */
-static void choose_way(tp_solid_figure *f) {
-  const tp_solid *solid = f->solid;
-  if (solid->has_tilt_azimuth) {
-    f->has_way = true;
-    f->azimuth_deg = solid->tilt_azimuth_deg;
-  } else if (f->band->stands) {
-    f->has_way = true;
-    f->azimuth_deg = f->band->least.azimuth_deg.value;
-  }
-  if (solid->has_tilt_angle) f->tilt = radian * fmin(solid->tilt_angle_deg, 89);
-}
-
-/* Right along the horizontal of the azimuth, the eye a little above the horizontal; in the axes of
- * the base, which is tilted. */
-static void set_view(tp_solid_figure *f) {
-  const double way = radian * f->azimuth_deg, c = cos(f->tilt), s = sin(f->tilt);
-  const double down[3] = {sin(way), cos(way), 0};
-  const double right[3] = {c * down[0], c * down[1], s};
-  const double upright[3] = {-s * down[0], -s * down[1], c};
-  for (int k = 0; k < 3; k++) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double ahead = right[i] * upright[j] - right[j] * upright[i];
-    f->view.right[k] = right[k];
-    f->view.up[k] = cos(ELEVATION) * upright[k] - sin(ELEVATION) * ahead;
-    f->view.eye[k] = cos(ELEVATION) * ahead + sin(ELEVATION) * upright[k];
-  }
-}
-
-static tp_status init(tp_solid_figure *f, const tp_solid *solid, tp_message *message) {
-  static const tp_solid_view above = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  *f = (tp_solid_figure){.solid = solid, .band = solid->bands + solid->governing};
-  const tp_status status = tp_solid_mesh_init(&f->mesh, solid, message);
-  if (status != TP_OK) return status;
-  choose_way(f);
-  set_view(f);
-  if (tp_solid_picture_init(&f->side, &f->mesh, &f->view, true, DOTS) &&
-      tp_solid_picture_init(&f->above, &f->mesh, &above, false, DOTS)) {
-    return TP_OK;
-  }
-  tp_solid_picture_clear(&f->side);
-  tp_solid_mesh_clear(&f->mesh);
-  return tp_fail_memory(message, "the figure");
-}
-
-static void clear(tp_solid_figure *f) {
-  tp_solid_picture_clear(&f->side);
-  tp_solid_picture_clear(&f->above);
-  tp_solid_mesh_clear(&f->mesh);
-}
-
-static bool draw_page(double *height, cairo_t *cr, const void *what) {
-  return tp_solid_page(height, cr, what);
-}
-
-static tp_status write_figure(const char *path, const tp_solid_figure *figure,
-                              tp_figure_consent consent, tp_message *message) {
-  const tp_drawn_page page = {tp_solid_page_width(), draw_page, figure};
-  const char *read[] = {figure->solid->file, figure->solid->scene};
-  const tp_file_sources sources = {figure->solid->scene != NULL ? 2 : 1, read};
-  char *bytes = NULL;
-  size_t length = 0;
-  tp_status status = tp_drawn_page_bytes(&bytes, &length, path, &page, message);
-  if (status == TP_OK) status = tp_file_write_if(path, bytes, length, sources, consent, message);
-  free(bytes);
-  return status;
-}
-
-tp_status tp_report_figure_solid(const char *path, const tp_solid *solid, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, path);
-  TP_REFUSE_NULL(message, solid);
-  TP_REFUSE_OTHER_VERSION(message);
-  return tp_report_figure_solid_if(path, solid, (tp_figure_consent){0}, message);
-}
-
-tp_status tp_report_figure_solid_if(const char *path, const tp_solid *solid,
-                                    tp_figure_consent consent, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, path);
-  TP_REFUSE_NULL(message, solid);
-  TP_REFUSE_OTHER_VERSION(message);
-  const tp_figure_kind kind = tp_figure_kind_of(path);
-  if (kind == TP_FIGURE_UNKNOWN || kind == TP_FIGURE_DXF) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                     "the ending of the name of a figure of a solid is its format: .svg, .pdf or "
-                     ".png");
-  }
-  if (solid->band_count == 0) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){solid->scene, 0, 0},
-                     "a figure of a solid shows what of it touches a plane, and this one lies on "
-                     "contacts of its own, or slides as a wedge: the report and --json have all "
-                     "that is found");
-  }
-  tp_solid_figure figure;
-  tp_status status = init(&figure, solid, message);
-  if (status == TP_OK) {
-    status = write_figure(path, &figure, consent, message);
-    clear(&figure);
-  }
-  return status;
 }

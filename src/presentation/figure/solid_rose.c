@@ -16,6 +16,7 @@
 static const double radian = 3.14159265358979323846 / 180;
 
 typedef struct polar {
+  const tp_solid_figure *figure;
   cairo_t *cr;
   double x, y, scale; /* points to a degree */
   double most;        /* the outermost circle, degrees */
@@ -41,18 +42,22 @@ static double find_step(double most) {
 
 static double find_most(const tp_solid_figure *f) {
   const tp_solid *solid = f->solid;
-  double most = solid->has_friction ? solid->friction_angle_deg : 0;
+  double most = f->band != NULL && solid->has_friction ? solid->friction_angle_deg : 0;
   for (size_t k = 0; k < solid->band_count; k++) {
     for (size_t n = 0; n < solid->bands[k].rose_count; n++) {
       most = fmax(most, solid->bands[k].rose[n].toppling_deg.value);
     }
   }
+  for (size_t k = 0; k < solid->contacts.way_count; k++) {
+    const tp_solid_way *way = solid->contacts.ways + k;
+    if (way->has_critical) most = fmax(most, way->critical_deg.value);
+  }
   return most > 0 ? most : 1;
 }
 
 static void draw_circles(const polar *p, double step) {
-  static const char *const names[] = {"N", "E", "S", "W"};
-  char text[40];
+  static const char *const names[] = {"N", "90°", "180°", "270°"};
+  char text[40], said[TP_LINE_SIZE];
   tp_figure_font(p->cr, TP_SMALL_SIZE, false);
   for (double at = step; at <= p->most * (1 + 1e-9); at += step) {
     tp_figure_ink(p->cr, TP_INK_ROCK);
@@ -68,13 +73,13 @@ static void draw_circles(const polar *p, double step) {
   }
   tp_figure_ink(p->cr, TP_INK_GREY);
   for (int k = 0; k < 4; k++) {
-    const tp_spot at = spot_at(p, 90.0 * k, p->most + 7 / p->scale);
+    const tp_spot at = spot_at(p, 90.0 * k, p->most + (k % 2 == 1 ? 10 : 7) / p->scale);
     tp_figure_text_in(p->cr, (tp_box){at.x, at.y, at.x, at.y}, names[k]);
   }
   for (double at = step; at <= p->most * (1 + 1e-9); at += step) {
     const tp_spot label = spot_at(p, 15, at);
     snprintf(text, sizeof text, "%g°", at);
-    tp_figure_text(p->cr, label.x + 1, label.y - 1, text);
+    tp_figure_text(p->cr, label.x + 1, label.y - 1, tp_solid_say(p->figure, said, text));
   }
 }
 
@@ -94,10 +99,25 @@ static void draw_band(const polar *p, const tp_solid_band *band, tp_ink ink, boo
   cairo_stroke(p->cr);
 }
 
+/* Up to which forces hold it on its contacts; where they do at any tilt there is no line. */
+static void draw_ways(const polar *p, const tp_solid_contacts *contacts) {
+  bool goes_on = false;
+  for (size_t k = 0; k <= contacts->way_count && contacts->way_count > 0; k++) {
+    const tp_solid_way *way = contacts->ways + k % contacts->way_count;
+    const tp_spot at = spot_at(p, way->azimuth_deg, way->critical_deg.value);
+    if (way->has_critical && goes_on) cairo_line_to(p->cr, at.x, at.y);
+    if (way->has_critical && !goes_on) cairo_move_to(p->cr, at.x, at.y);
+    goes_on = way->has_critical;
+  }
+  tp_figure_ink(p->cr, TP_INK_VERMILION);
+  cairo_set_line_width(p->cr, 1.6);
+  cairo_stroke(p->cr);
+}
+
 static void draw_friction(const polar *p, const tp_solid *solid) {
   static const double dashes[] = {3, 2};
-  char text[60], angle[TP_SHORTEST_SIZE];
-  if (!solid->has_friction) return;
+  char text[60], angle[TP_SHORTEST_SIZE], said[TP_LINE_SIZE];
+  if (p->figure->band == NULL || !solid->has_friction) return;
   cairo_save(p->cr);
   cairo_set_dash(p->cr, dashes, 2, 0);
   tp_figure_ink(p->cr, TP_INK_BLACK);
@@ -108,11 +128,13 @@ static void draw_friction(const polar *p, const tp_solid *solid) {
   const tp_spot at = spot_at(p, 315, solid->friction_angle_deg);
   snprintf(text, sizeof text, "slides: φ %s°", tp_shortest(angle, solid->friction_angle_deg));
   tp_figure_font(p->cr, TP_SMALL_SIZE, false);
-  tp_figure_text(p->cr, at.x - tp_figure_text_width(p->cr, text) - 2, at.y - 2, text);
+  tp_solid_say(p->figure, said, text);
+  tp_figure_text(p->cr, at.x - tp_figure_text_width(p->cr, said) - 2, at.y - 2, said);
 }
 
 /* The scene's tilt; towards any azimuth it is a circle. */
 static void draw_tilt(const polar *p, const tp_solid *solid) {
+  char said[TP_LINE_SIZE];
   if (!solid->has_tilt_angle || solid->tilt_angle_deg > p->most) return;
   tp_figure_ink(p->cr, TP_INK_BLACK);
   if (!solid->has_tilt_azimuth) {
@@ -125,7 +147,7 @@ static void draw_tilt(const polar *p, const tp_solid *solid) {
   cairo_arc(p->cr, at.x, at.y, 2.8, 0, 360 * radian);
   cairo_fill(p->cr);
   tp_figure_font(p->cr, TP_SMALL_SIZE, true);
-  tp_figure_text(p->cr, at.x + 4, at.y + 2.4, "as it lies");
+  tp_figure_text(p->cr, at.x + 4, at.y + 2.4, tp_solid_say(p->figure, said, "as it lies"));
 }
 
 void tp_solid_draw_rose(cairo_t *cr, const tp_solid_figure *f, tp_box box) {
@@ -133,13 +155,14 @@ void tp_solid_draw_rose(cairo_t *cr, const tp_solid_figure *f, tp_box box) {
   const double step = find_step(find_most(f));
   const double most = step * ceil(find_most(f) / step);
   const double radius = fmin(box.x1 - box.x0, box.y1 - box.y0) / 2 - 14;
-  const polar p = {cr, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, radius / most, most};
+  const polar p = {f, cr, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, radius / most, most};
   draw_circles(&p, step);
   draw_friction(&p, solid);
   for (size_t k = solid->band_count; k > 0; k--) {
     if (k > TP_SOLID_BANDS_DRAWN) continue;
     draw_band(&p, solid->bands + k - 1, tp_solid_band_ink(k - 1), solid->bands + k - 1 == f->band);
   }
+  draw_ways(&p, &solid->contacts);
   draw_tilt(&p, solid);
 }
 
@@ -166,28 +189,45 @@ static void tell_band(char cells[COLUMNS][48], const tp_solid *solid, const tp_s
   }
 }
 
+static void draw_ink(cairo_t *cr, double x, double y, double width, size_t band) {
+  tp_figure_ink(cr, tp_solid_band_ink(band));
+  cairo_rectangle(cr, x, y + 2, width, 3);
+  cairo_fill(cr);
+  tp_figure_ink(cr, TP_INK_BLACK);
+}
+
+double tp_solid_draw_key(cairo_t *cr, const tp_solid_figure *f, double x, double y) {
+  const tp_solid *solid = f->solid;
+  char cells[COLUMNS][48], said[TP_LINE_SIZE];
+  tp_figure_font(cr, TP_SMALL_SIZE, false);
+  for (size_t k = 0; k < solid->band_count && k < TP_SOLID_BANDS_DRAWN; k++) {
+    tell_band(cells, solid, solid->bands + k);
+    draw_ink(cr, x, y, 12, k);
+    tp_figure_text(cr, x + 16, y + TP_SMALL_SIZE, tp_solid_say(f, said, cells[0]));
+    x += 30 + tp_figure_text_width(cr, said);
+  }
+  return y + 1.5 * TP_SMALL_SIZE;
+}
+
 double tp_solid_draw_bands(cairo_t *cr, const tp_solid_figure *f, double x, double y,
                            double width) {
   static const char *const heads[COLUMNS] = {"band", "least tilt", "azimuth", "at its tilt",
                                              "factor"};
   static const double at[COLUMNS] = {0.06, 0.27, 0.48, 0.64, 0.87};
   const tp_solid *solid = f->solid;
-  char cells[COLUMNS][48];
+  char cells[COLUMNS][48], said[TP_LINE_SIZE];
   tp_figure_font(cr, TP_SMALL_SIZE, true);
   tp_figure_ink(cr, TP_INK_BLACK);
   for (int k = 0; k < (solid->of_scene ? COLUMNS : 3); k++) {
-    tp_figure_text(cr, x + at[k] * width, y + TP_SMALL_SIZE, heads[k]);
+    tp_figure_text(cr, x + at[k] * width, y + TP_SMALL_SIZE, tp_solid_say(f, said, heads[k]));
   }
   y += 1.6 * TP_SMALL_SIZE;
   tp_figure_font(cr, TP_SMALL_SIZE, false);
   for (size_t k = 0; k < solid->band_count && k < TP_SOLID_BANDS_DRAWN; k++) {
     tell_band(cells, solid, solid->bands + k);
-    tp_figure_ink(cr, tp_solid_band_ink(k));
-    cairo_rectangle(cr, x, y + 2, 0.045 * width, 3);
-    cairo_fill(cr);
-    tp_figure_ink(cr, TP_INK_BLACK);
+    draw_ink(cr, x, y, 0.045 * width, k);
     for (int n = 0; n < COLUMNS; n++) {
-      tp_figure_text(cr, x + at[n] * width, y + TP_SMALL_SIZE, cells[n]);
+      tp_figure_text(cr, x + at[n] * width, y + TP_SMALL_SIZE, tp_solid_say(f, said, cells[n]));
     }
     y += 1.5 * TP_SMALL_SIZE;
   }

@@ -16,7 +16,7 @@ static void add_point(tp_text *t, const double point[3]) {
   tp_text_add(t, "(%.6g, %.6g, %.6g)", point[0], point[1], point[2]);
 }
 
-static void add_motion(tp_text *t, const tp_solid_motion *m) {
+void tp_text_solid_motion(tp_text *t, const tp_solid_motion *m) {
   if (!m->turns) {
     tp_text_add(t, "%s along ", tp_mechanism_name(m->mechanism));
     add_point(t, m->axis);
@@ -29,25 +29,29 @@ static void add_motion(tp_text *t, const tp_solid_motion *m) {
   tp_text_add(t, ", %.3g m along it a radian", m->pitch_m);
 }
 
+tp_contact_shares tp_solid_contact_shares(const tp_solid_contact *c) {
+  const double *f = c->force, *n = c->normal;
+  const double on = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
+  const double all = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+  return (tp_contact_shares){on, sqrt(fmax(0, (all - on) * (all + on)))};
+}
+
 static void add_contact(tp_text *t, const tp_solid_contact *c, size_t number, bool held) {
   tp_text_add(t, "  %5zu  (%9.6g, %9.6g, %9.6g)  (%8.5f, %8.5f, %8.5f)  %7.4g°", number, c->at[0],
               c->at[1], c->at[2], c->normal[0], c->normal[1], c->normal[2], c->friction_angle_deg);
   if (held) {
-    const double *f = c->force, *n = c->normal;
-    const double on = f[0] * n[0] + f[1] * n[1] + f[2] * n[2];
-    const double all = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    tp_text_add(t, " %10.4f %10.4f", on, sqrt(fmax(0, (all - on) * (all + on))));
+    const tp_contact_shares shares = tp_solid_contact_shares(c);
+    tp_text_add(t, " %10.4f %10.4f", shares.across, shares.along);
   }
   tp_text_add(t, "\n");
 }
 
-/* Do some forces hold it? */
-static bool is_held(const tp_solid_contacts *c) {
+bool tp_solid_is_held(const tp_solid_contacts *c) {
   return c->verdict == TP_STANDS || c->verdict == TP_MAY_MOVE;
 }
 
 static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
-  const bool held = is_held(c);
+  const bool held = tp_solid_is_held(c);
   tp_text_add(t, "\n%zu contact%s%s\n", c->contact_count, c->contact_count == 1 ? "" : "s",
               held ? ", with one of the systems of forces that hold it, in shares of its weight"
                    : "");
@@ -63,11 +67,11 @@ static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
 
 static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
   char n[TP_NUMBER_SIZE];
-  if (is_held(c)) {
+  if (tp_solid_is_held(c)) {
     tp_text_add(t, "  can stand: forces within all cones of friction hold it\n");
   } else if (c->has_motion) {
     tp_text_add(t, "  certainly moves, for no forces hold it:\n  it ");
-    add_motion(t, &c->motion);
+    tp_text_solid_motion(t, &c->motion);
     tp_text_add(t, "\n");
   } else {
     tp_text_add(t, "  undecided: too close to tell\n");
@@ -78,7 +82,7 @@ static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
         "  factor of safety %s: what tan φ of all contacts may be divided by until no forces "
         "hold it;\n  then it %s\n",
         tp_text_significant(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
-  } else if (is_held(c)) {
+  } else if (tp_solid_is_held(c)) {
     tp_text_add(t, "  no factor of safety: it is held without friction\n");
   }
 }
@@ -95,7 +99,7 @@ static void add_critical(tp_text *t, const tp_solid *s) {
               tp_text_significant(tilt, c->critical_deg, TILT), c->critical_deg.error,
               s->has_tilt_azimuth ? "" : "the worst azimuth, ",
               tp_text_fixed(azimuth, c->critical_azimuth_deg, 3));
-  add_motion(t, &c->critical);
+  tp_text_solid_motion(t, &c->critical);
   tp_text_add(t, "\n");
 }
 

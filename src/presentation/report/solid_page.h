@@ -18,8 +18,23 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 /* Of a scene with contacts: what the solid does on them; else nothing. */
 void tp_text_solid_contacts(tp_text *t, const tp_solid *solid);
 
+/* Do some forces hold it? */
+bool tp_solid_is_held(const tp_solid_contacts *contacts);
+
+/* The force of a contact across and along the surface there, in shares of the weight. */
+typedef struct tp_contact_shares {
+  double across, along;
+} tp_contact_shares;
+tp_contact_shares tp_solid_contact_shares(const tp_solid_contact *contact);
+
+/* "slides along (x, y, z)" */
+void tp_text_solid_motion(tp_text *t, const tp_solid_motion *motion);
+
 /* Of a scene of a wedge: how safe it is; else nothing. */
 void tp_text_solid_wedge(tp_text *t, const tp_solid *solid);
+
+/* The way in which a wedge slides: "along the line of both joints". */
+const char *tp_text_solid_wedge_way(const tp_solid_wedge *wedge);
 
 /* Whether it has the factor that the scene requires, where it requires one. */
 void tp_text_solid_required(tp_text *t, const tp_solid *solid);

@@ -16,7 +16,7 @@ static void add_number(tp_text *t, const char *label, tp_bounded number, const c
   tp_text_add(t, "  %-22s %s%s\n", label, tp_text_significant(n, number, DIGITS), unit);
 }
 
-static const char *way_of(const tp_solid_wedge *w) {
+const char *tp_text_solid_wedge_way(const tp_solid_wedge *w) {
   return strcmp(w->slides_on, "a and b") == 0 ? "along the line of both joints"
          : strcmp(w->slides_on, "a") == 0     ? "down joint A, away from B"
          : strcmp(w->slides_on, "b") == 0     ? "down joint B, away from A"
@@ -26,7 +26,7 @@ static const char *way_of(const tp_solid_wedge *w) {
 void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   const tp_solid_wedge *w = &s->wedge;
   if (!s->has_wedge) return;
-  tp_text_add(t, "\nSliding between two joints, %s\n", way_of(w));
+  tp_text_add(t, "\nSliding between two joints, %s\n", tp_text_solid_wedge_way(w));
   add_number(t, "plunge of that line", w->plunge_deg, "°");
   add_number(t, "towards", w->trend_deg, "°");
   add_number(t, "area of A", w->areas_m2[0], " m²");

@@ -6,6 +6,7 @@
 #include "solid_tilt/wedge_slide.h"
 
 #include "number/ball.h"
+#include "solid/surface.h"
 
 enum { BITS = TP_WEDGE_BITS, NEWTONS = 1000 };
 
@@ -243,6 +244,30 @@ static tp_bounded in_newtons(work *w, const arb_struct *kilonewtons) {
   return tp_ball_bounded(w->n + OWN);
 }
 
+static double number_of(const tp_quantity *quantity) {
+  return quantity->given ? tp_surface_nearest(quantity->value) : 0;
+}
+
+static void tell_shape(work *w) {
+  const tp_wedge_description *given = &w->scene->solid.wedge;
+  for (int k = 0; k < TP_WEDGE_PLANES; k++) {
+    tp_wedge_side *side = w->result->sides + k;
+    side->dip_deg = number_of(&given->planes[k].dip_deg);
+    side->dip_direction_deg = number_of(&given->planes[k].dip_direction_deg);
+    if (k > TP_WEDGE_B) continue;
+    side->friction_angle_deg = number_of(given->friction_deg + k);
+    side->cohesion_kpa = number_of(given->cohesion_kpa + k);
+  }
+  for (int k = 0; k < TP_WEDGE_POINTS; k++) {
+    double at[3];
+    for (int i = 0; i < 3; i++) {
+      arb_mul(w->n + OWN, w->shape->points[k] + i, w->n + METRE, BITS);
+      at[i] = tp_ball_bounded(w->n + OWN).value;
+    }
+    w->result->corners[k] = (tp_wedge_corner){at[0], at[1], at[2]};
+  }
+}
+
 static void tell(work *w) {
   tp_solid_wedge *own = w->result;
   const arb_struct *line = w->shape->line;
@@ -275,5 +300,6 @@ void tp_wedge_slide(tp_solid_wedge *result, const tp_wedge_shape *shape, const t
   set_push(&w);
   set_way(&w);
   tell(&w);
+  tell_shape(&w);
   for (int k = 0; k < NUMBERS; k++) arb_clear(w.n + k);
 }
