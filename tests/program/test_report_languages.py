@@ -192,7 +192,7 @@ class Languages(unittest.TestCase):
     def test_no_english_is_left(self):
         """Of all examples, and of scenes whose sentences no example has, the whole sheet."""
         scenes = [own for folder in ("", "slope", "blocks", "solids") for own in (ROOT / "examples" / folder).glob("*.yaml")
-                  if "study" not in own.name]
+                  if own.name not in ("balanced_rock_study.yaml", "scanned_rock.yaml")]
         for name, text in SCENES.items():
             scenes.append(self.path / f"{re.sub('[^a-z]', '_', name)}.yaml")
             scenes[-1].write_text("topple: 1\nlength_unit: m" + text + "\n", encoding="utf-8")

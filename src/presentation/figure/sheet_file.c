@@ -76,7 +76,7 @@ static tp_status write_document(tp_figured_sheet *sheet, const tp_vector_picture
   tp_status status = tp_sheet_sources(&sources, sheet->scene, message);
   if (status == TP_OK) status = tp_sheet_files_read(&files, sources.paths, sources.count, message);
   files.logo = sheet->scene->letterhead.logo;
-  files.mesh = sheet->mesh;
+  files.only_scene = sheet->only_scene;
   if (status == TP_OK) {
     tp_document document = {0};
     sheet->build(&document, sheet->what, &files, &sheet->head, picture);

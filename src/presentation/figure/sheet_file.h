@@ -28,7 +28,7 @@ TP_MUST_USE tp_status tp_sheet_write(const char *path, const tp_document *docume
 typedef struct tp_figured_sheet {
   const char *path;
   const tp_scene *scene;
-  const char *mesh; /* of its files the one that is told by its hash alone; NULL: none */
+  bool only_scene; /* the other files that it was read from are told by their hash alone */
   tp_sheet_head head;
   /* The document of `what`; picture and logo are taken over. */
   void (*build)(tp_document *document, const void *what, const tp_sheet_files *files,

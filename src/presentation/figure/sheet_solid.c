@@ -45,8 +45,8 @@ tp_status tp_report_sheet_solid(const char *path, const tp_scene *scene, const t
                      "solved from");
   }
   const tp_solid_sheet what = {.scene = scene, .solid = solid, .options = &taken};
-  tp_figured_sheet own = {.path = path, .scene = scene, .build = build, .what = &what};
-  if (!solid->has_wedge) own.mesh = solid->file;
+  tp_figured_sheet own = {
+      .path = path, .scene = scene, .only_scene = true, .build = build, .what = &what};
   tp_status status = tp_figured_sheet_begin(&own, &taken, message);
   if (status == TP_OK) status = write_sheet(&own, solid, message);
   tp_logo_clear(&own.head.logo);

@@ -34,7 +34,8 @@ typedef struct tp_sheet_file {
 typedef struct tp_sheet_files {
   size_t count;
   tp_sheet_file *items;
-  const char *logo, *mesh; /* paths of those that are told by their hash alone; NULL: none */
+  const char *logo; /* the path of the one that is told by its hash alone; NULL: none */
+  bool only_scene;  /* so are all but the first: meshes */
 } tp_sheet_files;
 
 TP_MUST_USE tp_status tp_sheet_files_read(tp_sheet_files *files, const char *const *paths,

@@ -153,10 +153,10 @@ static size_t add_lines(tp_text *t, const tp_sheet_file *file, size_t most) {
   return count > most ? count - most : 0;
 }
 
-/* The logo, a mesh, and what is no text, is told by its hash alone. */
+/* The logo, meshes, and what is no text, are told by their hash alone. */
 static bool is_shown(const tp_sheet_files *files, const tp_sheet_file *file) {
   if (file->why != 0 || memchr(file->bytes, '\0', file->length) != NULL) return false;
-  if (files->mesh != NULL && strcmp(files->mesh, file->path) == 0) return false;
+  if (files->only_scene && file != files->items) return false;
   return files->logo == NULL || strcmp(files->logo, file->path) != 0;
 }
 

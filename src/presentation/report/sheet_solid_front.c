@@ -34,6 +34,21 @@ static void add_body(tp_solid_sheet *s) {
   }
 }
 
+static void add_parts(tp_solid_sheet *s) {
+  tp_document *d = &s->document;
+  for (size_t k = 0; k < s->solid->part_count; k++) {
+    const tp_solid_part *own = s->solid->parts + k;
+    char n[TP_NUMBER_SIZE], weight[TP_SHORTEST_SIZE];
+    tp_text_significant(n, own->volume_m3, 6);
+    tp_document_word(d, own->is_hole ? "Hole" : "Part");
+    if (own->is_hole) {
+      tp_document_cell(d, "V = %s m³", n);
+    } else {
+      tp_document_cell(d, "V = %s m³, of %s kN/m³", n, tp_shortest(weight, own->unit_weight_kn_m3));
+    }
+  }
+}
+
 static void add_side(tp_solid_sheet *s, const char *word, const tp_wedge_side *side, bool joint) {
   tp_document *d = &s->document;
   char n[4][TP_SHORTEST_SIZE];
@@ -143,6 +158,7 @@ void tp_solid_sheet_add_inputs(tp_solid_sheet *s) {
   tp_document *d = &s->document;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Inputs");
   add_body(s);
+  add_parts(s);
   if (s->solid->has_wedge) {
     add_wedge(s);
   } else {
