@@ -166,7 +166,7 @@ class Parts(unittest.TestCase):
           const dragged = (text, key, x, y) => {
             const scene = new SceneText(text);
             const context = new Context(scene, given.answer.cases[0], given.answer.outlines, {x: given.answer.outlines.origin_x_m, y: given.answer.outlines.origin_y_m});
-            const handle = it.listedCandidates(context, view).find((one) => one.key === key).made();
+            const handle = it.listedCandidates(context, view, {hand: null, kept: new Set([key])}).find((one) => one.key === key).made();
             const hand = {x: handle.at.x + x, y: handle.at.y + y};
             return scene.withNumbers(handle.drag(hand, -1)); };
           return [dragged(given.text, "blocks.1.outline.1", 0.23, -0.31), dragged(given.text, "blocks.1", 0, 0.5), dragged(given.text, "blocks.2", -1.28, -0.24)];"""

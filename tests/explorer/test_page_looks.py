@@ -149,6 +149,12 @@ class InFirefox(unittest.TestCase):
             self.assertLess(time.monotonic(), end, self.browser.value("document.getElementById('message')?.textContent"))
             time.sleep(0.05)
 
+    def refused(self):
+        end = time.monotonic() + 20
+        while self.browser.value("document.body.dataset.answer") != "none":
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+
     def setUp(self):
         """As for one who has been here, but of whom no scene is kept."""
         self.browser.open("about:blank")
@@ -165,10 +171,22 @@ class InFirefox(unittest.TestCase):
         near = sum(count for colour, count in found.items() if max(abs(a - b) for a, b in zip(colour, (242, 206, 147))) < 12)
         self.assertGreater(near, 20_000)
 
+    def drag(self, key, dx, dy):
+        knob = f"""(() => {{ const r = document.querySelector('[data-handle="{key}"] .knob').getBoundingClientRect();
+          return [r.x + r.width / 2, r.y + r.height / 2]; }})()"""
+        self.browser.drag(*self.browser.value(knob), dx, dy)
+
+    def test_one_of_many_blocks(self):
+        """It is dragged away, and touches no other."""
+        self.browser.value("(() => { const s = document.getElementById('examples'); s.value = 'toppling_slope.yaml'; s.dispatchEvent(new Event('change')); })()")
+        self.answered()
+        time.sleep(0.3)
+        self.drag("blocks.16", 90, -70)
+        self.refused()
+        self.assertIn("'column 16' touches no other", self.browser.value("document.getElementById('message').textContent"))
+
     def test_drags_and_types(self):
-        knob = """(() => { const r = document.querySelector('[data-handle="tilt.angle_deg"] .knob').getBoundingClientRect();
-          return [r.x + r.width / 2, r.y + r.height / 2]; })()"""
-        self.browser.drag(*self.browser.value(knob), -15, -40)
+        self.drag("tilt.angle_deg", -15, -40)
         self.browser.value("document.getElementById('tab-text').click()")
         self.answered()
         time.sleep(0.3)
@@ -176,10 +194,7 @@ class InFirefox(unittest.TestCase):
         text = self.browser.value(words)
         self.assertRegex(text, r"angle_deg: (2[4-9]|3\d|4\d)")
         self.browser.type(".cm-content", "oops: 1\n")
-        end = time.monotonic() + 20
-        while self.browser.value("document.body.dataset.answer") != "none":
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.05)
+        self.refused()
         self.assertIn("oops", self.browser.value("document.getElementById('message').textContent"))
 
     def test_every_example(self):

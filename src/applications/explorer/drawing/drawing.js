@@ -37,6 +37,7 @@ const ZOOM_MAX = 1e6;
 export class Drawing extends EventTarget {
   #fitted = -1; // which of the scenes that were opened the window was fitted to
   #box = null; // what it was fitted to, metres from the origin
+  #steady = null; // the turn at which it was fitted; null: at all
   #way = null; // what it is fitted to while a film is shown
   #drawn = null; // of which answer the paths are
   #waits = null;
@@ -112,7 +113,7 @@ export class Drawing extends EventTarget {
   /** While a film is shown the window takes in the block's whole way. @param {number[]|null} [way] */
   refit(way = this.#way) {
     this.#way = way;
-    if (this.#box !== null) this.view.fit(way ?? this.#box);
+    if (this.#box !== null) this.view.fit(way ?? this.#box, this.#steady);
   }
 
   /** @param {number} factor @param {number} [dx] @param {number} [dy] a share of the window to move by */
@@ -128,10 +129,12 @@ export class Drawing extends EventTarget {
     this.#later();
   }
 
-  /** Several changes within a frame are drawn once. */
+  /** Several changes within a frame are drawn once, and with the hand, where it moves in that frame. */
   #later() {
-    if (this.#waits !== null) return;
-    this.#waits = requestAnimationFrame(() => this.draw());
+    this.#waits ??= requestAnimationFrame(() => {
+      this.#waits = null;
+      if (!this.handles.moves) this.draw();
+    });
   }
 
   draw() {
@@ -181,7 +184,9 @@ export class Drawing extends EventTarget {
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
     this.#box = roomOf(outlines, this.case);
-    this.view.fit(this.#box);
+    // many blocks are seldom tilted by much, and need the room
+    this.#steady = outlines.blocks === undefined ? null : (this.sign * this.case.tilt_angle_deg.value * Math.PI) / 180;
+    this.view.fit(this.#box, this.#steady);
     this.#drawn = null;
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
   }
@@ -234,9 +239,12 @@ export class Drawing extends EventTarget {
         made.append("title");
         return made;
       })
-      .attr("class", (symbol) => "symbol " + symbol.kind)
       .each(function (symbol) {
-        const own = select(this);
+        // those that stay as they are, while something is dragged, are not laid out again
+        const drawn = [symbol.kind, symbol.d, symbol.x, symbol.y, symbol.text, symbol.title].join();
+        if (this.drawn === drawn) return;
+        this.drawn = drawn;
+        const own = select(this).attr("class", "symbol " + symbol.kind);
         own.select("path").attr("d", symbol.d);
         own.select("text").attr("x", symbol.x ?? 0).attr("y", symbol.y ?? 0).text(symbol.text ?? "");
         own.select("title").text(symbol.title);

@@ -18,7 +18,7 @@ import { tiltHandle } from "./tilt_handle.js";
  */
 export function handlesOf(context, view, sign, near) {
   if (context.scene.unread !== null) return { handles: [], hidden: 0 };
-  const candidates = [...baseVertices(context), ...blockVertices(context), ...listedCandidates(context, view)];
+  const candidates = [...baseVertices(context), ...blockVertices(context), ...listedCandidates(context, view, near)];
   const { chosen, hidden } = nearestOf(candidates, view, { ...near, contact: contactEnds(context) });
   const made = chosen.map((candidate) => candidate.made()).filter((handle) => handle !== null);
   const [wholes, vertices] = [true, false].map((whole) => made.filter(({ kind }) => (kind === "whole") === whole));

@@ -36,6 +36,11 @@ export class HandlesLayer {
     return new Set([this.dragged, focused].filter((key) => key !== null));
   }
 
+  /** Whether the hand has moved one since the last frame: what it does is drawn in the next. */
+  get moves() {
+    return this.#waiting !== null;
+  }
+
   /** Of the handle that has the focus by keys, if one has. @returns {string[]} */
   get byKeys() {
     return [...this.group.node().querySelectorAll(".handle:focus-visible")].map((handle) => handle.dataset.handle);
@@ -56,10 +61,14 @@ export class HandlesLayer {
     this.view.direction(0, -1), this.#grip);
     this.group.selectAll("g.handle").data(seen, (one) => one.handle.key)
       .join((enter) => this.#made(enter))
-      .attr("transform", ({ x, y, away }) => "translate(" + (x + away.x) + " " + (y + away.y) + ")")
-      .each(function ({ handle, away }) {
-        this.querySelector(".lead").setAttribute("d", away.x === 0 && away.y === 0 ? "" : "M0 0L" + -away.x + " " + -away.y);
-        // of a hundred handles one is dragged: the others' words stay, and are not laid out again
+      .each(function ({ handle, x, y, away }) {
+        // of a hundred handles one is dragged: the others' places and words stay, and are not laid out again
+        const place = "translate(" + (x + away.x) + " " + (y + away.y) + ")";
+        if (this.place !== place) {
+          this.place = place;
+          this.setAttribute("transform", place);
+          this.querySelector(".lead").setAttribute("d", away.x === 0 && away.y === 0 ? "" : "M0 0L" + -away.x + " " + -away.y);
+        }
         if (handle.reach !== undefined) this.querySelector(".reach").setAttribute("r", dotsOf(handle.reach));
         const words = handle.fixed ?? handle.label;
         if (this.words === words) return;

@@ -13,6 +13,8 @@ import { edit, vertexHandle, whyFixed } from "./handle.js";
 import { ringOf } from "./rings.js";
 import { between, numeral, say } from "../words/language.js";
 
+const APART_DOTS = 18; // of two vertices with handles,
+const HAND_DOTS = 50; // but so near to the hand
 const ROOM_DOTS = 10; // from the middle of a block, that the handles of its sizes need
 const WITHIN = 0.4; // of the lesser of its width and height
 
@@ -33,8 +35,12 @@ export function listedBlocks(context) {
   });
 }
 
-/** @param {import("./handle.js").Context} context @param {import("./view.js").View} view @returns {import("./nearest.js").Candidate[]} whole blocks, and vertices */
-export function listedCandidates(context, view) {
+/**
+ * @param {import("./handle.js").Context} context @param {import("./view.js").View} view
+ * @param {{hand: import("./handle.js").Point|null, kept: Set<string>}} near as `handlesOf` takes it
+ * @returns {import("./nearest.js").Candidate[]} whole blocks, and vertices that can be told apart
+ */
+export function listedCandidates(context, view, near) {
   const blocks = listedBlocks(context);
   if (blocks.length === 0) return [];
   const corners = cornersOf(context, blocks);
@@ -42,8 +48,20 @@ export function listedCandidates(context, view) {
   const together = togetherOf(corners);
   return [
     ...blocks.filter(({ ground }) => !ground).flatMap((block) => wholeCandidate(context, block, alignment)),
-    ...blocks.flatMap((block) => vertices(context, block, together, alignment)),
+    ...apart(blocks.flatMap((block) => vertices(context, block, together, alignment)), view, near),
   ];
+}
+
+/** Of vertices within some dots of each other one, but near to the hand. @param {import("./nearest.js").Candidate[]} vertices */
+function apart(vertices, view, { hand, kept }) {
+  const taken = new Set();
+  return vertices.filter(({ key, at }) => {
+    const { x, y } = view.toScreen(at.x, at.y);
+    const place = Math.round(x / APART_DOTS) + " " + Math.round(y / APART_DOTS);
+    const stays = kept.has(key) || !taken.has(place) || (hand !== null && Math.hypot(x - hand.x, y - hand.y) < HAND_DOTS);
+    taken.add(place);
+    return stays;
+  });
 }
 
 /**

@@ -7,7 +7,7 @@ import { arrow, loads } from "./symbols.js";
 import { pathPoints } from "./thin_path.js";
 import { numeral, say } from "../words/language.js";
 
-const FORCE_DOTS = 90; // of the largest
+const FORCE_SHARE = 0.13; // of the largest force, of the lesser side of the window
 const NEGLIGIBLE = 0.02; // of it
 const DOWNWARDS = 0.1; // of a force: what counts as such
 const LETTER_DOTS = 7.5;
@@ -35,7 +35,7 @@ function forces(blocks, contacts, kase, view, on) {
     const push = pushOf(contacts[k], force);
     const sign = isOnFirst(ground.has(first), ground.has(second), view.direction(push.x, push.y), kase.towards) ? 1 : -1;
     const along = view.direction(sign * push.x, sign * push.y);
-    const long = (FORCE_DOTS * size(force)) / largest;
+    const long = (FORCE_SHARE * Math.min(view.width, view.height) * size(force)) / largest;
     const to = on(force.x_m, force.y_m);
     return [{ kind: "contact-force", d: arrow({ x: to.x - long * along.x, y: to.y - long * along.y }, to),
       title: say("between %s and %s: N %s, T %s kN/m", first, second, ...[force.normal_n_m, force.shear_n_m].map((each) => numeral((each / 1000).toPrecision(DIGITS)))) }];

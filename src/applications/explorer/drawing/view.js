@@ -24,11 +24,14 @@ export class View {
     this.top = 0;
   }
 
-  /** @param {number[]} box x0, y0, x1, y1 of what is to be seen, whatever the tilt */
-  fit([x0, y0, x1, y1]) {
+  /** @param {number[]} box x0, y0, x1, y1 of what is to be seen, whatever the tilt @param {number|null} [turn] or at this one alone */
+  fit([x0, y0, x1, y1], turn = null) {
     this.centre = { x: (x0 + x1) / 2, y: (y0 + y1) / 2 };
-    const across = Math.hypot(x1 - x0, y1 - y0);
-    const room = Math.min(this.width / (0.75 * across + 0.25 * (x1 - x0)), (this.height - this.top) / across);
+    const [width, height] = [x1 - x0, y1 - y0];
+    const across = Math.hypot(width, height);
+    const [cosine, sine] = turn === null ? [0, 0] : [Math.abs(Math.cos(turn)), Math.abs(Math.sin(turn))];
+    const [wide, high] = turn === null ? [0.75 * across + 0.25 * width, across] : [cosine * width + sine * height, sine * width + cosine * height];
+    const room = Math.min(this.width / wide, (this.height - this.top) / high);
     this.scale = across > 0 && Number.isFinite(across) ? room * (1 - MARGIN) : 1;
   }
 
