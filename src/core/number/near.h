@@ -68,7 +68,9 @@ static inline bool tp_near_is_zero(tp_near a) {
 }
 
 static inline tp_near tp_near_times(tp_near a, tp_near b) {
-  return tp_near_is_zero(a) || tp_near_is_zero(b) ? (tp_near){0, 0} : tp_near_mul(a, b);
+  const tp_near product = tp_near_mul(a, b);
+  const bool vanishes = product.value == 0 && (tp_near_is_zero(a) || tp_near_is_zero(b));
+  return vanishes ? (tp_near){0, 0} : product;
 }
 
 static inline tp_near tp_near_plus(tp_near a, tp_near b) {

@@ -28,7 +28,9 @@ static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_c
 /* A force that is there whatever the share, or grows with it. */
 static void add_line(tp_share_mode *mode, const tp_near of[3], tp_near times, bool grows,
                      long site) {
-  tp_share_line *own = mode->of + mode->count + mode->free_count;
+  const int place = mode->count + mode->free_count;
+  tp_share_line *own = mode->own + place;
+  mode->of[place] = own;
   *own = (tp_share_line){.site = site + 1};
   for (int e = 0; e < 3; e++) (grows ? own->rise : own->at)[e] = tp_near_times(times, of[e]);
   *(grows ? &mode->free_count : &mode->count) += 1;
@@ -62,11 +64,11 @@ static void set_interior(tp_share_mode *mode, const tp_filter_case *of) {
   mode->mechanism = TP_LEAVES_BASE;
   mode->interior = true;
   mode->ray_count = mode->count = 0;
-  mode->planes = mode->of;
+  mode->planes = mode->own;
   mode->plane_count = of->plan->point_count;
   for (int k = 0; k < of->plan->point_count; k++) {
-    mode->of[k] = (tp_share_line){.site = 0};
-    tp_shape_response(mode->of[k].at, of->shape, k);
+    mode->own[k] = (tp_share_line){.site = 0};
+    tp_shape_response(mode->own[k].at, of->shape, k);
   }
 }
 
@@ -75,6 +77,7 @@ typedef struct modes {
   const tp_filter_case *of;
   tp_near tangent;
   tp_near loads[3];                       /* on the block, there */
+  tp_share_line rays[TP_PLAN_RAYS];       /* M r of each */
   tp_share_line edges[TP_PLAN_POINTS][2]; /* turned round */
 } modes;
 
@@ -83,6 +86,10 @@ static void begin(modes *m, const tp_filter_case *of, tp_near tangent) {
   m->tangent = tangent;
   tp_filter_loads_at(m->loads, of->loads, tangent);
   for (int e = 0; e < 3; e++) m->loads[e] = tp_near_neg(m->loads[e]);
+  for (int k = 0; k < of->plan->ray_count; k++) {
+    m->rays[k] = (tp_share_line){.site = 0};
+    for (int e = 0; e < 3; e++) m->rays[k].at[e] = of->shape->inertia[k][e];
+  }
   for (long k = 0; k < of->plan->point_count; k++) {
     set_edge(&m->edges[k][0], of->plan, of->shape, (tp_cone_edge){k, false}, of->friction);
     set_edge(&m->edges[k][1], of->plan, of->shape, (tp_cone_edge){k, true}, of->friction);
@@ -98,13 +105,10 @@ static void set_mode(tp_share_mode *mode, const modes *m, const tp_plan_mode *ow
   mode->interior = false;
   mode->ray_count = own->ray_count;
   mode->count = own->ray_count + own->edge_count;
-  for (int k = 0; k < own->ray_count; k++) {
-    mode->of[k] = (tp_share_line){.site = 0};
-    for (int e = 0; e < 3; e++) mode->of[k].at[e] = m->of->shape->inertia[own->rays[k]][e];
-  }
+  for (int k = 0; k < own->ray_count; k++) mode->of[k] = m->rays + own->rays[k];
   for (int k = 0; k < own->edge_count; k++) {
     const tp_cone_edge *edge = own->edges + k;
-    mode->of[own->ray_count + k] = m->edges[edge->point][edge->against];
+    mode->of[own->ray_count + k] = &m->edges[edge->point][edge->against];
   }
 }
 

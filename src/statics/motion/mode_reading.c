@@ -104,7 +104,8 @@ static void set_scaled(tp_share_line *own, tp_mode_reading *r, int place, slong 
 
 /* The next of the mode. */
 static tp_share_line *add_generator(tp_share_mode *to, tp_mode_reading *r) {
-  tp_share_line *own = to->of + to->count;
+  tp_share_line *own = to->own + to->count;
+  to->of[to->count] = own;
   set_scaled(own, r, to->count++, r->length);
   return own;
 }
@@ -168,7 +169,8 @@ static void set_loads_of(tp_share_mode *to, tp_mode_reading *r, bool strong) {
     clear_line(&r->line);
     for (int e = 0; e < 3; e++) arb_set(r->line.rise.of + e, s->free[k].of + e);
     const int place = to->count + to->free_count++;
-    set_line(to->of + place, r, place, power, r->length);
+    to->of[place] = to->own + place;
+    set_line(to->own + place, r, place, power, r->length);
   }
 }
 

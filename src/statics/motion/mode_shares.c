@@ -26,24 +26,26 @@ static void add_balls(tp_ball_line *sum, const tp_ball_line *other, bool turned,
   }
 }
 
-/* What is left to the three. */
-static tp_share_line loads_of(const tp_share_mode *m, const tp_share_choice *c) {
-  tp_share_line loads = m->loads;
+/* What is left to the three; `room` for that. */
+static const tp_share_line *loads_of(tp_share_line *room, const tp_share_mode *m,
+                                     const tp_share_choice *c) {
+  if (m->free_count == 0) return &m->loads;
+  *room = m->loads;
   if (m->sum != NULL) {
     for (int e = 0; e < 3; e++) {
-      arb_set(m->sum->at.of + e, loads.balls->at.of + e);
-      arb_set(m->sum->rise.of + e, loads.balls->rise.of + e);
+      arb_set(m->sum->at.of + e, m->loads.balls->at.of + e);
+      arb_set(m->sum->rise.of + e, m->loads.balls->rise.of + e);
     }
-    loads.balls = m->sum;
+    room->balls = m->sum;
   }
   for (int k = 0; k < m->free_count; k++) {
     const int own = m->count + k;
     if (own == c->of[0] || own == c->of[1] || own == c->of[2]) continue;
     const bool turned = (c->bounds >> k & 1U) == 0;
-    add_line(&loads, m->of + own, turned);
-    if (m->sum != NULL) add_balls(m->sum, m->of[own].balls, turned, m->bits);
+    add_line(room, m->of[own], turned);
+    if (m->sum != NULL) add_balls(m->sum, m->of[own]->balls, turned, m->bits);
   }
-  return loads;
+  return room;
 }
 
 /* det(w, g_i, g_j) of two generators, and its sign at all shares that matter, 0 where these differ
@@ -69,7 +71,7 @@ static const part *part_of(pair_parts *parts, const tp_share_mode *m, const tp_s
   part *own = &parts->of[i][j];
   const unsigned bit = 1U << j;
   if (m->free_count > 0 || (parts->known[i] & bit) == 0) {
-    own->of = tp_share_determinant(loads, m->of + i, m->of + j, m->bits);
+    own->of = tp_share_determinant(loads, m->of[i], m->of[j], m->bits);
     own->sign = sign_of(&own->of, parts->ratio);
     parts->known[i] |= bit;
   }
@@ -79,10 +81,11 @@ static const part *part_of(pair_parts *parts, const tp_share_mode *m, const tp_s
 /* The parts of a choice; false where two of generators differ in sign at all shares that matter. */
 static bool find_parts(const part *own[3], pair_parts *parts, const tp_share_mode *m,
                        const tp_share_choice *c) {
-  const tp_share_line loads = loads_of(m, c);
+  tp_share_line room;
+  const tp_share_line *loads = loads_of(&room, m, c);
   int sign = 0;
   for (int k = 0; k < 3; k++) {
-    own[k] = part_of(parts, m, &loads, c->of[(k + 1) % 3], c->of[(k + 2) % 3]);
+    own[k] = part_of(parts, m, loads, c->of[(k + 1) % 3], c->of[(k + 2) % 3]);
     if (tp_share_choice_is_free(m, c->of[k])) continue;
     if (sign * own[k]->sign < 0) return false;
     if (sign == 0) sign = own[k]->sign;
@@ -92,7 +95,7 @@ static bool find_parts(const part *own[3], pair_parts *parts, const tp_share_mod
 
 static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const tp_share_choice *own,
                        pair_parts *parts) {
-  const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
+  const tp_share_line *g[3] = {m->of[own->of[0]], m->of[own->of[1]], m->of[own->of[2]]};
   const part *of[3];
   if (!find_parts(of, parts, m, own)) return true;
   const tp_share_polynomial whole = tp_share_determinant(g[0], g[1], g[2], m->bits);

@@ -7,7 +7,7 @@
 #include "motion/share_mode.h"
 
 bool tp_share_choice_is_flat(const tp_share_mode *m, const int of[3]) {
-  const tp_share_line *a = m->of + of[0], *b = m->of + of[1], *c = m->of + of[2];
+  const tp_share_line *a = m->of[of[0]], *b = m->of[of[1]], *c = m->of[of[2]];
   const bool site = a->site != 0 && a->site == b->site && a->site == c->site;
   const bool parallel =
       a->parallel != 0 && a->parallel == b->parallel && a->parallel == c->parallel;
@@ -45,7 +45,7 @@ static void evaluate_line(tp_near own[3], const tp_share_line *line, tp_near sha
 
 void tp_share_values_at(tp_share_values *own, const tp_share_mode *m, tp_near share) {
   evaluate_line(own->loads, &m->loads, share);
-  for (int k = 0; k < m->count + m->free_count; k++) evaluate_line(own->of[k], m->of + k, share);
+  for (int k = 0; k < m->count + m->free_count; k++) evaluate_line(own->of[k], m->of[k], share);
 }
 
 /* What is left to the three. */
@@ -90,7 +90,7 @@ static int side_of_flat(const tp_share_mode *m, tp_near share) {
   tp_near w[3], g[2][3], cross[3];
   if (m->free_count > 0 || m->count <= 0) return 0;
   evaluate_line(w, &m->loads, share);
-  for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of + k, share);
+  for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of[k], share);
   if (m->count == 2) return tp_near_sign(tp_near_determinant(w, g[0], g[1])) != 0 ? -1 : 0;
   tp_near_cross(cross, w, g[0]);
   for (int e = 0; e < 3; e++) {

@@ -30,7 +30,9 @@ typedef struct tp_share_mode {
   long plane_count;
   int ray_count, count; /* of the generators, rays first, */
   int free_count;       /* and of what is free, behind them */
-  tp_share_line loads, of[TP_SHARE_ALL_LINES];
+  tp_share_line loads;
+  const tp_share_line *of[TP_SHARE_ALL_LINES];
+  tp_share_line own[TP_SHARE_ALL_LINES]; /* room for those that no other mode has */
   tp_ball_line *sum; /* room for loads and what is free at its bounds, if there are balls */
   long bits;         /* of the balls */
 } tp_share_mode;
