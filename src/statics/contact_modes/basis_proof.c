@@ -18,6 +18,8 @@ typedef struct choosing {
   double *entries; /* rows x count, row by row */
   long *chosen;    /* by row */
   bool *taken;     /* by column */
+  double *most; /* by row: the largest entry of columns left, times preference; 0: there is none */
+  long *best;   /* by row: of which column that is */
 } choosing;
 
 static double middle(const arb_mat_struct *m, long r, long c) {
@@ -36,36 +38,48 @@ static void set_entries(choosing *s, const tp_basis_task *t) {
   }
 }
 
-/* The largest entry left, times the preference of its column. */
-static bool find_pivot(long *row, long *column, const choosing *s, const bool *used,
-                       const double *preference) {
+/* The largest entry of a row that is left, times the preference of its column. */
+static void find_best(choosing *s, long r, const double *preference) {
   static const double least = 1e-13;
-  double most = 0;
-  for (long r = 0; r < s->rows; r++) {
-    for (long c = 0; c < s->count && !used[r]; c++) {
-      const double own = fabs(s->entries[r * s->count + c]);
-      if (s->taken[c] || own < least || own * preference[c] <= most) continue;
-      most = own * preference[c];
-      *row = r;
-      *column = c;
-    }
+  const double *entries = s->entries + r * s->count;
+  s->most[r] = 0;
+  for (long c = 0; c < s->count; c++) {
+    const double own = fabs(entries[c]);
+    if (s->taken[c] || own < least || own * preference[c] <= s->most[r]) continue;
+    s->most[r] = own * preference[c];
+    s->best[r] = c;
   }
-  return most > 0;
 }
 
+/* Of all rows that are left; -1: there is none. */
+static long find_pivot(const choosing *s, const bool *used) {
+  double most = 0;
+  long row = -1;
+  for (long r = 0; r < s->rows; r++) {
+    if (used[r] || s->most[r] <= most) continue;
+    most = s->most[r];
+    row = r;
+  }
+  return row;
+}
+
+/* Rows without an entry in the column of a pivot stay as they were, and so does their largest. */
 static bool choose(choosing *s, bool *used, const double *preference) {
+  for (long r = 0; r < s->rows; r++) find_best(s, r, preference);
   for (long k = 0; k < s->rows; k++) {
-    long row = 0, column = 0;
-    if (!find_pivot(&row, &column, s, used, preference)) return false;
+    const long row = find_pivot(s, used);
+    if (row < 0) return false;
+    const long column = s->best[row];
     used[row] = true;
     s->taken[column] = true;
     s->chosen[k] = column;
     const double *own = s->entries + row * s->count;
     for (long r = 0; r < s->rows; r++) {
-      if (used[r]) continue;
       double *other = s->entries + r * s->count;
-      const double factor = other[column] / own[column];
-      for (long c = 0; c < s->count && factor != 0; c++) other[c] -= factor * own[c];
+      const double factor = used[r] ? 0 : other[column] / own[column];
+      if (factor == 0) continue;
+      for (long c = 0; c < s->count; c++) other[c] -= factor * own[c];
+      find_best(s, r, preference);
     }
   }
   return true;
@@ -166,10 +180,13 @@ tp_status tp_basis_solve(arb_mat_t factors, const tp_basis_task *t, tp_message *
                 .count = count,
                 .entries = calloc((size_t)(rows * count) + 1, sizeof *s.entries),
                 .chosen = calloc((size_t)rows + 1, sizeof *s.chosen),
-                .taken = calloc((size_t)count + 1, sizeof *s.taken)};
+                .taken = calloc((size_t)count + 1, sizeof *s.taken),
+                .most = calloc((size_t)rows + 1, sizeof *s.most),
+                .best = calloc((size_t)rows + 1, sizeof *s.best)};
   bool *used = calloc((size_t)rows + 1, sizeof *used);
   tp_status status = TP_NO_ANSWER;
-  if (s.entries == NULL || s.chosen == NULL || s.taken == NULL || used == NULL) {
+  if (s.entries == NULL || s.chosen == NULL || s.taken == NULL || s.most == NULL ||
+      s.best == NULL || used == NULL) {
     status = tp_fail_memory(message, "a proof");
   } else {
     set_entries(&s, t);
@@ -178,6 +195,8 @@ tp_status tp_basis_solve(arb_mat_t factors, const tp_basis_task *t, tp_message *
   free(s.entries);
   free(s.chosen);
   free(s.taken);
+  free(s.most);
+  free(s.best);
   free(used);
   return status;
 }

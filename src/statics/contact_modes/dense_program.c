@@ -65,12 +65,12 @@ static long leaving(tp_dense_program *p, long column, bool first) {
   long best = -1;
   double least = INFINITY;
   for (long r = 0; r < p->rows; r++) {
-    const double own = *tp_dense_program_entry(p, r, column);
+    const double own = *tp_dense_program_entry(p, r, column), right = *tp_dense_program_right(p, r);
     /* of a row that holds exactly, already without slack, any pivot will do */
     const bool rests = p->basic[r] >= p->columns && p->exact[p->basic[r] - p->columns] &&
-                       *tp_dense_program_right(p, r) <= tiny && own < -tiny;
+                       right <= tiny && own < -tiny;
     if (!(own > tiny) && !rests) continue;
-    const double length = rests ? 0 : fmax(0, *tp_dense_program_right(p, r)) / own;
+    const double length = rests || !(right > 0) ? 0 : right / own;
     const bool same = best >= 0 && length <= least + tiny && length >= least - tiny;
     const bool preferred =
         same && (first ? p->basic[r] < p->basic[best]

@@ -167,7 +167,8 @@ static double go_round(tp_letting_go *s, const end *ends, const tp_shear_strengt
     const long at = s->backwards ? count - 1 - k : k;
     if (ends[at].normal == NULL) continue;
     const double own = strength == NULL ? 0 : strength->friction[at / 2].value;
-    change = fmax(change, give(s, ends + at, at, own, cohesion_at(s, strength, at)));
+    const double moved = give(s, ends + at, at, own, cohesion_at(s, strength, at));
+    if (moved > change) change = moved; /* fmax is a call, in the innermost loop of all */
   }
   return change;
 }
