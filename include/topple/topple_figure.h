@@ -14,7 +14,8 @@
 extern "C" {
 #endif
 
-/* Does the name end in .svg, .pdf, .png or .dxf, the kinds of file that a figure can be? */
+/* Does the name end in .svg, .pdf, .png or .dxf, the kinds of file that a figure can be, or in
+ * .glb, which that of a solid can be too? */
 bool tp_figure_is_file_name(const char *path);
 
 /* The version of the library topple-figure that the program has loaded, as TP_VERSION. It is to be
@@ -56,8 +57,10 @@ TP_MUST_USE tp_status tp_report_figure_block_system_if(const char *path, const t
                                                        tp_message *message);
 
 /* The same of a solid, as .svg, .pdf or .png: the rock on its base at its tilt, shaded, with the
- * edge that governs; what of it touches, seen from above; and the rose of its critical tilts. The
- * mesh is read again; bad input: it is not the one that was solved. */
+ * edge that governs; what of it touches, seen from above; and the rose of its critical tilts. Or
+ * its contacts, with the forces that hold it and the screw that begins; or a wedge, with its planes
+ * on a stereonet. As .glb the rock in its pose, as a model of glTF 2.0, with what touches, the edge
+ * and the forces as lines. The mesh is read again; bad input: it is not the one that was solved. */
 TP_MUST_USE tp_status tp_report_figure_solid(const char *path, const tp_solid *solid,
                                              tp_message *message);
 TP_MUST_USE tp_status tp_report_figure_solid_if(const char *path, const tp_solid *solid,

@@ -76,8 +76,8 @@ class SolidMethods:
         return taken(receives[0])
 
     def write_figure(self, path: File) -> None:
-        """Draw the rock, what of it touches, and the rose into a file: .svg, .pdf or .png. The mesh is
-        read again, and must be as it was."""
+        """Draw the rock, what of it touches, and the rose into a file: .svg, .pdf or .png; as .glb
+        the rock as a model. The mesh is read again, and must be as it was."""
         checked(drawing().lib.tp_report_figure_solid, c_path(path), struct_of(self))
 
     def write_report(self: Any, path: File, date: str | None = None, times: bool = True,

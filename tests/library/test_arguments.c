@@ -49,7 +49,7 @@ START_TEST(figures_of_solids) {
   REFUSED(tp_report_figure_solid("/tmp/x.svg", NULL, &message), "'solid'");
   REFUSED(tp_report_figure_solid_if(NULL, own, none, &message), "'path'");
   REFUSED(tp_report_figure_solid_if("/tmp/x.svg", NULL, none, &message), "'solid'");
-  REFUSED(tp_report_figure_solid("/tmp/x.dxf", own, &message), ".pdf or .png");
+  REFUSED(tp_report_figure_solid("/tmp/x.dxf", own, &message), ".png or .glb");
   own->triangles++;
   REFUSED(tp_report_figure_solid("/tmp/x.svg", own, &message), "has changed");
   tp_solid_free(own);

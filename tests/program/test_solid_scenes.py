@@ -266,7 +266,7 @@ class Figures(SceneCase):
                 self.assertEqual(one, other)
         status, out, err = run("solid", "--unit=m", "--figure", f"{self.folder}/a.svg", "examples/solids/balanced_rock.obj")
         self.assertEqual((status, err), (0, ""))
-        for path, told in ((f"{self.folder}/a.dxf", ".svg, .pdf or .png"), (ROCK, ".svg, .pdf, .png"), ("/nowhere/a.svg", "nowhere")):
+        for path, told in ((f"{self.folder}/a.dxf", ".svg, .pdf, .png or .glb"), (ROCK, ".svg, .pdf, .png"), ("/nowhere/a.svg", "nowhere")):
             status, out, err = run("solve", "--figure", path, ROCK)
             self.assertNotEqual(status, 0)
             self.assertIn(told, err)

@@ -13,11 +13,12 @@ import math
 import os
 import pathlib
 import re
+import struct
 import unittest
 
 from harness import ROOT, main, run
 from report_case import Page, number, words
-from test_solid_contacts import dot
+from test_solid_contacts import cross, dot
 from test_solid_scenes import SceneCase
 from test_solid_wedge import Polyhedron, normal
 from test_solids import exact_obj
@@ -168,6 +169,77 @@ class Drawn(SceneCase):
         self.assertAlmostEqual(one[1], other[1], delta=0.02)
         self.assertAlmostEqual((third[0] - one[0]) / scale, 3, delta=0.01)
         self.assertAlmostEqual((third[1] - one[1]) / scale, 1, delta=0.01)
+
+class Model(SceneCase):
+    """A .glb, read back by the words of the specification of glTF 2.0: head, chunks, accessors."""
+
+    def read(self, path):
+        data = pathlib.Path(path).read_bytes()
+        magic, version, length, size, kind = struct.unpack_from("<4sIII4s", data)
+        self.assertEqual((magic, version, length, kind, size % 4), (b"glTF", 2, len(data), b"JSON", 0))
+        head = json.loads(data[20:20 + size])
+        size_of, name = struct.unpack_from("<I4s", data, 20 + size)
+        buffer = data[28 + size:]
+        self.assertEqual((name, size_of, head["buffers"][0]["byteLength"]), (b"BIN\0", len(buffer), len(buffer)))
+        shapes = {}
+        for node in head["nodes"][1:]:
+            own = head["meshes"][node["mesh"]]["primitives"][0]
+            points = self.values(head, buffer, own["attributes"]["POSITION"], "f", 3)
+            accessor = head["accessors"][own["attributes"]["POSITION"]]
+            for least, most, own_values in zip(accessor["min"], accessor["max"], zip(*points)):
+                self.assertAlmostEqual(least, min(own_values), delta=1e-8 * abs(least))
+                self.assertAlmostEqual(most, max(own_values), delta=1e-8 * abs(most))
+            corners = [i for i, in self.values(head, buffer, own["indices"], "I", 1)] if "indices" in own else None
+            shapes[node["name"]] = points, corners, head["materials"][own["material"]]["name"], own["mode"]
+        self.assertEqual(head["nodes"][0]["children"], list(range(1, len(head["nodes"]))))
+        return shapes, head["nodes"][0]["rotation"]
+
+    @staticmethod
+    def values(head, buffer, accessor, kind, width):
+        own = head["accessors"][accessor]
+        view = head["bufferViews"][own["bufferView"]]
+        return list(struct.iter_unpack("<" + width * kind, buffer[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]))
+
+    def draw(self, scene):
+        status, _, err = run("solve", "--figure", f"{self.folder}/rock.glb", scene)
+        self.assertEqual(status, 0, err)
+        return self.read(f"{self.folder}/rock.glb")
+
+    def test_pose(self):
+        """A box beside the origin: its corners from the foot of its centroid, outwards, with y up; the base leans as the scene says."""
+        self.put("rock.obj", exact_obj(*box((5, 7, 1), (7, 8, 5))))
+        shapes, (x, y, z, w) = self.draw(self.scene("azimuths: 8", "friction_angle_deg: 30\ntilt: {angle_deg: 10, azimuth_deg: 90}\n"))
+        points, corners, _, mode = shapes["rock"]
+        self.assertEqual(mode, 4)
+        self.assertEqual(sorted(set(points)), sorted((e, u, -n) for e in (-1, 1) for u in (0, 4) for n in (-0.5, 0.5)))
+        faces = [[points[i] for i in corners[k:k + 3]] for k in range(0, len(corners), 3)]
+        self.assertAlmostEqual(sum(dot(a, cross(b, c)) for a, b, c in faces) / 6, 8)
+        sides = shapes["support, band 0 m"][0]
+        self.assertEqual(sides[1::2], sides[2::2] + sides[:1])  # each ends where the next one begins
+        self.assertEqual(sorted(sides[::2]), sorted((e, 0, -n) for e in (-1, 1) for n in (-0.5, 0.5)))
+        edge, _, ink, mode = shapes["edge that governs"]
+        self.assertEqual((sorted(edge), ink, mode), ([(1, 0, -0.5), (1, 0, 0.5)], "red", 1))
+        up = (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x))  # what the turn makes of upwards
+        self.assertAlmostEqual(up[0], math.sin(math.radians(10)))
+        self.assertAlmostEqual(up[1], math.cos(math.radians(10)))
+        tip = shapes["weight"][0][1]
+        self.assertAlmostEqual(tip[0], 2 * math.tan(math.radians(10)), 6)
+
+    def test_held_and_refused(self):
+        """Forces end where their contacts are; a wedge and a block in a section have no model."""
+        shapes, _ = self.draw(FOLDER / "rock_on_contacts.yaml")
+        told = self.told(FOLDER / "rock_on_contacts.yaml")
+        for k, contact in enumerate(told["contacts"]["contacts"], 1):
+            at = [c - g["value"] for c, g in zip(contact["at"], told["centroid_m"])]
+            end = shapes[f"force {k}"][0][1]
+            self.assertAlmostEqual(end[0], at[0], 6)
+            self.assertAlmostEqual(-end[2], at[1], 6)
+            self.assertEqual(end, shapes[f"normal {k}"][0][0])
+        self.assertEqual(shapes["axis"][2], "purple")
+        for scene, told in ((FOLDER / "wedge.yaml", "a wedge has no mesh"), ("examples/slab.yaml", ".svg, .pdf, .png or .dxf")):
+            status, _, err = run("solve", "--figure", f"{self.folder}/x.glb", scene)
+            self.assertEqual(status, 3)
+            self.assertIn(told, err)
 
 
 if __name__ == "__main__":

@@ -43,7 +43,9 @@ static const struct argp_option options[] = {
      0},
     {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
-     "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png", 0},
+     "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png; as "
+     ".glb the rock as a model",
+     0},
     {"section", KEY_SECTION, "DEG", 0,
      "Print the section through the centroid at this azimuth as a scene of a block, and how far "
      "off "

@@ -25,7 +25,7 @@ tp_status tp_cli_check_solid(const char *path, const tp_solve_words *a, tp_messa
   const char *ending = a->figure != NULL ? strrchr(a->figure, '.') : NULL;
   if (option == NULL && ending != NULL && strcasecmp(ending, ".dxf") == 0) {
     snprintf(message->text, sizeof message->text,
-             "%s: the figure of a solid is .svg, .pdf or .png, not '%s'", path, a->figure);
+             "%s: the figure of a solid is .svg, .pdf, .png or .glb, not '%s'", path, a->figure);
     return TP_BAD_INPUT;
   }
   if (option == NULL) return TP_OK;

@@ -122,7 +122,9 @@ static void read_target(tp_solve_words *a, const char *text, struct argp_state *
 
 static void read_figure(tp_solve_words *a, const char *path, struct argp_state *state) {
   if (!tp_figure_is_file_name(path)) {
-    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf, .png or .dxf, not '%s'",
+    tp_cli_refuse(state,
+                  "--figure takes a file that ends in .svg, .pdf, .png or .dxf, of a solid .glb, "
+                  "not '%s'",
                   path);
   }
   a->figure = path;

@@ -177,7 +177,7 @@ tp_status tp_report_figures_batch(const char *folder, const char *ending, const 
   TP_REFUSE_OTHER_VERSION(message);
   char name[16];
   snprintf(name, sizeof name, "x%s", ending);
-  if (tp_figure_kind_of(name) == TP_FIGURE_UNKNOWN) {
+  if (!tp_figure_is_of_blocks(name)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
                      "a figure is of the kind that its name ends in: .svg, .pdf, .png or .dxf");
   }

@@ -83,8 +83,7 @@ tp_status tp_report_figure_block_system_if(const char *path, const tp_scene *sce
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, system);
   TP_REFUSE_OTHER_VERSION(message);
-  const tp_figure_kind kind = tp_figure_kind_of(path);
-  if (kind == TP_FIGURE_UNKNOWN) {
+  if (!tp_figure_is_of_blocks(path)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
                      "the ending of the name of a figure is its format: .svg, .pdf, .png or "
                      ".dxf");

@@ -6,6 +6,7 @@
 #include "figure/figure.h"
 #include "common/host.h"
 #include "common/message.h"
+#include "figure/name.h"
 #include "figure/version.h"
 
 /* What is done with the figure of a solution. */
@@ -61,7 +62,7 @@ tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, solution);
   TP_REFUSE_OTHER_VERSION(message);
-  if (!tp_figure_is_file_name(path)) {
+  if (!tp_figure_is_of_blocks(path)) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
                      "the ending of a figure's name is its format: .svg, .pdf, .png or .dxf");
   }

@@ -19,10 +19,11 @@ static void build(tp_document *document, const void *what, const tp_sheet_files 
 
 static tp_status write_sheet(tp_figured_sheet *sheet, const tp_solid *solid, tp_message *message) {
   tp_solid_figure figure;
-  tp_status status = tp_solid_figure_init(&figure, solid, true, message);
+  tp_status status = tp_solid_figure_init(&figure, solid, TP_SOLID_SKETCH_DOTS, message);
   if (status != TP_OK) return status;
   figure.language = sheet->head.language;
   figure.comma = sheet->head.comma;
+  figure.sketch = true;
   const tp_drawn_page page = tp_solid_drawn_page(&figure);
   status = tp_figured_sheet_write(sheet, &page, message);
   tp_solid_figure_clear(&figure);

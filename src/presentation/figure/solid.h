@@ -49,9 +49,13 @@ typedef struct tp_solid_figure {
   bool sketch; /* on a sheet, whose text has title, verdict and numbers already: without these */
 } tp_solid_figure;
 
-/* Chooses what is drawn of a solid, and reads its mesh again; to be cleared. */
-TP_MUST_USE tp_status tp_solid_figure_init(tp_solid_figure *figure, const tp_solid *solid,
-                                           bool sketch, tp_message *message);
+/* Of a picture of the rock along its longer side: some 300 to the inch. */
+enum { TP_SOLID_DOTS = 1100, TP_SOLID_SKETCH_DOTS = 700 };
+
+/* Chooses what is shown of a solid, and reads its mesh again; to be cleared. `dots` 0: there are no
+ * pictures. */
+TP_MUST_USE tp_status tp_solid_figure_init(tp_solid_figure *figure, const tp_solid *solid, int dots,
+                                           tp_message *message);
 void tp_solid_figure_clear(tp_solid_figure *figure);
 
 /* The mesh of a solid, read again; to be cleared where it was made. */
@@ -69,6 +73,15 @@ void tp_solid_mesh_place(double placed[3], const tp_solid_mesh *mesh, const tp_s
 TP_MUST_USE bool tp_solid_picture_init(tp_solid_picture *picture, const tp_solid_mesh *mesh,
                                        const tp_solid_view *view, bool shaded, int dots);
 void tp_solid_picture_clear(tp_solid_picture *picture);
+
+/* The edge that is met first on the way; false: there is none. Metres to a share of the weight: the
+ * largest force is as long as a third of the rock. */
+bool tp_solid_edge_met(tp_solid_corner ends[2], const tp_solid_figure *figure);
+double tp_solid_force_scale(const tp_solid_figure *figure);
+
+/* As the bytes of a .glb, to be freed; not of a wedge. */
+TP_MUST_USE tp_status tp_solid_gltf(char **bytes, size_t *length, const tp_solid_figure *figure,
+                                    tp_message *message);
 
 /* ---- drawing -----------------------------------------------------------------------------------
  */

@@ -15,9 +15,6 @@
 
 #define ELEVATION 0.21 /* of the eye over the horizontal, radians */
 
-/* Along the longer side of a picture of the rock: some 300 to the inch. */
-enum { DOTS = 1100, SKETCH_DOTS = 700 };
-
 static const double radian = 3.14159265358979323846 / 180;
 
 /* The azimuth to the right, and the tilt that is drawn. */
@@ -52,15 +49,15 @@ static void set_view(tp_solid_figure *f) {
   }
 }
 
-tp_status tp_solid_figure_init(tp_solid_figure *f, const tp_solid *solid, bool sketch,
+tp_status tp_solid_figure_init(tp_solid_figure *f, const tp_solid *solid, int dots,
                                tp_message *message) {
-  const int dots = sketch ? SKETCH_DOTS : DOTS;
-  *f = (tp_solid_figure){.solid = solid, .sketch = sketch};
+  *f = (tp_solid_figure){.solid = solid};
   if (solid->has_wedge) return TP_OK;
   if (solid->band_count > 0) f->band = solid->bands + solid->governing;
   const tp_status status = tp_solid_mesh_init(&f->mesh, solid, message);
   if (status != TP_OK) return status;
   choose_way(f);
+  if (dots == 0) return TP_OK;
   set_view(f);
   if (tp_solid_picture_init(&f->side, &f->mesh, &f->view, true, dots) &&
       tp_solid_picture_init(&f->above, &f->mesh, &tp_solid_from_above, false, dots)) {
@@ -86,12 +83,17 @@ tp_drawn_page tp_solid_drawn_page(const tp_solid_figure *figure) {
 
 static tp_status write_figure(const char *path, const tp_solid_figure *figure,
                               tp_figure_consent consent, tp_message *message) {
-  const tp_drawn_page page = tp_solid_drawn_page(figure);
   const char *read[] = {figure->solid->file, figure->solid->scene};
   const tp_file_sources sources = {figure->solid->scene != NULL ? 2 : 1, read};
   char *bytes = NULL;
   size_t length = 0;
-  tp_status status = tp_drawn_page_bytes(&bytes, &length, path, &page, message);
+  tp_status status = TP_OK;
+  if (tp_figure_kind_of(path) == TP_FIGURE_GLB) {
+    status = tp_solid_gltf(&bytes, &length, figure, message);
+  } else {
+    const tp_drawn_page page = tp_solid_drawn_page(figure);
+    status = tp_drawn_page_bytes(&bytes, &length, path, &page, message);
+  }
   if (status == TP_OK) status = tp_file_write_if(path, bytes, length, sources, consent, message);
   free(bytes);
   return status;
@@ -114,11 +116,16 @@ tp_status tp_report_figure_solid_if(const char *path, const tp_solid *solid,
   const tp_figure_kind kind = tp_figure_kind_of(path);
   if (kind == TP_FIGURE_UNKNOWN || kind == TP_FIGURE_DXF) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
-                     "the ending of the name of a figure of a solid is its format: .svg, .pdf or "
-                     ".png");
+                     "the ending of the name of a figure of a solid is its format: .svg, .pdf, "
+                     ".png or .glb");
+  }
+  if (kind == TP_FIGURE_GLB && solid->has_wedge) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
+                     "a wedge has no mesh that a .glb could hold: draw it as .svg, .pdf or .png");
   }
   tp_solid_figure figure;
-  tp_status status = tp_solid_figure_init(&figure, solid, false, message);
+  tp_status status =
+      tp_solid_figure_init(&figure, solid, kind == TP_FIGURE_GLB ? 0 : TP_SOLID_DOTS, message);
   if (status == TP_OK) {
     status = write_figure(path, &figure, consent, message);
     tp_solid_figure_clear(&figure);

@@ -40,8 +40,7 @@ static void draw_arrow(cairo_t *cr, const tp_solid_place *p, const double from[3
 /* ---- forces ------------------------------------------------------------------------------------
  */
 
-/* Metres to a share of the weight: the largest force is as long as a third of the rock. */
-static double force_scale(const tp_solid_figure *f) {
+double tp_solid_force_scale(const tp_solid_figure *f) {
   const tp_solid_contacts *c = &f->solid->contacts;
   double most = 1;
   for (size_t k = 0; k < c->contact_count; k++) {
@@ -61,7 +60,7 @@ static void draw_load(cairo_t *cr, const tp_solid_place *p, const tp_solid_figur
     for (size_t k = 0; k < c->contact_count; k++) go(sum, sum, -1, c->contacts[k].force);
     tp_solid_mesh_turn(load, &f->mesh, sum);
   }
-  go(tip, centre, force_scale(f), load);
+  go(tip, centre, tp_solid_force_scale(f), load);
   const tp_spot spot = spot_at(p, centre);
   tp_figure_ink(cr, TP_INK_BLACK);
   draw_arrow(cr, p, centre, tip, 1.2);
@@ -93,7 +92,7 @@ static void draw_contact(cairo_t *cr, const tp_solid_place *p, const tp_solid_fi
   go(end, at, 0.12 * f->mesh.size, normal);
   tp_figure_ink(cr, TP_INK_BLUE);
   draw_arrow(cr, p, at, end, 0.9);
-  go(end, at, -force_scale(f), force);
+  go(end, at, -tp_solid_force_scale(f), force);
   tp_figure_ink(cr, TP_INK_GREEN);
   if (dot(force, force) > 0) draw_arrow(cr, p, end, at, 1.4);
   draw_dot(cr, spot_at(p, at), dot(normal, p->view->eye) > 0, k + 1);

@@ -43,15 +43,21 @@ static bool find_edge(size_t *found, const tp_solid_band *band, double azimuth_d
   return most > 0;
 }
 
-static void draw_edge_met(cairo_t *cr, const tp_solid_place *p, const tp_solid_figure *f) {
+bool tp_solid_edge_met(tp_solid_corner ends[2], const tp_solid_figure *f) {
   size_t k = 0;
-  if (!f->has_way || !find_edge(&k, f->band, f->azimuth_deg)) return;
-  const tp_solid_corner *a = f->band->support + k;
-  const tp_solid_corner *b = f->band->support + (k + 1) % f->band->corner_count;
+  if (!f->has_way || !find_edge(&k, f->band, f->azimuth_deg)) return false;
+  ends[0] = f->band->support[k];
+  ends[1] = f->band->support[(k + 1) % f->band->corner_count];
+  return true;
+}
+
+static void draw_edge_met(cairo_t *cr, const tp_solid_place *p, const tp_solid_figure *f) {
+  tp_solid_corner ends[2];
+  if (!tp_solid_edge_met(ends, f)) return;
   tp_figure_ink(cr, TP_INK_VERMILION);
   cairo_set_line_width(cr, 2);
-  tp_solid_line(cr, tp_solid_spot(p, a->east_m, a->north_m, 0),
-                tp_solid_spot(p, b->east_m, b->north_m, 0));
+  tp_solid_line(cr, tp_solid_spot(p, ends[0].east_m, ends[0].north_m, 0),
+                tp_solid_spot(p, ends[1].east_m, ends[1].north_m, 0));
 }
 
 /* ---- from the side -----------------------------------------------------------------------------

@@ -15,6 +15,9 @@ typedef struct tp_solid_sheet {
   const tp_sheet_options *options;
 } tp_solid_sheet;
 
+/* Bands that page 1 has; --json has all. */
+enum { TP_SOLID_SHEET_BANDS = 12 };
+
 /* The whole document of what `sheet` is of. `picture` and the logo of `head` are taken over. */
 void tp_sheet_build_solid(tp_document *document, const tp_solid_sheet *sheet,
                           const tp_sheet_files *files, tp_sheet_head *head, tp_picture picture);
