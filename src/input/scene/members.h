@@ -19,7 +19,8 @@ typedef struct tp_offsets {
 /* Numbers (fmpq_t) and chains (tp_polyline) of a scene. */
 extern const tp_offsets tp_scene_numbers, tp_scene_lines;
 
-/* Numbers of an item of the lists of blocks, of joint sets, and of contacts and parts of a solid. */
+/* Numbers of an item of the lists of blocks, of joint sets, and of contacts and parts of a solid.
+ */
 extern const tp_offsets tp_listed_block_numbers, tp_joint_set_numbers, tp_contact_numbers,
     tp_solid_part_numbers;
 
