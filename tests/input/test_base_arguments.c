@@ -267,6 +267,8 @@ START_TEST(blocks) {
   tear_down();
   DO(tp_scene_new(&scene, "m", &message));
   DO(tp_scene_add_block(scene, SQUARE, NULL, true, &message));
+  tp_solution *solution = UNTOUCHED(tp_solution);
+  REFUSED(tp_solve(&solution, scene, &options, &message), "which tp_solve_block_system takes");
   DO(tp_scene_set_water(scene, E(1), E(10), false, false, &message));
   REFUSED(SYSTEM, "tp_scene_set_water: 'height' is of one block on its base");
   DO(tp_scene_set_base_mated(scene, false, &message));
@@ -274,7 +276,6 @@ START_TEST(blocks) {
   DO(tp_scene_set_slab(scene, E(1), E(1), &message));
   REFUSED(SYSTEM, "tp_scene_set_slab: this is of a scene of one block");
   ck_assert_ptr_eq(system, UNTOUCHED(tp_block_system));
-  tp_solution *solution = UNTOUCHED(tp_solution);
   REFUSED(tp_solve(&solution, scene, &options, &message), "or many by tp_scene_add_block");
 }
 END_TEST

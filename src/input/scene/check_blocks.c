@@ -170,6 +170,11 @@ tp_status tp_check_built_alone(const tp_scene *scene, tp_message *message) {
   const tp_block_list *many = &scene->many;
   const tp_loads_description *loads = &scene->loads;
   tp_place place = {0};
+  if (many->count > 0 && scene->block.form == TP_OUTLINE_OF_EACH) {
+    return tp_refuse(message, TP_FAULT_KEY, many->place,
+                     "this scene has many blocks, which tp_solve_block_system takes (in Python "
+                     "solve_block_system), sweeps and maps; all else is of one");
+  }
   if (many->count > 0) {
     place = scene->block.place;
   } else if (loads->force_count > 0) {
