@@ -7,6 +7,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import sys
 import tempfile
 import time
@@ -178,6 +179,37 @@ class Parts(unittest.TestCase):
         (folder / "scene.yaml").write_text(level, encoding="utf-8")
         pairs = [(c["first"], c["second"]) for c in json.loads(run("solve", "--json", "scene.yaml", folder=folder)[1])["contacts"]]
         self.assertIn({"a", "b"}, [set(pair) for pair in pairs])
+
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_columns_that_are_made_of_numbers(self):
+        """Their handles stand where the program has the tops of these columns; dragged there, a top is there."""
+        head = "topple: 1\nlength_unit: ft\nfriction_angle_deg: 40\nslope: {dip_deg: 20, towards: left}\n"
+        texts = [head + "columns: {width: 3, step: 1, rise: 3, fall: 2, below_crest: 1, above_crest: 1}\n", head + "columns: {width: 3, heights: [4, 8]}\n"]
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        body = """const [{SceneText}, {Context}] = await Promise.all(given.modules.map((each) => import(each)));
+          return given.scenes.map(({text, answer}) => {
+            const scene = new SceneText(text);
+            const context = new Context(scene, answer.cases[0], answer.outlines, {x: answer.outlines.origin_x_m, y: answer.outlines.origin_y_m});
+            return it.columnHandles(context).map((handle) => [handle.key, handle.at, scene.withNumbers(handle.drag({x: handle.at.x, y: handle.at.y + 0.3048}, -3))]); });"""
+
+        def drawn(text):
+            (folder / "scene.yaml").write_text(text, encoding="utf-8")
+            outlines = json.loads(run("solve", "--json", "--outlines", "scene.yaml", folder=folder)[1])
+            return {"text": text, "answer": outlines}
+
+        def corners(scene):
+            return {tuple(round(float(each), 6) for each in point.split()) for path in scene["answer"]["outlines"]["blocks"][1:] for point in re.findall(r"[ML]([^MLZ]*)", path)}
+
+        modules = [(EXPLORER / part).as_uri() for part in ("scene/scene_text.js", "drawing/handle.js")]
+        scenes = [drawn(text) for text in texts]
+        found = node(DRAWING / "column_handles.js", body, {"modules": modules, "scenes": scenes})
+        self.assertEqual([[key for key, _, _ in each] for each in found],
+                         [["columns.width", "columns.rise", "columns.fall"], ["columns.width", *(f"columns.heights.{k}" for k in range(2))]])
+        for scene, handles in zip(scenes, found):
+            for key, at, text in handles[1:]:
+                with self.subTest(key):
+                    self.assertIn((round(at["x"] - 0.4572, 6), round(at["y"], 6)), corners(scene))
+                    self.assertIn((round(at["x"] - 0.4572, 6), round(at["y"] + 0.3048, 6)), corners(drawn(text)))
 
     @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
     def test_a_wedge_lies_where_the_program_has_it(self):

@@ -94,7 +94,7 @@ class Looks(PageCase):
 
     @unittest.skipUnless(AXE.is_file(), f"there is no {AXE}: ./run --explorer installs it")
     def test_axe_finds_nothing(self):
-        """The rules of axe, on every tab, wide and narrow, in the tour and with a complaint."""
+        """The rules of axe, on every tab, wide and narrow, of a solid and of many blocks, in the tour and with a complaint."""
         rules = AXE.read_text(encoding="utf-8")
         for width, height in ((1440, 900), (390, 844)):
             self.load(width=width, height=height)
@@ -108,8 +108,9 @@ class Looks(PageCase):
                 self.frame()
                 self.assertEqual(self.axe(), [], (width, name))
                 self.value(f"document.getElementById('{name}-dialog').close()")
-            self.example("balanced_rock")
-            self.assertEqual(self.axe(), [], (width, "a solid"))
+            for name in ("balanced_rock", "toppling_slope"):
+                self.example(name)
+                self.assertEqual(self.axe(), [], (width, name))
             self.example("block_e_valley")
             self.choose(ROOT / "examples" / "pictures" / "painted_boulder.png")
             self.awaits("document.body.classList.contains('tracing')")

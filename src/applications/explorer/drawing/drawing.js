@@ -18,6 +18,7 @@ import { waterPath } from "./water.js";
 import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
 import { nearPath } from "./thin_path.js";
 import { symbolsOf } from "./symbols.js";
+import { drawSymbols } from "./symbols_layer.js";
 import { symbolsOfMany } from "./symbols_of_many.js";
 import { drawPhotograph } from "./photo_behind.js";
 import { previewPath } from "./preview.js";
@@ -231,24 +232,7 @@ export class Drawing extends EventTarget {
     if (answer?.outlines === undefined || this.context === null) return;
     const stale = this.store.solution === null;
     const symbols = this.context.many ? symbolsOfMany : symbolsOf;
-    layers.symbols.selectAll("g").data(stale && this.store.problem !== null ? [] : symbols(answer, this.case, view, this.origin))
-      .join((enter) => {
-        const made = enter.append("g");
-        made.append("path");
-        made.append("text");
-        made.append("title");
-        return made;
-      })
-      .each(function (symbol) {
-        // those that stay as they are, while something is dragged, are not laid out again
-        const drawn = [symbol.kind, symbol.d, symbol.x, symbol.y, symbol.text, symbol.title].join();
-        if (this.drawn === drawn) return;
-        this.drawn = drawn;
-        const own = select(this).attr("class", "symbol " + symbol.kind);
-        own.select("path").attr("d", symbol.d);
-        own.select("text").attr("x", symbol.x ?? 0).attr("y", symbol.y ?? 0).text(symbol.text ?? "");
-        own.select("title").text(symbol.title);
-      });
+    drawSymbols(layers.symbols, stale && this.store.problem !== null ? [] : symbols(answer, this.case, view, this.origin));
     drawArc(layers.arc, view, this.sign);
     drawScale(layers.scale, view, this.sign, this.context);
     this.#placeHandles();

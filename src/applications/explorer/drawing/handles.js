@@ -5,6 +5,7 @@
 
 import { blockHandles, blockVertices } from "./block_handles.js";
 import { baseHandles, baseVertices } from "./base_handles.js";
+import { columnHandles } from "./column_handles.js";
 import { listedCandidates, withSizes } from "./listed_blocks.js";
 import { loadHandles } from "./load_handles.js";
 import { nearestOf } from "./nearest.js";
@@ -25,7 +26,7 @@ export function handlesOf(context, view, sign, near) {
   // whole blocks below all else, which lies on them
   const handles = [
     ...withSizes(context, view, wholes, near), tiltHandle(context, view, sign), ...baseHandles(context), ...loadHandles(context, view),
-    ...blockHandles(context), ...vertices,
+    ...blockHandles(context), ...columnHandles(context), ...vertices,
   ];
   return { handles, hidden };
 }
