@@ -32,6 +32,11 @@ tp_status tp_cli_write_system_sheet(const char *path, const tp_scene *scene,
   return tp_report_sheet_block_system(path, scene, system, options, message);
 }
 
+tp_status tp_cli_write_solid_sheet(const char *path, const tp_scene *scene, const tp_solid *solid,
+                                   const tp_sheet_options *options, tp_message *message) {
+  return tp_report_sheet_solid(path, scene, solid, options, message);
+}
+
 tp_status tp_cli_write_study_sheet(const char *path, const tp_study *study,
                                    const tp_study_result *result, const tp_sheet_options *options,
                                    tp_message *message) {
