@@ -49,6 +49,16 @@ typedef struct tp_solid_figure {
   bool sketch; /* on a sheet, whose text has title, verdict and numbers already: without these */
 } tp_solid_figure;
 
+static inline double tp_solid_dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* point + share way */
+static inline void tp_solid_go(double to[3], const double point[3], double share,
+                               const double way[3]) {
+  for (int k = 0; k < 3; k++) to[k] = point[k] + share * way[k];
+}
+
 /* Of a picture of the rock along its longer side: some 300 to the inch. */
 enum { TP_SOLID_DOTS = 1100, TP_SOLID_SKETCH_DOTS = 700 };
 

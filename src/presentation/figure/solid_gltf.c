@@ -159,22 +159,17 @@ static bool add_bands(model *m, const tp_solid_figure *f) {
   return true;
 }
 
-/* point + share way */
-static void go(double to[3], const double point[3], double share, const double way[3]) {
-  for (int k = 0; k < 3; k++) to[k] = point[k] + share * way[k];
-}
-
 static void add_contact(model *m, const tp_solid_figure *f, const tp_solid_contact *c, size_t n) {
   double at[3], way[3], end[3];
   char name[40];
   tp_solid_mesh_place(at, &f->mesh, f->solid, c->at);
   tp_solid_mesh_turn(way, &f->mesh, c->normal);
-  go(end, at, 0.12 * f->mesh.size, way);
+  tp_solid_go(end, at, 0.12 * f->mesh.size, way);
   snprintf(name, sizeof name, "normal %zu", n);
   add_line(m, name, BLUE, at, end);
   if (!tp_solid_is_held(&f->solid->contacts)) return;
   tp_solid_mesh_turn(way, &f->mesh, c->force);
-  go(end, at, -tp_solid_force_scale(f), way);
+  tp_solid_go(end, at, -tp_solid_force_scale(f), way);
   snprintf(name, sizeof name, "force %zu", n);
   add_line(m, name, GREEN, end, at);
 }
@@ -187,8 +182,8 @@ static void add_contacts(model *m, const tp_solid_figure *f) {
   double at[3] = {0, 0, f->mesh.height}, axis[3], ends[2][3];
   tp_solid_mesh_turn(axis, &f->mesh, motion->axis);
   if (motion->turns) tp_solid_mesh_place(at, &f->mesh, f->solid, motion->at);
-  go(ends[0], at, motion->turns ? -0.7 * f->mesh.size : 0, axis);
-  go(ends[1], at, 0.7 * f->mesh.size, axis);
+  tp_solid_go(ends[0], at, motion->turns ? -0.7 * f->mesh.size : 0, axis);
+  tp_solid_go(ends[1], at, 0.7 * f->mesh.size, axis);
   add_line(m, motion->turns ? "axis" : "way", PURPLE, ends[0], ends[1]);
 }
 

@@ -23,15 +23,6 @@ static tp_spot spot_at(const tp_solid_place *p, const double at[3]) {
   return tp_solid_spot(p, at[0], at[1], at[2]);
 }
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* from + share * way */
-static void go(double to[3], const double from[3], double share, const double way[3]) {
-  for (int k = 0; k < 3; k++) to[k] = from[k] + share * way[k];
-}
-
 static void draw_arrow(cairo_t *cr, const tp_solid_place *p, const double from[3],
                        const double to[3], double width) {
   tp_figure_arrow(cr, spot_at(p, from), spot_at(p, to), width);
@@ -44,7 +35,7 @@ double tp_solid_force_scale(const tp_solid_figure *f) {
   const tp_solid_contacts *c = &f->solid->contacts;
   double most = 1;
   for (size_t k = 0; k < c->contact_count; k++) {
-    most = fmax(most, sqrt(dot(c->contacts[k].force, c->contacts[k].force)));
+    most = fmax(most, sqrt(tp_solid_dot(c->contacts[k].force, c->contacts[k].force)));
   }
   return 0.33 * f->mesh.size / most;
 }
@@ -57,10 +48,10 @@ static void draw_load(cairo_t *cr, const tp_solid_place *p, const tp_solid_figur
   double load[3] = {sin(f->tilt) * sin(way), sin(f->tilt) * cos(way), -cos(f->tilt)}, tip[3];
   if (tp_solid_is_held(c)) {
     double sum[3] = {0};
-    for (size_t k = 0; k < c->contact_count; k++) go(sum, sum, -1, c->contacts[k].force);
+    for (size_t k = 0; k < c->contact_count; k++) tp_solid_go(sum, sum, -1, c->contacts[k].force);
     tp_solid_mesh_turn(load, &f->mesh, sum);
   }
-  go(tip, centre, tp_solid_force_scale(f), load);
+  tp_solid_go(tip, centre, tp_solid_force_scale(f), load);
   const tp_spot spot = spot_at(p, centre);
   tp_figure_ink(cr, TP_INK_BLACK);
   draw_arrow(cr, p, centre, tip, 1.2);
@@ -89,13 +80,13 @@ static void draw_contact(cairo_t *cr, const tp_solid_place *p, const tp_solid_fi
   tp_solid_mesh_place(at, &f->mesh, f->solid, c->at);
   tp_solid_mesh_turn(normal, &f->mesh, c->normal);
   tp_solid_mesh_turn(force, &f->mesh, c->force);
-  go(end, at, 0.12 * f->mesh.size, normal);
+  tp_solid_go(end, at, 0.12 * f->mesh.size, normal);
   tp_figure_ink(cr, TP_INK_BLUE);
   draw_arrow(cr, p, at, end, 0.9);
-  go(end, at, -tp_solid_force_scale(f), force);
+  tp_solid_go(end, at, -tp_solid_force_scale(f), force);
   tp_figure_ink(cr, TP_INK_GREEN);
-  if (dot(force, force) > 0) draw_arrow(cr, p, end, at, 1.4);
-  draw_dot(cr, spot_at(p, at), dot(normal, p->view->eye) > 0, k + 1);
+  if (tp_solid_dot(force, force) > 0) draw_arrow(cr, p, end, at, 1.4);
+  draw_dot(cr, spot_at(p, at), tp_solid_dot(normal, p->view->eye) > 0, k + 1);
 }
 
 /* ---- the motion --------------------------------------------------------------------------------
@@ -108,7 +99,7 @@ static void set_across(double first[3], double second[3], const double axis[3]) 
     if (fabs(axis[k]) < fabs(axis[least])) least = k;
   }
   for (int k = 0; k < 3; k++) first[k] = (k == least) - axis[least] * axis[k];
-  const double length = sqrt(dot(first, first));
+  const double length = sqrt(tp_solid_dot(first, first));
   for (int k = 0; k < 3; k++) first[k] /= length;
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -125,8 +116,8 @@ static void draw_turn(cairo_t *cr, const tp_solid_place *p, const double middle[
   for (int k = 0; k <= STEPS; k++) {
     const double turn = 270 * radian * k / STEPS;
     double *at = last[k % 2];
-    go(at, middle, radius * cos(turn), first);
-    go(at, at, radius * sin(turn), second);
+    tp_solid_go(at, middle, radius * cos(turn), first);
+    tp_solid_go(at, at, radius * sin(turn), second);
     const tp_spot spot = spot_at(p, at);
     if (k == 0) cairo_move_to(cr, spot.x, spot.y);
     if (k > 0) cairo_line_to(cr, spot.x, spot.y);
@@ -134,7 +125,7 @@ static void draw_turn(cairo_t *cr, const tp_solid_place *p, const double middle[
   cairo_set_line_width(cr, 1.2);
   cairo_stroke(cr);
   double head[3];
-  go(head, last[STEPS % 2], 0.5 * radius, first);
+  tp_solid_go(head, last[STEPS % 2], 0.5 * radius, first);
   draw_arrow(cr, p, last[STEPS % 2], head, 1.2);
 }
 
@@ -148,19 +139,19 @@ static void draw_motion(cairo_t *cr, const tp_solid_place *p, const tp_solid_fig
   tp_solid_mesh_turn(axis, &f->mesh, m->axis);
   tp_figure_ink(cr, TP_INK_PURPLE);
   if (!m->turns) {
-    go(ends[0], at, 0.4 * size, axis);
+    tp_solid_go(ends[0], at, 0.4 * size, axis);
     draw_arrow(cr, p, at, ends[0], 1.6);
     return;
   }
   tp_solid_mesh_place(at, &f->mesh, f->solid, m->at);
-  go(ends[0], at, -0.7 * size, axis);
-  go(ends[1], at, 0.7 * size, axis);
+  tp_solid_go(ends[0], at, -0.7 * size, axis);
+  tp_solid_go(ends[1], at, 0.7 * size, axis);
   cairo_save(cr);
   cairo_set_dash(cr, dashes, 4, 0);
   cairo_set_line_width(cr, 1.2);
   tp_solid_line(cr, spot_at(p, ends[0]), spot_at(p, ends[1]));
   cairo_restore(cr);
-  go(at, at, 0.5 * size, axis);
+  tp_solid_go(at, at, 0.5 * size, axis);
   draw_turn(cr, p, at, axis, 0.1 * size);
 }
 

@@ -26,18 +26,14 @@ typedef struct canvas {
   float (*normals)[3];
 } canvas;
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* ---- where it lies -----------------------------------------------------------------------------
  */
 
 static void set_canvas(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view, int dots) {
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
   for (long v = 0; v < mesh->vertex_count; v++) {
-    const double at[2] = {dot(view->right, mesh->points + 3 * v),
-                          dot(view->up, mesh->points + 3 * v)};
+    const double at[2] = {tp_solid_dot(view->right, mesh->points + 3 * v),
+                          tp_solid_dot(view->up, mesh->points + 3 * v)};
     for (int k = 0; k < 2; k++) {
       low[k] = fmin(low[k], at[k]);
       high[k] = fmax(high[k], at[k]);
@@ -65,9 +61,9 @@ static bool make_canvas(canvas *c, const tp_solid_mesh *mesh) {
 static void look(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view) {
   for (long v = 0; v < mesh->vertex_count; v++) {
     const double *p = mesh->points + 3 * v;
-    c->seen[v][0] = c->dots * (dot(view->right, p) - c->left);
-    c->seen[v][1] = c->dots * (c->top - dot(view->up, p));
-    c->seen[v][2] = dot(view->eye, p);
+    c->seen[v][0] = c->dots * (tp_solid_dot(view->right, p) - c->left);
+    c->seen[v][1] = c->dots * (c->top - tp_solid_dot(view->up, p));
+    c->seen[v][2] = tp_solid_dot(view->eye, p);
   }
   for (long t = 0; t < mesh->triangle_count; t++) {
     const int *k = mesh->triangles + 3 * t;
@@ -80,8 +76,9 @@ static void look(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view
       const int a = (i + 1) % 3, b = (i + 2) % 3;
       turn[i] = one[a] * other[b] - one[b] * other[a];
     }
-    const double length = sqrt(dot(turn, turn));
-    const double axes[3] = {dot(turn, view->right), dot(turn, view->up), dot(turn, view->eye)};
+    const double length = sqrt(tp_solid_dot(turn, turn));
+    const double axes[3] = {tp_solid_dot(turn, view->right), tp_solid_dot(turn, view->up),
+                            tp_solid_dot(turn, view->eye)};
     for (int i = 0; i < 3; i++) c->normals[t][i] = (float)(length > 0 ? axes[i] / length : 0);
   }
 }

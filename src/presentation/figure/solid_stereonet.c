@@ -11,6 +11,7 @@
  * the points of the cones towards s. */
 
 #include "figure/solid.h"
+#include "solid_tilt/wedge_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -119,7 +120,7 @@ static void draw_limit(const net *n, const tp_solid_wedge *w) {
 /* Weight downwards and the water's pressure into the wedge, in kilonewtons. */
 static void set_resultant(double sum[3], const tp_solid *solid) {
   const tp_solid_wedge *w = &solid->wedge;
-  const tp_wedge_corner *deep = w->corners + 4;
+  const tp_wedge_corner *deep = w->corners + TP_WEDGE_DEEP;
   const double down[3] = {0, 0, -solid->weight_n.value / 1e3};
   double normal[3];
   memcpy(sum, down, sizeof down);
@@ -129,7 +130,7 @@ static void set_resultant(double sum[3], const tp_solid *solid) {
     combine(sum, 1, sum, w->water_kpa.value * w->areas_m2[k].value, normal);
   }
   if (!w->has_crack) return;
-  set_normal(normal, w->sides + 4);
+  set_normal(normal, w->sides + TP_WEDGE_CRACK);
   const double height =
       normal[EAST] * deep->east_m + normal[NORTH] * deep->north_m + normal[UP] * deep->up_m;
   const double push = w->water_kpa.value * w->crack_area_m2.value;
@@ -193,7 +194,7 @@ void tp_solid_draw_stereonet(cairo_t *cr, const tp_solid_figure *f, tp_box box) 
   char said[TP_LINE_SIZE];
   double line[3], resultant[3];
   draw_rim(&n);
-  for (int k = 2; k < (w->has_crack ? 5 : 4); k++) {
+  for (int k = TP_WEDGE_FACE; k < (w->has_crack ? TP_WEDGE_PLANES : TP_WEDGE_CRACK); k++) {
     draw_side(&n, w->sides + k, TP_INK_GREY, 0.9, tp_solid_say(f, said, names[k]));
   }
   for (int k = 0; k < 2; k++) draw_side(&n, w->sides + k, TP_INK_BLUE, 1.3, names[k]);

@@ -4,6 +4,7 @@
 /* A wedge from its face, with the edges that it hides. */
 
 #include "figure/solid.h"
+#include "solid_tilt/wedge_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,19 +14,18 @@
 
 static const double radian = 3.14159265358979323846 / 180;
 
-enum { END_A, END_B, BACK_A, BACK_B, DEEP, TOE, CORNERS };
-
 /* Of a face: its corners in a round. */
 typedef struct face {
   int count, corners[4];
 } face;
 
-static const face on_face = {3, {TOE, END_A, END_B}};
-static const face on_ground = {4, {END_A, END_B, BACK_B, BACK_A}};
+static const face on_face = {3, {TP_WEDGE_TOE, TP_WEDGE_END_A, TP_WEDGE_END_B}};
+static const face on_ground = {4,
+                               {TP_WEDGE_END_A, TP_WEDGE_END_B, TP_WEDGE_BACK_B, TP_WEDGE_BACK_A}};
 
 /* From before the face, a little to one side and from above. */
 static tp_solid_view view_of(const tp_solid_wedge *w) {
-  const double way = radian * w->sides[2].dip_direction_deg + ASIDE;
+  const double way = radian * w->sides[TP_WEDGE_FACE].dip_direction_deg + ASIDE;
   const double c = cos(ELEVATION), s = sin(ELEVATION);
   return (tp_solid_view){
       {-cos(way), sin(way), 0}, {-s * sin(way), -s * cos(way), c}, {c * sin(way), c * cos(way), s}};
@@ -39,7 +39,7 @@ static tp_spot spot_of(const tp_solid_place *p, const tp_solid_wedge *w, int cor
 static tp_solid_place fit(const tp_solid_view *view, const tp_solid_wedge *w, tp_box box) {
   tp_solid_place p = {.view = view, .scale = 1};
   tp_box own = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (int k = 0; k < CORNERS; k++) {
+  for (int k = 0; k < TP_WEDGE_POINTS; k++) {
     const tp_spot at = spot_of(&p, w, k);
     own = (tp_box){fmin(own.x0, at.x), fmin(own.y0, at.y), fmax(own.x1, at.x), fmax(own.y1, at.y)};
   }
@@ -60,8 +60,9 @@ static void trace(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w,
 
 /* The name of a joint beside its trace on the face, away from the other one. */
 static void name(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w, int joint) {
-  const tp_spot toe = spot_of(p, w, TOE), end = spot_of(p, w, joint == 0 ? END_A : END_B);
-  const tp_spot other = spot_of(p, w, joint == 0 ? END_B : END_A);
+  const tp_spot toe = spot_of(p, w, TP_WEDGE_TOE),
+                end = spot_of(p, w, joint == 0 ? TP_WEDGE_END_A : TP_WEDGE_END_B);
+  const tp_spot other = spot_of(p, w, joint == 0 ? TP_WEDGE_END_B : TP_WEDGE_END_A);
   const tp_spot middle = {(toe.x + end.x) / 2, (toe.y + end.y) / 2};
   const double side = middle.x < (toe.x + other.x) / 2 ? -9 : 9;
   tp_figure_font(cr, TP_TITLE_SIZE, true);
@@ -73,15 +74,15 @@ static void name(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w, 
 /* What the wedge hides: the line of both joints, and the foot of a crack. */
 static void draw_hidden(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w) {
   static const double dashes[] = {3, 2};
-  const tp_spot deep = spot_of(p, w, DEEP);
+  const tp_spot deep = spot_of(p, w, TP_WEDGE_DEEP);
   cairo_save(cr);
   cairo_set_dash(cr, dashes, 2, 0);
   tp_figure_ink(cr, TP_INK_BLUE);
   cairo_set_line_width(cr, 0.9);
-  tp_solid_line(cr, spot_of(p, w, TOE), deep);
+  tp_solid_line(cr, spot_of(p, w, TP_WEDGE_TOE), deep);
   if (w->has_crack) {
-    tp_solid_line(cr, spot_of(p, w, BACK_A), deep);
-    tp_solid_line(cr, spot_of(p, w, BACK_B), deep);
+    tp_solid_line(cr, spot_of(p, w, TP_WEDGE_BACK_A), deep);
+    tp_solid_line(cr, spot_of(p, w, TP_WEDGE_BACK_B), deep);
   }
   cairo_restore(cr);
 }
@@ -89,7 +90,7 @@ static void draw_hidden(cairo_t *cr, const tp_solid_place *p, const tp_solid_wed
 /* From the toe down the line of both joints. */
 static void draw_way(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w) {
   const double far = 32;
-  const tp_spot toe = spot_of(p, w, TOE), deep = spot_of(p, w, DEEP);
+  const tp_spot toe = spot_of(p, w, TP_WEDGE_TOE), deep = spot_of(p, w, TP_WEDGE_DEEP);
   const double length = hypot(toe.x - deep.x, toe.y - deep.y);
   if (strcmp(w->slides_on, "a and b") != 0 || !(length > 0)) return;
   tp_figure_ink(cr, TP_INK_VERMILION);

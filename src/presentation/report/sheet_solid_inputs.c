@@ -60,11 +60,11 @@ static void add_wedge(tp_solid_sheet *s) {
   const tp_solid_wedge *w = &s->solid->wedge;
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
-  add_side(s, "Joint A", w->sides, true);
-  add_side(s, "Joint B", w->sides + 1, true);
-  add_side(s, "Face", w->sides + 2, false);
-  add_side(s, "Ground above", w->sides + 3, false);
-  if (w->has_crack) add_side(s, "Tension crack", w->sides + 4, false);
+  add_side(s, "Joint A", w->sides + TP_WEDGE_A, true);
+  add_side(s, "Joint B", w->sides + TP_WEDGE_B, true);
+  add_side(s, "Face", w->sides + TP_WEDGE_FACE, false);
+  add_side(s, "Ground above", w->sides + TP_WEDGE_UPPER, false);
+  if (w->has_crack) add_side(s, "Tension crack", w->sides + TP_WEDGE_CRACK, false);
   tp_document_word(d, "Water");
   if (w->has_water) {
     tp_document_cell(d, "joints full, mean pressure %s kPa",
