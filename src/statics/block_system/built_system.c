@@ -10,6 +10,7 @@
 #include "common/outside.h"
 #include "evaluation/friction.h"
 #include "number/ball.h"
+#include "scene/check.h"
 #include "scene_varying/load_case.h"
 
 #include <stdlib.h>
