@@ -198,7 +198,7 @@ enum { COLUMNS = 4 };
 
 double tp_solid_draw_contacts(cairo_t *cr, const tp_solid_figure *f, double x, double y,
                               double width) {
-  static const char *const heads[COLUMNS] = {"contact", "friction", "pressed", "pulled"};
+  static const char *const heads[COLUMNS] = {"Point", "Friction", "Normal force", "Shear force"};
   static const double at[COLUMNS] = {0, 0.22, 0.48, 0.74};
   const tp_solid_contacts *c = &f->solid->contacts;
   const int columns = tp_solid_is_held(c) ? COLUMNS : 2;

@@ -211,8 +211,8 @@ double tp_solid_draw_key(cairo_t *cr, const tp_solid_figure *f, double x, double
 
 double tp_solid_draw_bands(cairo_t *cr, const tp_solid_figure *f, double x, double y,
                            double width) {
-  static const char *const heads[COLUMNS] = {"band", "least tilt", "azimuth", "at its tilt",
-                                             "factor"};
+  static const char *const heads[COLUMNS] = {"Band", "Least tilt", "Azimuth", "At its tilt",
+                                             "Factor"};
   static const double at[COLUMNS] = {0.06, 0.27, 0.48, 0.64, 0.87};
   const tp_solid *solid = f->solid;
   char cells[COLUMNS][48], said[TP_LINE_SIZE];

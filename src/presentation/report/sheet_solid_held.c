@@ -17,8 +17,8 @@ enum { MOST_ROWS = 60, WAY_ROWS = 24 };
  */
 
 static void add_contact_table(tp_solid_sheet *s) {
-  static const char *const heads[] = {"Point", "At x", "y",     "z",       "Normal x",
-                                      "y",     "z",    "φ (°)", "Pressed", "Pulled"};
+  static const char *const heads[] = {
+      "Point", "At x", "y", "z", "Normal x", "y", "z", "φ (°)", "Normal force", "Shear force"};
   const tp_solid_contacts *own = &s->solid->contacts;
   const bool held = tp_solid_is_held(own);
   const size_t columns = held ? 10 : 8;

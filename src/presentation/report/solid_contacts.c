@@ -56,7 +56,7 @@ static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
               held ? ", with one of the systems of forces that hold it, in shares of its weight"
                    : "");
   tp_text_add(t, "  %5s  %-33s  %-30s  %8s%s\n", "", "at", "normal into the rock", "friction",
-              held ? "    pressed     pulled" : "");
+              held ? "     normal      shear" : "");
   for (size_t k = 0; k < c->contact_count && k < CONTACTS; k++) {
     add_contact(t, c->contacts + k, k + 1, held);
   }
