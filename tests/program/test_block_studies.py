@@ -295,7 +295,7 @@ class BlockFinds(StudyCase):
 
     def test_slab(self):
         """It has the factor tan(phi)/tan(30°), and slides where it dips phi; a horizontal force W tan(30° - phi') holds it, with phi' that of
-        the strength over the factor."""
+        the strength divided by the factor."""
         degree = math.radians(1)
         found = self.find(SLAB, "friction_angle_deg", "--for", "fos=1.2", "--from", "20", "--to", "50")
         self.holds(found, math.atan(1.2 * math.tan(30 * degree)) / degree)

@@ -58,7 +58,7 @@ static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target targ
   case TP_SYSTEM_STANDS:
     tp_text_add(t, "    the blocks stand there: no motion can begin");
     if (b->has_standing_fos) {
-      tp_text_add(t, ", nor with strength over %.5g", b->standing_fos);
+      tp_text_add(t, ", nor with strength divided by %.5g", b->standing_fos);
     }
     tp_text_add(t, "\n");
     break;
@@ -79,8 +79,8 @@ static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target targ
   if (b->has_moving_fos) {
     tp_text_add(
         t,
-        "    Caution: a motion can begin there with strength over %.5g, proven, though forces "
-        "can hold the\n    blocks\n",
+        "    Caution: a motion can begin there with strength divided by %.5g, proven, though\n    "
+        "forces can hold the blocks\n",
         b->moving_fos);
   }
   if (b->has_fos_goodman_bray && target != TP_FIND_FOS_GOODMAN_BRAY) {

@@ -45,7 +45,7 @@ static const tp_factor *find(const tp_case *c, tp_fos_definition definition) {
 /* ---- by strength reduction ---------------------------------------------------------------------
  */
 
-/* A strength over the factor, or times it. */
+/* A strength divided by the factor, or times it. */
 static tp_near reduced(const tp_factor *f, tp_near strength) {
   const tp_near factor = near_of(f->fos.value);
   if (tp_near_is_zero(strength)) return strength;

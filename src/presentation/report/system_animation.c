@@ -119,7 +119,7 @@ static void add_heading(tp_text *t, const tp_moving_view *m) {
   } else if (m->own->start.divisor == 1) {
     tp_text_add(t, "A motion that can begin as they lie, proven");
   } else {
-    tp_text_add(t, "A motion that can begin with strength over %.5g, proven",
+    tp_text_add(t, "A motion that can begin with strength divided by %.5g, proven",
                 m->own->start.divisor);
   }
   tp_text_add(t, "</text>\n<text x=\"%.2f\" y=\"52\" fill=\"#55555c\">", m->left + 8);

@@ -20,7 +20,7 @@ static const double fifth = 1e5;
 
 static void add_factors(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos) {
-    tp_text_system_label(t, "certain to stand with strength over");
+    tp_text_system_label(t, "certain to stand, strength divided by");
     if (c->standing_fos_is_least) {
       tp_text_add(t, "up to %.0f, and more\n", c->standing_fos);
     } else {
@@ -31,7 +31,7 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
   const bool is_sooner = c->fos.state != TP_FOS_NUMBER || c->fos_is_least ||
                          c->moving_fos < c->fos.value.value - c->fos.value.error;
   if (c->has_moving_fos && is_sooner) {
-    tp_text_system_label(t, "a motion can begin with strength over");
+    tp_text_system_label(t, "motion can begin, strength divided by");
     tp_text_add(t, "%.5f%s\n", up(c->moving_fos, fifth),
                 c->moving_fos_is_most ? ", and less: more friction does not help" : "");
   }
@@ -63,15 +63,17 @@ void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_sy
   tp_text_add(
       t,
       c->sought == TP_SYSTEM_SOUGHT_COHESIVE
-          ? "  That none begins was not looked for: joints have cohesion or tensile strength.\n"
-          : "  Motions that begin all the same were not looked for: there are too many blocks.\n");
+          ? "  Whether a motion can begin all the same was not examined: joints have cohesion or "
+            "tensile strength.\n"
+          : "  Whether a motion can begin all the same was not examined: there are too many "
+            "blocks.\n");
 }
 
 void tp_text_system_start(tp_text *t, const tp_system_case *c) {
   if (c->verdict == TP_SYSTEM_MAY_MOVE || c->verdict == TP_SYSTEM_COLLAPSES) {
     tp_text_add(t, "\n  A motion that can begin as they lie:\n");
   } else {
-    tp_text_add(t, "\n  A motion that can begin with strength over %.5f:\n",
+    tp_text_add(t, "\n  A motion that can begin with strength divided by %.5f:\n",
                 up(c->start.divisor, fifth));
   }
 }

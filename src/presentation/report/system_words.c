@@ -63,7 +63,7 @@ double tp_text_system_force_kn(double newtons, const tp_system_case *c) {
 
 const char *tp_text_system_collapse(const tp_block_system *s, const tp_system_case *c) {
   const bool reduced = c->fos.state == TP_FOS_NUMBER && !c->fos_is_least;
-  return reduced            ? "with strength over the factor"
+  return reduced            ? "with strength divided by the factor"
          : s->lies_in_place ? "at the greatest dip"
                             : "at the greatest tilt";
 }

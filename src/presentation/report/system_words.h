@@ -26,7 +26,7 @@ double tp_text_system_force_kn(double newtons, const tp_system_case *of);
  * other, however far from the origin that is. */
 int tp_text_system_digits(const tp_block_system *system);
 
-/* Of which state the collapse is: "with strength over the factor", "at the greatest dip". */
+/* Of which state the collapse is: "with strength divided by the factor", "at the greatest dip". */
 const char *tp_text_system_collapse(const tp_block_system *system, const tp_system_case *of);
 
 /* Lines on motions that begin though forces can hold the blocks: up to where they are excluded,
