@@ -17,18 +17,9 @@
 
 tp_status tp_blocks_figure_init(tp_blocks_figure *figure, const tp_scene *scene,
                                 const tp_block_system *system, tp_message *message) {
-  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "the result is not of this scene: solve the scene, and draw that");
-  }
   *figure = (tp_blocks_figure){.system = system};
-  const tp_status status = tp_block_shapes_init(&figure->shapes, scene, message);
+  const tp_status status = tp_block_shapes_init(&figure->shapes, scene, system, message);
   if (status != TP_OK) return status;
-  if (figure->shapes.contact_count != system->contact_count) {
-    tp_block_shapes_clear(&figure->shapes);
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "the scene has changed since it was solved: solve it again");
-  }
   tp_blocks_set_up(figure);
   const tp_status loaded = tp_load_shapes_init(&figure->loads, &figure->shapes, scene,
                                                figure->own->towards == TP_TOWARDS_LEFT, message);

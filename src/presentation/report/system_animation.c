@@ -191,10 +191,6 @@ static tp_status draw_moving(tp_text *t, const tp_block_shapes *shapes,
   const tp_system_case *own = tp_system_governing(system);
   tp_moving_view panels[2];
   size_t count = 0;
-  if (shapes->contact_count != system->contact_count) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "the scene has changed since it was solved: solve it again");
-  }
   const bool collapses_first = own->fos.state == TP_FOS_NUMBER && !own->fos_is_least &&
                                own->start.divisor > fmax(1, own->fos.value.value);
   if (own->has_start && !collapses_first) {
@@ -223,12 +219,8 @@ tp_status tp_report_block_system_animation(char **text, const tp_scene *scene,
   TP_REFUSE_NULL(message, text);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, system);
-  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
-    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
-                     "the result is not of this scene: solve the scene, and draw that");
-  }
   tp_block_shapes shapes;
-  tp_status status = tp_block_shapes_init(&shapes, scene, message);
+  tp_status status = tp_block_shapes_init(&shapes, scene, system, message);
   if (status != TP_OK) return status;
   tp_text t = {0};
   status = draw_moving(&t, &shapes, system, message);

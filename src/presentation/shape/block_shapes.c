@@ -130,16 +130,22 @@ static bool fill(tp_block_shapes *shapes, const tp_built_system *s) {
 }
 
 tp_status tp_block_shapes_init(tp_block_shapes *shapes, const tp_scene *scene,
-                               tp_message *message) {
+                               const tp_block_system *system, tp_message *message) {
   tp_built_system built;
   memset(shapes, 0, sizeof *shapes);
+  if (tp_scene_block_count(scene) != system->block_count || system->case_count == 0) {
+    return tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                     "the result is not of this scene: solve the scene, and draw that");
+  }
   const tp_status status = tp_built_system_init(&built, scene, message);
   if (status != TP_OK) return status;
   const bool done = fill(shapes, &built);
   tp_built_system_clear(&built);
-  if (done) return TP_OK;
+  if (done && shapes->contact_count == system->contact_count) return TP_OK;
   tp_block_shapes_clear(shapes);
-  return tp_fail_memory(message, "the figure");
+  return !done ? tp_fail_memory(message, "the figure")
+               : tp_refuse(message, TP_FAULT_KEY, (tp_place){0},
+                           "the scene has changed since it was solved: solve it again");
 }
 
 void tp_block_shapes_clear(tp_block_shapes *shapes) {

@@ -32,9 +32,10 @@ typedef struct tp_block_shapes {
   tp_contact_line *contacts;
 } tp_block_shapes;
 
-/* On failure `shapes` is cleared. */
+/* Of a scene and its result, which is refused where it is of another one. On failure `shapes` is
+ * cleared. */
 TP_MUST_USE tp_status tp_block_shapes_init(tp_block_shapes *shapes, const tp_scene *scene,
-                                           tp_message *message);
+                                           const tp_block_system *system, tp_message *message);
 void tp_block_shapes_clear(tp_block_shapes *shapes);
 
 /* The spot of a contact's resultant, from where it acts among the results. */
