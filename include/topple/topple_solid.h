@@ -158,12 +158,16 @@ typedef struct tp_solid_contact {
 
 /* The tilt towards an azimuth up to which forces hold the solid on its contacts. */
 typedef struct tp_solid_way {
-  double azimuth_deg;      /* towards which it is tilted */
-  tp_mechanism mechanism;  /* what it does there; interlocked: it is held at any tilt below 90
-                              degrees; undecided: nothing is proven */
-  bool has_critical;       /* there is such a tilt: */
-  tp_bounded critical_deg; /* if has_critical: that */
-  tp_solid_motion motion;  /* if has_critical: which begins there */
+  double azimuth_deg;        /* towards which it is tilted */
+  tp_mechanism mechanism;    /* what it does there; interlocked: it is held at any tilt below 90
+                                degrees; undecided: nothing is proven */
+  bool has_critical;         /* there is such a tilt: */
+  tp_bounded critical_deg;   /* if has_critical: that */
+  tp_solid_motion motion;    /* if has_critical: which begins there */
+  bool has_acceleration;     /* forces hold it at its tilt, and not against any acceleration: */
+  tp_bounded acceleration_g; /* if has_acceleration: the static horizontal acceleration towards the
+                                azimuth up to which they do at its tilt, in g */
+  tp_mechanism acceleration_mechanism; /* if has_acceleration: what it does there */
 } tp_solid_way;
 
 /* A solid on contact points with normals and friction. Forces hold it where some forces, each in
@@ -185,10 +189,18 @@ typedef struct tp_solid_contacts {
   tp_bounded critical_deg;    /* if has_critical: without an earthquake, the tilt up to which it is
                                  held: towards the azimuth of its tilt, or the least of all */
   tp_bounded
-      critical_azimuth_deg; /* if has_critical: towards which; of the least where it was found */
-  tp_solid_motion critical; /* if has_critical: the motion that begins there */
-  size_t way_count;         /* the azimuths, where it is held level; else 0 */
-  tp_solid_way *ways;       /* way_count of them: evenly from 0 on */
+      critical_azimuth_deg;  /* if has_critical: towards which; of the least where it was found */
+  tp_solid_motion critical;  /* if has_critical: the motion that begins there */
+  size_t way_count;          /* the azimuths, where it is held level; else 0 */
+  tp_solid_way *ways;        /* way_count of them: evenly from 0 on */
+  bool is_held_level;        /* do forces hold it level? */
+  bool has_acceleration;     /* forces hold it at its tilt, and not against any acceleration: */
+  tp_bounded acceleration_g; /* if has_acceleration: the static horizontal acceleration up to which
+                                they do at its tilt, the least of all azimuths, in g */
+  tp_bounded acceleration_azimuth_deg; /* if has_acceleration: towards which it was found */
+  tp_solid_motion acceleration;        /* if has_acceleration: the motion that begins there */
+  bool has_acceleration_ahead;         /* the same where its earthquake has an azimuth: */
+  tp_bounded acceleration_ahead_g;     /* if has_acceleration_ahead: the one towards that */
 } tp_solid_contacts;
 
 /* A plane that bounds a wedge, as its scene gives it. */

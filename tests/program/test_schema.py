@@ -326,6 +326,12 @@ class Schema(unittest.TestCase):
             status, out, err = run("solve", "--json", *words, rock.with_name("rock_on_contacts.yaml"))
             self.assertEqual((status, err), (0, ""))
             self.fits("solid", out)
+        with tempfile.TemporaryDirectory() as folder:  # an earthquake towards its azimuth
+            text = rock.with_name("rock_on_contacts.yaml").read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")
+            (pathlib.Path(folder) / "rock.yaml").write_text(text + "loads: {seismic: {horizontal: 0.05, azimuth_deg: 30}}\n")
+            status, out, err = run("solve", "--json", "rock.yaml", folder=folder)
+            self.assertEqual((status, err), (0, ""))
+            self.fits("solid", out)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         with tempfile.TemporaryDirectory() as folder:
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")

@@ -151,6 +151,47 @@ class Contacts(SceneCase):
                 self.assertEqual(fos > 1, verdict)
         self.assertGreater(stood, 1)
 
+    def test_accelerations(self):
+        """Level, k g is a tilt of arctan k. On its corners a box tilted by d slides along the strike at k = sqrt(mu^2 cos^2 d - sin^2 d),
+        down the dip at tan(phi - d), and topples over the edge below at (x - z tan d) / (z + x tan d), all times 1 - k_v; and by what is
+        printed: a hair within and beyond it, forces hold it and do not."""
+        self.put("rock.obj", exact_obj(*box((-1, -2, 0), (1, 2, 3))))
+        four = [{"at": [x, y, 0], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-2, 2)]
+        level = self.found(four, "friction_angle_deg: 32\n")
+        for way in level["ways"]:
+            self.assertAlmostEqual(way["acceleration_g"]["value"], math.tan(math.radians(way["critical_deg"]["value"])), 9)
+            self.assertEqual(way["acceleration_mechanism"], way["mechanism"])
+        self.assertLessEqual(abs(level["acceleration_g"]["value"] - math.tan(math.radians(32))), level["acceleration_g"]["error"] + 1e-13)
+        for tilt, phi, up in ((15, 25, 0), (15, 60, 0.25), (24, 25, 0.1)):
+            d, mu = math.radians(tilt), math.tan(math.radians(phi))
+            got = self.found(four, f"friction_angle_deg: {phi}\ntilt: {{angle_deg: {tilt}, azimuth_deg: 90}}\n"
+                                   f"loads: {{seismic: {{horizontal: 0.01, vertical: {up}, azimuth_deg: 90}}}}\n")
+            slides, topples = math.tan(math.radians(phi) - d), (1 - 1.5 * math.tan(d)) / (1.5 + math.tan(d))
+            truth = (1 - up) * min(slides, topples)
+            for own in (got["acceleration_g"], got["acceleration_ahead_g"], got["ways"][2]["acceleration_g"]):
+                self.assertLessEqual(abs(own["value"] - truth), own["error"] + 1e-13)
+                self.assertLess(own["error"], 1e-6)
+            self.assertEqual(got["acceleration"]["mechanism"], "slides" if slides < topples else "topples")
+            self.assertLess(abs(got["acceleration_azimuth_deg"]["value"] - 90), 0.1)
+            if phi == 25:
+                strike = (1 - up) * math.sqrt((mu * math.cos(d)) ** 2 - math.sin(d) ** 2)
+                self.assertAlmostEqual(got["ways"][0]["acceleration_g"]["value"], strike, 7)
+        self.assertNotIn("acceleration_g", self.found(four, "friction_angle_deg: 25\ntilt: {angle_deg: 26, azimuth_deg: 90}\n"))
+
+        leaning = [{"at": [-1, -2, 0], "normal": [0, 0.1, 1]}, {"at": [1, -2, 0], "normal": [0.2, 0, 1]},
+                   {"at": [0, 1.5, 0], "normal": [0, 0, 1]}, {"at": [1, 0, 2], "normal": [-1, 0.1, 0.2]}]
+        rest = "friction_angle_deg: 25\ntilt: {{angle_deg: 4, azimuth_deg: 200}}\nloads: {{seismic: {{horizontal: {}, azimuth_deg: {}}}}}\n"
+        own = self.found(leaning, rest.format(0, 40))
+        least = own["acceleration_g"]
+        ways = [(w["azimuth_deg"], w["acceleration_g"]) for w in own["ways"] if "acceleration_g" in w]
+        self.assertGreater(len(ways), 4)
+        self.assertTrue(all(k["value"] + k["error"] >= least["value"] - least["error"] for _, k in ways))
+        for azimuth, k in ways + [(own["acceleration_azimuth_deg"]["value"], least), (40, own["acceleration_ahead_g"])]:
+            self.assertLess(k["error"], 1e-6)
+            for share, verdict in ((0.99999, "may move"), (1.00001, None)):
+                near = self.found(leaning, rest.format(repr(share * k["value"]), azimuth))["verdict"]
+                self.assertEqual(near == "may move", verdict is not None, (azimuth, k))
+
     def test_moved_far_and_mirrored(self):
         far = 10 ** 15
         three = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]
@@ -164,7 +205,7 @@ class Contacts(SceneCase):
                       for p, n in zip(three, normals)]
             own = rest if sign > 0 else rest.replace("azimuth_deg: 30", "azimuth_deg: 330").replace("azimuth_deg: 60", "azimuth_deg: 300")
             told.append(self.found(listed, own))
-        for key in ("critical_deg", "fos"):
+        for key in ("critical_deg", "fos", "acceleration_g", "acceleration_ahead_g"):
             self.assertEqual(told[0][key], told[1][key])
             self.assertAlmostEqual(told[0][key]["value"], told[2][key]["value"], 6)
 

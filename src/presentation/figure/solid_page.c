@@ -73,11 +73,17 @@ static void add_held_verdict(tp_text *t, const tp_solid_contacts *own) {
                 tp_mechanism_name(own->fos_mechanism));
   }
   tp_text_add(t, ".");
-  if (!own->has_critical) return;
-  tp_text_add(t, " Up to a tilt of %s° towards %s° forces hold it; then it %s.",
-              tp_text_significant(n[0], own->critical_deg, 5),
-              tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
-              tp_mechanism_name(own->critical.mechanism));
+  if (own->has_critical) {
+    tp_text_add(t, " Up to a tilt of %s° towards %s° forces hold it; then it %s.",
+                tp_text_significant(n[0], own->critical_deg, 5),
+                tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
+                tp_mechanism_name(own->critical.mechanism));
+  }
+  if (own->has_acceleration) {
+    tp_text_add(t, " At its tilt they do up to a horizontal acceleration of %s g towards %s°.",
+                tp_text_significant(n[0], own->acceleration_g, 4),
+                tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1));
+  }
 }
 
 static void add_wedge_verdict(tp_text *t, const tp_solid_wedge *own) {

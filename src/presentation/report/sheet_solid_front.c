@@ -143,14 +143,23 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
   if (own->has_motion) {
     tp_text_add(t, " %s", tp_document_say(d, "No forces of the contacts hold it."));
   }
-  if (!own->has_critical) return;
+  if (own->has_critical) {
+    tp_text_add(t, " ");
+    tp_text_add(t,
+                tp_document_say(d, "Forces hold it up to a tilt of %s° towards the azimuth %s°: "
+                                   "there it moves, %s."),
+                tp_text_fixed(n[0], own->critical_deg, 3),
+                tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
+                tp_document_say(d, tp_text_motion(own->critical.mechanism)));
+  }
+  if (!own->has_acceleration) return;
   tp_text_add(t, " ");
   tp_text_add(t,
-              tp_document_say(d, "Forces hold it up to a tilt of %s° towards the azimuth %s°: "
-                                 "there it moves, %s."),
-              tp_text_fixed(n[0], own->critical_deg, 3),
-              tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
-              tp_document_say(d, tp_text_motion(own->critical.mechanism)));
+              tp_document_say(d, "At its tilt they hold it up to a horizontal acceleration of %s "
+                                 "g, the least of all azimuths, towards %s°: there it moves, %s."),
+              tp_text_significant(n[0], own->acceleration_g, 4),
+              tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1),
+              tp_document_say(d, tp_text_motion(own->acceleration.mechanism)));
 }
 
 static void conclude_wedge(tp_text *t, const tp_document *d, const tp_solid_wedge *own) {

@@ -52,21 +52,25 @@ static void add_motion(tp_solid_sheet *s, const tp_solid_motion *motion, const c
 }
 
 static void add_ways(tp_solid_sheet *s) {
+  static const char *const heads[] = {"Azimuth (°)", "Held up to (°)", "Motion", "Acceleration (g)",
+                                      "Motion"};
   const tp_solid_contacts *own = &s->solid->contacts;
   const size_t step = (own->way_count + WAY_ROWS - 1) / WAY_ROWS;
   tp_document *d = &s->document;
   if (own->way_count == 0) return;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 3, 0x3,
-                    "Tilt up to which forces hold it, towards each azimuth");
-  tp_document_word(d, "Azimuth (°)");
-  tp_document_word(d, "Held up to (°)");
-  tp_document_word(d, "Motion");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0xb,
+                    "Towards each azimuth: the tilt from level, and the horizontal acceleration at "
+                    "its tilt, up to which forces hold it");
+  tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
   for (size_t k = 0; k < own->way_count; k += step) {
     const tp_solid_way *way = own->ways + k;
     char n[TP_SHORTEST_SIZE];
     tp_document_cell(d, "%s", tp_shortest(n, way->azimuth_deg));
     tp_sheet_add_number_if(d, way->has_critical, way->critical_deg, 6);
     tp_document_word(d, tp_mechanism_name(way->mechanism));
+    tp_sheet_add_number_if(d, way->has_acceleration, way->acceleration_g, 6);
+    tp_document_word(d,
+                     way->has_acceleration ? tp_mechanism_name(way->acceleration_mechanism) : "–");
   }
 }
 

@@ -91,7 +91,7 @@ static void add_critical(tp_text *t, const tp_solid *s) {
   const tp_solid_contacts *c = &s->contacts;
   char tilt[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE];
   if (!c->has_critical) {
-    tp_text_add(t, c->way_count == 0 ? "  level, no forces are proven to hold it\n"
+    tp_text_add(t, !c->is_held_level ? "  level, no forces are proven to hold it\n"
                                      : "  no tilt below 90° is proven to move it\n");
     return;
   }
@@ -101,6 +101,25 @@ static void add_critical(tp_text *t, const tp_solid *s) {
               tp_text_fixed(azimuth, c->critical_azimuth_deg, 3));
   tp_text_solid_motion(t, &c->critical);
   tp_text_add(t, "\n");
+}
+
+static void add_acceleration(tp_text *t, const tp_solid *s) {
+  const tp_solid_contacts *c = &s->contacts;
+  char own[TP_NUMBER_SIZE], azimuth[TP_NUMBER_SIZE];
+  if (!c->has_acceleration) return;
+  tp_text_add(
+      t,
+      "  at its tilt they hold it up to a horizontal acceleration of %s g ± %.1e g, towards "
+      "%s°;\n  then it ",
+      tp_text_significant(own, c->acceleration_g, TILT), c->acceleration_g.error,
+      tp_text_fixed(azimuth, c->acceleration_azimuth_deg, 3));
+  tp_text_solid_motion(t, &c->acceleration);
+  tp_text_add(t, "\n");
+  if (c->has_acceleration_ahead) {
+    tp_text_add(t, "  towards %.6g°, where the earthquake acts, up to %s g ± %.1e g\n",
+                s->seismic_azimuth_deg, tp_text_significant(own, c->acceleration_ahead_g, TILT),
+                c->acceleration_ahead_g.error);
+  }
 }
 
 static void add_ways(tp_text *t, const tp_solid_contacts *c) {
@@ -131,6 +150,7 @@ void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
   tp_text_solid_loads(t, s);
   add_verdict(t, &s->contacts);
   add_critical(t, s);
+  add_acceleration(t, s);
   tp_text_solid_required(t, s);
   if (s->contacts.verdict == TP_MAY_MOVE) {
     tp_text_add(t, "  It may move all the same: contacts that face different ways can be wedged by "

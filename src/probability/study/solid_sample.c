@@ -52,7 +52,7 @@ static void take_stance(tp_study_row *row, const tp_solid *solid, const tp_solid
   if (solid->has_tilt_angle) row->tilt_deg = solid->tilt_angle_deg;
 }
 
-/* On contacts: no least acceleration, and factors of toppling and sliding are one. */
+/* On contacts factors of toppling and sliding are one. */
 static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
   const tp_solid_contacts *own = &solid->contacts;
   const double fos = !has_load(solid) ? (double)NAN
@@ -64,10 +64,11 @@ static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
   row->open = row->open || tp_solid_is_undecided(solid);
   if (at > 0) return;
   row->quantities[TP_STUDY_LIMIT_DEG] = own->has_critical    ? own->critical_deg.value
-                                        : own->way_count > 0 ? INFINITY
+                                        : own->is_held_level ? INFINITY
                                                              : -INFINITY;
   row->quantities[TP_STUDY_FOS] = fos;
-  row->quantities[TP_STUDY_ACCELERATION_G] = (double)NAN;
+  row->quantities[TP_STUDY_ACCELERATION_G] =
+      own->has_acceleration ? own->acceleration_g.value : (double)NAN;
   if (own->has_critical) {
     row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(own->critical.mechanism));
   }

@@ -152,34 +152,67 @@ static void set_base_parts(arb_struct parts[3], const arb_struct own[3], const t
   arb_set(parts + UP, own + 2);
 }
 
-void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
-  arb_struct parts[3], own[3], shares[4]; /* k_h, g, and k_h c, k_h w */
-  turn tilt, towards, quake;
+/* Of a horizontal share and one down, at the tilt of a scene. */
+static void set_shaken(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                       const arb_struct given[2], const turn *quake) {
+  arb_struct parts[3], own[3], shares[2]; /* k_h c, k_h w */
+  turn tilt, towards;
   init_parts(parts, 3);
   init_parts(own, 3);
-  init_parts(shares, 4);
+  init_parts(shares, 2);
   turn_init(&tilt, &scene->tilt_angle_deg);
   turn_init(&towards, &scene->tilt_azimuth_deg);
-  turn_init(&quake, &scene->loads.azimuth_deg);
-  set_share(shares, &scene->loads.horizontal, false);
-  set_share(shares + 1, &scene->loads.vertical, true);
-  arb_mul(shares + 2, &quake.cosine, &towards.cosine, BITS);
-  arb_addmul(shares + 2, &quake.sine, &towards.sine, BITS);
-  arb_mul(shares + 3, &quake.sine, &towards.cosine, BITS);
-  arb_submul(shares + 3, &quake.cosine, &towards.sine, BITS);
-  arb_mul(shares + 2, shares + 2, shares, BITS);
-  arb_mul(shares + 3, shares + 3, shares, BITS);
-  arb_mul(own, shares + 1, &tilt.sine, BITS);
-  arb_addmul(own, shares + 2, &tilt.cosine, BITS);
-  arb_set(own + 1, shares + 3);
-  arb_mul(own + 2, shares + 2, &tilt.sine, BITS);
-  arb_submul(own + 2, shares + 1, &tilt.cosine, BITS);
+  arb_mul(shares, &quake->cosine, &towards.cosine, BITS);
+  arb_addmul(shares, &quake->sine, &towards.sine, BITS);
+  arb_mul(shares + 1, &quake->sine, &towards.cosine, BITS);
+  arb_submul(shares + 1, &quake->cosine, &towards.sine, BITS);
+  for (int k = 0; k < 2; k++) arb_mul(shares + k, shares + k, given, BITS);
+  arb_mul(own, given + 1, &tilt.sine, BITS);
+  arb_addmul(own, shares, &tilt.cosine, BITS);
+  arb_set(own + 1, shares + 1);
+  arb_mul(own + 2, shares, &tilt.sine, BITS);
+  arb_submul(own + 2, given + 1, &tilt.cosine, BITS);
   set_base_parts(parts, own, &towards);
   set_load(load, frame, parts);
   clear_parts(parts, 3);
   clear_parts(own, 3);
-  clear_parts(shares, 4);
+  clear_parts(shares, 2);
   turn_clear(&tilt);
   turn_clear(&towards);
+}
+
+/* With the horizontal share of the scene, and its weight. */
+static void set_of_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                         bool shaken) {
+  arb_struct given[2];
+  turn quake;
+  init_parts(given, 2);
+  turn_init(&quake, &scene->loads.azimuth_deg);
+  if (shaken) set_share(given, &scene->loads.horizontal, false);
+  set_share(given + 1, &scene->loads.vertical, true);
+  set_shaken(load, frame, scene, given, &quake);
+  clear_parts(given, 2);
+  turn_clear(&quake);
+}
+
+void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
+  set_of_scene(load, frame, scene, true);
+}
+
+void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
+  set_of_scene(load, frame, scene, false);
+}
+
+void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                         const fmpq_t azimuth) {
+  arb_struct given[2];
+  turn quake;
+  init_parts(given, 2);
+  arb_one(given);
+  arb_init(&quake.sine);
+  arb_init(&quake.cosine);
+  set_sine_cosine(&quake.sine, &quake.cosine, azimuth);
+  set_shaken(load, frame, scene, given, &quake);
+  clear_parts(given, 2);
   turn_clear(&quake);
 }

@@ -34,4 +34,11 @@ void tp_hold_frame_way(tp_hold_load *load, const tp_hold_frame *frame, const fmp
 /* The weight, one, and the earthquake of a scene at its tilt. */
 void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene);
 
+/* At that tilt the weight alone, less what the earthquake lifts of it. */
+void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene);
+
+/* At that tilt, one along the horizon towards an azimuth. */
+void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                         const fmpq_t azimuth);
+
 #endif

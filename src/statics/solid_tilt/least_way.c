@@ -12,20 +12,44 @@
 
 enum { FIRST_POINTS = 12, MOST_POINTS = 96 };
 
-/* Held at any tilt is as good as held up to this tangent: farther than any that is the least. */
+/* Held at any t is as good as held up to this one: farther than any that is the least. */
 static const double endless = 1e6;
 
-void tp_level_loads_init(tp_level_loads *loads, const tp_hold_frame *frame) {
-  tp_hold_load_init(&loads->down);
+static void set_way(tp_hold_load *way, const tp_level_loads *loads, const tp_hold_frame *frame,
+                    const fmpq_t azimuth) {
+  if (loads->tilted != NULL) {
+    tp_hold_frame_shake(way, frame, loads->tilted, azimuth);
+  } else {
+    tp_hold_frame_way(way, frame, azimuth);
+  }
+}
+
+static void set_axis(tp_hold_load *way, const tp_level_loads *loads, const tp_hold_frame *frame,
+                     slong azimuth_deg) {
+  fmpq_t azimuth;
+  fmpq_init(azimuth);
+  fmpq_set_si(azimuth, azimuth_deg, 1);
+  set_way(way, loads, frame, azimuth);
+  fmpq_clear(azimuth);
+}
+
+void tp_level_loads_init(tp_level_loads *loads, const tp_hold_frame *frame,
+                         const tp_scene *tilted) {
+  loads->tilted = tilted;
+  tp_hold_load_init(&loads->load);
   tp_hold_load_init(&loads->east);
   tp_hold_load_init(&loads->north);
-  tp_hold_frame_axis(&loads->down, frame, 2, true);
-  tp_hold_frame_axis(&loads->east, frame, 0, false);
-  tp_hold_frame_axis(&loads->north, frame, 1, false);
+  if (tilted != NULL) {
+    tp_hold_frame_weight(&loads->load, frame, tilted);
+  } else {
+    tp_hold_frame_axis(&loads->load, frame, 2, true);
+  }
+  set_axis(&loads->east, loads, frame, 90);
+  set_axis(&loads->north, loads, frame, 0);
 }
 
 void tp_level_loads_clear(tp_level_loads *loads) {
-  tp_hold_load_clear(&loads->down);
+  tp_hold_load_clear(&loads->load);
   tp_hold_load_clear(&loads->east);
   tp_hold_load_clear(&loads->north);
 }
@@ -37,8 +61,8 @@ bool tp_level_limit(tp_hold_limit *limit, tp_hold *hold, const tp_level_loads *l
   fmpq_init(azimuth);
   tp_hold_double(azimuth, azimuth_deg);
   tp_hold_load_init(&way);
-  tp_hold_frame_way(&way, frame, azimuth);
-  const bool done = tp_hold_limit_find(limit, hold, &loads->down, &way);
+  set_way(&way, loads, frame, azimuth);
+  const bool done = tp_hold_limit_find(limit, hold, &loads->load, &way);
   tp_hold_load_clear(&way);
   fmpq_clear(azimuth);
   return done;
@@ -61,12 +85,12 @@ typedef struct polygon {
   corner corners[MOST_POINTS];
 } polygon;
 
-/* The line of a motion: no t beyond what it gains on the weight over what it does on the way. */
+/* The line of a motion: no t beyond what it gains on the load over what it does on the way. */
 static void take_line(polygon *p, const tp_hold_limit *limit) {
-  const tp_near down = tp_near_neg(tp_hold_gain(limit->twist, &p->loads->down));
+  const tp_near own = tp_near_neg(tp_hold_gain(limit->twist, &p->loads->load));
   const tp_near east = tp_hold_gain(limit->twist, &p->loads->east);
   const tp_near north = tp_hold_gain(limit->twist, &p->loads->north);
-  const tp_near reach = tp_near_div(down, tp_near_length(east, north));
+  const tp_near reach = tp_near_div(own, tp_near_length(east, north));
   tp_least_way *least = p->least;
   if (!(reach.value + reach.error < least->t.value + least->t.error)) return;
   const tp_bounded azimuth = tp_azimuth_of(east, north);

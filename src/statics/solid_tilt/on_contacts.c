@@ -7,7 +7,7 @@
 
 #include "number/near_angle.h"
 #include "solid/tilting.h"
-#include "solid_tilt/contact_points.h"
+#include "solid_tilt/contact_motion.h"
 #include "solid_tilt/least_way.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ typedef struct work {
   tp_contact_points points;
   tp_hold hold;
   tp_hold_frame frame;
-  tp_level_loads level;
+  tp_level_loads level, tilted;
   tp_message *message;
 } work;
 
@@ -28,56 +28,12 @@ static tp_status fail_memory(const work *w) {
   return tp_fail_memory(w->message, "the contacts of a solid");
 }
 
-/* ---- a motion ----------------------------------------------------------------------------------
+static void set_motion(tp_solid_motion *motion, const work *w, const double twist[TP_WRENCH]) {
+  tp_contact_motion(motion, &w->points, w->surface, w->given->metres_per_unit, twist);
+}
+
+/* ---- what holds --------------------------------------------------------------------------------
  */
-
-static double length(const double v[3]) {
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/* Of all motion, what counts for none: a motion is found to the root of the bound of its limit. */
-static const double still = 1e-4;
-
-static int count_still(const work *w, const double twist[TP_WRENCH]) {
-  double most = length(twist);
-  int count = 0;
-  for (int pass = 0; pass < 2; pass++) {
-    for (long n = 0; n < w->points.cones.count; n++) {
-      double motion[3];
-      tp_friction_cone_motion(motion, w->points.cones.cones + n, twist);
-      if (pass == 0) most = fmax(most, length(motion));
-      if (pass == 1) count += length(motion) <= still * most;
-    }
-  }
-  return count;
-}
-
-/* Zero, where it is that for doubles of a size. */
-static double settled(double number, double size) {
-  static const double digits = 1e-11;
-  return fabs(number) <= digits * size ? 0 : number;
-}
-
-static void set_motion(tp_solid_motion *own, const work *w, const double twist[TP_WRENCH]) {
-  const double *v = twist, *turn = twist + 3;
-  const double speed = length(v), rate = length(turn);
-  *own = (tp_solid_motion){.mechanism = TP_SLIDES, .turns = rate > still * speed};
-  for (int k = 0; k < 3; k++) {
-    own->axis[k] = settled(own->turns ? turn[k] / rate : v[k] / speed, 1);
-  }
-  if (!own->turns) return;
-  own->mechanism = count_still(w, twist) > 1 ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;
-  double foot[3];
-  for (int k = 0; k < 3; k++) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    foot[k] = (turn[i] * v[j] - turn[j] * v[i]) / (rate * rate);
-    own->pitch_m += turn[k] * v[k] / (rate * rate) * w->points.metres;
-  }
-  own->pitch_m = settled(own->pitch_m, w->points.metres);
-  tp_contact_points_given(own->at, &w->points, w->surface, foot);
-  const double size = w->points.metres / tp_surface_nearest(w->given->metres_per_unit);
-  for (int k = 0; k < 3; k++) own->at[k] = settled(own->at[k], size);
-}
 
 static bool is_parallel(const fmpq a[3], const fmpq b[3]) {
   fmpq_t own, other;
@@ -173,7 +129,6 @@ static tp_status set_stance(const work *w, tp_hold *hold) {
 
 static tp_status find_way(tp_solid_way *own, work *w, double azimuth_deg) {
   tp_hold_limit limit;
-  *own = (tp_solid_way){.azimuth_deg = azimuth_deg, .mechanism = TP_MECHANISM_UNDECIDED};
   if (!tp_level_limit(&limit, &w->hold, &w->level, &w->frame, azimuth_deg)) return fail_memory(w);
   own->has_critical = !limit.is_open && !limit.is_endless;
   if (limit.is_endless) own->mechanism = TP_INTERLOCKED;
@@ -187,7 +142,7 @@ static tp_status find_way(tp_solid_way *own, work *w, double azimuth_deg) {
 /* Towards the azimuth of the tilt. */
 static tp_status find_critical(work *w, double azimuth_deg) {
   tp_solid_contacts *own = w->results;
-  tp_solid_way way;
+  tp_solid_way way = {.mechanism = TP_MECHANISM_UNDECIDED};
   const tp_status status = find_way(&way, w, azimuth_deg);
   own->has_critical = way.has_critical;
   own->critical_deg = way.critical_deg;
@@ -209,37 +164,97 @@ static tp_status find_least(work *w) {
   return TP_OK;
 }
 
-static tp_status find_ways(work *w) {
+static tp_status find_level(work *w) {
+  const tp_quantity *azimuth = &w->given->scene->tilt_azimuth_deg;
   tp_solid_contacts *own = w->results;
-  const size_t count = w->given->azimuths;
-  own->ways = calloc(count + 1, sizeof *own->ways);
-  if (own->ways == NULL) return fail_memory(w);
-  tp_status status = TP_OK;
-  for (size_t k = 0; k < count && status == TP_OK; k++) {
-    status = find_way(own->ways + own->way_count++, w, 360.0 * (double)k / (double)count);
+  tp_hold_side side;
+  double twist[TP_WRENCH];
+  if (!tp_hold_load_side(&side, twist, &w->hold, &w->level.load)) return fail_memory(w);
+  own->is_held_level = side == TP_HOLD_HOLDS;
+  own->way_count = own->is_held_level ? w->given->azimuths : 0;
+  if (!own->is_held_level) return TP_OK;
+  tp_status status = azimuth->given
+                         ? find_critical(w, fmod(tp_surface_nearest(azimuth->value), 360))
+                         : find_least(w);
+  for (size_t k = 0; k < own->way_count && status == TP_OK; k++) {
+    status = find_way(own->ways + k, w, own->ways[k].azimuth_deg);
   }
   return status;
 }
 
-static tp_status find_level(work *w) {
-  const tp_quantity *azimuth = &w->given->scene->tilt_azimuth_deg;
+/* ---- accelerations -----------------------------------------------------------------------------
+ */
+
+static tp_status shake_way(tp_solid_way *own, work *w) {
+  tp_hold_limit limit;
+  if (!tp_level_limit(&limit, &w->hold, &w->tilted, &w->frame, own->azimuth_deg)) {
+    return fail_memory(w);
+  }
+  own->has_acceleration = !limit.is_open && !limit.is_endless;
+  if (!own->has_acceleration) return TP_OK;
+  tp_solid_motion motion;
+  own->acceleration_g = tp_near_bounded(limit.t);
+  set_motion(&motion, w, limit.twist);
+  own->acceleration_mechanism = motion.mechanism;
+  return TP_OK;
+}
+
+/* Towards the azimuth of the scene's earthquake. */
+static tp_status shake_ahead(work *w) {
+  const tp_quantity *azimuth = &w->given->scene->loads.azimuth_deg;
+  tp_solid_contacts *own = w->results;
+  if (!azimuth->given) return TP_OK;
+  tp_solid_way way = {.azimuth_deg = fmod(tp_surface_nearest(azimuth->value), 360)};
+  const tp_status status = shake_way(&way, w);
+  own->has_acceleration_ahead = way.has_acceleration;
+  own->acceleration_ahead_g = way.acceleration_g;
+  return status;
+}
+
+/* Where forces hold it at its tilt under its weight alone. */
+static tp_status find_shaken(work *w) {
+  tp_solid_contacts *own = w->results;
   tp_hold_side side;
   double twist[TP_WRENCH];
-  if (!tp_hold_load_side(&side, twist, &w->hold, &w->level.down)) return fail_memory(w);
+  tp_least_way least;
+  if (!tp_hold_load_side(&side, twist, &w->hold, &w->tilted.load)) return fail_memory(w);
   if (side != TP_HOLD_HOLDS) return TP_OK;
-  const tp_status status = azimuth->given
-                               ? find_critical(w, fmod(tp_surface_nearest(azimuth->value), 360))
-                               : find_least(w);
-  return status == TP_OK ? find_ways(w) : status;
+  if (!tp_least_way_find(&least, &w->hold, &w->tilted, &w->frame)) return fail_memory(w);
+  own->has_acceleration = least.is_known && !least.is_endless;
+  if (own->has_acceleration) {
+    own->acceleration_g = tp_near_bounded(least.t);
+    own->acceleration_azimuth_deg =
+        (tp_bounded){.value = least.azimuth_deg, .error = least.azimuth_error};
+    set_motion(&own->acceleration, w, least.twist);
+  }
+  tp_status status = shake_ahead(w);
+  for (size_t k = 0; k < own->way_count && status == TP_OK; k++) {
+    status = shake_way(own->ways + k, w);
+  }
+  return status;
 }
 
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
+static tp_status init_ways(work *w) {
+  tp_solid_contacts *own = w->results;
+  const size_t count = w->given->azimuths;
+  own->ways = calloc(count + 1, sizeof *own->ways);
+  if (own->ways == NULL) return fail_memory(w);
+  for (size_t k = 0; k < count; k++) {
+    own->ways[k] = (tp_solid_way){.azimuth_deg = 360.0 * (double)k / (double)count,
+                                  .mechanism = TP_MECHANISM_UNDECIDED};
+  }
+  return TP_OK;
+}
+
 static tp_status find_all(work *w) {
   if (!tp_hold_init(&w->hold, &w->points.cones, 1)) return fail_memory(w);
-  const tp_status status = set_stance(w, &w->hold);
-  return status == TP_OK ? find_level(w) : status;
+  tp_status status = set_stance(w, &w->hold);
+  if (status == TP_OK) status = init_ways(w);
+  if (status == TP_OK) status = find_level(w);
+  return status == TP_OK ? find_shaken(w) : status;
 }
 
 static tp_status find_on(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
@@ -254,10 +269,12 @@ static tp_status find_on(tp_solid *solid, const tp_centre *centre, const tp_soli
       tp_contact_points_init(&w.points, own->contacts, centre, given, &solid->notes, message);
   if (status == TP_OK) {
     tp_hold_frame_init(&w.frame, given->up);
-    tp_level_loads_init(&w.level, &w.frame);
+    tp_level_loads_init(&w.level, &w.frame, NULL);
+    tp_level_loads_init(&w.tilted, &w.frame, given->scene);
     status = find_all(&w);
     tp_hold_clear(&w.hold);
     tp_level_loads_clear(&w.level);
+    tp_level_loads_clear(&w.tilted);
     tp_hold_frame_clear(&w.frame);
   }
   tp_contact_points_clear(&w.points);
@@ -274,7 +291,11 @@ static void set_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
                                   .fos_mechanism = contacts->fos_mechanism,
                                   .has_critical = contacts->has_critical,
                                   .critical_deg = contacts->critical_deg,
-                                  .critical_mechanism = contacts->critical.mechanism};
+                                  .critical_mechanism = contacts->critical.mechanism,
+                                  .has_acceleration = contacts->has_acceleration,
+                                  .acceleration_g = contacts->acceleration_g,
+                                  .acceleration_azimuth_deg = contacts->acceleration_azimuth_deg,
+                                  .acceleration_mechanism = contacts->acceleration.mechanism};
 }
 
 tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
