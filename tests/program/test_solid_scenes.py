@@ -251,6 +251,24 @@ class Varied(SceneCase):
             self.assertEqual(ended, status, err)
 
 
+    def test_answer(self):
+        """The report begins with the answer, of the band that governs, in the numbers that the tables below it have; the figure is headed
+        by the same words."""
+        ended, out, err = run("solve", ROCK)
+        self.assertEqual(ended, 0, err)
+        answer = " ".join(out.split("\n\n")[1].split())
+        own = json.loads(run("solve", "--json", ROCK)[1])
+        band = min(own["bands"], key=lambda b: b["band"])
+        stance = band["stance"]
+        self.assertEqual(band["band"], own["governing_band"])
+        self.assertIn(f"Tilted by 5° towards 120° and under its earthquake it {stance['verdict']}: factor of safety "
+                      f"{stance['fos']['value']:.4g} against toppling.", answer)
+        self.assertIn(f"acceleration that moves it is {stance['acceleration_g']['value']:.4g} g", answer)
+        self.assertIn(f"topples at {band['least']['tilt_deg']['value']:.5g}°, towards {band['least']['azimuth_deg']['value']:.0f}°", answer)
+        self.assertTrue(answer.endswith(f"So by the least band, {band['band']} m, which governs."), answer)
+        self.assertLessEqual(max(len(line) for line in out.split("\n\n")[1].splitlines()), 80)
+
+
 class Figures(SceneCase):
     def test_drawn(self):
         """The same bytes each time, in three formats; what is said stands in the text; a mesh that has changed is refused."""

@@ -19,94 +19,13 @@
 /* ---- what is said ------------------------------------------------------------------------------
  */
 
-static const char *against(tp_mechanism mechanism) {
-  return mechanism == TP_SLIDES    ? "sliding"
-         : mechanism == TP_TOPPLES ? "toppling"
-                                   : "toppling and sliding";
-}
-
-static void add_verdict(tp_text *t, const tp_solid_figure *f) {
-  const tp_solid *solid = f->solid;
-  tp_text_add(t, "With the least band, %.6g %s, which governs, ", f->band->band,
-              solid->length_unit);
-  const tp_solid_stance *own = &f->band->stance;
-  char n[TP_NUMBER_SIZE];
-  if (!f->band->has_stance && !f->band->stands) {
-    tp_text_add(t, "it does not stand.");
-    return;
-  }
-  if (f->band->has_stance) {
-    if (solid->is_on_slope) {
-      tp_text_add(t, "on its base, which dips %.6g° towards %.6g°, it %s", solid->tilt_angle_deg,
-                  solid->tilt_azimuth_deg, tp_mechanism_name(own->verdict));
-    } else if (solid->has_tilt_angle) {
-      tp_text_add(t, "tilted by %.6g° it %s", solid->tilt_angle_deg,
-                  tp_mechanism_name(own->verdict));
-    } else {
-      tp_text_add(t, "as it lies it %s", tp_mechanism_name(own->verdict));
-    }
-    if (own->has_fos) {
-      tp_text_add(t, ", factor of safety %s against %s", tp_text_significant(n, own->fos, 4),
-                  against(own->fos_mechanism));
-    }
-    tp_text_add(t, ". ");
-    if (own->has_acceleration) {
-      tp_text_add(t, "Least horizontal acceleration that moves it: %s g towards %.0f°. ",
-                  tp_text_significant(n, own->acceleration_g, 4),
-                  own->acceleration_azimuth_deg.value);
-    }
-  }
-  if (f->band->stands) {
-    tp_text_add(t, "%s level on it %s at %s°, towards %.0f°.",
-                f->band->has_stance ? "From" : "from", tp_mechanism_name(f->band->mechanism),
-                tp_text_significant(n, f->band->critical_deg, 5), f->band->least.azimuth_deg.value);
-  }
-}
-
-static void add_held_verdict(tp_text *t, const tp_solid_contacts *own) {
-  char n[2][TP_NUMBER_SIZE];
-  tp_text_add(t, tp_solid_is_held(own) ? "Forces within all cones of friction hold it"
-                 : own->has_motion     ? "No forces of its contacts hold it: it certainly moves"
-                                       : "Undecided");
-  if (own->has_fos) {
-    tp_text_add(t, "; factor of safety %s, until it %s", tp_text_significant(n[0], own->fos, 4),
-                tp_mechanism_name(own->fos_mechanism));
-  }
-  tp_text_add(t, ".");
-  if (own->has_critical) {
-    tp_text_add(t, " Up to a tilt of %s° towards %s° forces hold it; then it %s.",
-                tp_text_significant(n[0], own->critical_deg, 5),
-                tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
-                tp_mechanism_name(own->critical.mechanism));
-  }
-  if (own->has_acceleration) {
-    tp_text_add(t, " At its tilt they do up to a horizontal acceleration of %s g towards %s°.",
-                tp_text_significant(n[0], own->acceleration_g, 4),
-                tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1));
-  }
-}
-
-static void add_wedge_verdict(tp_text *t, const tp_solid_wedge *own) {
-  char n[TP_NUMBER_SIZE];
-  tp_text_add(t, "The wedge %s. Sliding %s", tp_mechanism_name(own->verdict),
-              tp_text_solid_wedge_way(own));
-  if (own->has_fos) tp_text_add(t, ": factor of safety %s", tp_text_significant(n, own->fos, 4));
-  tp_text_add(t, ".");
-}
-
 /* Nothing on a sheet, which has it already. */
 static bool say(double *y, cairo_t *cr, const tp_solid_figure *f) {
   const tp_solid *solid = f->solid;
   tp_text title = {0}, verdict = {0};
   if (f->sketch) return true;
   tp_encode_plain(&title, solid->title != NULL ? solid->title : solid->file);
-  if (solid->has_wedge) {
-    add_wedge_verdict(&verdict, &solid->wedge);
-  } else if (solid->has_contacts) {
-    add_held_verdict(&verdict, &solid->contacts);
-  } else {
-    add_verdict(&verdict, f);
-  }
+  tp_text_solid_answer(&verdict, solid);
   const bool done = !title.failed && !verdict.failed;
   if (done) {
     const double x = TP_FIGURE_MARGIN, width = TP_SOLID_PAGE_ROOM;

@@ -5,26 +5,15 @@
 
 #include "common/host.h"
 #include "output/encode.h"
+#include "output/wrap.h"
 #include "report/results.h"
 #include "report/words.h"
 #include "terms/names.h"
 
 #include <string.h>
 
-/* Characters, not bytes: those that continue one do not count. */
-static int width_within(const char *text, size_t length) {
-  int width = 0;
-  for (size_t k = 0; k < length; k++) width += ((unsigned char)text[k] & 0xc0) != 0x80;
-  return width;
-}
-
 static int width_of(const char *text) {
-  return width_within(text, strlen(text));
-}
-
-static void add_padded(tp_text *t, const char *text, int width) {
-  tp_encode_plain(t, text);
-  tp_text_add(t, "%*s", width > width_of(text) ? width - width_of(text) : 0, "");
+  return (int)tp_text_width(text, strlen(text));
 }
 
 static void add_factor(tp_text *t, const tp_load_case *own) {
@@ -51,7 +40,7 @@ static void add_required(tp_text *t, const tp_load_case *own) {
 
 static void add_case(tp_text *t, const tp_load_case *own, int width) {
   tp_text_add(t, "  ");
-  add_padded(t, own->name, width);
+  tp_encode_column(t, own->name, width);
   add_factor(t, own);
   add_required(t, own);
   tp_text_add(t, "  %s, %s\n", tp_direction_name(own->towards),
@@ -62,7 +51,6 @@ static void add_case(tp_text *t, const tp_load_case *own, int width) {
 
 /* On lines of their own, each factor behind a comma. */
 static void add_factors(tp_text *t, const tp_load_case *own, bool *any) {
-  enum { WIDTH = 80, INDENT = 4 };
   const char *words = own->solution->partial_factors;
   if (words == NULL) return;
   tp_text_add(t, "%s  ", *any ? "" : "\nPartial factors\n");
@@ -71,21 +59,10 @@ static void add_factors(tp_text *t, const tp_load_case *own, bool *any) {
   if (strncmp(words, own->name, named) == 0 && words[named] == ':') {
     words += named + 1 + strspn(words + named + 1, " ");
   }
-  int column = 2 + width_of(own->name) + 1;
-  add_padded(t, own->name, 0);
-  tp_text_add(t, ":");
-  while (*words != '\0') {
-    const size_t length = strcspn(words, " ");
-    const int width = width_within(words, length);
-    if (column + 1 + width > WIDTH) {
-      tp_text_add(t, "\n%*s%.*s", INDENT, "", (int)length, words);
-      column = INDENT + width;
-    } else {
-      tp_text_add(t, " %.*s", (int)length, words);
-      column += 1 + width;
-    }
-    words += length + strspn(words + length, " ");
-  }
+  tp_wrapping wrapping = {.indent = 4, .column = 2 + (size_t)width_of(own->name) + 2};
+  tp_encode_plain(t, own->name);
+  tp_text_add(t, ": ");
+  tp_text_add_wrapped(t, words, &wrapping);
   tp_text_add(t, "\n");
 }
 

@@ -28,10 +28,6 @@ static void add_bounded(tp_text *t, const char *label, tp_bounded number, const 
               unit, number.error);
 }
 
-const tp_solid_band *tp_solid_band_that_governs(const tp_solid *solid) {
-  return solid->bands + solid->governing;
-}
-
 tp_mechanism tp_solid_row_verdict(const tp_solid *solid) {
   const tp_solid_band *own = tp_solid_band_that_governs(solid);
   return own->has_stance ? own->stance.verdict : TP_TOPPLES;
@@ -58,7 +54,9 @@ static void add_body(tp_text *t, const tp_solid *s) {
     tp_text_add(t, "\n");
   }
   tp_encode_plain(t, s->file);
-  tp_text_add(t, "\n\n%s of %zu triangles, %zu points; ", s->has_wedge ? "Wedge" : "Solid",
+  tp_text_add(t, "\n\n");
+  if (s->of_scene) tp_text_solid_answer_wrapped(t, s);
+  tp_text_add(t, "%s of %zu triangles, %zu points; ", s->has_wedge ? "Wedge" : "Solid",
               s->triangles, s->vertices);
   if (s->of_scene) {
     char metres[TP_SHORTEST_SIZE];
@@ -143,9 +141,9 @@ static void add_range(tp_text *t, const tp_solid *s) {
     most = fmax(most, b->least.tilt_deg.value);
   }
   if (s->band_count > 1 && (falls || most > least)) {
-    tp_text_add(t,
-                "  What is said depends on which points are taken to touch: the band is to be that "
-                "of the\n  survey's noise, and the least of its range counts.\n");
+    tp_text_add(
+        t, "  The results depend on which points are taken to touch: choose bands by the noise of "
+           "the\n  survey, and rely on the least value of their range.\n");
   }
 }
 

@@ -12,6 +12,11 @@
 /* Digits of a tilt. */
 enum { TP_SOLID_TILT_DIGITS = 8 };
 
+/* Of a scene, in a few sentences: whether it stands at its tilt, how safely, and at which tilt it
+ * moves. */
+void tp_text_solid_answer(tp_text *t, const tp_solid *solid);
+void tp_text_solid_answer_wrapped(tp_text *t, const tp_solid *solid); /* and an empty line */
+
 /* Of a scene: what the solid does at its tilt; else nothing. */
 void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 
