@@ -292,7 +292,8 @@ typedef struct tp_study_result {
   size_t source_count;            /* of the sources */
   TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
                                 is written over them */
-  bool of_solid;             /* the scene is of a solid */
+  bool of_solid;             /* the scene is of a solid, */
+  bool of_wedge;             /* of a wedge, by the assumptions of Hoek and Bray */
 } tp_study_result;
 
 /* The ranks of a program that runs a study as several processes, by MPI or otherwise: each makes

@@ -177,6 +177,7 @@ class Wedges(Case):
         self.assertEqual(status, 0, err)
         self.assertIn("\nAs it lies\n", out)
         self.assertNotIn("as the table is tilted", out)
+        self.assertIn("by the assumptions of Hoek and Bray", out)  # as "certain to stand" is said by them alone
         factors = [oracle(*own[:5], ((1.25 + k / 2, 24), (20, 48)), *own[6:])[0] for k in range(64)]
         counted = int(next(line.split()[1] for line in out.splitlines() if line.startswith("  slides  ")))
         self.assertAlmostEqual(counted, sum(factor < 1 for factor in factors), delta=1)  # one stratum has both

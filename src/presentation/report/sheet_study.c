@@ -196,6 +196,12 @@ static void add_price(tp_document *d, const tp_study_result *r) {
         "Limits and factors are certain to 1e-6 of themselves; by Goodman and Bray "
         "they have no bound. Blocks that forces can hold count as those that may move.");
   }
+  if (r->of_wedge) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "A wedge stands or slides by the assumptions of Hoek and Bray: it does not turn, "
+        "and friction and cohesion act against its sliding alone.");
+  }
   if (r->open > 0) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                     r->of_many_blocks

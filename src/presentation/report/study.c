@@ -242,6 +242,11 @@ static void add_tellers(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "Solved in doubles with proven bounds, or in whole numbers where these do not "
                    "tell.\n");
   }
+  if (r->of_wedge) {
+    tp_text_add(
+        t, "A wedge stands or slides by the assumptions of Hoek and Bray: it does not turn, and "
+           "friction and\ncohesion act against its sliding alone.\n");
+  }
   if (r->by_doubles == 0) return;
   tp_text_add(t, "%zu samples solved in doubles with proven bounds, %zu in higher precision.\n",
               r->by_doubles, r->samples - r->by_doubles);

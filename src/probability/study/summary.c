@@ -23,10 +23,13 @@ static const double confidence = 0.95;
 /* ---- tilts -------------------------------------------------------------------------------------
  */
 
+static bool is_of_wedge(const tp_scene *scene) {
+  return scene->solid.wedge.place.file != NULL;
+}
+
 /* In the frame of the world; a solid as its base or its joints dip. */
 static bool lies(const tp_scene *scene) {
-  return tp_scene_lies_in_place(scene) || scene->solid.dip_deg.given ||
-         scene->solid.wedge.place.file != NULL;
+  return tp_scene_lies_in_place(scene) || scene->solid.dip_deg.given || is_of_wedge(scene);
 }
 
 static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
@@ -234,6 +237,7 @@ static bool fill(tp_study_result *result, const tp_tally *tally) {
            fill_variables(result, tally) && fill_correlations(result, study);
   result->of_many_blocks = tp_study_is_of_many(study);
   result->of_solid = tp_study_is_of_solid(study);
+  result->of_wedge = is_of_wedge(study->scene);
   result->has_required_fos =
       (result->of_many_blocks || result->of_solid) && study->scene->required_fos.given;
   result->below_required = tp_row_counts_share(counts->below_required, counts->samples);
