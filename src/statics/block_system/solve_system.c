@@ -77,8 +77,10 @@ static tp_status find_tilt(direction *d, tp_message *message) {
   const tp_status status = tp_threshold_find(&d->tilt, &search, message);
   if (status != TP_OK) return status;
   const double degrees = 180 / acos(-1), round = 1e-13;
+  /* held, but not proven to be the most: that all tilts up to 90 degrees are is another thing */
+  const bool held_to_end = d->tilt.is_held && d->tilt.held >= search.from + search.most;
   d->own->limit = d->tilt.is_held && d->tilt.is_bounded ? TP_SYSTEM_LIMIT_NUMBER
-                  : d->tilt.is_held                     ? TP_SYSTEM_INTERLOCKED
+                  : held_to_end                         ? TP_SYSTEM_INTERLOCKED
                                                         : TP_SYSTEM_LIMIT_UNDECIDED;
   if (d->own->limit == TP_SYSTEM_LIMIT_NUMBER) {
     d->own->critical_angle_deg = between(d->tilt.held * degrees, d->tilt.bound * degrees);
