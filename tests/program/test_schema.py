@@ -246,13 +246,12 @@ class Schema(unittest.TestCase):
             study.write_text("topple_study: 1\nscene: row.yaml\nvary: {friction_angle_deg: {list: [0, 40]}}\n",
                              encoding="utf-8")
             self.prints("study", "--json", study)
-            bonded = pathlib.Path(name) / "bonded.yaml"  # by cohesion, with which motions are not looked for
-            bonded.write_text(row.read_text(encoding="utf-8") + "block: {unit_weight_kn_m3: 25}\nloads: {cohesion_kpa: 1}\n",
-                              encoding="utf-8")
+            many = pathlib.Path(name) / "many.yaml"  # too many for motions to be looked for
+            many.write_text(row.read_text(encoding="utf-8").replace("[1, 1]", f"{[1] * 49}"), encoding="utf-8")
             pinched = pathlib.Path(name) / "pinched.yaml"  # between two others, which falls at every friction
             pinched.write_text(scene.read_text(encoding="utf-8") + "- {slab: {width: 2, height: 1}, at: [3, 0]}\n"
                                "- {slab: {width: 1, height: 0.25}, at: [2, 0.5]}\n", encoding="utf-8")
-            files = ((scene, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (bonded, ()), (pinched, ()))
+            files = ((scene, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (many, ()), (pinched, ()))
             drawn = (example.with_name("wet_columns.yaml"), ("--outlines",))
             for path, more in ((example, ("--set", "friction_angle_deg=36")), drawn, *files):
                 status, out, err = run("solve", "--json", *more, path)

@@ -59,14 +59,9 @@ void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_sy
   add_tilts(t, s, c);
   if (c->sought == TP_SYSTEM_SOUGHT || c->verdict == TP_SYSTEM_COLLAPSES) return;
   if (c->verdict == TP_SYSTEM_STANDS) return; /* without friction */
-  if (c->sought == TP_SYSTEM_SOUGHT_COHESIVE && c->verdict == TP_SYSTEM_MAY_MOVE) return;
   tp_text_add(
       t,
-      c->sought == TP_SYSTEM_SOUGHT_COHESIVE
-          ? "  Whether a motion can begin all the same was not examined: joints have cohesion or "
-            "tensile strength.\n"
-          : "  Whether a motion can begin all the same was not examined: there are too many "
-            "blocks.\n");
+      "  Whether a motion can begin all the same was not examined: there are too many blocks.\n");
 }
 
 void tp_text_system_start(tp_text *t, const tp_system_case *c) {

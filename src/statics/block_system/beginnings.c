@@ -48,7 +48,6 @@ static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *conte
 
 static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
   *excluded = false;
-  if (b->own->sought != TP_SYSTEM_SOUGHT) return TP_OK;
   const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
   if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
   return tp_moving_prove_modes(&b->moving, 0, b->standing.left, message);
@@ -215,7 +214,7 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
     double standing = 0;
     status = tp_standing_init(&s, &b->resting, state_at_tilt, b, message);
     if (status != TP_OK) return status;
-    s.turns = true;
+    s.loads_vary = true;
     s.most_work = b->standing.most_work;
     status = stand_to_limit(&standing, m, &s, &r, message);
     own->has_standing_angle = true;
@@ -250,6 +249,7 @@ static tp_status search(beginnings *b, tp_message *message) {
   if (status != TP_OK) return status;
   status = tp_standing_init(&b->standing, &b->resting, state_at_strength, b, message);
   b->standing.most_work = most_work;
+  b->standing.loads_vary = b->task->system->has_cohesion;
   if (status == TP_OK) {
     status = b->own->verdict == TP_SYSTEM_COLLAPSES ? search_collapse(b, message)
              : b->task->verdict_alone               ? search_verdict(b, message)
@@ -261,9 +261,7 @@ static tp_status search(beginnings *b, tp_message *message) {
 }
 
 static tp_system_sought how_far(const tp_built_system *s) {
-  return s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY
-         : s->has_cohesion                      ? TP_SYSTEM_SOUGHT_COHESIVE
-                                                : TP_SYSTEM_SOUGHT;
+  return s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY : TP_SYSTEM_SOUGHT;
 }
 
 /* Whatever friction there is. */

@@ -26,7 +26,7 @@ tp_status tp_standing_init(tp_standing_search *s, const tp_resting *r, tp_moving
   return tp_fail_memory(message, "the motions");
 }
 
-/* Friction is greatest where x, of a divisor, is least. */
+/* Strength is greatest where x, of a divisor, is least. */
 tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, double to,
                             tp_message *message) {
   *proven = false;
@@ -39,8 +39,9 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
   if (status != TP_OK || !exists) return status;
   const tp_modes_question q = {.resting = s->resting,
                                .friction = {s->ends[1].friction, s->ends[0].friction},
+                               .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
                                .loads = {s->ends[0].loads, s->ends[1].loads},
-                               .load_count = s->turns && to > from ? 2 : 1};
+                               .load_count = s->loads_vary && to > from ? 2 : 1};
   tp_exclusion e = {.most_work = s->most_work, .work = s->work, .left = s->left};
   status = tp_exclusion_find(&e, &q, message);
   s->work = e.work;

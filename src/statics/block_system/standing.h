@@ -12,11 +12,12 @@
 
 typedef struct tp_standing_search {
   const tp_resting *resting;
-  tp_moving_state *state; /* linear, or by friction, between two of x: proofs are of all between */
+  tp_moving_state *state; /* linear, or by strength, between two of x: proofs are of all between */
   const void *context;
-  bool turns;     /* x is a tilt: loads differ; else friction does */
-  long most_work; /* in all */
-  long work;      /* so far */
+  bool loads_vary; /* between two of x: it is a tilt, or joints pull, by a strength that is divided
+                    */
+  long most_work;  /* in all */
+  long work;       /* so far */
   tp_blocks_at ends[2];
   tp_mode_set *left; /* by contact: what an exclusion left; all 0: nothing of the kind */
 } tp_standing_search;

@@ -3,9 +3,10 @@
 
 /* Reactions c whose accelerations y = M^-1 A c no force of the node resists: e . y < 0 for each of
  * its edges, and w . y < 0. Searched by a linear program that makes all of them as negative as
- * they can be, then evaluated with bounds from the c that are found: whatever these are, y is
- * theirs. */
+ * they can be, with what cohesion may add, then evaluated with bounds from the c that are found:
+ * whatever these are, y is theirs. */
 
+#include "contact_modes/cohesive_shear.h"
 #include "contact_modes/dense_program.h"
 #include "contact_modes/reactions.h"
 
@@ -19,12 +20,19 @@ typedef struct edge {
   tp_near shear;
 } edge;
 
+/* What cohesion may add along a contact. */
+typedef struct cohesive {
+  const tp_force_column *along;
+  tp_cohesive_shear own;
+} cohesive;
+
 typedef struct resisting {
   const tp_modes_node *node;
   const tp_modes_question *q;
   tp_bearing_reactions reactions;
-  long edge_count;
+  long edge_count, shear_count; /* shears: of contacts that have some by cohesion */
   edge *edges;
+  cohesive *shears;
   double *columns, *factors;
   tp_near *wrenches, *y; /* by row */
 } resisting;
@@ -67,6 +75,19 @@ static bool find_edges(resisting *s) {
     for (int e = 0; e < c->ends; e++) add_end(s, k, e);
   }
   return s->edges != NULL;
+}
+
+static bool find_shears(resisting *s) {
+  const tp_resting *r = s->q->resting;
+  s->shears = calloc((size_t)r->contact_count + 1, sizeof *s->shears);
+  for (long k = 0; k < r->contact_count && s->shears != NULL; k++) {
+    const tp_force_column *along = &r->contacts[k].along;
+    if (tp_modes_rests(s->node, along->row[0]) && tp_modes_rests(s->node, along->row[1])) continue;
+    const tp_cohesive_shear own = tp_cohesive_shear_of(s->node, s->q, k);
+    if (tp_near_is_zero(own.least) && tp_near_is_zero(own.most)) continue;
+    s->shears[s->shear_count++] = (cohesive){along, own};
+  }
+  return s->shears != NULL;
 }
 
 /* ---- search ------------------------------------------------------------------------------------
@@ -113,6 +134,10 @@ static double power(const tp_near *loads, const pushed *p) {
   return sum;
 }
 
+static long row_of_shear(const resisting *s, long shear) {
+  return s->edge_count + s->q->load_count + shear;
+}
+
 static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing_reaction *own,
                        double sign, long column) {
   const pushed of = push(s, own);
@@ -121,8 +146,30 @@ static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing
     *tp_dense_program_entry(p, r, column) =
         sign * (along(e->normal, &of) + e->shear.value * along(e->along, &of));
   }
+  double least = 0; /* of what cohesion adds to the power of the loads */
+  for (long k = 0; k < s->shear_count; k++) {
+    const cohesive *c = s->shears + k;
+    const double slip = sign * along(c->along, &of);
+    least += c->own.least.value * slip;
+    *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
+  }
   for (int k = 0; k < s->q->load_count; k++) {
-    *tp_dense_program_entry(p, s->edge_count + k, column) = sign * power(s->q->loads[k], &of);
+    *tp_dense_program_entry(p, s->edge_count + k, column) =
+        least + sign * power(s->q->loads[k], &of);
+  }
+}
+
+/* The most that cohesion adds is its least shear times the slip y . t, and the rest of it times a
+ * number that is no less than the slip or zero: a column more for each. */
+static void set_shears(tp_dense_program *p, const resisting *s) {
+  const long first = p->columns - 1 - s->shear_count;
+  for (long k = 0; k < s->shear_count; k++) {
+    const cohesive *c = s->shears + k;
+    *tp_dense_program_entry(p, row_of_shear(s, k), first + k) = -1;
+    for (int load = 0; load < s->q->load_count; load++) {
+      *tp_dense_program_entry(p, s->edge_count + load, first + k) =
+          c->own.most.value - c->own.least.value;
+    }
   }
 }
 
@@ -138,8 +185,9 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
     set_column(p, s, own, 1, column++);
     if (own->is_free) set_column(p, s, own, -1, column++);
   }
+  set_shears(p, s);
   for (long r = 0; r + 1 < p->rows; r++) {
-    *tp_dense_program_entry(p, r, last) = 1;
+    *tp_dense_program_entry(p, r, last) = r < row_of_shear(s, 0) ? 1 : 0;
     *tp_dense_program_right(p, r) = little * (1 + (double)(r * UNLIKE % OF) / OF);
   }
   *tp_dense_program_entry(p, p->rows - 1, last) = 1;
@@ -185,8 +233,15 @@ static bool prove(resisting *s) {
     const tp_near shear = tp_near_times(e->shear, tp_resting_along(e->along, s->y));
     if (!is_not_above(tp_near_plus(tp_resting_along(e->normal, s->y), shear))) return false;
   }
+  tp_near cohesion = {0, 0};
+  for (long k = 0; k < s->shear_count; k++) {
+    const cohesive *c = s->shears + k;
+    const tp_near slip = tp_resting_along(c->along, s->y);
+    cohesion = tp_near_plus(cohesion, tp_near_larger(tp_near_times(c->own.least, slip),
+                                                     tp_near_times(c->own.most, slip)));
+  }
   for (int k = 0; k < s->q->load_count; k++) {
-    tp_near sum = {0, 0};
+    tp_near sum = cohesion;
     for (long r = 0; r < s->q->resting->rows; r++) {
       sum = tp_near_plus(sum, tp_near_times(s->q->loads[k][r], s->y[r]));
     }
@@ -197,15 +252,18 @@ static bool prove(resisting *s) {
 
 static bool make(resisting *s, tp_dense_program *p) {
   const size_t rows = (size_t)s->q->resting->rows + 1;
-  if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) || !find_edges(s)) return false;
-  const size_t most = 2 * (size_t)s->reactions.count + 2;
+  if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) || !find_edges(s) ||
+      !find_shears(s)) {
+    return false;
+  }
+  const size_t most = 2 * (size_t)s->reactions.count + (size_t)s->shear_count + 2;
   s->columns = calloc(most, sizeof *s->columns);
   s->factors = calloc(most, sizeof *s->factors);
   s->wrenches = calloc(rows, sizeof *s->wrenches);
   s->y = calloc(rows, sizeof *s->y);
   return s->columns != NULL && s->factors != NULL && s->wrenches != NULL && s->y != NULL &&
-         tp_dense_program_init(p, s->edge_count + s->q->load_count + 1,
-                               tp_reactions_columns(&s->reactions) + 1);
+         tp_dense_program_init(p, row_of_shear(s, s->shear_count) + 1,
+                               tp_reactions_columns(&s->reactions) + s->shear_count + 1);
 }
 
 tp_status tp_modes_refute_by_forces(bool *refuted, long *work, const tp_modes_node *node,
@@ -217,6 +275,7 @@ tp_status tp_modes_refute_by_forces(bool *refuted, long *work, const tp_modes_no
   tp_dense_program_clear(&p);
   tp_reactions_clear(&s.reactions);
   free(s.edges);
+  free(s.shears);
   free(s.columns);
   free(s.factors);
   free(s.wrenches);

@@ -9,11 +9,13 @@
  *   Reactions: w + A c = 0 with c . u >= 0 on K gives w . a <= 0, so that a = 0. Of a contact, c is
  * any compression of its ends, any normal force of those that are closed, a shear in the direction
  * of a slip that is certain, and any shear where it sticks.
- *   Forces: with such c, and y = M^-1 A c with e . y <= 0 for each edge e of F and w . y < 0,
- * Newton's law gives w . y + f . A^T y = y . M a = c . u >= 0, which cannot be.
+ *   Forces: with such c, and y = M^-1 A c with e . y <= 0 for each edge e of F and
+ * w . y + C (t . y) < 0 for all shears C of cohesion that the sets allow (that of a joint does no
+ * work but against its slip), Newton's law gives w . y + f . A^T y = y . M a = c . u >= 0, which
+ * cannot be. Tensile strength is part of w, as a pull that the ends of a joint press against.
  * Blocks at rest, joined to the ground by contacts that only stick or that leave no freedom, take
- * no part. Friction may be anything between two numbers, and the loads anything between two: each
- * proof is of all of that. */
+ * no part. Friction and cohesion may be anything between two numbers, and the loads
+ * anything between two: each proof is of all of that. */
 
 #ifndef TP_CONTACT_MODES_NODE_H
 #define TP_CONTACT_MODES_NODE_H
@@ -24,6 +26,7 @@
 typedef struct tp_modes_question {
   const tp_resting *resting;
   const tp_near *friction[2]; /* tan(phi) by contact: the least, the greatest */
+  const tp_near *cohesion[2]; /* its force by contact: the least, the greatest */
   const tp_near *loads[2];    /* w by row */
   int load_count;             /* 1 or 2 */
 } tp_modes_question;
