@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 from node_case import NODE, node
-from page_case import KNOWN, ROOT, main
+from page_case import KNOWN, ROOT, main, run
 from panel_case import PanelCase
 
 EXPLORER = ROOT / "src" / "applications" / "explorer"
@@ -61,11 +61,43 @@ class Tables(unittest.TestCase):
         self.assertEqual(unused, [])
 
     def test_translations_take_what_the_phrase_takes(self):
-        for row in phrases.table(phrases.OWN):
+        for row in phrases.table(phrases.OWN) + phrases.table(phrases.REFUSALS):
             for code in ("es", "de"):
                 with self.subTest(row["en"], code=code):
                     self.assertTrue(row[code])
                     self.assertEqual(len(re.findall(r"%(?:\d\$)?s", row[code])), row["en"].count("%s"))
+
+
+@unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
+class Refusals(unittest.TestCase):
+    def refused(self):
+        """Scenes that the program refuses, and what it says of each behind its place."""
+        lone = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()), "boulder.yaml")
+        lone.write_bytes((ROOT / "examples" / "boulder.yaml").read_bytes())
+        said = {}
+        for path in [*sorted((ROOT / "tests" / "bad").glob("*.yaml")), lone]:
+            _, _, err = run("solve", "--json", path.name, folder=path.parent)
+            said[path.name] = re.sub(r"^[^:]+:\d+:\d+: ", "", re.sub(r"^topple: ", "", err.split("\n")[0]))
+        self.assertGreater(len(said), 100)
+        return said
+
+    def test_every_bad_scene_is_refused_in_its_language(self):
+        """No message stays English, but for what is quoted; and no row is left that the program does not say."""
+        said = self.refused()
+        rows = phrases.table(phrases.REFUSALS)
+        body = "return given[1].map((message) => it.recognised(message, it.recognisers(given[0])));"
+        for code in ("es", "de"):
+            found = node(EXPLORER / "words" / "refusals.js", body, [[[row["en"], row[code]] for row in rows], list(said.values())])
+            for (name, english), own in zip(said.items(), found):
+                with self.subTest(name, code=code, said=own):
+                    self.assertNotEqual(own, english)
+                    self.assertIsNone(ENGLISH.search(re.sub(r"'[^']*'|YAML: .*|x = |^towards ", "", own)))
+        sources = [path.read_text(encoding="utf-8") for path in sorted((ROOT / "src").glob("*/**/*.[ch]"))]
+        literals = re.sub(r"%[.\d]*[lzh]*[a-z]", "%s", re.sub(r'"\s*\n\s*"', "", "\n".join(sources)))
+        everything = "\n".join(said.values())
+        unsaid = [row["en"] for row in rows if row["en"] not in literals
+                  and not re.search(".+?".join(map(re.escape, row["en"].split("%s"))), everything)]
+        self.assertEqual(unsaid, [])
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")

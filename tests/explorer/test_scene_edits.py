@@ -166,7 +166,8 @@ class Edits(unittest.TestCase):
         self.assertIsNone(node(SCENE / "link.js", "return it.sceneOfLink('#elsewhere');", None))
 
     def test_names_in_links(self):
-        """Names as people give them come back; none leads out of the folder where the program runs."""
+        """Names as people give them come back; none leads out of the folder where the program runs, but for a file in a folder
+        beside that of the scene."""
         back = """const out = []; for (const name of given) {
           try { out.push((await it.sceneOfLink(await it.linkOfScene({name, text: "x: 1", files: {}}))).name); } catch (e) { out.push(e.message); } }
           return out;"""
@@ -174,6 +175,8 @@ class Edits(unittest.TestCase):
         self.assertEqual(node(SCENE / "link.js", back, good), good)
         bad = ["../x.yaml", "/etc/x", "a/../b", "a//b", "", ".", "a\\b", "a\nb", "a/b/c/d/e", "x" * 300]
         self.assertEqual(set(node(SCENE / "link.js", back, bad)), {"it has no scene in it"})
+        files = """return given.map((name) => { try { return Object.keys(it.checked({name: "x.yaml", text: "", files: {[name]: ""}}).files)[0]; } catch (e) { return null; } });"""
+        self.assertEqual(node(SCENE / "link.js", files, ["../meshes/x.obj", "../../x.obj", "meshes/../../x.obj", "/x.obj"]), ["../meshes/x.obj", None, None, None])
 
     def test_lines_keep_their_ends(self):
         """What is typed into an editor of plain lines goes into a file of Windows', of Unix', or of both: read plainly the

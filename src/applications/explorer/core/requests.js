@@ -6,6 +6,8 @@
  * the same name; time limits; a worker that is stopped and started anew where a run takes too long or breaks down.
  */
 
+import { say } from "../words/language.js";
+
 /**
  * @typedef {object} Answer
  * @property {number} status exit status: 0 done, 1 refuted, 2 wrong usage, 3 bad input, 4 undecided, 5 the system failed
@@ -78,7 +80,7 @@ export class Requests {
 
   /** Stop what runs, with an error of its own, and start anew; what waits is kept. */
   restart() {
-    this.#stop(new CoreStopped("The core was stopped on request. It has been started again."));
+    this.#stop(new CoreStopped(say("The core was stopped on request. It has been started again.")));
   }
 
   /** End for good. */
@@ -100,9 +102,9 @@ export class Requests {
     if (!this.#ready || this.#running !== null || this.#waiting.length === 0) return;
     const request = this.#waiting.shift();
     this.#running = request;
-    request.timer = setTimeout(() => this.#stop(new CoreStopped(
-      `The core was stopped: it had taken ${request.timeoutMs / 1000} s. It has been started again; a scene with fewer vertices, or a ` +
-        "question that is less exact, takes less.")), request.timeoutMs);
+    request.timer = setTimeout(() => this.#stop(new CoreStopped(say(
+      "The core was stopped: it had taken %s s. It has been started again; a scene with fewer vertices, or a question that is less exact, takes less.",
+      request.timeoutMs / 1000))), request.timeoutMs);
     this.onstate?.("running");
     this.#port.post({ kind: "run", id: request.id, args: request.args, files: request.files, collect: request.collect });
   }
@@ -113,9 +115,9 @@ export class Requests {
       this.onstate?.("ready");
       this.#next();
     } else if (message.kind === "broken") {
-      this.#stop(new CoreStopped(`The core cannot run here: ${message.why}`), this.#ready);
+      this.#stop(new CoreStopped(say("The core cannot run here: %s", message.why)), this.#ready);
     } else if (message.kind === "failed") {
-      this.#stop(new CoreStopped(`The core broke down on this scene (${message.why}). It has been started again.`));
+      this.#stop(new CoreStopped(say("The core broke down on this scene (%s). It has been started again.", message.why)));
     } else if (message.id === this.#running?.id) {
       const request = this.#take();
       request.resolve(message.answer);

@@ -8,6 +8,7 @@ import { FilmView } from "../drawing/film_view.js";
 import { element } from "../panels/element.js";
 import { ShakingStrip } from "./shaking_strip.js";
 import { numeral, say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const TEST_MAX_MS = 60_000;
 const MOMENTS = 1200;
@@ -56,7 +57,7 @@ export class Player {
       const args = ["tilt", "--json", "--moments=" + MOMENTS, store.argument];
       const answer = await this.core.run(args, { ...store.files, [store.name]: testedText(store.parsed) }, { latest: "tilt", timeoutMs: TEST_MAX_MS });
       if (asked !== this.#asked) return;
-      if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0].replace(/^topple: ?/, ""));
+      if (answer.out === "") throw refusalOf(answer);
       this.#begin(JSON.parse(answer.out));
     } catch (error) {
       if (asked === this.#asked && error.name !== "AbortError") this.messages.say(say("The test cannot be played: %s", error.message));

@@ -11,6 +11,7 @@ import { element, refill, svgElement } from "../panels/element.js";
 import { SceneText } from "../scene/scene_text.js";
 import { agreesWith, shakingOf, timesStronger } from "../scene/shaking.js";
 import { numeral, say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const WIDTH = 1000;
 const HEIGHT = 64;
@@ -116,7 +117,7 @@ export class ShakingStrip {
   async #scan(more, scene, signal) {
     const { store, searcher } = this;
     const answer = await searcher.run(["tilt", "--overturning", "--json", ...more, store.argument], { ...store.files, [store.name]: scene.text }, { timeoutMs: SEARCH_MAX_MS, signal });
-    if (answer.out === "") throw new Error(answer.err.trim().split("\n")[0]);
+    if (answer.out === "") throw refusalOf(answer);
     return JSON.parse(answer.out).cases[0];
   }
 

@@ -9,6 +9,7 @@ import { drawChart, saveLink } from "./chart.js";
 import { Panel } from "./panel.js";
 import { shortestTime } from "./shortest_time.js";
 import { numeral, parts, say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const MEASURE_MAX_MS = 120_000;
 const COLOURS = ["--blue", "--vermilion", "--green", "--purple", "--orange", "--sky"];
@@ -48,7 +49,7 @@ export class AccuracyPanel extends Panel {
     this.told.textContent = say("Measuring: five samples of each …");
     try {
       const answer = await this.background.run(["accuracy", "--json", this.store.argument], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
-      if (answer.out === "") throw new Error(answer.err.trim());
+      if (answer.out === "") throw refusalOf(answer);
       this.#show(answer.out);
     } catch (error) {
       this.told.textContent = error.message;

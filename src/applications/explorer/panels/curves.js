@@ -14,6 +14,7 @@ import { TILT, sceneNumbers, sweepable, usualRange } from "./numbers.js";
 import { Panel } from "./panel.js";
 import { againstText } from "./words.js";
 import { numeral, say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 /** Points less one, from coarse to fine. */
 const STEPS = [12, 60, 240];
@@ -80,7 +81,7 @@ export class CurvesPanel extends Panel {
       const began = performance.now();
       const answer = await this.core.run(["sweep", this.store.argument, "--x", range], files, { latest: "curves", timeoutMs: SWEEP_MAX_MS });
       if (!current()) return;
-      if (answer.out === "") throw new Error(answer.err.trim());
+      if (answer.out === "") throw refusalOf(answer);
       this.#show(answer.out, number, what, performance.now() - began);
     }
   }

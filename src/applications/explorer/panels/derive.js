@@ -15,6 +15,7 @@ import { Panel } from "./panel.js";
 import { parameterValues } from "../scene/quantity.js";
 import { decimalValue, snap, stepExponent } from "../scene/decimal.js";
 import { numeral, parts, say } from "../words/language.js";
+import { readComplaint } from "../scene/complaint.js";
 
 const DERIVE_MAX_MS = 60_000;
 const PARAMETERS_MAX = 12;
@@ -87,7 +88,7 @@ export class DerivePanel extends Panel {
     const args = ["derive", "--json", ...(this.limit.checked ? ["--limit", "--unchecked"] : []), this.store.argument];
     const answer = await this.background.run(args, this.files(), { latest: "derive", timeoutMs: DERIVE_MAX_MS });
     if (!current()) return;
-    if (answer.out === "") return this.#fail(answer.err.trim());
+    if (answer.out === "") return this.#fail(readComplaint(answer.err).message);
     this.derived = JSON.parse(answer.out);
     this.#show();
   }

@@ -18,6 +18,7 @@ import { TILT, sceneNumbers, sweepable, usualRange } from "./numbers.js";
 import { Panel } from "./panel.js";
 import { COLOUR_CLASS } from "./words.js";
 import { numeral, parts, say } from "../words/language.js";
+import { readComplaint, refusalOf } from "../scene/complaint.js";
 
 /** Points along each side: 200 cells. */
 const POINTS = 201;
@@ -125,7 +126,7 @@ export class MapPanel extends Panel {
       const args = ["sweep", this.store.argument, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
       const answer = await this.background.run(args, files, { timeoutMs: ROW_MAX_MS });
       if (!current()) return false;
-      if (answer.out === "") throw new Error(answer.err.trim());
+      if (answer.out === "") throw refusalOf(answer);
       readTable(answer.out).forEach((point, index) => {
         grid.put(columns[index % columns.length], rows[Math.floor(index / columns.length)], kindOf(point, onTilt));
       });
@@ -161,7 +162,7 @@ export class MapPanel extends Panel {
     const answer = await this.background.run(args, files, { timeoutMs: BORDERS_MAX_MS, signal });
     if (!current()) return;
     if (answer.out !== "") this.figure.setBorders(JSON.parse(answer.out).series);
-    this.told.textContent = this.points + " " + (answer.out === "" ? say("No borders: %s", answer.err.trim()) : say("Lines are proven: roots, not points."));
+    this.told.textContent = this.points + " " + (answer.out === "" ? say("No borders: %s", readComplaint(answer.err).message) : say("Lines are proven: roots, not points."));
   }
 
   /** What the plane says under the pointer. */

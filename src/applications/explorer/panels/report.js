@@ -11,6 +11,7 @@ import { offer } from "../page/offer.js";
 import { Panel } from "./panel.js";
 import { languageWords, reportOf, textOf } from "./report_text.js";
 import { say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const WRITE_MAX_MS = 60_000;
 
@@ -60,7 +61,7 @@ export class ReportPanel extends Panel {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
       const answer = await this.background.run(["solve", "--quiet", option, name, ...(option === "--report" ? languageWords(this.store) : []), this.store.argument], this.files(), options);
       const written = answer.files[name];
-      if (written === undefined) throw new Error(answer.err.trim() || say("nothing was written"));
+      if (written === undefined) throw answer.err.trim() === "" ? new Error(say("nothing was written")) : refusalOf(answer);
       offer(name, written, type);
       this.told.textContent = say("%s: %s, the bytes that the command line writes.", say(label), name);
     } catch (error) {

@@ -11,6 +11,7 @@ import { boundText, certainText, plainText } from "./certain.js";
 import { formula } from "./mathml.js";
 import { Panel } from "./panel.js";
 import { numeral, parts, say } from "../words/language.js";
+import { readComplaint } from "../scene/complaint.js";
 
 const VERIFY_MAX_MS = 60_000;
 const CLAIMS = "claim_typed_in.yaml";
@@ -81,7 +82,7 @@ export class VerifyPanel extends Panel {
       const files = { ...this.files(), [CLAIMS]: this.#claims() };
       const answer = await this.background.run(["verify", "--json", CLAIMS], files, { latest: "verify", timeoutMs: VERIFY_MAX_MS });
       if (asked !== this.#asked) return;
-      if (answer.out === "") this.#tell(element("p", {}, complaint(answer.err)));
+      if (answer.out === "") this.#tell(element("p", {}, readComplaint(answer.err).message));
       else this.#show(JSON.parse(answer.out).claims[0]);
     } catch (error) {
       if (asked === this.#asked && error.name !== "AbortError") this.#tell(element("p", {}, error.message));
@@ -122,8 +123,4 @@ export class VerifyPanel extends Panel {
 
 function typeset(text) {
   return element("span", { class: "wide", tabindex: 0 }, mathElement("math", {}, formula(text)));
-}
-
-function complaint(err) {
-  return err.trim().replace(/^topple(?: verify)?: /, "").replace(/^claim_typed_in\.yaml:\d+:\d+: /, "");
 }

@@ -6,6 +6,8 @@
  * where the browser can, in base64url. What comes in is bounded before it is unpacked whole.
  */
 
+import { say } from "../words/language.js";
+
 const LINK_MAX = 2_000_000; // characters of a fragment
 const SCENE_MAX = 8_000_000; // bytes unpacked: a fragment of zeros could unpack to a thousand times its size
 const NAME_MAX = 250; // characters of a file's name, ...
@@ -17,13 +19,13 @@ const PLAIN = "#t=";
 /** @param {import("./store.js").State} state @returns {Promise<string>} */
 export async function linkOfScene({ name, text, files }) {
   if (Object.values(files).some((content) => typeof content !== "string")) {
-    throw new Error("A file beside the scene is not a text: it goes into no link. Save the scene and send both files.");
+    throw new Error(say("A file beside the scene is not a text: it goes into no link. Save the scene and send both files."));
   }
   const bytes = new TextEncoder().encode(JSON.stringify({ name, text, files }));
   const packs = typeof CompressionStream === "function";
   const body = packs ? await through(bytes, new CompressionStream("deflate-raw"), SCENE_MAX) : bytes;
   const hash = (packs ? PACKED : PLAIN) + toBase64(body);
-  if (hash.length > LINK_MAX) throw new Error("The scene is too long for a link. Save it and send the file.");
+  if (hash.length > LINK_MAX) throw new Error(say("The scene is too long for a link. Save it and send the file."));
   return hash;
 }
 
@@ -46,7 +48,7 @@ export function exampleOfLink(hash) {
 export async function sceneOfLink(hash) {
   if (!hash.startsWith(PACKED) && !hash.startsWith(PLAIN)) return null;
   const packed = hash.startsWith(PACKED);
-  if (hash.length > LINK_MAX) throw new Error("it is longer than a link of this page can be");
+  if (hash.length > LINK_MAX) throw new Error(say("it is longer than a link of this page can be"));
   const body = fromBase64(hash.slice(PACKED.length));
   const bytes = packed ? await through(body, new DecompressionStream("deflate-raw"), SCENE_MAX) : body;
   return checked(JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)));
@@ -61,9 +63,10 @@ function named(name) {
 
 /** Only what a scene is made of, with names that are names of files. @returns {import("./store.js").State} */
 export function checked(state) {
-  if (!named(state?.name) || typeof state.text !== "string") throw new Error("it has no scene in it");
+  if (!named(state?.name) || typeof state.text !== "string") throw new Error(say("it has no scene in it"));
   const files = Object.entries(state.files ?? {});
-  if (files.some(([name, content]) => !named(name) || typeof content !== "string")) throw new Error("its files have no plain names");
+  // a file may lie in a folder beside that of the scene
+  if (files.some(([name, content]) => !named(name.replace(/^\.\.\//, "")) || typeof content !== "string")) throw new Error(say("its files have no plain names"));
   return { name: state.name, text: state.text, files: Object.fromEntries(files) };
 }
 
@@ -76,7 +79,7 @@ async function through(bytes, transform, most) {
     size += value.length;
     if (size > most) {
       await reader.cancel();
-      throw new Error("it holds more than " + most / 1e6 + " MB");
+      throw new Error(say("it holds more than %s MB", most / 1e6));
     }
     pieces.push(value);
   }

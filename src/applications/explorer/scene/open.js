@@ -8,6 +8,7 @@
 
 import { pointsOfCsv, profileOfCsv } from "./csv_points.js";
 import { snap, stepExponent } from "./decimal.js";
+import { say } from "../words/language.js";
 
 const FILE_MAX = 64_000_000; // bytes: a scene of a million vertices has 20 MB
 const POINTS = /\.(csv|txt)$/i;
@@ -16,13 +17,13 @@ const DRAWINGS = /\.(dxf|svg|wkt|geojson|json)$/i;
 /** @param {File[]} chosen @param {import("./store.js").SceneStore} store */
 export async function readFiles(chosen, store) {
   const large = chosen.find((file) => file.size > FILE_MAX);
-  if (large !== undefined) throw new Error(large.name + " has more than " + FILE_MAX / 1e6 + " MB: open it with the command line.");
+  if (large !== undefined) throw new Error(say("%s has more than %s MB: open it with the command line.", large.name, FILE_MAX / 1e6));
   const files = Object.fromEntries(await Promise.all(chosen.map(async (file) => [file.name, await content(file)])));
   const names = Object.keys(files);
   const scene = names.find((name) => /\.ya?ml$/i.test(name));
   if (scene !== undefined) {
     const { [scene]: text, ...beside } = files;
-    if (typeof text !== "string") throw new Error(scene + " is not text in UTF-8.");
+    if (typeof text !== "string") throw new Error(say("%s is not text in UTF-8.", scene));
     store.open({ name: scene, text, files: beside });
     return;
   }
@@ -45,7 +46,7 @@ function openOne(name, content, store) {
     return;
   }
   const text = sceneOf(name, content);
-  if (text === null) throw new Error(name + " is not a scene, a drawing (DXF, SVG, WKT, GeoJSON) or points (CSV, or a text with two numbers a line); the scene does not name it either.");
+  if (text === null) throw new Error(say("%s is not a scene, a drawing (DXF, SVG, WKT, GeoJSON) or points (CSV, or a text with two numbers a line); the scene does not name it either.", name));
   store.open({ name: name.replace(/\.\w+$/, "") + ".yaml", text, files: { [name]: content } });
 }
 

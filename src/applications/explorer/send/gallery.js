@@ -10,6 +10,7 @@ import { solutionOf } from "../scene/solution.js";
 import { askedFor } from "../scene/store.js";
 import { say } from "../words/language.js";
 import { shortVerdict, thumbnail } from "./thumbnail.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const SOLVE_MAX_MS = 20_000;
 
@@ -43,7 +44,7 @@ async function draw({ scene, place, verdict, card }, core) {
   const kind = kindOf(new SceneText(scene.text));
   try {
     const answer = await core.run([...askedFor(kind), scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS });
-    if (answer.out === "") throw new Error(answer.err.trim());
+    if (answer.out === "") throw refusalOf(answer);
     const solution = solutionOf(kind, answer.out);
     place.replaceChildren(thumbnail(solution, scene));
     const { words, kind: colour } = shortVerdict(solution);

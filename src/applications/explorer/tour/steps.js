@@ -153,8 +153,8 @@ export const STEPS = [
     ],
     finds: (solution) => {
       const { contact, first, towards } = solution.cases[0];
-      const points = contact.points > 0 ? say("%s points", contact.points) : "";
-      const facets = contact.facets > 0 ? say("%s facets", contact.facets) : "";
+      const points = contact.points === 0 ? "" : contact.points === 1 ? say("one point") : say("%s points", contact.points);
+      const facets = contact.facets === 0 ? "" : contact.facets === 1 ? say("one facet") : say("%s facets", contact.facets);
       const touches = [facets, points].filter((each) => each !== "").join(" " + say("and") + " ");
       const does = first.critical_angle_deg ? say("%s at %s", say(first.mechanism), degreesText(first.critical_angle_deg)) : say(first.mechanism);
       return say("It touches in %s; %s it %s.", touches, say("tilted towards the " + towards), does);

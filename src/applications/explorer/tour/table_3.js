@@ -3,10 +3,11 @@
 
 /** Table 3 of Alejano et al., each row solved by the core from the example of its name. */
 
-import examples from "topple:examples";
+import { examples } from "../examples/examples.js";
 import { element, table } from "../panels/element.js";
 import { degreesText } from "../panels/certain.js";
 import { numeral, say } from "../words/language.js";
+import { refusalOf } from "../scene/complaint.js";
 
 const SOLVE_MAX_MS = 15_000;
 
@@ -56,6 +57,6 @@ export async function tableThree(core, open) {
 async function solve(core, name) {
   const { text, files } = examples.find((example) => example.name === name);
   const answer = await core.run(["solve", "--json", name], { ...files, [name]: text }, { timeoutMs: SOLVE_MAX_MS });
-  if (answer.out === "") throw new Error(answer.err.trim());
+  if (answer.out === "") throw refusalOf(answer);
   return JSON.parse(answer.out);
 }

@@ -40,6 +40,7 @@ export class Tour {
     beginPlace.append(this.begin);
     place.append(this.shown);
     store.addEventListener("solution", () => this.#find());
+    store.addEventListener("problem", () => (this.found.hidden = true));
   }
 
   /** @param {number} at */

@@ -4,14 +4,15 @@
 /**
  * The language of the page: English phrases, and what stands for them in the reader's language, by the program's table
  * (src/core/terms/phrases.csv) and the page's own beside this file. The page holds both as JSON in its element #phrases.
- * What the program itself says (messages, explanations, the report as text) is English, as on the command line; its sheets are translated.
+ * Of what the program itself says sheets are translated by it, and its most common messages here (refusals.js); explanations
+ * and the report as text are English, as on the command line.
  */
 
 const KEPT = "topple.language";
 const ENGLISH = "en";
 const ARGUMENT = /%(?:(\d+)\$)?s/g;
 
-/** @typedef {{codes: string[], decimals: Record<string, string>, phrases: Record<string, Record<string, string>>}} Table */
+/** @typedef {{codes: string[], decimals: Record<string, string>, phrases: Record<string, Record<string, string>>, refusals?: Record<string, [string, string][]>}} Table */
 
 /**
  * @param {string} wanted of the reader, or "": as the browser has it
@@ -65,6 +66,8 @@ export const chosen = storage()?.getItem(KEPT) ?? "";
 export const language = chosenLanguage(chosen, BROWSERS, TABLE.codes);
 const SIGN = held ? decimalSign(language, BROWSERS, TABLE.decimals) : ".";
 const OWN = TABLE.phrases[language] ?? {};
+/** Messages of the program, and what stands for each. @type {[string, string][]} */
+export const refusals = TABLE.refusals?.[language] ?? [];
 
 /** Whether "%s" stands in it or not, a phrase without translation stays English. @param {string} phrase @param {...any} given @returns {string} */
 export function say(phrase, ...given) {
