@@ -48,6 +48,14 @@ const stories = {
     setTimeout(() => running.abort(), 100);
     return (await one).name === "AbortError" && (await two).name === "AbortError" && (await core.run(["--version"], {})).status === 0;
   },
+  async "a file may lie in a folder beside, and none outside of where scenes are; nothing of it stays"(core) {
+    const scene = slab.replace(/block:[^]*?\n(?=\w)/, "block: {outline: ../beside/points.csv, unit_weight_kn_m3: 26}\n");
+    const points = "0, 0\n1, 0\n1, 2\n0, 2\n";
+    const one = await core.run(solve, { "slab.yaml": scene, "../beside/points.csv": points });
+    const other = await core.run(solve, { "slab.yaml": scene });
+    const third = await caught(core.run(solve, { "slab.yaml": scene, "../../points.csv": points }));
+    return one.status === 0 && other.status !== 0 && third.message.includes("lies outside");
+  },
   async "files that a run writes are handed back"(core) {
     const args = ["sweep", "slab.yaml", "--x", "block.slab.width=10:20:3", "-o", "curve.csv"];
     const answer = await core.run(args, { "slab.yaml": slab }, { collect: ["curve.csv", "none.csv"] });

@@ -5,6 +5,8 @@ give the same bytes: nothing in them tells when or where they were made.
 
 Modules that no file is: topple:examples, topple:keys, topple:licence_texts, and those that the caller gives, as the core's bytes."""
 
+import base64
+import gzip
 import hashlib
 import json
 import pathlib
@@ -55,16 +57,21 @@ def licence_texts():
     return texts
 
 
+def packed(content):
+    """What the page unpacks by core/packed.js."""
+    return base64.b64encode(gzip.compress(content, compresslevel=9, mtime=0)).decode()
+
+
 def bundled(folder, modules):
     """The page's text. `folder`: where files that it is made from may be written; `modules`: names of modules that no
     file is, and what each is, as JSON."""
     folder.mkdir(parents=True, exist_ok=True)
     options = []
-    for name, value in {"topple:examples": examples(), "topple:keys": keys(), "topple:licence_texts": licence_texts(), **modules}.items():
+    for name, value in {"topple:examples": packed(json.dumps(examples(), ensure_ascii=False).encode()), "topple:keys": keys(), "topple:licence_texts": licence_texts(), **modules}.items():
         path = folder / (name.replace(":", "_") + ".json")
         path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
         options.append(f"--alias:{name}={path}")
-    script = esbuild("page/main.js", "--format=iife", *options)
+    script = esbuild("page/main.js", "--format=esm", *options)
     style = esbuild("page/style.css")
     page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
     for place in (STYLE, PHRASES, SCRIPT):

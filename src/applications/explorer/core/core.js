@@ -4,20 +4,14 @@
 /** The core of the page: the program topple in WebAssembly, in a worker made of what the page carries. */
 
 import carried from "topple:core";
+import { unpacked } from "./packed.js";
 import { Requests } from "./requests.js";
 
 export { CoreStopped } from "./requests.js";
 
-/** @returns {Promise<WebAssembly.Module>} of the bytes within the page: gzip, in base 64; compiled while they are unpacked */
+/** @returns {Promise<WebAssembly.Module>} of the bytes within the page, compiled while they are unpacked */
 function compile() {
-  const plain = new Blob([bytesOf(carried.wasm)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compileStreaming(new Response(plain, { headers: { "Content-Type": "application/wasm" } }));
-}
-
-/** @param {string} letters in base 64 @returns {Uint8Array} */
-function bytesOf(letters) {
-  if (typeof Uint8Array.fromBase64 === "function") return Uint8Array.fromBase64(letters);
-  return Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
+  return WebAssembly.compileStreaming(new Response(unpacked(carried.wasm), { headers: { "Content-Type": "application/wasm" } }));
 }
 
 /** Compiled once for all cores of the page. @type {Promise<WebAssembly.Module>|null} */

@@ -15,9 +15,17 @@
  * @property {number} seconds
  */
 
-const HOME = "/scenes";
+const ROOT = "/files";
+const HOME = ROOT + "/scenes"; // a scene may name a file in a folder beside its own
 const DATA_BEGIN = 1024; // below it nothing is stored, as no pointer is null or near it
 const text = new TextDecoder();
+
+/** @param {string} name of a file, from where the program runs @returns {string} its path; outside of all scenes there is none */
+function placeOf(name) {
+  const path = new URL(HOME + "/" + name.split("/").map(encodeURIComponent).join("/"), "file:///").pathname;
+  if (!path.startsWith(ROOT + "/")) throw new Error(`${name} lies outside of where scenes are`);
+  return decodeURIComponent(path);
+}
 
 /** Thrown by exit(). */
 class Ended extends Error {
@@ -75,9 +83,9 @@ export class Program {
   run(args, files, collect = []) {
     const { FS } = this.#core;
     for (const { begin, bytes } of this.#begun) this.#core.HEAPU8.set(bytes, begin);
-    this.#clear(HOME);
+    this.#clear(ROOT);
     for (const [name, bytes] of Object.entries(files)) {
-      const path = `${HOME}/${name}`;
+      const path = placeOf(name);
       FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
       FS.writeFile(path, bytes);
     }
@@ -87,7 +95,7 @@ export class Program {
     const seconds = (performance.now() - begin) / 1000;
     const written = { status, out: text.decode(FS.readFile("/out")), err: text.decode(FS.readFile("/err")), files: {}, seconds };
     for (const name of collect) {
-      const path = `${HOME}/${name}`;
+      const path = placeOf(name);
       if (FS.analyzePath(path).exists) written.files[name] = FS.readFile(path);
     }
     return written;
@@ -102,7 +110,7 @@ export class Program {
     FS.open("/err", "w");
   }
 
-  /** @param {string} folder emptied, and what lies below it */
+  /** @param {string} folder emptied, and what lies below it, but for the folder where the program runs */
   #clear(folder) {
     const { FS } = this.#core;
     for (const name of FS.readdir(folder)) {
@@ -110,7 +118,7 @@ export class Program {
       const path = `${folder}/${name}`;
       if (FS.isDir(FS.lstat(path).mode)) {
         this.#clear(path);
-        FS.rmdir(path);
+        if (path !== HOME) FS.rmdir(path);
       } else {
         FS.unlink(path);
       }

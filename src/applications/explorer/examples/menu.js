@@ -3,7 +3,7 @@
 
 /** The menu of scenes: some to begin one's own with, and all of the project's examples with the files that they name. */
 
-import examples from "topple:examples";
+import { examples } from "./examples.js";
 import { TEMPLATES } from "./templates.js";
 import { say } from "../words/language.js";
 
