@@ -24,15 +24,13 @@ import { drawPhotograph } from "./photo_behind.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
-import { drawArc, tiltPath } from "./tilt_handle.js";
+import { drawArc, turnOf } from "./tilt_handle.js";
 import { emptied, layersOf } from "./layers.js";
 import { isElsewhere, roomOf } from "./room.js";
 import { drawScale } from "./scale_bar.js";
 import { say } from "../words/language.js";
 
 const SNAP_DOTS = 3;
-const NARROW = 700; // dots: a drawing below the badge, in a wider one it stands beside
-const BADGE = 70;
 const ZOOM_MAX = 1e6;
 
 export class Drawing extends EventTarget {
@@ -73,7 +71,7 @@ export class Drawing extends EventTarget {
       focused: () => this.#follow(),
     });
     this.svg.on("dblclick", (event) => this.#addAt(pointer(event, this.svg.node())));
-    this.svg.on("pointermove", (event) => this.#handAt(pointer(event, this.svg.node())));
+    this.svg.on("pointermove", (event) => this.#follow(pointer(event, this.svg.node())));
     store.addEventListener("text", () => {
       this.#byHand = this.#editing;
       this.#later();
@@ -161,7 +159,7 @@ export class Drawing extends EventTarget {
     }
     this.#fitOnce(outlines);
     this.context = new Context(store.parsed, kase, outlines, this.origin);
-    this.view.turn = this.#turn();
+    this.view.turn = turnOf(this.context, store.solution !== null, this.sign);
     this.#drawShapes(outlines);
     this.#drawPreview(stale);
     drawPhotograph(this.layers.photo, this.context, this.#photograph);
@@ -190,15 +188,6 @@ export class Drawing extends EventTarget {
     this.view.fit(this.#box, this.#steady);
     this.#drawn = null;
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
-  }
-
-  /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
-  #turn() {
-    const { frame, tilt_angle_deg: answered } = this.context.kase;
-    if (this.context.many && this.store.solution !== null) return (this.sign * answered.value * Math.PI) / 180;
-    const own = this.context.number(tiltPath(this.context)).value ?? 0;
-    const dip = frame?.inclined ? frame.inclination_deg.value : frame?.is === "world" ? frame.dip_deg.value : 0;
-    return (this.sign * Math.min(180, Math.max(0, own) + Math.abs(dip)) * Math.PI) / 180;
   }
 
   /** 1: the tilt turns counter-clockwise on the screen. */
@@ -247,13 +236,9 @@ export class Drawing extends EventTarget {
     this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
   }
 
-  #handAt([x, y]) {
-    this.#hand = { x, y };
-    this.#follow();
-  }
-
-  /** Handles that come with the hand, or with the focus. */
-  #follow() {
+  /** Handles that come with the hand, or with the focus. @param {[number, number]} [at] where the hand is now, dots */
+  #follow(at = null) {
+    if (at !== null) this.#hand = { x: at[0], y: at[1] };
     if (!this.#crowded || this.#handWaits || this.handles.dragged !== null) return;
     this.#handWaits = true;
     requestAnimationFrame(() => {
@@ -306,8 +291,7 @@ export class Drawing extends EventTarget {
   #resized(element) {
     const { width, height } = element.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
-    [this.view.width, this.view.height] = [width, height];
-    this.view.top = width < NARROW ? BADGE : 0;
+    this.view.resize(width, height);
     this.svg.attr("viewBox", "0 0 " + width + " " + height);
     this.refit();
     this.#later();

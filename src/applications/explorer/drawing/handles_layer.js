@@ -14,6 +14,7 @@ const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
 
 export class HandlesLayer {
   #waiting = null;
+  #keyed = null; // the handle that keys have moved last
   #grip = null; // the handle that is dragged, how far from its place it is drawn, and where that was
 
   /**
@@ -41,9 +42,10 @@ export class HandlesLayer {
     return this.#waiting !== null;
   }
 
-  /** Of the handle that has the focus by keys, if one has. @returns {string[]} */
+  /** Of the handle that has the focus by keys, if one has: they led to it, or moved it since the hand left it. @returns {string[]} */
   get byKeys() {
-    return [...this.group.node().querySelectorAll(".handle:focus-visible")].map((handle) => handle.dataset.handle);
+    return [...this.group.node().querySelectorAll(".handle:focus")].filter((handle) => handle.matches(":focus-visible") || handle.dataset.handle === this.#keyed)
+      .map((handle) => handle.dataset.handle);
   }
 
   /** @param {import("./handle.js").Handle[]} handles */
@@ -104,6 +106,7 @@ export class HandlesLayer {
       .on("start", (event, { handle, away }) => {
         this.#grip = { key: handle.key, away, from: handle.at };
         this.dragged = handle.fixed === null ? handle.key : null;
+        this.#keyed = null;
         if (handle.fixed !== null) this.hand.told(handle.fixed);
       })
       .on("drag", (event) => this.#dragTo({ x: event.x, y: event.y, keepsAxis: event.sourceEvent.shiftKey }))
@@ -141,6 +144,7 @@ export class HandlesLayer {
     if (way === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
+    this.#keyed = handle.key;
     if (handle.fixed !== null) {
       this.hand.told(handle.fixed);
       return;

@@ -45,6 +45,19 @@ export function drawArc(layer, view, sign, decimals = 4) {
     .attr("text-anchor", sign > 0 ? "start" : "end").text(numeral(+(angle * DEGREES).toFixed(decimals) + "°"));
 }
 
+/**
+ * By how much the drawing is turned: the tilt of the text, which is the newer one, over the dip at which the section lies.
+ * @param {import("./handle.js").Context} context @param {boolean} isSolved whether the answer is of that text @param {number} sign
+ * @returns {number} radians, counter-clockwise on the screen
+ */
+export function turnOf(context, isSolved, sign) {
+  const { frame, tilt_angle_deg: answered } = context.kase;
+  if (context.many && isSolved) return (sign * answered.value) / DEGREES;
+  const own = context.number(tiltPath(context)).value ?? 0;
+  const dip = frame?.inclined ? frame.inclination_deg.value : frame?.is === "world" ? frame.dip_deg.value : 0;
+  return (sign * Math.min(180, Math.max(0, own) + Math.abs(dip))) / DEGREES;
+}
+
 /** Where its arc is, dots. */
 export function tiltArc(view, sign) {
   const radius = Math.max(60, Math.min(150, 0.25 * view.width, 0.4 * view.height));

@@ -8,6 +8,13 @@
  */
 
 const MARGIN = 0.14;
+const NARROW = 700; // dots: a drawing below the badge, in a wider one it stands beside
+const BADGE = 70;
+
+/** How much of the upper edge of a drawing stands below the badge, dots. @param {number} width of the drawing */
+export function belowBadge(width) {
+  return width < NARROW ? BADGE : 0;
+}
 
 export class View {
   constructor() {
@@ -22,6 +29,12 @@ export class View {
     this.zoom = { k: 1, x: 0, y: 0 };
     /** Dots at the upper edge that something else stands over. */
     this.top = 0;
+  }
+
+  /** Of the window, dots. @param {number} width @param {number} height */
+  resize(width, height) {
+    [this.width, this.height] = [width, height];
+    this.top = belowBadge(width);
   }
 
   /** @param {number[]} box x0, y0, x1, y1 of what is to be seen, whatever the tilt @param {number|null} [turn] or at this one alone */

@@ -51,6 +51,8 @@ function numberRow(form, store, { path: own, or = own, label, max, greatest, oth
   };
   const update = () => {
     if (store.parsed.unread !== null) return;
+    // a wedge lies as its joints do, each of which has a friction of its own
+    row.hidden = store.parsed.keys(["solid"])?.includes("wedge") ?? false;
     const now = present();
     slider.disabled = field.disabled = now.fixed !== null;
     row.title = now.fixed === null ? "" : say(label) + " " + now.fixed;

@@ -7,6 +7,7 @@
  * mesh of it, its report stands alone.
  */
 
+import { belowBadge } from "../drawing/view.js";
 import { degreesText } from "../panels/certain.js";
 import { element, refill, svgElement } from "../panels/element.js";
 import { numeral, say } from "../words/language.js";
@@ -20,6 +21,7 @@ const CLOSER = 1.2;
 const DISC = 48; // corners of the ground that is drawn
 const WEIGHT = 0.8; // of the solid's reach
 const NORMAL = 0.25; // of it, of a contact
+const LINE = 19; // dots, of words
 const SLIDES = 0.7; // of it, beyond the toe of a wedge
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -78,14 +80,15 @@ export class SolidView {
     const { around, height: high, zoom } = this.#eye;
     const base = tilted(this.solution.tilt_angle_deg ?? 0, this.solution.tilt_azimuth_deg ?? 0);
     const eye = seenFrom(around, high);
-    this.dots = (zoom * Math.min(width, height)) / (2.9 * this.reach);
+    const top = belowBadge(width);
+    this.dots = (zoom * Math.min(width, height - top)) / (2.9 * this.reach);
     const style = getComputedStyle(document.documentElement);
     const hex = style.getPropertyValue("--block").trim();
     const colour = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
-    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3 * this.reach, x: 0, y: 0 }, colour);
+    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3 * this.reach, x: 0, y: top / 2 }, colour);
     const project = (turn) => (point) => {
       const [x, y] = turned(turn, point);
-      return (width / 2 + this.dots * x).toFixed(2) + " " + (height / 2 - this.dots * y).toFixed(2);
+      return (width / 2 + this.dots * x).toFixed(2) + " " + ((height + top) / 2 - this.dots * y).toFixed(2);
     };
     for (const svg of [this.ground, this.lines]) svg.setAttribute("viewBox", "0 0 " + width + " " + height);
     this.#lines(project(after(eye, base)), project(eye), project(after(eye, after(base, this.up))));
@@ -110,15 +113,16 @@ export class SolidView {
     refill(this.lines, contacts.map((d) => svgElement("path", { class: "touching", d })),
       solution.wedge === undefined ? null : svgElement("path", { class: "way", d: path([at([0, 0, 0]), at(alongLine(solution.wedge, reach))]) }), svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
       svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }),
-      svgElement("text", { x: 12, y: Number(this.lines.viewBox.baseVal.height) - 12 }, this.#words(band)));
+      this.#words(band).reverse().map((words, k) => svgElement("text", { x: 12, y: Number(this.lines.viewBox.baseVal.height) - 12 - LINE * k }, words)));
   }
 
+  /** Line by line. @returns {string[]} */
   #words(band) {
     const { wedge } = this.solution;
-    if (wedge !== undefined) return say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)));
+    if (wedge !== undefined) return [say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)))];
     const tilt = this.solution.tilt_angle_deg;
     return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((this.solution.tilt_azimuth_deg ?? 0) + "") + "°") : null,
-      band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " m")].filter((each) => each !== null).join("; ");
+      band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " m")].filter((each) => each !== null);
   }
 
   #drag(event) {

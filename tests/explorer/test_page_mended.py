@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""What readers once found wrong with the page, and no other test tells: ends of lines, names of files, work that cannot be
+kept, words of the scene before, what a handle hides, and what lies out of sight."""
+
+import pathlib
+import re
+import tempfile
+import time
+
+from drawn_case import POLYGON
+from page_case import main
+from panel_case import PanelCase
+
+BOX = "(() => {{ const r = document.querySelector({}).getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; }})()"
+
+
+class Mended(PanelCase):
+    def load(self, fragment="", width=1280, height=900):
+        super().load(fragment, width, height)
+
+    def folder(self):
+        return pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def box(self, selector):
+        """Of an element on the screen: left, top, right, bottom."""
+        return self.value(BOX.format(repr(selector)))
+
+    def opened(self, name, text):
+        path = self.folder() / name
+        path.write_bytes(text.encode())
+        self.choose(path)
+        self.awaits(f"document.getElementById('scene-name').textContent === {name!r}")
+        self.answered()
+
+    def test_lines_of_another_system_keep_their_ends(self):
+        """A file with CR and LF is opened, one number dragged, saved: each line ends as it did, and only that number is another."""
+        given = POLYGON.replace("\n", "\r\n")
+        self.opened("windows.yaml", given)
+        self.drag("tilt.angle_deg", -10, -30)
+        self.answered()
+        saved = self.saved(self.folder(), lambda: self.click("#save"), "windows.yaml").decode()
+        angle = re.search(r"left, angle_deg: ([\d.]+)", saved).group(1)
+        self.assertNotEqual(angle, "12")
+        self.assertEqual(saved, given.replace("angle_deg: 12", f"angle_deg: {angle}"))
+
+    def test_name_of_a_file_is_no_option(self):
+        self.opened("--help.yaml", POLYGON)
+        self.assertIn("at 12°", self.said("#verdict-said"))
+
+    def test_asks_before_work_is_lost(self):
+        """A file that is no text cannot be kept: the page asks before it is left, where the scene was changed; one of text alone
+        it keeps, and asks nothing."""
+        left = "dispatchEvent(new Event('beforeunload', {cancelable: true}))"
+        self.opened("kept.yaml", POLYGON)
+        self.drag("tilt.angle_deg", -10, -30)
+        self.answered()
+        self.assertTrue(self.value(left))
+        folder = self.folder()
+        (folder / "with.yaml").write_text(POLYGON)
+        (folder / "points.csv").write_bytes(b"\xff\xfe")
+        self.choose(folder / "with.yaml", folder / "points.csv")
+        self.awaits("document.getElementById('scene-name').textContent === 'with.yaml'")
+        self.answered()
+        self.drag("tilt.angle_deg", -10, -30)
+        self.answered()
+        time.sleep(0.3)
+        self.assertFalse(self.value(left))
+        self.value("document.getElementById('undo').click()")  # what is not changed is no loss
+        self.example("slab")
+
+    def test_words_are_of_the_scene_that_is_there(self):
+        """What was said of a handle, and of a scene that was refused, goes with that scene."""
+        self.value("document.querySelector('[data-handle=\"tilt.angle_deg\"]').focus()")
+        self.press("ArrowUp")
+        self.answered()
+        self.assertIn("20.1", self.said("#told"))
+        self.example("slab")
+        self.assertEqual(self.said("#told"), "")
+        self.type_scene("topple: 1\noops: 2\n")
+        self.refused()
+        self.assertIn("oops", self.message())
+        self.example("block_f")
+        self.assertTrue(self.value("document.getElementById('message').hidden"))
+
+    def test_governing_pivot_is_seen_around_its_handle(self):
+        """Its ring is wider than the knob of the vertex or of the base's end that lies on it."""
+        for name in ("block_e_valley", "slab_left", "boulder_traced", "block_f"):
+            self.example(name)
+            left, top, right, bottom = self.box(".pivot.governing path")
+            x, y = (left + right) / 2, (top + bottom) / 2
+            knobs = self.value("[...document.querySelectorAll('.handle .knob')].map(k => k.getBoundingClientRect()).map(r => [r.x + r.width / 2, r.y + r.height / 2, r.width / 2])")
+            with self.subTest(name):
+                for at_x, at_y, radius in knobs:
+                    if abs(at_x - x) < 2 and abs(at_y - y) < 2:
+                        self.assertGreater((right - left) / 2, radius + 3)
+
+    def test_pivots_are_whole_at_1024(self):
+        """No column of the table is cut off, nor has to be scrolled to."""
+        self.load(width=1024, height=768)
+        self.tab("pivots")
+        widths = self.value("(() => { const t = document.querySelector('#panel-pivots table'); const out = [];"
+                            " for (let e = t; e.id !== 'panels'; e = e.parentElement) out.push([e.scrollWidth, e.clientWidth]); return out; })()")
+        for needed, given in widths:
+            self.assertLessEqual(needed, given + 1)
+        self.assertLessEqual(self.box("#panel-pivots table")[2], 1024)
+
+    def test_tour_on_a_telephone_keeps_the_drawing_in_sight(self):
+        """In each of its steps the block stands in the upper part of the window, and what the tour says below it."""
+        self.load(width=390, height=844)
+        self.click("#tour-begin button")
+        for step in range(1, 8):
+            self.click(f".tour ol li:nth-child({step}) button")
+            self.answered()
+            with self.subTest(step):
+                left, top, right, bottom = self.box(".shape.block")
+                _, sheet, _, _ = self.box(".side")
+                self.assertGreater(min(bottom, sheet) - top, 120)
+                self.assertGreaterEqual(left, -1)
+                self.assertLessEqual(right, 391)
+                self.assertLessEqual(bottom, sheet)
+                _, said, _, _ = self.box(".tour h2")
+                self.assertTrue(sheet <= said < 844)
+
+    def test_tour_shows_what_it_speaks_of(self):
+        """In a common window what it finds, and the panel of its step, or the table of the third, are on the screen with no scrolling."""
+        self.load(width=1440, height=900)
+        self.click("#tour-begin button")
+        for step in range(1, 8):
+            self.click(f".tour ol li:nth-child({step}) button")
+            self.answered()
+            if step == 3:
+                self.awaits("document.querySelector('.tour table') !== null")
+                self.assertLess(self.box(".tour table")[1], 800)
+                continue
+            self.awaits("document.querySelector('.tour .found').textContent.includes('°')")
+            with self.subTest(step):
+                panel = self.value("document.querySelector('[role=tabpanel]:not([hidden])').id")
+                self.assertLess(self.box("#" + panel)[1], 800)
+                self.assertLessEqual(self.box(".tour .found")[3], 900)
+
+
+if __name__ == "__main__":
+    main()
