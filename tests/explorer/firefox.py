@@ -21,7 +21,16 @@ user_pref("datareporting.policy.dataSubmissionEnabled", false);
 user_pref("toolkit.telemetry.reportingpolicy.firstRun", false);
 user_pref("network.captive-portal-service.enabled", false);
 user_pref("network.connectivity-service.enabled", false);
+user_pref("browser.download.alwaysOpenPanel", false);
+user_pref("browser.download.viewableInternally.enabledTypes", "");
+user_pref("pdfjs.disabled", true);
 """
+# What is said here runs in each page before its own scripts do.
+BEFORE_PAGES = """addEventListener("DOMWindowCreated", (event) => {
+  const text = Services.cpmm.sharedData.get("topple:first");
+  const page = event.target.defaultView;
+  if (text) Cu.evalInSandbox(text, new Cu.Sandbox(page, {sandboxPrototype: page, wantXrays: false}));
+}, true);"""
 
 
 class Firefox:
@@ -30,11 +39,12 @@ class Firefox:
         folder = pathlib.Path(self.profile.name)
         (folder / "user.js").write_text(PREFERENCES)
         self.process = subprocess.Popen(
-            [PROGRAM, "--headless", "--marionette", "--no-remote", "--profile", folder, "--width", "1280", "--height", "900"],
+            [PROGRAM, "--headless", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile", folder, "--width", "1280", "--height", "900"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={"HOME": self.profile.name, "PATH": "/usr/bin:/bin"})
         self.socket, self.buffer, self.number = self.connected(folder / "MarionetteActivePort"), b"", 0
         self.read()  # its greeting
-        self.call("WebDriver:NewSession")
+        self.ask("WebDriver:NewSession")
+        self.inside("Services.mm.loadFrameScript('data:application/javascript,' + encodeURIComponent(arguments[0]), true)", BEFORE_PAGES)
 
     def connected(self, port):
         end = time.monotonic() + 60
@@ -47,7 +57,7 @@ class Firefox:
 
     def close(self):
         try:
-            self.call("Marionette:Quit", flags=["eForceQuit"])
+            self.ask("Marionette:Quit", flags=["eForceQuit"])
         except (EOFError, OSError):
             pass
         self.socket.close()
@@ -69,7 +79,7 @@ class Firefox:
         message, self.buffer = self.buffer[:int(length)], self.buffer[int(length):]
         return json.loads(message)
 
-    def call(self, method, **words):
+    def ask(self, method, **words):
         self.number += 1
         text = json.dumps([0, self.number, method, words]).encode()
         self.socket.sendall(str(len(text)).encode() + b":" + text)
@@ -78,25 +88,18 @@ class Firefox:
             raise RuntimeError((method, error["error"], error["message"]))
         return result
 
-    def open(self, address):
-        self.call("WebDriver:Navigate", url=address)
+    def script(self, text, *given):
+        """The body of a function of the page; a promise is waited for."""
+        return self.ask("WebDriver:ExecuteScript", script=text, args=list(given))["value"]
 
-    def value(self, expression):
-        return self.call("WebDriver:ExecuteScript", script=f"return ({expression})", args=[])["value"]
+    def inside(self, text, *given):
+        """The body of a function of Firefox itself, which may do what a person does in its menus."""
+        self.ask("Marionette:SetContext", value="chrome")
+        try:
+            return self.script(text, *given)
+        finally:
+            self.ask("Marionette:SetContext", value="content")
 
-    def picture(self):
-        return base64.b64decode(self.call("WebDriver:TakeScreenshot", full=False)["value"])
-
-    def drag(self, x, y, dx, dy):
-        """By the mouse, in ten steps."""
-        moves = [{"type": "pointerMove", "duration": 20, "x": round(x + dx * i / 10), "y": round(y + dy * i / 10)} for i in range(11)]
-        actions = [moves[0], {"type": "pointerDown", "button": 0}, *moves[1:], {"type": "pointerUp", "button": 0}]
-        self.call("WebDriver:PerformActions", actions=[
-            {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}])
-
-    def element(self, selector):
-        found = self.call("WebDriver:FindElement", using="css selector", value=selector)
-        return found["value"][ELEMENT]
-
-    def type(self, selector, text):
-        self.call("WebDriver:ElementSendKeys", id=self.element(selector), text=text)
+    def act(self, device, actions, **words):
+        """By mouse, finger, wheel or keys."""
+        self.ask("WebDriver:PerformActions", actions=[{"id": device, "actions": actions, **words}])

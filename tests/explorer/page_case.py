@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The explorer in Chromium without a window: opened, dragged, typed into and looked at. The page is
-build-explorer/explorer.html, or the file or address in TOPPLE_EXPLORER."""
+"""The explorer in Chromium without a window, or in Firefox where TOPPLE_BROWSER is 'firefox': opened, dragged, typed into
+and looked at. The page is build-explorer/explorer.html, or the file or address in TOPPLE_EXPLORER."""
 
 import base64
 import json
@@ -17,14 +17,18 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "program"))
 
 import browser  # noqa: E402
+import firefox  # noqa: E402
+import firefox_calls  # noqa: E402
 from harness import main, run  # noqa: E402,F401
 
 PAGE = os.environ.get("TOPPLE_EXPLORER", str(ROOT / "build-explorer" / "explorer.html"))
+IN_FIREFOX = os.environ.get("TOPPLE_BROWSER") == "firefox"
+PROGRAM, PACKAGE = (firefox.PROGRAM, "firefox-esr") if IN_FIREFOX else (browser.PROGRAM, "chromium")
 BUILT = "://" in PAGE or pathlib.Path(PAGE).is_file()
 ADDRESS = PAGE if "://" in PAGE else pathlib.Path(PAGE).resolve().as_uri()
 KNOWN = "try { localStorage.clear(); sessionStorage.clear(); localStorage.setItem('topple.touched', '1'); } catch (refused) {}"
 NEW = "try { localStorage.clear(); sessionStorage.clear(); } catch (refused) {}"
-SOFTWARE = re.compile("software WebGL|GL Driver Message")  # said where there is no graphics card
+SOFTWARE = re.compile("software WebGL|GL Driver Message|Failed to create WebGL")  # said where there is no graphics card
 MODIFIERS = {"control": 2, "shift": 8}
 WORDS = "[...document.querySelectorAll('.cm-line')].map(l => l.textContent).join('\\n')"
 
@@ -39,12 +43,12 @@ class Address:
         return self.text
 
 
-@unittest.skipIf(browser.PROGRAM is None, "there is no Chromium: install Debian's package chromium")
+@unittest.skipIf(PROGRAM is None, f"there is no browser: install Debian's package {PACKAGE}")
 @unittest.skipUnless(BUILT, f"there is no {PAGE}: ./run --explorer builds it")
 class PageCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.browser = browser.Browser()
+        cls.browser = firefox_calls.FirefoxCalls() if IN_FIREFOX else browser.Browser()
         cls.addClassCleanup(cls.browser.close)
 
     def setUp(self):

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""How the explorer looks: something is drawn in light and in dark, text has contrast, nothing leaves a narrow window;
-and Firefox shows the same page."""
+"""How the explorer looks: something is drawn in light and in dark, text has contrast, nothing leaves a narrow window."""
 
 import re
-import time
 import unittest
 
-import firefox
 import picture
-from page_case import ADDRESS, BUILT, PAGE, ROOT, PageCase, main
+from page_case import ROOT, PageCase, main
 
 # A text, and all grounds below it from the root to itself, painted one on the other by the browser
 PAIRS = """(() => {
@@ -134,77 +131,6 @@ class Looks(PageCase):
         self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 400)
         self.assertEqual(self.value(TOO_WIDE), [])
         self.assertGreater(self.value("document.getElementById('drawing').getBoundingClientRect().width"), 360)
-
-
-@unittest.skipIf(firefox.PROGRAM is None, "there is no Firefox: install Debian's package firefox-esr")
-@unittest.skipUnless(BUILT, f"there is no {PAGE}: ./run --explorer builds it")
-class InFirefox(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = firefox.Firefox()
-        cls.addClassCleanup(cls.browser.close)
-
-    def answered(self):
-        end = time.monotonic() + 60
-        while self.browser.value("document.body?.dataset.answer") != "there":
-            self.assertLess(time.monotonic(), end, self.browser.value("document.getElementById('message')?.textContent"))
-            time.sleep(0.05)
-
-    def refused(self):
-        end = time.monotonic() + 20
-        while self.browser.value("document.body.dataset.answer") != "none":
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.05)
-
-    def setUp(self):
-        """As for one who has been here, but of whom no scene is kept."""
-        self.browser.open("about:blank")
-        self.browser.open(ADDRESS)
-        self.browser.value("(() => { localStorage.clear(); sessionStorage.clear(); localStorage.setItem('topple.touched', '1'); })()")
-        self.browser.open("about:blank")  # or the fragment alone would be another
-        self.browser.open(ADDRESS + "#example=block_e_valley.yaml")
-        self.answered()
-
-    def test_opens_solves_and_draws(self):
-        time.sleep(0.3)
-        self.assertIn("Block E", self.browser.value("document.getElementById('scene-title').textContent"))
-        _, _, found = picture.dots(self.browser.picture())
-        near = sum(count for colour, count in found.items() if max(abs(a - b) for a, b in zip(colour, (242, 206, 147))) < 12)
-        self.assertGreater(near, 20_000)
-
-    def drag(self, key, dx, dy):
-        knob = f"""(() => {{ const r = document.querySelector('[data-handle="{key}"] .knob').getBoundingClientRect();
-          return [r.x + r.width / 2, r.y + r.height / 2]; }})()"""
-        self.browser.drag(*self.browser.value(knob), dx, dy)
-
-    def test_one_of_many_blocks(self):
-        """It is dragged away, and touches no other."""
-        self.browser.value("(() => { const s = document.getElementById('examples'); s.value = 'toppling_slope.yaml'; s.dispatchEvent(new Event('change')); })()")
-        self.answered()
-        time.sleep(0.3)
-        self.drag("blocks.16", 90, -70)
-        self.refused()
-        self.assertIn("'column 16' touches no other", self.browser.value("document.getElementById('message').textContent"))
-
-    def test_drags_and_types(self):
-        self.drag("tilt.angle_deg", -15, -40)
-        self.browser.value("document.getElementById('tab-text').click()")
-        self.answered()
-        time.sleep(0.3)
-        words = "[...document.querySelectorAll('.cm-line')].map(l => l.textContent).join('\\n')"
-        text = self.browser.value(words)
-        self.assertRegex(text, r"angle_deg: (2[4-9]|3\d|4\d)")
-        self.browser.type(".cm-content", "oops: 1\n")
-        self.refused()
-        self.assertIn("oops", self.browser.value("document.getElementById('message').textContent"))
-
-    def test_every_example(self):
-        for name in self.browser.value("[...document.getElementById('examples').options].map(o => o.value).filter(v => v)"):
-            with self.subTest(name):
-                self.browser.value(f"(() => {{ const s = document.getElementById('examples'); s.value = '{name}';"
-                                   " s.dispatchEvent(new Event('change')); })()")
-                self.answered()
-                self.assertTrue(self.browser.value("document.getElementById('message').hidden"))
 
 
 if __name__ == "__main__":
