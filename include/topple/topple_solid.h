@@ -34,13 +34,18 @@ typedef struct tp_solid_options {
                           powers of ten below a hundredth of the height */
   size_t band_count;   /* of them, at most TP_SOLID_BANDS */
   size_t azimuths;     /* of the rose, evenly from 0 on, at most TP_SOLID_AZIMUTHS */
+  bool repair;         /* mend a mesh that is not closed, and say what was done */
+  double repair_merge_within; /* if repair: points as near are merged, in lengths of the mesh; 0:
+                                 equal ones alone */
+  double repair_drop_below;   /* if repair: pieces of less than this share of the area, below 1, are
+                                 dropped; 0: none */
 } tp_solid_options;
 
 /* The most that options may ask for, and that contacts a scene may have. */
 enum { TP_SOLID_BANDS = 100, TP_SOLID_AZIMUTHS = 36000, TP_SOLID_CONTACTS = 1000 };
 
-/* The defaults: in metres, the whole file, no weight, no friction, z upwards, 72 azimuths; `size`
- * is the caller's. */
+/* The defaults: in metres, the whole file, no weight, no friction, z upwards, 72 azimuths, no
+ * repair; `size` is the caller's. */
 void tp_solid_options_init(tp_solid_options *options, size_t size);
 static inline tp_solid_options tp_solid_options_default(void) {
   tp_solid_options options;
@@ -240,6 +245,39 @@ typedef struct tp_solid_wedge {
   tp_bounded fos;         /* if has_fos: strength over what drives it */
 } tp_solid_wedge;
 
+/* A gap of the surface, a loop of edges with one triangle, that was closed by triangles between its
+ * own points. One that goes along a line and back has no triangles of its own: its neighbours were
+ * parted at the points on that line. */
+typedef struct tp_solid_gap {
+  size_t corners;     /* points of the loop */
+  size_t triangles;   /* that close it */
+  double middle[3];   /* the mean of its points, in the coordinates of the mesh */
+  tp_bounded area_m2; /* of these triangles */
+} tp_solid_gap;
+
+/* What was done to a mesh to make it that of a solid. Triangles are named by their numbers in the
+ * file; below each count stands the first. */
+typedef struct tp_solid_repair {
+  double merge_within, drop_below; /* as asked for: lengths of the mesh, share of the area */
+  size_t merged_points;            /* that became another point within that length, */
+  double farthest_merged;          /* the farthest of them, in lengths of the mesh, */
+  size_t merged_triangles;         /* and triangles that lost a corner by it and were dropped */
+  size_t duplicate_triangles;      /* given again, and dropped */
+  long first_duplicate;            /* the first of them; 0: none */
+  size_t flat_triangles;           /* without area: their long sides part their neighbours */
+  long first_flat;                 /* likewise */
+  size_t turned_triangles;         /* whose corners now run the other way round */
+  long first_turned;               /* likewise */
+  size_t dropped_pieces;           /* smaller than that share, dropped */
+  size_t dropped_triangles;        /* of them */
+  double dropped_area_share;       /* which was this share of the area */
+  size_t gap_count;                /* gaps that were closed */
+  tp_solid_gap *gaps;              /* gap_count of them */
+  size_t open_gaps;                /* that no triangles between their points close */
+  tp_bounded closed_area_share;    /* of the area now, that of the triangles that close gaps */
+  tp_bounded closed_volume_share;  /* of the volume, what lies between its middle and them */
+} tp_solid_repair;
+
 /* A closed mesh inside the solid: rock of another unit weight, or a hole. */
 typedef struct tp_solid_part {
   TP_OUTSIDE char *file;    /* the mesh, */
@@ -296,6 +334,8 @@ typedef struct tp_solid {
   tp_solid_wedge wedge;       /* if has_wedge: how safe it is against sliding */
   size_t part_count;          /* of what its scene puts inside: */
   tp_solid_part *parts;       /* part_count of them: holes, then parts, in the order of the scene */
+  bool has_repair;            /* repair was asked for: */
+  tp_solid_repair repair;     /* if has_repair: what was done to the mesh */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

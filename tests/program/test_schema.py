@@ -331,6 +331,13 @@ class Schema(unittest.TestCase):
             status, out, err = run("solve", "--json", "rock.yaml", folder=folder)
             self.assertEqual((status, err), (0, ""))
             self.fits("solid", out)
+        with tempfile.TemporaryDirectory() as folder:  # a corner is cut off a cube, a face is given twice, one is flat, one turned
+            corners = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for y in (0, 1) for x in (0, 1)) + "v 0.5 0 0\nv 9 9 9\nv 9 9 9.1\nv 9 9.1 9\nv 9.1 9 9\n"
+            square = ((0, 2, 3, 1), (4, 5, 7, 6), (1, 3, 7, 5), (3, 2, 6, 7))
+            faces = [t for a, b, c, d in square for t in ((a, b, c), (a, c, d))]
+            faces += [(0, 8, 4), (8, 5, 4), (8, 1, 5), (0, 1, 8), (2, 0, 4), (2, 6, 4), (4, 6, 2), (9, 10, 11), (10, 9, 12), (11, 10, 12), (9, 11, 12)]
+            (pathlib.Path(folder) / "rock.obj").write_text(corners + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces[1:]))
+            self.prints("solid", "--json", "--repair", "--merge-within=1e-6", "--drop-below=0.01", "rock.obj", folder=folder)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         with tempfile.TemporaryDirectory() as folder:
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")

@@ -28,6 +28,9 @@ enum {
   KEY_AZIMUTHS,
   KEY_FIGURE,
   KEY_SECTION,
+  KEY_REPAIR,
+  KEY_MERGE,
+  KEY_DROP,
   KEY_CSV
 };
 
@@ -42,6 +45,15 @@ static const struct argp_option options[] = {
      "mesh: the noise of the survey",
      0},
     {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
+    {"repair", KEY_REPAIR, NULL, 0,
+     "Mend a mesh that is not closed: triangles given twice or without area, turned ones, gaps; "
+     "and "
+     "say what was done",
+     0},
+    {"merge-within", KEY_MERGE, "LENGTH", 0,
+     "With --repair: merge points as near as this, in lengths of the mesh", 0},
+    {"drop-below", KEY_DROP, "SHARE", 0,
+     "With --repair: drop pieces of less than this share of the area", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png; as "
      ".glb the rock as a model",
@@ -90,6 +102,24 @@ static void read_azimuths(arguments *a, const char *text, struct argp_state *sta
   a->options.azimuths = (size_t)count;
 }
 
+/* What may be done to the mesh. */
+static error_t parse_repair(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case KEY_REPAIR:
+    a->options.repair = true;
+    return 0;
+  case KEY_MERGE:
+    a->options.repair_merge_within = read_number("merge-within", argument, state);
+    return 0;
+  case KEY_DROP:
+    a->options.repair_drop_below = read_number("drop-below", argument, state);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
 /* What the solid is. */
 static error_t parse_solid(int key, char *argument, struct argp_state *state) {
   arguments *a = state->input;
@@ -118,7 +148,7 @@ static error_t parse_solid(int key, char *argument, struct argp_state *state) {
     read_azimuths(a, argument, state);
     return 0;
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_repair(key, argument, state);
   }
 }
 
@@ -144,6 +174,13 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case ARGP_KEY_END:
     if (a->file == NULL) {
       tp_cli_refuse(state, "give a mesh, for example examples/solids/balanced_rock.obj");
+    }
+    if (!a->options.repair &&
+        (a->options.repair_merge_within > 0 || a->options.repair_drop_below > 0)) {
+      tp_cli_refuse(state, "--merge-within and --drop-below go with --repair");
+    }
+    if (a->options.repair_drop_below >= 1) {
+      tp_cli_refuse(state, "--drop-below takes a share of the area below 1");
     }
     if (a->json && a->csv) tp_cli_refuse(state, "one of --json and --csv");
     if (a->cuts && (a->json || a->csv || a->figure != NULL)) {

@@ -74,6 +74,11 @@ static void judge_edges(gate *g) {
 
 enum { EDGE = 160 };
 
+/* What a repair may do about it, or that it did not. */
+static const char *offer(const tp_surface *s, const char *what) {
+  return s->mesh->is_mended ? "; its repair left them so" : what;
+}
+
 static const char *edge_text(char text[EDGE], const tp_surface *s, const fault *own) {
   double at[6];
   for (int k = 0; k < 3; k++) {
@@ -96,12 +101,14 @@ static tp_status refuse_pieces(gate *g, tp_message *message) {
   }
   if (pieces <= 1) return TP_OK;
   char names[2][TP_SURFACE_NAME];
-  return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, second),
-                   "%ld pieces that share no edge: %s begins one of %ld triangles, %s another of "
-                   "%ld; a solid is one piece: give each by itself, or name an object; cavities "
-                   "are 'holes' of a scene",
-                   pieces, tp_surface_name(names[0], s, 0), sizes[0],
-                   tp_surface_name(names[1], s, second), sizes[1]);
+  return tp_refuse(
+      message, TP_FAULT_GEOMETRY, tp_surface_place(s, second),
+      "%ld pieces that share no edge: %s begins one of %ld triangles, %s another of "
+      "%ld; a solid is one piece: give each by itself, or name an object; cavities "
+      "are 'holes' of a scene; small ones are dropped by --repair with --drop-below, in "
+      "a scene 'repair: {drop_below: 0.01}'",
+      pieces, tp_surface_name(names[0], s, 0), sizes[0], tp_surface_name(names[1], s, second),
+      sizes[1]);
 }
 
 static tp_status refuse_faults(gate *g, tp_message *message) {
@@ -110,25 +117,29 @@ static tp_status refuse_faults(gate *g, tp_message *message) {
   if (g->crowded.count > 0) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->crowded.triangle),
                      "three triangles or more at one edge, %s, among them %s and %s; there are "
-                     "%ld such edges: name an object, or repair the mesh",
+                     "%ld such edges: name an object, or repair the mesh%s",
                      edge_text(edge, s, &g->crowded),
                      tp_surface_name(names[0], s, g->crowded.triangle),
-                     tp_surface_name(names[1], s, g->crowded.neighbour), g->crowded.count);
+                     tp_surface_name(names[1], s, g->crowded.neighbour), g->crowded.count,
+                     offer(s, "; where they are given twice --repair, in a scene 'repair: true', "
+                              "drops them"));
   }
   if (g->open.count > 0) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->open.triangle),
                      "the surface is open: at its edge %s %s has no neighbour; there are %ld such "
-                     "edges: close the holes of the mesh",
+                     "edges: close the holes of the mesh%s",
                      edge_text(edge, s, &g->open), tp_surface_name(names[0], s, g->open.triangle),
-                     g->open.count);
+                     g->open.count,
+                     offer(s, ", or have them closed by --repair, in a scene 'repair: true'"));
   }
   if (g->turned.count > 0) {
     return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->turned.triangle),
                      "%s and %s are oriented against each other: both pass their edge %s in one "
-                     "direction; there are %ld such edges: orient the faces of the mesh outwards",
+                     "direction; there are %ld such edges: orient the faces of the mesh outwards%s",
                      tp_surface_name(names[0], s, g->turned.triangle),
                      tp_surface_name(names[1], s, g->turned.neighbour),
-                     edge_text(edge, s, &g->turned), g->turned.count);
+                     edge_text(edge, s, &g->turned), g->turned.count,
+                     offer(s, ", or have them turned by --repair, in a scene 'repair: true'"));
   }
   return refuse_pieces(g, message);
 }
@@ -143,9 +154,10 @@ static tp_status refuse_flat(const tp_surface *surface, long triangle, tp_messag
   for (int k = 0; k < 9; k++) at[k] = tp_surface_given(surface, corners[k / 3], k % 3);
   return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(surface, triangle),
                    "%s has no area: its corners (%.9g, %.9g, %.9g), (%.9g, %.9g, %.9g) and (%.9g, "
-                   "%.9g, %.9g) lie on one line; repair the mesh",
+                   "%.9g, %.9g) lie on one line; repair the mesh%s",
                    tp_surface_name(name, surface, triangle), at[0], at[1], at[2], at[3], at[4],
-                   at[5], at[6], at[7], at[8]);
+                   at[5], at[6], at[7], at[8],
+                   offer(surface, " by --repair, in a scene 'repair: true'"));
 }
 
 tp_status tp_gate_areas(const tp_surface *surface, tp_message *message) {

@@ -63,3 +63,21 @@ void tp_sides_join(int *leaders, int one, int other) {
   if (one < other) leaders[other] = one;
   if (other < one) leaders[one] = other;
 }
+
+const tp_side *tp_sides_edge(long *count, const tp_sides *sides, int one, int other) {
+  const int low = one < other ? one : other, high = one < other ? other : one;
+  long first = sides->starts[low], end = sides->starts[low + 1];
+  while (first < end) {
+    const long middle = first + (end - first) / 2;
+    if (sides->items[middle].other < high) {
+      first = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  *count = 0;
+  while (first + *count < sides->starts[low + 1] && sides->items[first + *count].other == high) {
+    ++*count;
+  }
+  return sides->items + first;
+}

@@ -24,6 +24,9 @@ typedef struct tp_sides {
 bool tp_sides_init(tp_sides *sides, const int *triangles, long count, long vertex_count);
 void tp_sides_clear(tp_sides *sides);
 
+/* Those of an edge: the first, and how many. */
+const tp_side *tp_sides_edge(long *count, const tp_sides *sides, int one, int other);
+
 /* Sets of triangles: `leaders` begins with each its own; the least of a set leads it. */
 int tp_sides_leader(int *leaders, int triangle);
 void tp_sides_join(int *leaders, int one, int other);

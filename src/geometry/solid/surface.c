@@ -33,6 +33,10 @@ void tp_surface_clear(tp_surface *surface) {
 
 const char *tp_surface_name(char name[TP_SURFACE_NAME], const tp_surface *surface, long triangle) {
   const tp_mesh_face *face = surface->mesh->faces + surface->faces[triangle];
+  if (face->number < 0) { /* of a repair */
+    snprintf(name, TP_SURFACE_NAME, "a triangle that closes gap %d", -face->number);
+    return name;
+  }
   snprintf(name, TP_SURFACE_NAME, "%s %d", face->count == 3 ? "triangle" : "face", face->number);
   return name;
 }

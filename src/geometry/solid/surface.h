@@ -62,7 +62,8 @@ double tp_surface_given(const tp_surface *surface, long vertex, int axis);
 
 enum { TP_SURFACE_NAME = 48 };
 
-/* "triangle 12" by its number in the file, or "face 12" of one that was split. */
+/* "triangle 12" by its number in the file, or "face 12" of one that was split; or which gap it
+ * closes (solid/mend.h). */
 const char *tp_surface_name(char name[TP_SURFACE_NAME], const tp_surface *surface, long triangle);
 tp_place tp_surface_place(const tp_surface *surface, long triangle);
 /* The object of the mesh that a triangle is of. */

@@ -46,6 +46,7 @@ typedef struct tp_mesh {
   long slot_count;
   int *slots;       /* vertices by their coordinates: one more than the index, 0 where none is */
   int face_numbers; /* faces that the file gave, those left out too */
+  bool is_mended;   /* it is not as the file has it (solid/mend.h) */
   long left_out;    /* faces without three different corners, */
   int left_out_number, left_out_line; /* and the first of them */
 } tp_mesh;

@@ -58,6 +58,9 @@ typedef struct tp_solid_description {
   fmpq *bands;        /* in scene lengths */
   long contact_count; /* 0: what touches is by bands */
   tp_contact_description *contacts;
+  bool repair;                /* mend the mesh: */
+  double repair_merge_within; /* in lengths of the mesh; 0: equal points alone */
+  double repair_drop_below;   /* pieces of less than this share of the area; 0: none */
   tp_wedge_description wedge; /* instead of the mesh and what touches */
 } tp_solid_description;
 

@@ -76,6 +76,8 @@ TP_MUST_USE tp_status tp_note_mesh_unit(const tp_reader *reader, const tp_node *
 /* The key solid, of a scene of a solid; its keys tilt.azimuth_deg and loads.seismic.azimuth_deg are
  * refused where the scene is of another kind, and those of a section where it is of a solid. */
 TP_MUST_USE tp_status tp_read_solid(const tp_reader *reader, const tp_node *root);
+/* true, or {merge_within, drop_below}; NULL: none. */
+TP_MUST_USE tp_status tp_read_solid_repair(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *solid);
 /* The mesh that a map names, and the object of it. */
 TP_MUST_USE tp_status tp_read_solid_mesh(const tp_reader *reader, const tp_mesh **mesh,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The meshes of a solid: its own, and those inside, by the keys solid.holes and solid.parts, as
- * holes and parts of a block are outlines inside its own. That they lie inside is for whoever has
- * their surfaces (solid/pieces.h). */
+/* The meshes of a solid: its own with its repair, and those inside, by the keys solid.holes and
+ * solid.parts, as holes and parts of a block are outlines inside its own. That they lie inside is
+ * for whoever has their surfaces (solid/pieces.h). */
 
 #include "scene/members.h"
 #include "scene_reading/read.h"
@@ -79,4 +79,47 @@ tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *node) {
   if (solid->parts == NULL) return tp_fail_memory(reader->message, "the parts of a solid");
   const tp_status status = read_list(reader, &holes);
   return status == TP_OK ? read_list(reader, &parts) : status;
+}
+
+/* ---- a repair ----------------------------------------------------------------------------------
+ */
+
+static tp_status read_merge_within(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  if (node == NULL) return TP_OK;
+  fmpq_t within;
+  fmpq_init(within);
+  const tp_status status =
+      tp_read_by_rule(reader, within, node, "merge_within", TP_RULE_NOT_NEGATIVE);
+  fmpq_mul(within, within, reader->scene->metres_per_unit);
+  fmpq_div(within, within, own->metres_per_unit);
+  own->repair_merge_within = fmpq_get_d(within);
+  fmpq_clear(within);
+  return status;
+}
+
+static tp_status read_drop_below(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  if (node == NULL) return TP_OK;
+  fmpq_t share;
+  fmpq_init(share);
+  tp_status status = tp_read_by_rule(reader, share, node, "drop_below", TP_RULE_NOT_NEGATIVE);
+  own->repair_drop_below = fmpq_get_d(share);
+  fmpq_clear(share);
+  if (status == TP_OK && !(own->repair_drop_below < 1)) {
+    status = tp_read_fail(reader, TP_FAULT_RANGE, node,
+                          "'drop_below' is a share of the area of the mesh, below 1: 0.01");
+  }
+  return status;
+}
+
+/* true, or {merge_within, drop_below}. */
+tp_status tp_read_solid_repair(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  if (node == NULL) return TP_OK;
+  if (node->kind == TP_NODE_SCALAR) return tp_read_bool(reader, &own->repair, node, "repair");
+  own->repair = true;
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_repair, "repair");
+  if (status == TP_OK) status = read_merge_within(reader, tp_node_get(node, "merge_within"));
+  return status == TP_OK ? read_drop_below(reader, tp_node_get(node, "drop_below")) : status;
 }

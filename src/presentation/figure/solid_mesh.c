@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "format/mesh.h"
 #include "solid/azimuth.h"
+#include "solid/mend.h"
 #include "solid/sides.h"
 #include "solid/solid_sums.h"
 
@@ -136,6 +137,20 @@ static tp_status refuse_other(const tp_solid *solid, tp_message *message) {
                    "the mesh has changed since it was solved: solve it again");
 }
 
+/* As it was mended, in place of what is in the file. */
+static tp_status mend(tp_mesh *mesh, long *object, const tp_solid *solid, tp_message *message) {
+  const tp_mend_wish wish = {solid->repair.merge_within, solid->repair.drop_below};
+  tp_solid_repair record;
+  tp_mesh mended;
+  if (!solid->has_repair) return TP_OK;
+  const tp_status status = tp_mesh_mend(&mended, &record, mesh, *object, &wish, message);
+  tp_solid_repair_clear(&record);
+  tp_mesh_clear(mesh);
+  *mesh = mended;
+  if (*object > 0) *object = 0;
+  return status;
+}
+
 static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid *solid,
                               tp_message *message) {
   long object = -1;
@@ -143,7 +158,8 @@ static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid
     if (strcmp(mesh->objects[k].name, solid->object) == 0) object = k;
   }
   if (solid->object != NULL && object < 0) return refuse_other(solid, message);
-  const tp_status status = tp_surface_init(surface, mesh, object, message);
+  tp_status status = mend(mesh, &object, solid, message);
+  if (status == TP_OK) status = tp_surface_init(surface, mesh, object, message);
   if (status != TP_OK) return status;
   if (surface->triangle_count == (long)solid->triangles &&
       surface->vertex_count == (long)solid->vertices) {

@@ -17,6 +17,9 @@ enum { TP_SOLID_TILT_DIGITS = 8 };
 void tp_text_solid_answer(tp_text *t, const tp_solid *solid);
 void tp_text_solid_answer_wrapped(tp_text *t, const tp_solid *solid); /* and an empty line */
 
+/* Where it was mended: the gaps that were closed; else nothing. */
+void tp_text_solid_repair(tp_text *t, const tp_solid *solid);
+
 /* Of a scene: what the solid does at its tilt; else nothing. */
 void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 

@@ -75,11 +75,22 @@ static tp_status pass_all(tp_solid_body *body, tp_message *message) {
   return status == TP_OK ? tp_hull_facets_init(&body->facets, &body->surface, message) : status;
 }
 
+static tp_status mend(tp_solid_body *body, const tp_mend_wish *wish, tp_message *message) {
+  if (wish == NULL) return TP_OK;
+  body->is_mended = true;
+  const tp_status status =
+      tp_mesh_mend(&body->mended, &body->repair, body->mesh, body->object, wish, message);
+  body->mesh = &body->mended;
+  if (body->object > 0) body->object = 0;
+  return status;
+}
+
 tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
-                             const tp_solid_part_description *parts, long part_count,
-                             tp_message *message) {
+                             const tp_mend_wish *wish, const tp_solid_part_description *parts,
+                             long part_count, tp_message *message) {
   *body = (tp_solid_body){.mesh = mesh, .object = object, .part_count = part_count};
-  tp_status status = take_surfaces(body, parts, message);
+  tp_status status = mend(body, wish, message);
+  if (status == TP_OK) status = take_surfaces(body, parts, message);
   if (status == TP_OK) status = pass_all(body, message);
   if (status != TP_OK) tp_solid_body_clear(body);
   return status;
@@ -95,6 +106,8 @@ void tp_solid_body_clear(tp_solid_body *body) {
   free(body->pieces);
   tp_surface_clear(&body->whole);
   tp_mesh_clear(&body->joined);
+  tp_mesh_clear(&body->mended);
+  tp_solid_repair_clear(&body->repair);
 }
 
 /* ---- of a scene --------------------------------------------------------------------------------
@@ -115,8 +128,10 @@ tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *sce
   tp_solid_body *own = malloc(sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "a solid");
   const tp_solid_description *solid = &scene->solid;
+  const tp_mend_wish wish = {solid->repair_merge_within, solid->repair_drop_below};
   const tp_status status =
-      tp_solid_body_init(own, solid->mesh, solid->object, solid->parts, solid->part_count, message);
+      tp_solid_body_init(own, solid->mesh, solid->object, solid->repair ? &wish : NULL,
+                         solid->parts, solid->part_count, message);
   if (status == TP_OK) {
     *body = tp_scene_file_keep(file, own, give_back);
   } else {

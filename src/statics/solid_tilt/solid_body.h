@@ -9,15 +9,19 @@
 
 #include "scene/scene.h"
 #include "solid/hull_facets.h"
+#include "solid/mend.h"
 #include "solid/pieces.h"
 #include "solid_tilt/solid_moments.h"
 
 typedef struct tp_solid_body {
-  const tp_mesh *mesh; /* borrowed */
+  const tp_mesh *mesh; /* borrowed, or that which was mended */
   long object;
-  tp_mesh joined;     /* where there are parts, with theirs; */
-  tp_surface whole;   /* then of all, */
-  tp_surface surface; /* of which this is the rock's; else the same */
+  bool is_mended;
+  tp_mesh mended;         /* if is_mended */
+  tp_solid_repair repair; /* if is_mended: what was done, in lengths of the mesh */
+  tp_mesh joined;         /* where there are parts, with theirs; */
+  tp_surface whole;       /* then of all, */
+  tp_surface surface;     /* of which this is the rock's; else the same */
   tp_hull_facets facets;
   tp_solid_moments moments; /* in doubles; exact where these do not tell that it has a volume */
   long part_count;
@@ -25,9 +29,11 @@ typedef struct tp_solid_body {
   tp_solid_moments *part_moments; /* part_count of them, each of its surface alone, likewise */
 } tp_solid_body;
 
-/* Of one object, or of all where it is below zero, with what lies inside; refused by triangle. To
- * be cleared where it was made. */
+/* Of one object, or of all where it is below zero, with what lies inside; mended first where that
+ * is wished for, else NULL; refused by triangle. To be cleared where it was made; it stays where it
+ * was made. */
 TP_MUST_USE tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
+                                         const tp_mend_wish *wish,
                                          const tp_solid_part_description *parts, long part_count,
                                          tp_message *message);
 void tp_solid_body_clear(tp_solid_body *body);

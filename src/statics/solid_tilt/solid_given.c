@@ -13,7 +13,7 @@
 #include <arb.h>
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_solid_options, azimuths);
+TP_OPTIONS_END(tp_solid_options, repair_drop_below);
 
 enum { AZIMUTHS = 72, OWN_BANDS = 4, NORMAL_BITS = 100 };
 
@@ -100,6 +100,19 @@ static void start(tp_solid_given *given) {
   for (int k = 0; k < 3; k++) fmpz_init(given->up + k);
 }
 
+static tp_status check_repair(const tp_solid_options *options, tp_message *message) {
+  const double within = options->repair_merge_within, below = options->repair_drop_below;
+  if (!options->repair && (within != 0 || below != 0)) {
+    return refuse(message, TP_FAULT_KEY,
+                  "points are merged and pieces dropped by a repair: ask for it too");
+  }
+  return isfinite(within) && within >= 0 && below >= 0 && below < 1
+             ? TP_OK
+             : refuse(message, TP_FAULT_RANGE,
+                      "a repair merges points within a length of 0 or more, and drops pieces below "
+                      "a share of the area from 0 to below 1");
+}
+
 tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *options,
                               tp_message *message) {
   start(given);
@@ -120,6 +133,7 @@ tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *opt
   if (status == TP_OK && (options->azimuths == 0 || options->azimuths > TP_SOLID_AZIMUTHS)) {
     status = refuse(message, TP_FAULT_RANGE, "a rose has 1 to 36000 azimuths");
   }
+  if (status == TP_OK) status = check_repair(options, message);
   return status == TP_OK ? take_bands(given, options, message) : status;
 }
 

@@ -120,7 +120,8 @@ tp_status tp_solid_moments_check(tp_solid_moments *moments, tp_message *message)
                          "needs one")
              : tp_refuse(message, TP_FAULT_GEOMETRY, place,
                          "the surface is inside out: %s and all others run clockwise seen from "
-                         "outside; turn the faces of the mesh round",
+                         "outside; turn the faces of the mesh round, or have them turned by "
+                         "--repair, in a scene 'repair: true'",
                          tp_surface_name(name, moments->surface, 0));
 }
 

@@ -14,6 +14,7 @@
 #include "scene_varying/settings.h"
 #include "solid/poses.h"
 #include "solid_tilt/on_contacts.h"
+#include "solid_tilt/repaired.h"
 #include "solid_tilt/rose.h"
 #include "solid_tilt/solid_parts.h"
 #include "solid_tilt/stance.h"
@@ -39,6 +40,7 @@ void tp_solid_free(tp_solid *solid) {
   }
   free(solid->parts);
   tp_solid_contacts_clear(&solid->contacts);
+  tp_solid_repair_clear(&solid->repair);
   free(solid);
 }
 
@@ -187,6 +189,7 @@ static tp_status add_notes(work *w) {
                      "first of them face %d",
                      mesh->left_out, mesh->left_out_number);
   }
+  if (status == TP_OK) status = tp_repair_notes(w->solid, w->message);
   if (status == TP_OK && w->body->surface.split > 0) {
     status = tp_notes_add(notes, w->message, TP_NOTE, place,
                           "%ld faces of more than three corners are split into triangles from "
@@ -219,7 +222,8 @@ tp_status tp_solid_find(tp_solid *solid, const tp_solid_body *body, tp_solid_giv
     return tp_fail_memory(message, "a solid");
   }
   describe(&w);
-  tp_status status = add_notes(&w);
+  tp_status status = tp_repair_tell(solid, body, message);
+  if (status == TP_OK) status = add_notes(&w);
   if (status != TP_OK) return status;
   if (given->scene != NULL) tp_stance_loads_of(&w.loads, given->scene);
   if (!tp_heights_above_init(&w.above, &body->surface, given->up)) {
@@ -260,7 +264,11 @@ static tp_status solve_mesh(tp_solid *solid, const tp_mesh *mesh, const tp_solid
   tp_solid_body body;
   long object = -1;
   tp_status status = find_object(&object, mesh, options->object, message);
-  if (status == TP_OK) status = tp_solid_body_init(&body, mesh, object, NULL, 0, message);
+  const tp_mend_wish wish = {options->repair_merge_within, options->repair_drop_below};
+  if (status == TP_OK) {
+    status =
+        tp_solid_body_init(&body, mesh, object, options->repair ? &wish : NULL, NULL, 0, message);
+  }
   if (status != TP_OK) return status;
   status = tp_solid_find(solid, &body, given, message);
   tp_solid_body_clear(&body);

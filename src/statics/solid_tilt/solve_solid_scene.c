@@ -73,7 +73,7 @@ static tp_status find_wedge(tp_solid *own, const tp_scene *scene, tp_solid_given
   given->azimuths = 0;
   tp_status status = tp_wedge_shape_init(&shape, wedge, message);
   if (status == TP_OK) status = tp_wedge_shape_mesh(&mesh, &shape, scene->path, message);
-  if (status == TP_OK) status = tp_solid_body_init(&body, &mesh, -1, NULL, 0, message);
+  if (status == TP_OK) status = tp_solid_body_init(&body, &mesh, -1, NULL, NULL, 0, message);
   if (status == TP_OK) {
     status = tp_solid_find(own, &body, given, message);
     tp_solid_body_clear(&body);
