@@ -5,7 +5,8 @@
  * whether it sticks at both ends, so that this block is at rest too, slips forward, slips back, or
  * opens; then by which ends are closed. All parts that are refuted at once are left out. Where one
  * part is left, it is so: mostly the block is at rest, and the next one is asked for. Else the
- * contact of the fewest parts is divided. */
+ * contact of the fewest parts is divided. Blocks that do not touch, but by ground, move whatever
+ * the others do: each group of those that do is taken by itself, with the others at rest. */
 
 #include "contact_modes/exclusion.h"
 
@@ -172,6 +173,21 @@ static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
   return status;
 }
 
+/* By number of a free block: the least of those that it touches, and that these touch. */
+static void find_groups(long *group, const tp_resting *r) {
+  for (long b = 0; b < r->rows / 3; b++) group[b] = b;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (long k = 0; k < r->contact_count; k++) {
+      const long *row = r->contacts[k].along.row;
+      if (row[0] < 0 || row[1] < 0 || group[row[0] / 3] == group[row[1] / 3]) continue;
+      const long one = group[row[0] / 3], other = group[row[1] / 3];
+      group[row[0] / 3] = group[row[1] / 3] = one < other ? one : other;
+      changed = true;
+    }
+  }
+}
+
 static tp_status make_root(tp_modes_node *root, const tp_resting *r, tp_message *message) {
   root->sets = calloc((size_t)r->contact_count + 1, sizeof *root->sets);
   root->still = calloc((size_t)r->rows / 3 + 1, sizeof *root->still);
@@ -193,19 +209,37 @@ tp_status tp_exclusion_frictionless(bool *proven, long *work, const tp_modes_que
   return status;
 }
 
-tp_status tp_exclusion_find(tp_exclusion *e, const tp_modes_question *q, tp_message *message) {
+/* Of one group, with the others at rest. */
+static tp_status exclude_group(bool *proven, tp_exclusion *e, const tp_modes_question *q,
+                               const long *group, long own, tp_message *message) {
   branching b = {.q = q, .of = e};
   tp_modes_node root;
-  e->is_proven = e->has_left = false;
   bool goes_on = true, refuted = false;
   tp_status status = make_root(&root, q->resting, message);
   if (status != TP_OK) return status;
+  for (long k = 0; k < q->resting->rows / 3; k++) root.still[k] = group[k] != own;
   status = refute(&refuted, &b, &root, message);
   if (status == TP_OK && !refuted) status = wait(&b, &root, message);
   clear_node(&root);
   while (status == TP_OK && goes_on && b.count > 0) status = take_one(&goes_on, &b, message);
-  e->is_proven = status == TP_OK && b.count == 0 && !e->has_left;
+  *proven = status == TP_OK && b.count == 0 && !e->has_left;
   for (long k = 0; k < b.count; k++) clear_node(b.waiting + k);
   free(b.waiting);
+  return status;
+}
+
+tp_status tp_exclusion_find(tp_exclusion *e, const tp_modes_question *q, tp_message *message) {
+  const long count = q->resting->rows / 3;
+  long *group = calloc((size_t)count + 1, sizeof *group);
+  if (group == NULL) return tp_fail_memory(message, "a proof");
+  find_groups(group, q->resting);
+  tp_status status = TP_OK;
+  bool proven = true;
+  e->is_proven = e->has_left = false;
+  for (long k = 0; k < count && proven && status == TP_OK; k++) {
+    if (group[k] == k) status = exclude_group(&proven, e, q, group, k, message);
+  }
+  free(group);
+  e->is_proven = status == TP_OK && proven;
   return status;
 }
