@@ -138,13 +138,23 @@ class BlockMotions(GoverningCase):
         self.assertGreaterEqual(2 * narrow, standing)
 
     def test_images(self):
-        """Mirrored, renumbered, in millimetres and in a mine's coordinates: nothing is certain to stand where in another image a motion
-        can begin; and what is certain to stand is as much."""
+        """Mirrored, renumbered, in a mine's coordinates, with edges cut in pieces, beside a block that stands far off, and in millimetres:
+        nothing is certain to stand where in another image a motion can begin; and what is certain to stand is as much."""
+        def cut(points):
+            """Edges of the ground, and where both blocks touch, by way of more points."""
+            more = [(2.5, 0), (0.5, 0), (2, 0.25), (2, 0.75)]
+            return [p for a, b in zip(points, points[1:] + points[:1])
+                    for p in [a, *sorted((q for q in more if (b[0] - a[0]) * (q[1] - a[1]) == (b[1] - a[1]) * (q[0] - a[0])
+                                          and 0 < math.dist(q, a) < math.dist(a, b) > math.dist(q, b)), key=lambda q: math.dist(q, a))]]
+
         pile = on_ground().add("low", box(0, 0, 2, 1)).add("column", box(2, 0, 3, 5))
-        shuffled = Pile()
+        shuffled, in_pieces, beside = Pile(), Pile(), Pile()
         shuffled.blocks = pile.blocks[::-1]
+        in_pieces.blocks = [(name, cut(points), ground) for name, points, ground in pile.blocks]
+        self.assertEqual([len(points) for _, points, _ in in_pieces.blocks], [6, 7, 7])
+        beside.blocks = [*pile.blocks, ("far", box(20, 0, 28, 1), False)]
         own = [self.case(pile, 30, tilted(5)), self.case(pile.moved(lambda x, y: (-x, y)), 30, tilted(5, "right")),
-               self.case(shuffled, 30, tilted(5)),
+               self.case(shuffled, 30, tilted(5)), self.case(in_pieces, 30, tilted(5)), self.case(beside, 30, tilted(5)),
                self.case(pile.moved(lambda x, y: (x + Fraction(5123452, 10), y + 6789012)), 30, tilted(5))]
         done = run("solve", "--json", self.scene(pile.moved(lambda x, y: (1000 * x, 1000 * y)).scene(30, tilted(5), unit="mm")))
         own.append(json.loads(done[1])["cases"][0])

@@ -100,13 +100,16 @@ class CohesiveMotions(GoverningCase):
         self.assertGreaterEqual(2 * narrow, standing)
 
     def test_images(self):
-        """Mirrored, renumbered, in millimetres and in a mine's coordinates: the same verdict and the same number."""
+        """Mirrored, renumbered, in millimetres and in a mine's coordinates, and with
+        the ground's edge in pieces: the same verdict and the same number."""
         own = on_ground().add("low", box(0, 0, 2, 1)).add("column", box(2, 0, 3, 5))
+        pieces = Pile().add("g", [(-50, -1), (60, -1), (60, 0), (2.5, 0), (0.5, 0), (-50, 0)], True)
+        pieces.blocks += own.blocks[1:]
         shuffled = Pile()
         shuffled.blocks = own.blocks[::-1]
         more = tilted(12, "left", 20, 8)
         cases = [self.case(own, 30, more), self.case(own.moved(lambda x, y: (-x, y)), 30, more.replace("left", "right")),
-                 self.case(shuffled, 30, more),
+                 self.case(shuffled, 30, more), self.case(pieces, 30, more),
                  self.case(own.moved(lambda x, y: (1000 * x, 1000 * y)), 30, more, "mm"),
                  self.case(own.moved(lambda x, y: (x + Fraction(5123452, 10), y + 6789012)), 30, more)]
         self.assertEqual(cases[0]["verdict"], "stands")

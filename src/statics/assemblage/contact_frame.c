@@ -12,8 +12,8 @@ static void scale(tp_near *number, int exponent) {
   number->error = ldexp(number->error, exponent);
 }
 
-tp_contact_frame tp_contact_frame_of(const tp_assemblage *a, long contact, tp_near tangent) {
-  const tp_block_contact *c = a->contacts + contact;
+tp_contact_frame tp_contact_frame_between(const tp_assemblage *a, const tp_block_contact *c,
+                                          tp_near tangent) {
   const tp_lattice *l = &a->lattice;
   tp_contact_frame f = {.dx = tp_assemblage_length(a, l->x + c->along[0], l->x + c->along[1]),
                         .dy = tp_assemblage_length(a, l->y + c->along[0], l->y + c->along[1]),
@@ -29,6 +29,10 @@ tp_contact_frame tp_contact_frame_of(const tp_assemblage *a, long contact, tp_ne
   f.length = tp_near_div(along, size);
   if (f.length.value < 0) f.length = tp_near_neg(f.length);
   return f;
+}
+
+tp_contact_frame tp_contact_frame_of(const tp_assemblage *a, long contact, tp_near tangent) {
+  return tp_contact_frame_between(a, a->contacts + contact, tangent);
 }
 
 void tp_contact_frame_column(tp_force_column *column, const tp_assemblage *a, long contact,

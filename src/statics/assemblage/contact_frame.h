@@ -22,7 +22,10 @@ typedef struct tp_contact_frame {
   long ends[2]; /* points of the lattice */
 } tp_contact_frame;
 
-/* So that its cone of friction, with such a tangent, is of size one. */
+/* So that its cone of friction, with such a tangent, is of size one; of a contact of the
+ * assemblage, and of any that is as those are. */
+tp_contact_frame tp_contact_frame_between(const tp_assemblage *assemblage,
+                                          const tp_block_contact *contact, tp_near tangent);
 tp_contact_frame tp_contact_frame_of(const tp_assemblage *assemblage, long contact,
                                      tp_near tangent);
 

@@ -109,11 +109,23 @@ static tp_moving_range tilts(const beginnings *b) {
 /* ---- the motion that is told -------------------------------------------------------------------
  */
 
-static tp_touch_state state_of(tp_mode_set mode, int end) {
-  return (mode & tp_modes_closed(end)) == 0 ? TP_TOUCH_OPENS
-         : (mode & TP_MODES_FORWARD) != 0   ? TP_TOUCH_SLIPS_FORWARD
-         : (mode & TP_MODES_BACK) != 0      ? TP_TOUCH_SLIPS_BACK
-                                            : TP_TOUCH_STICKS;
+/* A point of a contact: within it, where both ends are closed. */
+static bool is_closed(const tp_resting_contact *c, const tp_lattice *l, tp_mode_set mode,
+                      long point) {
+  const bool first = (mode & tp_modes_closed(0)) != 0, second = (mode & tp_modes_closed(1)) != 0;
+  if (c->ends == 1 || tp_lattice_same_point(l, point, c->of.ends[0])) return first;
+  return tp_lattice_same_point(l, point, c->of.ends[1]) ? second : first && second;
+}
+
+static tp_touch_state state_of(const beginnings *b, long contact, int end) {
+  const tp_assemblage *a = b->resting.assemblage;
+  const long own = b->resting.pieces[contact].contact;
+  const tp_mode_set mode = b->moving.proven[own].mode;
+  const long point = a->contacts[contact].ends[end];
+  return !is_closed(b->resting.contacts + own, &a->lattice, mode, point) ? TP_TOUCH_OPENS
+         : (mode & TP_MODES_FORWARD) != 0                                ? TP_TOUCH_SLIPS_FORWARD
+         : (mode & TP_MODES_BACK) != 0                                   ? TP_TOUCH_SLIPS_BACK
+                                                                         : TP_TOUCH_STICKS;
 }
 
 static tp_status tell(beginnings *b, tp_message *message) {
@@ -129,9 +141,7 @@ static tp_status tell(beginnings *b, tp_message *message) {
   start->divisor = exp(b->moving.x);
   start->tilt_angle_deg = b->own->tilt_angle_deg.value;
   for (long k = 0; k < a->contact_count; k++) {
-    const int second = b->resting.contacts[k].ends - 1;
-    const tp_mode_set mode = b->moving.proven[k].mode;
-    start->touches[k] = (tp_system_touch){state_of(mode, 0), state_of(mode, second)};
+    start->touches[k] = (tp_system_touch){state_of(b, k, 0), state_of(b, k, 1)};
   }
   for (long r = 0; r < b->resting.rows; r++) b->moving.accelerations[r] *= -1;
   b->own->has_start = true;
@@ -276,7 +286,8 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
                              tp_message *message) {
   beginnings b = {.task = task, .own = own};
   own->sought = how_far(task->system);
-  tp_status status = tp_resting_init(&b.resting, &task->system->assemblage, message);
+  tp_status status =
+      tp_resting_init(&b.resting, &task->system->assemblage, task->system->strengths, message);
   if (status != TP_OK) return status;
   if (own->verdict != TP_SYSTEM_COLLAPSES)
     status = tp_frictionless_blocks(&b.frictionless, &b.resting, task->resultant, message);

@@ -13,7 +13,7 @@ enum { BITS = 128 };
 bool tp_blocks_at_init(tp_blocks_at *at, const tp_resting *r) {
   at->friction = calloc((size_t)r->contact_count + 1, sizeof *at->friction);
   at->cohesion = calloc((size_t)r->contact_count + 1, sizeof *at->cohesion);
-  at->tension = calloc((size_t)r->contact_count + 1, sizeof *at->tension);
+  at->tension = calloc((size_t)r->assemblage->contact_count + 1, sizeof *at->tension);
   at->loads = calloc((size_t)r->rows + 1, sizeof *at->loads);
   at->central = calloc((size_t)r->rows + 1, sizeof *at->central);
   return at->friction != NULL && at->cohesion != NULL && at->tension != NULL && at->loads != NULL &&
@@ -31,11 +31,14 @@ void tp_blocks_at_clear(tp_blocks_at *at) {
 
 void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *r, const tp_built_system *s,
                           double divisor) {
-  for (long k = 0; k < r->contact_count; k++) {
+  for (long k = 0; k < r->contact_count; k++) at->cohesion[k] = (tp_near){0, 0};
+  for (long k = 0; k < r->assemblage->contact_count; k++) {
     const tp_contact_strength own = tp_built_system_strength(s, k, divisor);
-    at->friction[k] = own.tangent;
-    at->cohesion[k] = tp_near_times(own.cohesion, r->contacts[k].length);
-    at->tension[k] = r->contacts[k].ends == 1 ? (tp_near){0, 0} : own.tension;
+    const tp_resting_piece *piece = r->pieces + k;
+    const tp_near cohesion = tp_near_times(own.cohesion, piece->length);
+    at->friction[piece->contact] = own.tangent;
+    at->cohesion[piece->contact] = tp_near_plus(at->cohesion[piece->contact], cohesion);
+    at->tension[k] = r->contacts[piece->contact].ends == 1 ? (tp_near){0, 0} : own.tension;
   }
 }
 

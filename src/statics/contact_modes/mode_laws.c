@@ -40,7 +40,7 @@ static void velocity(arb_t sum, const tp_mode_equations *s, long contact, int en
 static sign sign_of_velocity(const tp_mode_equations *s, long contact, int end, bool along,
                              bool back) {
   const tp_resting *r = s->groups->resting;
-  const tp_block_contact *c = r->assemblage->contacts + contact;
+  const tp_block_contact *c = &r->contacts[contact].of;
   const tp_lattice *l = &r->assemblage->lattice;
   fmpz_t dx, dy;
   fmpz_init(dx);

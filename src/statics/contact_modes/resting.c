@@ -14,58 +14,96 @@
 void tp_resting_clear(tp_resting *r) {
   free(r->block);
   free(r->contacts);
+  free(r->pieces);
   memset(r, 0, sizeof *r);
 }
 
-static void set_contact(tp_resting_contact *own, const tp_assemblage *a, long contact) {
-  const tp_contact_frame f = tp_contact_frame_of(a, contact, (tp_near){0, 0});
+static void set_columns(tp_resting_contact *own, const tp_assemblage *a, long contact) {
+  const tp_contact_frame f = tp_contact_frame_between(a, &own->of, (tp_near){0, 0});
   const tp_near normal[2] = {tp_near_neg(f.dy), f.dx}, along[2] = {f.dx, f.dy};
   own->ends = f.ends[0] == f.ends[1] ? 1 : 2;
   for (int e = 0; e < own->ends; e++) {
     tp_contact_frame_column(own->normal + e, a, contact, &f, e, normal);
   }
   tp_contact_frame_column(&own->along, a, contact, &f, 0, along);
-  own->length = f.length;
 }
 
-/* Contacts of two blocks follow each other. */
-static long line_of(const tp_assemblage *a, long contact) {
+/* ---- pieces of a line --------------------------------------------------------------------------
+ */
+
+/* Do two contacts of the same two blocks, edges both, lie on one line? */
+static bool is_of_line(const tp_assemblage *a, const tp_block_contact *c,
+                       const tp_block_contact *own) {
+  const tp_lattice *l = &a->lattice;
+  const long p = c->along[0], q = c->along[1];
+  return c->ends[0] != c->ends[1] && own->ends[0] != own->ends[1] &&
+         tp_lattice_cross(l, p, q, own->along[0], own->along[1]) == 0 &&
+         tp_lattice_cross(l, p, q, c->ends[0], own->ends[0]) == 0;
+}
+
+static bool has_friction_of(const tp_contact_strength *one, const tp_contact_strength *other) {
+  return one->tangent.value == other->tangent.value && one->tangent.error == other->tangent.error;
+}
+
+/* From end to end, as far as both reach; where the one lies along a line. */
+static void reach(tp_block_contact *own, const tp_lattice *l, const tp_block_contact *piece) {
+  const long p = own->along[0], q = own->along[1];
+  if (tp_lattice_dot(l, p, q, own->ends[0], piece->ends[0]) < 0) own->ends[0] = piece->ends[0];
+  if (tp_lattice_dot(l, p, q, own->ends[1], piece->ends[1]) > 0) own->ends[1] = piece->ends[1];
+}
+
+/* A contact of the assemblage becomes one of its own, or part of one before it. Those of two blocks
+ * follow each other. */
+static void take(tp_resting *r, const tp_contact_strength *strengths, long contact) {
+  const tp_assemblage *a = r->assemblage;
   const tp_block_contact *own = a->contacts + contact;
+  long line = -1;
   for (long k = contact - 1; k >= 0; k--) {
     const tp_block_contact *c = a->contacts + k;
     const bool alike = c->block[0] == own->block[0] && c->block[1] == own->block[1];
     const bool other = c->block[0] == own->block[1] && c->block[1] == own->block[0];
     if (!alike && !other) break;
-    if (!alike || c->ends[0] == c->ends[1]) continue;
-    const long p = c->along[0], q = c->along[1];
-    if (tp_lattice_cross(&a->lattice, p, q, own->along[0], own->along[1]) == 0 &&
-        tp_lattice_cross(&a->lattice, p, q, c->ends[0], own->ends[0]) == 0) {
-      return k;
+    if (!alike || !is_of_line(a, c, own)) continue;
+    const long of = r->pieces[k].contact;
+    if (has_friction_of(strengths + k, strengths + contact)) {
+      r->pieces[contact].contact = of;
+      reach(&r->contacts[of].of, &a->lattice, own);
+      return;
     }
+    line = r->contacts[of].line;
   }
-  return contact;
+  const long added = r->contact_count++;
+  r->pieces[contact].contact = added;
+  r->contacts[added].of = *own;
+  r->contacts[added].line = line < 0 ? added : line;
 }
 
-/* The first of them all. */
-static void set_line(tp_resting *r, long contact) {
-  const long before = line_of(r->assemblage, contact);
-  r->contacts[contact].line = before < contact ? r->contacts[before].line : contact;
+static void measure(tp_resting *r, long contact) {
+  const tp_assemblage *a = r->assemblage;
+  const tp_block_contact *of = &r->contacts[r->pieces[contact].contact].of;
+  tp_block_contact own = a->contacts[contact];
+  own.along[0] = of->along[0];
+  own.along[1] = of->along[1];
+  r->pieces[contact].length = tp_contact_frame_between(a, &own, (tp_near){0, 0}).length;
 }
 
-tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a, tp_message *message) {
-  *r = (tp_resting){.assemblage = a, .rows = 3 * a->free_count, .contact_count = a->contact_count};
+tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a,
+                          const tp_contact_strength *strengths, tp_message *message) {
+  *r = (tp_resting){.assemblage = a, .rows = 3 * a->free_count};
   r->block = calloc((size_t)a->free_count + 1, sizeof *r->block);
   r->contacts = calloc((size_t)a->contact_count + 1, sizeof *r->contacts);
-  if (r->block == NULL || r->contacts == NULL) {
+  r->pieces = calloc((size_t)a->contact_count + 1, sizeof *r->pieces);
+  if (r->block == NULL || r->contacts == NULL || r->pieces == NULL) {
     tp_resting_clear(r);
     return tp_fail_memory(message, "the contacts of the blocks");
   }
   for (long k = 0; k < a->count; k++) {
     if (a->blocks[k].number >= 0) r->block[a->blocks[k].number] = k;
   }
-  for (long k = 0; k < a->contact_count; k++) {
-    set_contact(r->contacts + k, a, k);
-    set_line(r, k);
+  for (long k = 0; k < a->contact_count; k++) take(r, strengths, k);
+  for (long k = a->contact_count - 1; k >= 0; k--) { /* of each the first of its pieces last */
+    set_columns(r->contacts + r->pieces[k].contact, a, k);
+    measure(r, k);
   }
   return TP_OK;
 }
@@ -73,10 +111,10 @@ tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a, tp_message *mes
 tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *r,
                            const tp_weight_loads *loads, tp_near live, const tp_near *tension,
                            tp_message *message) {
-  tp_contact_strength *own = calloc((size_t)r->contact_count + 1, sizeof *own);
+  tp_contact_strength *own = calloc((size_t)r->assemblage->contact_count + 1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the loads");
   bool pulls = false;
-  for (long k = 0; k < r->contact_count; k++) {
+  for (long k = 0; k < r->assemblage->contact_count; k++) {
     own[k].tension = tension[k];
     pulls = pulls || !tp_near_is_zero(tension[k]);
   }

@@ -14,29 +14,39 @@
 
 #include "assemblage/force_program.h"
 
-/* n at each end, t; of the same size. Along t both ends of a contact move alike. */
+/* n at each end, t; of the same size. Along t both ends of a contact move alike. Where an edge is
+ * in pieces, all that the same two blocks share along a line, with one friction, is one contact:
+ * what its outer ends can do, and bear, says it of all between. */
 typedef struct tp_resting_contact {
   int ends; /* 1: a corner */
   tp_force_column normal[2], along;
-  tp_near length; /* over that size; of a corner nothing */
-  long line;      /* the first contact of the same two blocks along the same line */
+  tp_block_contact of; /* from end to end, as those of the assemblage are */
+  long line;           /* the first contact of the same two blocks along the same line */
 } tp_resting_contact;
+
+/* A contact of the assemblage: which of these it is part of; its length over the size of that one's
+ * columns, of a corner nothing. */
+typedef struct tp_resting_piece {
+  long contact;
+  tp_near length;
+} tp_resting_piece;
 
 typedef struct tp_resting {
   const tp_assemblage *assemblage;
   long rows, contact_count;
   long *block; /* by number of a free block: which it is */
   tp_resting_contact *contacts;
+  tp_resting_piece *pieces; /* by contact of the assemblage */
 } tp_resting;
 
-/* On failure cleared. */
+/* `strengths` by contact of the assemblage. On failure cleared. */
 TP_MUST_USE tp_status tp_resting_init(tp_resting *resting, const tp_assemblage *assemblage,
-                                      tp_message *message);
+                                      const tp_contact_strength *strengths, tp_message *message);
 void tp_resting_clear(tp_resting *resting);
 
 /* w by row, of loads with so much of the live one, and of the pull of all that is `tension`, by
- * contact: what bears so much less at each end may pull by that; its moments about blocks' own
- * points, and in `central` about their centroids, where weights have none. */
+ * contact of the assemblage: what bears so much less at each end may pull by that; its moments
+ * about blocks' own points, and in `central` about their centroids, where weights have none. */
 TP_MUST_USE tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *resting,
                                        const tp_weight_loads *loads, tp_near live,
                                        const tp_near *tension, tp_message *message);

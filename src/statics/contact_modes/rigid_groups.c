@@ -26,9 +26,10 @@ static void join_all(tp_rigid_groups *g, const tp_mode_set *modes) {
   for (long b = 0; b < a->count; b++) g->group[b] = a->blocks[b].number < 0 ? -1 : b;
   for (bool changed = true; changed;) {
     changed = false;
-    for (long k = 0; k < a->contact_count; k++) {
-      if (g->resting->contacts[k].ends < 2 || modes[k] != tp_modes_at_rest(2)) continue;
-      long *one = g->group + a->contacts[k].block[0], *other = g->group + a->contacts[k].block[1];
+    for (long k = 0; k < g->resting->contact_count; k++) {
+      const tp_resting_contact *c = g->resting->contacts + k;
+      if (c->ends < 2 || modes[k] != tp_modes_at_rest(2)) continue;
+      long *one = g->group + c->of.block[0], *other = g->group + c->of.block[1];
       if (*one == *other) continue;
       *one = *other = *one < *other ? *one : *other;
       changed = true;
@@ -54,7 +55,7 @@ static void number_all(tp_rigid_groups *g) {
 static void set_side(fmpz row[3], const tp_rigid_groups *g, long contact, int side, int end,
                      bool along) {
   const tp_assemblage *a = g->resting->assemblage;
-  const tp_block_contact *c = a->contacts + contact;
+  const tp_block_contact *c = &g->resting->contacts[contact].of;
   const tp_lattice *l = &a->lattice;
   const tp_rigid_block *about = a->blocks + g->first[g->group[c->block[side]]];
   fmpz_t x, y;
@@ -80,7 +81,7 @@ static void add_row(fmpz *add, const tp_rigid_groups *g, long contact, int end, 
   fmpz own[3];
   for (int e = 0; e < 3; e++) fmpz_init(own + e);
   for (int side = 0; side < 2; side++) {
-    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    const long group = g->group[g->resting->contacts[contact].of.block[side]];
     if (group < 0) continue;
     set_side(own, g, contact, side, end, along);
     for (int e = 0; e < 3; e++) fmpz_add(add + 3 * group + e, add + 3 * group + e, own + e);
@@ -91,7 +92,7 @@ static void add_row(fmpz *add, const tp_rigid_groups *g, long contact, int end, 
 /* Two ends that stay closed turn alike. */
 static void add_turn(fmpz *add, const tp_rigid_groups *g, long contact) {
   for (int side = 0; side < 2; side++) {
-    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    const long group = g->group[g->resting->contacts[contact].of.block[side]];
     if (group < 0) continue;
     fmpz_set_si(add + 3 * group + 2, side == 0 ? 1 : -1);
   }
@@ -100,7 +101,7 @@ static void add_turn(fmpz *add, const tp_rigid_groups *g, long contact) {
 static void set_rows(fmpz_mat_t rows, const tp_rigid_groups *g, const tp_mode_set *modes) {
   long at = 0;
   for (long k = 0; k < g->resting->contact_count; k++) {
-    const tp_block_contact *c = g->resting->assemblage->contacts + k;
+    const tp_block_contact *c = &g->resting->contacts[k].of;
     if (g->group[c->block[0]] == g->group[c->block[1]]) continue;
     const bool both = (modes[k] & tp_modes_closed(0)) != 0 && (modes[k] & tp_modes_closed(1)) != 0;
     if (both) add_turn(rows->rows[at++], g, k);
@@ -169,7 +170,7 @@ void tp_rigid_groups_row(fmpz *row, const tp_rigid_groups *g, long contact, int 
   for (int e = 0; e < 3; e++) fmpz_init(own + e);
   _fmpz_vec_zero(row, g->freedom);
   for (int side = 0; side < 2; side++) {
-    const long group = g->group[g->resting->assemblage->contacts[contact].block[side]];
+    const long group = g->group[g->resting->contacts[contact].of.block[side]];
     if (group < 0) continue;
     set_side(own, g, contact, side, end, along);
     for (int e = 0; e < 3; e++) {
