@@ -240,9 +240,10 @@ typedef struct tp_solid_wedge {
   tp_mechanism verdict;   /* stands, slides, leaves its base, or undecided */
   const char *slides_on;  /* a static string: a and b, a, b, or neither */
   tp_bounded normal_n[2]; /* on A and B, without the water's */
-  tp_bounded driving_n;   /* along the way in which it slides */
-  bool has_fos;           /* something drives it: */
-  tp_bounded fos;         /* if has_fos: strength over what drives it */
+  tp_bounded driving_n; /* along the way in which it slides; along the line of both joints down it,
+                           and below zero where an earthquake pulls it up */
+  bool has_fos;         /* something drives it: */
+  tp_bounded fos;       /* if has_fos: strength over what drives it */
 } tp_solid_wedge;
 
 /* A gap of the surface, a loop of edges with one triangle, that was closed by triangles between its

@@ -56,7 +56,7 @@ class Polyhedron:
         return math.sqrt(dot(total, total)) / 2
 
 
-def oracle(a, b, face, upper, height, strength, unit_weight, water=0, crack=None):
+def oracle(a, b, face, upper, height, strength, unit_weight, water=0, crack=None, quake=(0, 0, 0)):
     """(factor, on which) by trying each way of sliding; None where the planes enclose no wedge."""
     na, nb, nf, nu = (normal(*p) for p in (a, b, face, upper))
     line = cross(na, nb)
@@ -74,13 +74,14 @@ def oracle(a, b, face, upper, height, strength, unit_weight, water=0, crack=None
         deep = times(dot(nc, at) / dot(nc, line), line)
         pressure = water * (dot(nu, top) - dot(nu, deep)) / nu[2] / 3
     own = Polyhedron(planes)
-    push = [0, 0, -unit_weight * own.volume]
+    share, towards, up = quake
+    push = times(unit_weight * own.volume, [share * math.sin(RAD(towards)), share * math.cos(RAD(towards)), up - 1])
     for (n, _), area, wet in zip(planes, own.areas, (1, 1, 0, 0, 1)):
         push = add(push, times(-pressure * area * wet, n))
     k = dot(na, nb)
     on = [(-dot(push, p) + k * dot(push, q)) / (1 - k * k) for p, q in ((na, nb), (nb, na))]
     if min(on) >= 0:
-        return sum(c * area + n * math.tan(RAD(phi)) for (phi, c), area, n in zip(strength, own.areas, on)) / -dot(push, line), "a and b", own
+        return sum(c * area + n * math.tan(RAD(phi)) for (phi, c), area, n in zip(strength, own.areas, on)) / abs(dot(push, line)), "a and b", own
     for name, p, q, (phi, c), area in (("a", na, nb, strength[0], own.areas[0]), ("b", nb, na, strength[1], own.areas[1])):
         pressed = -dot(push, p)
         slide = add(push, times(pressed, p))
@@ -144,6 +145,36 @@ class Wedges(Case):
             self.assertEqual(got["wedge"]["verdict"], "leaves its base" if on == "neither" else "stands" if factor > 1 else "slides")
             seen[on] = seen.get(on, 0) + 1
         self.assertGreater(seen.get("a and b", 0), 2, seen)
+
+    def test_earthquakes(self):
+        """Towards any azimuth, with a vertical share, dry and with water: by the oracle; hard into the slope it slides up the line; mirrored."""
+        draw, seen = random.Random(2), set()
+        own = [(45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25]
+        for share, towards, up, water in ((0, 0, 0, 0), (0.15, 158, 0, 9.81), (0.3, 158, -0.1, 0), (0.4, 20, 0.2, 0), (2.5, 338, 0, 0), (2.5, 338, 0, 9.81),
+                                          *((draw.uniform(0, 1), draw.randint(0, 359), draw.uniform(-0.3, 0.3), 0) for _ in range(8))):
+            path = self.scene(*own, water)
+            with open(path, "a", encoding="utf-8") as out:
+                out.write(f"loads: {{seismic: {{horizontal: {share!r}, vertical: {up!r}, azimuth_deg: {towards}}}}}\n")
+            status, out, err = run("solve", "--json", path)
+            self.assertEqual(status, 0, err)
+            got = json.loads(out)["wedge"]
+            factor, on, _ = oracle(*own, water, None, (share, towards, up))
+            self.assertEqual(got["slides_on"], on)
+            self.assertAlmostEqual(got["fos"]["value"] / max(factor, 1e-9) if factor else 1, 1, 9)
+            self.assertEqual(got["verdict"], "leaves its base" if on == "neither" else "stands" if factor > 1 else "slides")
+            seen.add((on, got["driving_n"]["value"] < 0))
+            mirror = lambda p: (p[0], (360 - p[1]) % 360)
+            path = self.scene(*map(mirror, own[:4]), *own[4:], water)
+            with open(path, "a", encoding="utf-8") as out:
+                out.write(f"loads: {{seismic: {{horizontal: {share!r}, vertical: {up!r}, azimuth_deg: {(360 - towards) % 360}}}}}\n")
+            self.assertAlmostEqual(json.loads(run("solve", "--json", path)[1])["wedge"]["fos"]["value"], got["fos"]["value"], 9)
+        self.assertIn(("a and b", False), seen)
+        self.assertGreater(len(seen), 1, seen)
+        with open(self.scene(*own), "a", encoding="utf-8") as out:
+            out.write("loads: {seismic: {horizontal: 0.1}}\n")
+        status, out, err = run("solve", out.name)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("a wedge is shaken one way", err)
 
     def test_refusals_and_rows(self):
         own = [(45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25]

@@ -94,10 +94,16 @@ static double draw_wedge(cairo_t *cr, const tp_solid_figure *f, double y) {
   tp_solid_draw_stereonet(cr, f, net);
   return explain(
       cr, f, left, low + 4, TP_SOLID_PAGE_ROOM,
-      "Great circles: joints, face and ground. Circles about the poles of the joints: "
-      "their cones of friction. R: the resultant of weight and water; I: the line of both "
-      "joints. With friction alone it slides along that line where R is beyond the thick "
-      "line between the cones; cohesion holds more.");
+      f->solid->has_seismic
+          ? "Great circles: joints, face and ground. Circles about the poles of the joints: "
+            "their cones of friction. R: the resultant of weight, water and earthquake; I: the "
+            "line "
+            "of both joints. With friction alone it slides along that line where R is beyond the "
+            "thick line between the cones; cohesion holds more."
+          : "Great circles: joints, face and ground. Circles about the poles of the joints: "
+            "their cones of friction. R: the resultant of weight and water; I: the line of both "
+            "joints. With friction alone it slides along that line where R is beyond the thick "
+            "line between the cones; cohesion holds more.");
 }
 
 /* Where the parts of a rock lie: on a sheet beside one another, so that they are not made small. */

@@ -117,11 +117,15 @@ static void draw_limit(const net *n, const tp_solid_wedge *w) {
 /* ---- the resultant -----------------------------------------------------------------------------
  */
 
-/* Weight downwards and the water's pressure into the wedge, in kilonewtons. */
+/* Weight downwards, with an earthquake, and the water's pressure into the wedge, in kilonewtons. */
 static void set_resultant(double sum[3], const tp_solid *solid) {
   const tp_solid_wedge *w = &solid->wedge;
   const tp_wedge_corner *deep = w->corners + TP_WEDGE_DEEP;
-  const double down[3] = {0, 0, -solid->weight_n.value / 1e3};
+  const double weight = solid->weight_n.value / 1e3;
+  const double way = radian * solid->seismic_azimuth_deg;
+  const double along = solid->seismic_horizontal * weight;
+  const double down[3] = {along * sin(way), along * cos(way),
+                          -weight * (1 - solid->seismic_vertical)};
   double normal[3];
   memcpy(sum, down, sizeof down);
   if (!w->has_water) return;

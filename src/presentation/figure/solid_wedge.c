@@ -89,7 +89,7 @@ static void draw_hidden(cairo_t *cr, const tp_solid_place *p, const tp_solid_wed
 
 /* From the toe down the line of both joints. */
 static void draw_way(cairo_t *cr, const tp_solid_place *p, const tp_solid_wedge *w) {
-  const double far = 32;
+  const double far = w->driving_n.value < 0 ? -32 : 32; /* or up it */
   const tp_spot toe = spot_of(p, w, TP_WEDGE_TOE), deep = spot_of(p, w, TP_WEDGE_DEEP);
   const double length = hypot(toe.x - deep.x, toe.y - deep.y);
   if (strcmp(w->slides_on, "a and b") != 0 || !(length > 0)) return;

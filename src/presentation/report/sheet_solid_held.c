@@ -128,10 +128,16 @@ static void add_strength(tp_text *letters, tp_text *numbers, const tp_solid_wedg
               tp_shortest(phi, side->friction_angle_deg));
 }
 
+/* Against its pull up the line as down it. */
+static tp_bounded size_of(tp_bounded force) {
+  if (force.value < 0) force.value = -force.value;
+  return force;
+}
+
 static void add_wedge_formula(tp_document *d, const tp_solid_wedge *w) {
   tp_text letters = {0}, numbers = {0};
   char n[2][TP_NUMBER_SIZE];
-  if (!w->has_fos || w->driving_n.value <= 0) return;
+  if (!w->has_fos || w->driving_n.value == 0) return;
   for (int joint = 0; joint < 2; joint++) {
     if (w->normal_n[joint].value > 0) add_strength(&letters, &numbers, w, joint);
   }
@@ -141,7 +147,8 @@ static void add_wedge_formula(tp_document *d, const tp_solid_wedge *w) {
   if (letters.data != NULL && numbers.data != NULL) {
     tp_document_add(d, TP_PASSAGE_EQUATION,
                     "\\text{FoS} = \\frac{%s}{S} \\\\ \\text{FoS} = \\frac{%s}{%s} = %s",
-                    letters.data, numbers.data, tp_text_significant(n[0], kilo(w->driving_n), 8),
+                    letters.data, numbers.data,
+                    tp_text_significant(n[0], kilo(size_of(w->driving_n)), 8),
                     tp_text_significant(n[1], w->fos, 6));
   }
   d->failed = d->failed || letters.failed || numbers.failed;

@@ -108,7 +108,7 @@ static void add_azimuth(tp_text *t, const tp_document *d, bool has, double azimu
 static void add_loads(tp_solid_sheet *s) {
   const tp_solid *own = s->solid;
   tp_document *d = &s->document;
-  tp_text tilt = {0}, quake = {0};
+  tp_text tilt = {0};
   char n[TP_SHORTEST_SIZE];
   tp_document_word(d, own->is_on_slope ? "As it lies" : "Tilt");
   if (own->has_tilt_angle) {
@@ -120,6 +120,13 @@ static void add_loads(tp_solid_sheet *s) {
   } else {
     tp_document_word(d, "none: on its base as it is");
   }
+}
+
+static void add_quake(tp_solid_sheet *s) {
+  const tp_solid *own = s->solid;
+  tp_document *d = &s->document;
+  tp_text quake = {0};
+  char n[TP_SHORTEST_SIZE];
   if (!own->has_seismic) return;
   tp_document_word(d, "Earthquake");
   tp_text_add(&quake, tp_document_say(d, "%s of the weight"),
@@ -153,10 +160,12 @@ void tp_solid_sheet_add_inputs(tp_solid_sheet *s) {
   add_parts(s);
   if (s->solid->has_wedge) {
     add_wedge(s);
+    add_quake(s);
   } else {
     add_touching(s);
     add_friction(s);
     add_loads(s);
+    add_quake(s);
   }
   tp_sheet_add_settings(d, &s->solid->settings);
 }

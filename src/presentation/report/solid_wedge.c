@@ -17,6 +17,9 @@ static void add_number(tp_text *t, const char *label, tp_bounded number, const c
 }
 
 const char *tp_text_solid_wedge_way(const tp_solid_wedge *w) {
+  if (strcmp(w->slides_on, "a and b") == 0 && w->driving_n.value < 0) {
+    return "up the line of both joints";
+  }
   return strcmp(w->slides_on, "a and b") == 0 ? "along the line of both joints"
          : strcmp(w->slides_on, "a") == 0     ? "down joint A, away from B"
          : strcmp(w->slides_on, "b") == 0     ? "down joint B, away from A"
@@ -32,6 +35,10 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   add_number(t, "area of A", w->areas_m2[0], " m²");
   add_number(t, "area of B", w->areas_m2[1], " m²");
   if (w->has_crack) add_number(t, "area of the crack", w->crack_area_m2, " m²");
+  if (s->has_seismic) {
+    tp_text_add(t, "  %-22s %.6g of the weight towards %.6g°, %.6g upwards\n", "earthquake",
+                s->seismic_horizontal, s->seismic_azimuth_deg, s->seismic_vertical);
+  }
   if (w->has_water) add_number(t, "mean water pressure", w->water_kpa, " kPa");
   add_number(t, "normal force on A", w->normal_n[0], " N");
   add_number(t, "normal force on B", w->normal_n[1], " N");

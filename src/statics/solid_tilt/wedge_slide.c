@@ -136,10 +136,23 @@ static void add_pressure(work *w, int area, int plane, int sign) {
   }
 }
 
+/* The weight, and shares of it towards an azimuth and upwards. */
+static void set_weight(work *w) {
+  const tp_quantity *towards = &w->scene->loads.azimuth_deg;
+  arb_set_fmpq(w->n + OWN, w->scene->solid.unit_weight_kn_m3.value, BITS);
+  arb_mul(w->n + OWN, w->n + OWN, w->n + VOLUME, BITS);
+  arb_set_fmpq(w->n + SECOND, w->scene->loads.vertical.value, BITS);
+  arb_sub_ui(w->n + SECOND, w->n + SECOND, 1, BITS);
+  arb_mul(w->n + PUSH_Z, w->n + OWN, w->n + SECOND, BITS);
+  if (!towards->given) return;
+  tp_ball_sin_cos_degrees(w->n + PUSH_X, w->n + PUSH_Y, towards->value, BITS);
+  arb_set_fmpq(w->n + SECOND, w->scene->loads.horizontal.value, BITS);
+  arb_mul(w->n + OWN, w->n + OWN, w->n + SECOND, BITS);
+  for (int k = 0; k < 2; k++) arb_mul(w->n + PUSH_X + k, w->n + PUSH_X + k, w->n + OWN, BITS);
+}
+
 static void set_push(work *w) {
-  arb_set_fmpq(w->n + PUSH_Z, w->scene->solid.unit_weight_kn_m3.value, BITS);
-  arb_mul(w->n + PUSH_Z, w->n + PUSH_Z, w->n + VOLUME, BITS);
-  arb_neg(w->n + PUSH_Z, w->n + PUSH_Z);
+  set_weight(w);
   add_pressure(w, AREA_A, TP_WEDGE_A, 1);
   add_pressure(w, AREA_B, TP_WEDGE_B, 1);
   if (!w->shape->has_crack) return;
@@ -207,15 +220,17 @@ static void set_factor(work *w, bool on_a, bool on_b) {
   own->slides_on = on_a && on_b ? "a and b" : on_a ? "a" : "b";
   if (on_a) add_strength(w, 0);
   if (on_b) add_strength(w, 1);
-  if (!arb_is_positive(w->n + DRIVING)) {
-    own->verdict = arb_is_negative(w->n + DRIVING) ? TP_STANDS : TP_MECHANISM_UNDECIDED;
+  if (!arb_is_nonzero(w->n + DRIVING)) {
+    own->verdict = arb_is_positive(w->n + STRENGTH) ? TP_STANDS : TP_MECHANISM_UNDECIDED;
     return;
   }
-  arb_sub(w->n + OWN, w->n + STRENGTH, w->n + DRIVING, BITS);
+  /* up the line or down it: strength acts against either */
+  arb_abs(w->n + SECOND, w->n + DRIVING);
+  arb_sub(w->n + OWN, w->n + STRENGTH, w->n + SECOND, BITS);
   own->verdict = arb_is_positive(w->n + OWN)   ? TP_STANDS
                  : arb_is_negative(w->n + OWN) ? TP_SLIDES
                                                : TP_MECHANISM_UNDECIDED;
-  arb_div(w->n + OWN, w->n + STRENGTH, w->n + DRIVING, BITS);
+  arb_div(w->n + OWN, w->n + STRENGTH, w->n + SECOND, BITS);
   own->has_fos = true;
   own->fos = tp_ball_bounded(w->n + OWN);
 }
