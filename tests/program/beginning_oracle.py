@@ -85,7 +85,7 @@ class Beginning:
 
     def __init__(self, pile, friction, contacts, case):
         self.start = case["start"]
-        self.outlines = {name: [(Fraction(x), Fraction(y)) for x, y in points] for name, points, _ in pile.blocks}
+        self.outlines = {name: [(Fraction(str(x)), Fraction(str(y))) for x, y in points] for name, points, _ in pile.blocks}
         self.free = [name for name, _, ground in pile.blocks if not ground]
         self.frictions = {frozenset((a, b)): phi for a, b, phi in pile.joints}
         self.friction, self.contacts = friction, contacts
@@ -104,8 +104,18 @@ class Beginning:
         for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
             if (x1 - x0) * (start[1] - y0) == (y1 - y0) * (start[0] - x0):
                 if min(x0, x1) <= start[0] <= max(x0, x1) and min(y0, y1) <= start[1] <= max(y0, y1):
-                    return x1 - x0, y1 - y0
+                    if not self.is_shared(contact, x1 - x0, y1 - y0, start):
+                        return x1 - x0, y1 - y0
         raise AssertionError(contact)
+
+    def is_shared(self, corner, dx, dy, point):
+        """Do the two blocks of a corner share a piece of the edge through it? In a notch it touches the other flank."""
+        for contact in self.contacts:
+            if {contact["first"], contact["second"]} == {corner["first"], corner["second"]} and not contact["corner"]:
+                start, end = self.end(contact, "from"), self.end(contact, "to")
+                if all(dx * (p[1] - point[1]) == dy * (p[0] - point[0]) for p in (start, end)):
+                    return True
+        return False
 
     def row(self, contact, point, way):
         """{3 block + part: entry} of a unit along `way` at a point, on the first block and back on the second."""
