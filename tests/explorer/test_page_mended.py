@@ -105,6 +105,15 @@ class Mended(PanelCase):
             self.assertLessEqual(needed, given + 1)
         self.assertLessEqual(self.box("#panel-pivots table")[2], 1024)
 
+    def test_controls_stay_within_their_part(self):
+        """In windows of each width, none lies over another part of the page, or beyond it."""
+        for width, height in ((1440, 900), (1024, 768), (700, 900), (390, 844)):
+            self.load(width=width, height=height)
+            right = self.box(".below")[2]
+            for at, field in enumerate(self.value("[...document.querySelectorAll('#numbers :is(label, input)')].map(e => e.getBoundingClientRect().right)")):
+                with self.subTest(width, at=at):
+                    self.assertLessEqual(field, right)
+
     def test_tour_on_a_telephone_keeps_the_drawing_in_sight(self):
         """In each of its steps the block stands in the upper part of the window, and what the tour says below it."""
         self.load(width=390, height=844)

@@ -25,7 +25,7 @@ import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
 import { handlesOf } from "./handles.js";
 import { drawArc, turnOf } from "./tilt_handle.js";
-import { emptied, layersOf } from "./layers.js";
+import { emptied, layersOf, putNote } from "./layers.js";
 import { isElsewhere, roomOf } from "./room.js";
 import { drawScale } from "./scale_bar.js";
 import { say } from "../words/language.js";
@@ -173,7 +173,7 @@ export class Drawing extends EventTarget {
     drawShapes(this.layers, []);
     emptied(this.layers);
     this.handles.set([]);
-    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(why);
+    putNote(this.layers.note, this.view, why);
   }
 
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
@@ -233,7 +233,7 @@ export class Drawing extends EventTarget {
     const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept, byKeys: this.handles.byKeys });
     this.#crowded = hidden > 0 || this.context.many;
     this.handles.set(handles);
-    this.layers.note.attr("x", this.view.width - 10).attr("y", 20).text(hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
+    putNote(this.layers.note, this.view, hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
   }
 
   /** Handles that come with the hand, or with the focus. @param {[number, number]} [at] where the hand is now, dots */

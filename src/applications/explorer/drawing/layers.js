@@ -30,6 +30,11 @@ export function layersOf(svg) {
   return layers;
 }
 
+/** At the upper edge: beside the badge, or below it. @param note a d3 selection @param {import("./view.js").View} view @param {string} words */
+export function putNote(note, view, words) {
+  note.attr("x", view.width - 10).attr("y", view.top > 0 ? view.top + 38 : 20).text(words);
+}
+
 /** What no shape is, taken away. @param {Record<string, object>} layers */
 export function emptied(layers) {
   for (const path of [layers.water, layers.preview, layers.arc.select("path"), layers.scale.select("path")]) path.attr("d", "");
