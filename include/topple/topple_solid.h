@@ -39,6 +39,8 @@ typedef struct tp_solid_options {
                                  equal ones alone */
   double repair_drop_below;   /* if repair: pieces of less than this share of the area, below 1, are
                                  dropped; 0: none */
+  double below; /* instead of bands: a plane so high over the lowest point, in lengths of the
+                   mesh, cuts the solid, which rests on the section; below 0: none does */
 } tp_solid_options;
 
 /* The most that options may ask for, and that contacts a scene may have. */
@@ -120,10 +122,12 @@ typedef struct tp_solid_corner {
   double east_m, north_m; /* in metres */
 } tp_solid_corner;
 
-/* As it lies, where all that is no higher than the band over the lowest point touches the base. */
+/* As it lies, where all that is no higher than the band over the lowest point touches the base, or
+ * the section of a plane that cuts it. */
 typedef struct tp_solid_band {
-  double band;              /* in lengths of the mesh; of a scene, in its own */
-  size_t touching;          /* vertices that touch */
+  double band;              /* in lengths of the mesh; of a scene, in its own; of a solid that a
+                               plane cuts, the height of that */
+  size_t touching;          /* vertices that touch; corners of the section */
   size_t lasting_poses;     /* poses that last where each point of the surface is off by the band:
                                of a persistence of more than twice that */
   size_t corner_count;      /* of their convex hull seen from above: the support; below 3: a point
@@ -337,6 +341,9 @@ typedef struct tp_solid {
   tp_solid_part *parts;       /* part_count of them: holes, then parts, in the order of the scene */
   bool has_repair;            /* repair was asked for: */
   tp_solid_repair repair;     /* if has_repair: what was done to the mesh */
+  bool has_below;             /* a plane cuts it, and all results are of what lies above: */
+  double below;               /* if has_below: so high over the lowest point, in lengths of the
+                                 mesh; of a scene, in its own */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

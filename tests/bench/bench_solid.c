@@ -99,12 +99,15 @@ static tp_status time_parts(const char *path, tp_message *message) {
   if (status == TP_OK) {
     tp_near near[TP_SOLID_SUM_COUNT];
     fmpz exact[TP_SOLID_SUM_COUNT];
+    fmpz_t multiple;
+    fmpz_init(multiple);
     for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_init(exact + k);
     tp_solid_sums_near(near, &surface);
     since = lap("moments in doubles", since, count);
-    tp_solid_sums_exact(exact, &surface, TP_SOLID_SUM_COUNT);
+    tp_solid_sums_exact(exact, multiple, &surface);
     (void)lap("moments in whole numbers", since, count);
     for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_clear(exact + k);
+    fmpz_clear(multiple);
   }
   tp_hull_facets_clear(&facets);
   tp_surface_clear(&surface);

@@ -339,6 +339,9 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "rock.obj").write_text(corners + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces[1:]))
             self.prints("solid", "--json", "--repair", "--merge-within=1e-6", "--drop-below=0.01", "rock.obj", folder=folder)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
+        status, out, err = run("solve", "--json", rock.with_name("rock_in_the_ground.yaml"))
+        self.assertEqual((status, err), (0, ""))
+        self.fits("solid", out)
         with tempfile.TemporaryDirectory() as folder:
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")
             crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2"

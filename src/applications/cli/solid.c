@@ -25,6 +25,7 @@ enum {
   KEY_FRICTION,
   KEY_UP,
   KEY_BAND,
+  KEY_BELOW,
   KEY_AZIMUTHS,
   KEY_FIGURE,
   KEY_SECTION,
@@ -43,6 +44,10 @@ static const struct argp_option options[] = {
     {"band", KEY_BAND, "LENGTH[,...]", 0,
      "Take all for touching that is no higher than this over the lowest point, in lengths of the "
      "mesh: the noise of the survey",
+     0},
+    {"below", KEY_BELOW, "LENGTH", 0,
+     "Instead: cut the rock by a plane so high over its lowest point, in lengths of the mesh; what "
+     "lies below is ground, and what lies above rests on the section",
      0},
     {"azimuths", KEY_AZIMUTHS, "COUNT", 0, "Azimuths of the rose; default 72", 0},
     {"repair", KEY_REPAIR, NULL, 0,
@@ -143,6 +148,9 @@ static error_t parse_solid(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_BAND:
     read_bands(a, argument, state);
+    return 0;
+  case KEY_BELOW:
+    a->options.below = read_number("below", argument, state);
     return 0;
   case KEY_AZIMUTHS:
     read_azimuths(a, argument, state);

@@ -49,8 +49,14 @@ public:
     points_.reserve(points.count);
     for (size_t k = 0; k < points.count; k++) {
       const fmpz *own = points.whole + 3 * k;
-      points_.emplace_back(tp::exact_integer(own), tp::exact_integer(own + 1),
-                           tp::exact_integer(own + 2));
+      if (points.weights == nullptr || fmpz_is_one(points.weights + k)) {
+        points_.emplace_back(tp::exact_integer(own), tp::exact_integer(own + 1),
+                             tp::exact_integer(own + 2));
+        continue;
+      }
+      const auto weight = tp::exact_integer(points.weights + k);
+      points_.emplace_back(tp::exact_integer(own) / weight, tp::exact_integer(own + 1) / weight,
+                           tp::exact_integer(own + 2) / weight);
     }
   }
   const Point &operator()(size_t k) const {

@@ -20,8 +20,9 @@ extern "C" {
 
 typedef struct tp_geom_points {
   size_t count;
-  const double *near; /* x, y, z of each, times one power of two; exact where `small` */
-  const fmpz *whole;  /* the same as whole numbers, used where they are not small */
+  const double *near;  /* x, y, z of each, times one power of two; exact where `small` */
+  const fmpz *whole;   /* the same as whole numbers, used where they are not small */
+  const fmpz *weights; /* of each point, by which these are to be divided; NULL: all 1 */
   bool small;
 } tp_geom_points;
 

@@ -44,12 +44,13 @@ void tp_centre_of_near(tp_centre *centre, const tp_surface *surface, const tp_ne
   }
 }
 
-void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz *sums) {
+void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz *sums,
+                        const fmpz_t multiple) {
   const long exponent = surface->exponent;
   *centre = (tp_centre){.surface = surface, .level = TP_LEVEL_EXACT};
   fmpz_init(centre->weight4);
   fmpz_mul_ui(centre->weight4, sums + TP_SOLID_V6, 4);
-  centre->volume6 = near_of_whole(sums + TP_SOLID_V6, -3 * exponent);
+  centre->volume6 = near_of_ratio(sums + TP_SOLID_V6, multiple, -3 * exponent);
   for (int k = 0; k < 3; k++) {
     fmpz_init_set(centre->moment + k, sums + TP_SOLID_X24 + k);
     centre->near[k] = fmpz_is_zero(centre->weight4)
@@ -100,10 +101,6 @@ static void dot(fmpz_t product, const fmpz *a, const fmpz *b) {
   fmpz_addmul(product, a + 2, b + 2);
 }
 
-static void subtract(fmpz *difference, const fmpz *a, const fmpz *b) {
-  for (int k = 0; k < 3; k++) fmpz_sub(difference + k, a + k, b + k);
-}
-
 static void init_vector(fmpz *v) {
   for (int k = 0; k < 3; k++) fmpz_init(v + k);
 }
@@ -113,14 +110,12 @@ static void clear_vector(fmpz *v) {
 }
 
 void tp_rest_plane_below(tp_rest_plane *plane, const tp_surface *surface, const int corners[3]) {
-  const fmpz *a = surface->whole + 3L * corners[0], *b = surface->whole + 3L * corners[1];
-  const fmpz *c = surface->whole + 3L * corners[2];
   fmpz one[3], other[3];
   init_vector(one);
   init_vector(other);
   init_vector(plane->up);
-  subtract(one, c, a); /* counter-clockwise from below: outwards is down */
-  subtract(other, b, a);
+  tp_surface_way(one, surface, corners[0], corners[2]); /* counter-clockwise from below: outwards */
+  tp_surface_way(other, surface, corners[0], corners[1]); /* is down */
   cross(plane->up, one, other);
   plane->vertex = corners[0];
   set_near(plane);
@@ -167,13 +162,28 @@ static void near_from(tp_near from[3], const tp_centre *centre, long vertex) {
 /* ---- whole numbers where these do not tell -----------------------------------------------------
  */
 
-/* M - 4 V6 p */
+/* M - 4 V6 p, times the weight of p */
 static void exact_from(fmpz *from, const tp_centre *centre, long vertex) {
-  const fmpz *p = centre->surface->whole + 3 * vertex;
+  const fmpz *p = centre->surface->whole + 3 * vertex, *weights = centre->surface->weights;
   for (int k = 0; k < 3; k++) {
-    fmpz_set(from + k, centre->moment + k);
+    if (weights == NULL) {
+      fmpz_set(from + k, centre->moment + k);
+    } else {
+      fmpz_mul(from + k, centre->moment + k, weights + vertex);
+    }
     fmpz_submul(from + k, centre->weight4, p + k);
   }
+}
+
+/* top / (4 V6 weight) * 2^shift */
+static tp_near near_of_weighed(const fmpz_t top, const tp_centre *centre, const fmpz_t weight,
+                               long shift) {
+  fmpz_t bottom;
+  fmpz_init(bottom);
+  fmpz_mul(bottom, centre->weight4, weight);
+  const tp_near told = near_of_ratio(top, bottom, shift);
+  fmpz_clear(bottom);
+  return told;
 }
 
 tp_near tp_centre_height(const tp_centre *centre, const tp_rest_plane *plane, double accuracy) {
@@ -181,15 +191,19 @@ tp_near tp_centre_height(const tp_centre *centre, const tp_rest_plane *plane, do
   near_from(from, centre, plane->vertex);
   const tp_near near = near_dot(plane->near_up, from);
   if (tp_near_tells(near, accuracy) || centre->level != TP_LEVEL_EXACT) return near;
-  fmpz way[3], height;
+  const tp_surface *s = centre->surface;
+  fmpz way[3], height, weight;
   init_vector(way);
   fmpz_init(&height);
+  fmpz_init_set_ui(&weight, 1);
+  if (s->weights != NULL) fmpz_set(&weight, s->weights + plane->vertex);
   exact_from(way, centre, plane->vertex);
   dot(&height, plane->up, way);
   const tp_near told =
-      near_of_ratio(&height, centre->weight4, -centre->surface->exponent - most_bits(plane->up));
+      near_of_weighed(&height, centre, &weight, -s->exponent - most_bits(plane->up));
   clear_vector(way);
   fmpz_clear(&height);
+  fmpz_clear(&weight);
   return told;
 }
 
@@ -202,21 +216,25 @@ tp_near tp_centre_arm(const tp_centre *centre, const tp_rest_plane *plane, long 
   near_cross(turn, side, way);
   const tp_near near = near_dot(plane->near_up, turn);
   if (tp_near_tells(near, accuracy) || centre->level != TP_LEVEL_EXACT) return near;
-  fmpz edge[3], reach[3], product[3], arm;
+  fmpz edge[3], reach[3], product[3], arm, weight;
   init_vector(edge);
   init_vector(reach);
   init_vector(product);
   fmpz_init(&arm);
-  subtract(edge, s->whole + 3 * to, s->whole + 3 * from);
+  fmpz_init(&weight);
+  tp_surface_way(edge, s, from, to);
   exact_from(reach, centre, from);
   cross(product, edge, reach);
   dot(&arm, plane->up, product);
+  tp_surface_weight(&weight, s, from, to);
+  if (s->weights != NULL) fmpz_mul(&weight, &weight, s->weights + from);
   const tp_near told =
-      near_of_ratio(&arm, centre->weight4, -2 * s->exponent - most_bits(plane->up));
+      near_of_weighed(&arm, centre, &weight, -2 * s->exponent - most_bits(plane->up));
   clear_vector(edge);
   clear_vector(reach);
   clear_vector(product);
   fmpz_clear(&arm);
+  fmpz_clear(&weight);
   return told;
 }
 
@@ -230,14 +248,17 @@ void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
     if (tp_near_tells(tp_near_norm(outward), accuracy)) return;
   }
   /* zeros of rounded coordinates are none, and arms of a hair's breadth make much of them */
-  fmpz edge[3], across[3];
+  fmpz edge[3], across[3], weight;
   init_vector(edge);
   init_vector(across);
-  subtract(edge, surface->whole + 3 * to, surface->whole + 3 * from);
+  fmpz_init(&weight);
+  tp_surface_way(edge, surface, from, to);
+  tp_surface_weight(&weight, surface, from, to);
   cross(across, edge, plane->up);
   for (int k = 0; k < 3; k++) {
-    outward[k] = near_of_whole(across + k, -surface->exponent - most_bits(plane->up));
+    outward[k] = near_of_ratio(across + k, &weight, -surface->exponent - most_bits(plane->up));
   }
+  fmpz_clear(&weight);
   clear_vector(edge);
   clear_vector(across);
 }

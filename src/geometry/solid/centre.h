@@ -25,9 +25,10 @@ typedef struct tp_centre {
   fmpz moment[3];
 } tp_centre;
 
-/* Of the sums of doubles; of exact sums. */
+/* Of the sums of doubles; of exact sums, times `multiple`. */
 void tp_centre_of_near(tp_centre *centre, const tp_surface *surface, const tp_near *sums);
-void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz *sums);
+void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz *sums,
+                        const fmpz_t multiple);
 void tp_centre_clear(tp_centre *centre);
 
 typedef struct tp_rest_plane {

@@ -28,15 +28,14 @@ typedef enum tp_solid_sum {
   TP_SOLID_SUM_COUNT
 } tp_solid_sum;
 
-enum { TP_SOLID_FIRST_COUNT = TP_SOLID_XX120 };
-
 /* The two axes of each second moment. */
 static const int tp_solid_axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}};
 
 /* All of them, of `near`. */
 void tp_solid_sums_near(tp_near sums[TP_SOLID_SUM_COUNT], const tp_surface *surface);
 
-/* The first `sum_count`, of `whole`: TP_SOLID_FIRST_COUNT or all. `sums` are initialised. */
-void tp_solid_sums_exact(fmpz *sums, const tp_surface *surface, int sum_count);
+/* All of them, of `whole`, times `multiple`: 1 where points have no weights. Both are initialised.
+ */
+void tp_solid_sums_exact(fmpz *sums, fmpz_t multiple, const tp_surface *surface);
 
 #endif

@@ -10,7 +10,7 @@
  * volume, and s = a + b + c, 24 int x  = d s_x,   120 int x y = d (a_x a_y + b_x b_y + c_x c_y +
  * s_x s_y). */
 
-static void FUNCTION(NUMBER *sums, const NUMBER *const corners[3], NUMBER *r, int sum_count) {
+static void FUNCTION(NUMBER *sums, const NUMBER *const corners[3], NUMBER *r) {
   enum { D, T, S, E = S + 3, F = E + 3 }; /* S, E, F: three each */
   const NUMBER *a = corners[0], *b = corners[1], *c = corners[2];
   for (int k = 0; k < 3; k++) {
@@ -34,7 +34,7 @@ static void FUNCTION(NUMBER *sums, const NUMBER *const corners[3], NUMBER *r, in
     ADD(r + S + k, r + S + k, c + k);
     ADD_PRODUCT(sums + TP_SOLID_X24 + k, r + D, r + S + k);
   }
-  for (int k = TP_SOLID_XX120; k < sum_count; k++) {
+  for (int k = TP_SOLID_XX120; k < TP_SOLID_SUM_COUNT; k++) {
     const int i = tp_solid_axes[k - TP_SOLID_XX120][0], j = tp_solid_axes[k - TP_SOLID_XX120][1];
     MULTIPLY(r + T, a + i, a + j);
     ADD_PRODUCT(r + T, b + i, b + j);

@@ -22,7 +22,11 @@ void tp_surface_clear(tp_surface *surface) {
     fmpz_clear(surface->divisor);
     for (int k = 0; k < 3; k++) fmpz_clear(surface->origin[k]);
   }
+  for (long k = 0; surface->weights != NULL && k < surface->vertex_count; k++) {
+    fmpz_clear(surface->weights + k);
+  }
   free(surface->whole);
+  free(surface->weights);
   free(surface->near);
   free(surface->given);
   free(surface->sources);
@@ -70,7 +74,36 @@ double tp_surface_nearest(const fmpq_t number) {
 }
 
 double tp_surface_given(const tp_surface *surface, long vertex, int axis) {
-  return tp_surface_nearest(source(surface, 3 * vertex + axis));
+  if (surface->sources[vertex] >= 0) return tp_surface_nearest(source(surface, 3 * vertex + axis));
+  fmpq_t at;
+  fmpq_init(at);
+  fmpq_set_fmpz_frac(at, surface->whole + 3 * vertex + axis, surface->weights + vertex);
+  fmpq_add_fmpz(at, at, surface->origin[axis]);
+  fmpq_div_fmpz(at, at, surface->divisor);
+  const double given = tp_surface_nearest(at);
+  fmpq_clear(at);
+  return given;
+}
+
+void tp_surface_way(fmpz *way, const tp_surface *surface, long from, long to) {
+  const fmpz *one = surface->whole + 3 * from, *other = surface->whole + 3 * to;
+  const fmpz *weights = surface->weights;
+  for (int k = 0; k < 3; k++) {
+    if (weights == NULL) {
+      fmpz_sub(way + k, other + k, one + k);
+    } else {
+      fmpz_mul(way + k, other + k, weights + from);
+      fmpz_submul(way + k, one + k, weights + to);
+    }
+  }
+}
+
+void tp_surface_weight(fmpz_t weight, const tp_surface *surface, long one, long other) {
+  if (surface->weights == NULL) {
+    fmpz_one(weight);
+  } else {
+    fmpz_mul(weight, surface->weights + one, surface->weights + other);
+  }
 }
 
 /* ---- coordinates -------------------------------------------------------------------------------
@@ -173,6 +206,7 @@ tp_geom_points tp_surface_points(const tp_surface *surface) {
   return (tp_geom_points){.count = (size_t)surface->vertex_count,
                           .near = surface->given != NULL ? surface->given : surface->near,
                           .whole = surface->whole,
+                          .weights = surface->weights,
                           .small = surface->is_exact || surface->given != NULL};
 }
 

@@ -8,7 +8,10 @@
  * ring operations only, and does not see where the solid lies:
  *     length in the file = (origin + whole) / D.
  * For doubles near = whole * 2^-exponent, at most 1 in size; off by 2^-53 of it at most where it is
- * not exact. A face of more than three corners is split from its first corner. */
+ * not exact. A face of more than three corners is split from its first corner.
+ *
+ * Where a plane has cut the solid (solid/cut.h), points of the section have a denominator of their
+ * own: each point is whole / weight, with the origin on the plane. */
 
 #ifndef TP_SOLID_SURFACE_H
 #define TP_SOLID_SURFACE_H
@@ -20,8 +23,9 @@
 typedef struct tp_surface {
   const tp_mesh *mesh; /* borrowed */
   long vertex_count;   /* those that triangles have, in the order in which these do */
-  int *sources;        /* which of the mesh each is */
+  int *sources;        /* which of the mesh each is; -1: a point of a section */
   fmpz *whole;         /* x, y, z of each */
+  fmpz *weights;       /* by which these are to be divided, above 0; NULL: all 1 */
   double *near;
   bool is_exact;  /* are all of `near`? */
   long exponent;  /* of `near` */
@@ -53,6 +57,11 @@ static inline tp_near tp_surface_near(const tp_surface *surface, long vertex, in
   const double value = surface->near[3 * vertex + axis];
   return (tp_near){value, surface->is_exact ? 0 : fabs(value) * DBL_EPSILON};
 }
+
+/* The way between two vertices times both of their weights: a vector of its direction; `way` is
+ * initialised. And a product of weights. */
+void tp_surface_way(fmpz *way, const tp_surface *surface, long from, long to);
+void tp_surface_weight(fmpz_t weight, const tp_surface *surface, long one, long other);
 
 /* The double nearest to a number. */
 double tp_surface_nearest(const fmpq_t number);

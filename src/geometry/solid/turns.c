@@ -19,17 +19,12 @@ static void near_turn(tp_near turn[3], const tp_surface *surface, int a, int b, 
   }
 }
 
-/* `turn` is initialised. */
+/* Times a number above 0, of weights; `turn` is initialised. */
 static void exact_turn(fmpz *turn, const tp_surface *surface, int a, int b, int c) {
-  const fmpz *own = surface->whole + 3L * a, *one = surface->whole + 3L * b;
-  const fmpz *other = surface->whole + 3L * c;
   fmpz sides[6];
-  for (int k = 0; k < 3; k++) {
-    fmpz_init(sides + k);
-    fmpz_init(sides + k + 3);
-    fmpz_sub(sides + k, one + k, own + k);
-    fmpz_sub(sides + k + 3, other + k, own + k);
-  }
+  for (int k = 0; k < 6; k++) fmpz_init(sides + k);
+  tp_surface_way(sides, surface, a, b);
+  tp_surface_way(sides + 3, surface, a, c);
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     fmpz_mul(turn + k, sides + i, sides + 3 + j);
@@ -61,18 +56,20 @@ int tp_surface_side(const tp_surface *surface, const int corners[3], int vertex)
     sum = tp_near_add(sum, tp_near_mul(near[k], way));
   }
   if (tp_near_sign(sum) != 0) return tp_near_sign(sum);
-  fmpz turn[3], way, total;
-  for (int k = 0; k < 3; k++) fmpz_init(turn + k);
-  fmpz_init(&way);
+  fmpz turn[3], way[3], total;
+  for (int k = 0; k < 3; k++) {
+    fmpz_init(turn + k);
+    fmpz_init(way + k);
+  }
   fmpz_init(&total);
   exact_turn(turn, surface, corners[0], corners[1], corners[2]);
-  for (int k = 0; k < 3; k++) {
-    fmpz_sub(&way, surface->whole + 3L * vertex + k, surface->whole + 3L * corners[0] + k);
-    fmpz_addmul(&total, turn + k, &way);
-  }
+  tp_surface_way(way, surface, corners[0], vertex);
+  for (int k = 0; k < 3; k++) fmpz_addmul(&total, turn + k, way + k);
   const int side = fmpz_sgn(&total);
-  for (int k = 0; k < 3; k++) fmpz_clear(turn + k);
-  fmpz_clear(&way);
+  for (int k = 0; k < 3; k++) {
+    fmpz_clear(turn + k);
+    fmpz_clear(way + k);
+  }
   fmpz_clear(&total);
   return side;
 }

@@ -55,7 +55,8 @@ typedef struct tp_solid_description {
   tp_quantity unit_weight_kn_m3, azimuths;
   tp_quantity dip_deg, dip_direction_deg; /* of the base, where `up` is the vertical instead */
   long band_count;
-  fmpq *bands;        /* in scene lengths */
+  fmpq *bands;       /* in scene lengths */
+  tp_quantity below; /* instead: a plane so high over the lowest point, in scene lengths, cuts it */
   long contact_count; /* 0: what touches is by bands */
   tp_contact_description *contacts;
   bool repair;                /* mend the mesh: */

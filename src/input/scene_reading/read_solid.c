@@ -211,6 +211,15 @@ static tp_status read_solid_base(const tp_reader *reader, const tp_node *node) {
 static tp_status read_bands(const tp_reader *reader, const tp_node *parent) {
   tp_solid_description *own = &reader->scene->solid;
   const tp_node *node = NULL;
+  static const char *const others[] = {"bands", "contacts", NULL};
+  const tp_node *other = tp_node_first_of(parent, others);
+  if (own->below.given && other != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, other,
+                        "a rock that a plane cuts rests on the section, 'below' which all is "
+                        "ground: leave out '%s', or 'below'",
+                        other->key);
+  }
+  if (own->below.given) return TP_OK;
   if (tp_node_get(parent, "contacts") != NULL && tp_node_get(parent, "bands") == NULL) {
     return TP_OK;
   }

@@ -136,7 +136,8 @@ static bool add_support(model *m, const tp_solid_figure *f, const tp_solid_band 
     points[3 * k] = own->east_m;
     points[3 * k + 1] = own->north_m;
   }
-  snprintf(name, sizeof name, "support, band %.6g %s", band->band, f->solid->length_unit);
+  snprintf(name, sizeof name, "support, %s %.6g %s", f->solid->has_below ? "section at" : "band",
+           band->band, f->solid->length_unit);
   add_shape(m, name, LINES, band == f->band ? RED : BLUE, points, count);
   end_shape(m);
   free(points);

@@ -8,7 +8,10 @@
 
 #include "common/message.h"
 #include "format/mesh.h"
+#include "number/ratio.h"
+#include "scene/scene.h"
 #include "solid/azimuth.h"
+#include "solid/cut.h"
 #include "solid/mend.h"
 #include "solid/sides.h"
 #include "solid/solid_sums.h"
@@ -79,23 +82,36 @@ static void set_points(tp_solid_mesh *mesh, const tp_surface *surface, const dou
   }
 }
 
-/* Two sides of an edge lie one behind the other. */
+/* Two sides of an edge lie one behind the other; one of a section is by itself. */
 static bool set_edges(tp_solid_mesh *mesh) {
   tp_sides sides;
   bool done = tp_sides_init(&sides, mesh->triangles, mesh->triangle_count, mesh->vertex_count);
-  mesh->edges = malloc((3 * (size_t)mesh->triangle_count / 2 + 1) * sizeof *mesh->edges);
+  mesh->edges = malloc((3 * (size_t)mesh->triangle_count + 1) * sizeof *mesh->edges);
   done = done && mesh->edges != NULL;
   for (long v = 0; v < mesh->vertex_count && done; v++) {
-    for (long k = sides.starts[v]; k + 1 < sides.starts[v + 1]; k += 2) {
+    for (long k = sides.starts[v]; k < sides.starts[v + 1]; k++) {
+      const tp_side *side = sides.items + k;
       int *own = mesh->edges[mesh->edge_count++];
       own[0] = (int)v;
-      own[1] = sides.items[k].other;
-      own[2] = sides.items[k].triangle;
-      own[3] = sides.items[k + 1].triangle;
+      own[1] = side->other;
+      own[2] = own[3] = side->triangle;
+      if (k + 1 == sides.starts[v + 1] || side[1].other != side->other) continue;
+      own[3] = side[1].triangle;
+      k++;
     }
   }
   tp_sides_clear(&sides);
   return done;
+}
+
+/* In lengths of the file. */
+static double origin(const tp_surface *surface, int axis) {
+  fmpq_t at;
+  fmpq_init(at);
+  fmpq_set_fmpz_frac(at, surface->origin[axis], surface->divisor);
+  const double given = tp_surface_nearest(at);
+  fmpq_clear(at);
+  return given;
 }
 
 /* As the surface's `near`. */
@@ -106,9 +122,8 @@ static void set_centre(double centre[3], const tp_surface *surface, const tp_sol
   for (int k = 0; k < 3; k++) {
     centre[k] = solid->part_count == 0
                     ? sums[TP_SOLID_X24 + k].value / (4 * sums[TP_SOLID_V6].value)
-                    : (solid->centroid_m[k].value -
-                       solid->metres_per_unit * tp_surface_given(surface, 0, k)) /
-                          metres; /* its parts are not read: from the first vertex, the origin */
+                    : (solid->centroid_m[k].value - solid->metres_per_unit * origin(surface, k)) /
+                          metres; /* its parts are not read */
   }
 }
 
@@ -169,12 +184,48 @@ static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid
   return refuse_other(solid, message);
 }
 
+/* The height of the plane that cuts it, which is told in lengths of the scene or of the file. */
+static double below_in_file(const tp_solid *solid) {
+  const char *unit = solid->length_unit;
+  fmpq_t metres;
+  fmpq_init(metres);
+  const double own = tp_unit_find(metres, &unit) ? tp_surface_nearest(metres) : 1;
+  fmpq_clear(metres);
+  return solid->below * own / solid->metres_per_unit;
+}
+
+/* What lies above the plane that cuts it, with numbers rounded to doubles. */
+static tp_status cut_surface(tp_surface *surface, const tp_solid *solid, tp_message *message) {
+  enum { BITS = 60 };
+  tp_surface whole = *surface;
+  tp_cut_plane plane;
+  tp_near normal[3];
+  fmpz up[3];
+  fmpq_t height;
+  fmpq_init(height);
+  set_normal(normal, solid);
+  const double length = hypot(hypot(normal[0].value, normal[1].value), normal[2].value);
+  for (int k = 0; k < 3; k++) {
+    fmpz_init(up + k);
+    fmpz_set_d_2exp(up + k, normal[k].value / length, BITS);
+  }
+  (void)tp_ratio_read_double(height, below_in_file(solid));
+  tp_cut_plane_init(&plane, &whole, up, height);
+  const tp_status status = tp_cut_above(surface, &whole, &plane, message);
+  tp_cut_plane_clear(&plane);
+  tp_surface_clear(&whole);
+  fmpq_clear(height);
+  for (int k = 0; k < 3; k++) fmpz_clear(up + k);
+  return status;
+}
+
 tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, const tp_solid *solid, tp_message *message) {
   tp_mesh read;
   tp_surface surface;
   tp_status status = tp_mesh_read(&read, solid->file, message);
   if (status != TP_OK) return status;
   status = read_surface(&surface, &read, solid, message);
+  if (status == TP_OK && solid->has_below) status = cut_surface(&surface, solid, message);
   if (status == TP_OK) {
     if (!fill(mesh, &surface, solid)) {
       tp_solid_mesh_clear(mesh);

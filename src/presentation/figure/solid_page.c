@@ -69,15 +69,24 @@ static void say_below(cairo_t *cr, const tp_solid_figure *f, double x, double y,
     return;
   }
   y = tp_solid_draw_bands(cr, f, x, y, width) + 6;
-  y = explain(cr, f, x, y, width,
-              "The rock at its tilt, which goes to the right. Red: what touches in the least band, "
-              "and the edge about which it would topple this way; the arrow: its weight, from the "
-              "centroid to the base.");
+  y = explain(
+      cr, f, x, y, width,
+      f->solid->has_below
+          ? "What of the rock lies above the plane that cuts it, at its tilt, which goes to "
+            "the right; what lies below is ground. Red: the hull of the section, and the "
+            "edge about which it would topple this way; the arrow: its weight, from the "
+            "centroid to the section."
+          : "The rock at its tilt, which goes to the right. Red: what touches in the least "
+            "band, and the edge about which it would topple this way; the arrow: its "
+            "weight, from the centroid to the base.");
   explain(
       cr, f, x, y, width,
-      "The rose: how far from the middle a line lies in an azimuth is the tilt at which the rock "
-      "topples that way. All that is no higher than the band over its lowest point is taken to "
-      "touch.");
+      f->solid->has_below
+          ? "The rose: how far from the middle a line lies in an azimuth is the tilt at which the "
+            "rock topples that way."
+          : "The rose: how far from the middle a line lies in an azimuth is the tilt at which the "
+            "rock topples that way. All that is no higher than the band over its lowest point is "
+            "taken to touch.");
 }
 
 /* ---- where it lies -----------------------------------------------------------------------------

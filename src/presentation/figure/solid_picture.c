@@ -126,6 +126,7 @@ static void fill_triangle(canvas *c, const int *corners, uint8_t grey) {
 static bool is_drawn(const canvas *c, const int edge[4]) {
   const float *a = c->normals[edge[2]], *b = c->normals[edge[3]];
   if (a[2] <= 0 && b[2] <= 0) return false; /* both face away */
+  if (edge[2] == edge[3]) return true;      /* of a section */
   return (a[2] > 0) != (b[2] > 0) || a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < BENT;
 }
 

@@ -219,7 +219,8 @@ double tp_solid_draw_bands(cairo_t *cr, const tp_solid_figure *f, double x, doub
   tp_figure_font(cr, TP_SMALL_SIZE, true);
   tp_figure_ink(cr, TP_INK_BLACK);
   for (int k = 0; k < (solid->of_scene ? COLUMNS : 3); k++) {
-    tp_figure_text(cr, x + at[k] * width, y + TP_SMALL_SIZE, tp_solid_say(f, said, heads[k]));
+    const char *head = k == 0 && solid->has_below ? "Below" : heads[k];
+    tp_figure_text(cr, x + at[k] * width, y + TP_SMALL_SIZE, tp_solid_say(f, said, head));
   }
   y += 1.6 * TP_SMALL_SIZE;
   tp_figure_font(cr, TP_SMALL_SIZE, false);

@@ -59,10 +59,19 @@ static void add_assumptions(tp_solid_sheet *s) {
         "different ways.");
     return;
   }
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "The base is a rigid plane. All that is no higher than the band over the lowest "
-                  "point is taken to touch; which points do is not known better than the survey. "
-                  "The least band governs, as a support grows with it.");
+  if (s->solid->has_below) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "A plane cuts the rock: what lies below is ground, and volume, weight and centroid "
+        "are of what lies above. It rests on the convex hull of the section; the ground does "
+        "not pull at it there, and does not hold its sides.");
+  } else {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "The base is a rigid plane. All that is no higher than the band over the lowest "
+        "point is taken to touch; which points do is not known better than the survey. "
+        "The least band governs, as a support grows with it.");
+  }
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "The rock topples about an edge of the support or slides by Coulomb's law; it "
                   "does not turn on its base, and the ground does not yield.");

@@ -45,8 +45,10 @@ static void add_of_bands(tp_solid_sheet *s, unsigned required) {
   static const char *const heads[] = {"Least tilt (°)", "Towards (°)", "FoS", "Against"};
   const tp_solid *own = s->solid;
   tp_document *d = &s->document;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6 + required, 0xf, "Factors of safety, for each band");
-  tp_document_cell(d, "Band (%s)", own->length_unit);
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6 + required, 0xf,
+                    own->has_below ? "Factors of safety on the section"
+                                   : "Factors of safety, for each band");
+  tp_document_cell(d, own->has_below ? "Below (%s)" : "Band (%s)", own->length_unit);
   tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
   add_required_heads(s);
   tp_document_word(d, "Rock");
@@ -108,8 +110,10 @@ static void add_verdict(tp_text *t, const tp_document *d, tp_mechanism verdict) 
 static void conclude_bands(tp_text *t, const tp_document *d, const tp_solid *own) {
   const tp_solid_band *b = own->bands + own->governing;
   char n[2][TP_NUMBER_SIZE];
-  tp_text_add(t, tp_document_say(d, "The least band, %s %s, governs."), tp_shortest(n[0], b->band),
-              own->length_unit);
+  tp_text_add(t,
+              tp_document_say(d, own->has_below ? "A plane cuts it %s %s over its lowest point."
+                                                : "The least band, %s %s, governs."),
+              tp_shortest(n[0], b->band), own->length_unit);
   tp_text_add(t, " ");
   if (b->has_stance) {
     add_verdict(t, d, b->stance.verdict);

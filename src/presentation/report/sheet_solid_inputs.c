@@ -82,6 +82,14 @@ static void add_touching(tp_solid_sheet *s) {
     tp_document_cell(d, "points with normals and friction: %zu", own->contacts.contact_count);
     return;
   }
+  if (own->has_below) {
+    char n[TP_SHORTEST_SIZE];
+    tp_document_cell(d,
+                     "the section of a plane %s %s over the lowest point; what lies below is "
+                     "ground",
+                     tp_shortest(n, own->below), own->length_unit);
+    return;
+  }
   tp_text bands = {0};
   for (size_t k = 0; k < own->band_count && k < TP_SOLID_SHEET_BANDS; k++) {
     char n[TP_SHORTEST_SIZE];

@@ -36,10 +36,12 @@ static void add_band_table(tp_solid_sheet *s) {
                                       "Towards (°)"};
   const tp_solid *own = s->solid;
   tp_document *d = &s->document;
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_friction ? 8 : 6,
-                    own->has_friction ? 0x7f : 0x3f,
-                    "What touches in each band, and the least tilt, from level, at which it moves");
-  tp_document_cell(d, "Band (%s)", own->length_unit);
+  tp_document_table(
+      d, TP_TABLE_OF_COLUMNS, own->has_friction ? 8 : 6, own->has_friction ? 0x7f : 0x3f,
+      own->has_below ? "The section, and the least tilt, from level, at which it moves"
+                     : "What touches in each band, and the least tilt, from level, at which it "
+                       "moves");
+  tp_document_cell(d, own->has_below ? "Below (%s)" : "Band (%s)", own->length_unit);
   tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
   if (own->has_friction) {
     tp_document_word(d, "Moves at (°)");
@@ -85,10 +87,15 @@ static void add_edge_formula(tp_solid_sheet *s, const tp_solid_band *b) {
   tp_text_significant(n[2], b->least.tilt_deg, 6);
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
-      "The least tilt in the governing band, by hand: the edge that it topples about is "
-      "at the distance a from the foot of the centroid, towards the azimuth θ; x to the "
-      "east and y to the north, from that foot, are a corner on it, and H is the height "
-      "of the centroid.");
+      s->solid->has_below
+          ? "The least tilt, by hand: the edge of the section that it topples about is at the "
+            "distance a from the foot of the centroid, towards the azimuth θ; x to the east and "
+            "y to the north, from that foot, are a corner on it, and H is the height of the "
+            "centroid over the section."
+          : "The least tilt in the governing band, by hand: the edge that it topples about is "
+            "at the distance a from the foot of the centroid, towards the azimuth θ; x to the "
+            "east and y to the north, from that foot, are a corner on it, and H is the height "
+            "of the centroid.");
   tp_document_add(d, TP_PASSAGE_EQUATION,
                   "a = x \\sin θ + y \\cos θ = %s \\sin %s° + %s \\cos %s° = %s \\\\"
                   "α = \\arctan \\frac{a}{H} = \\arctan \\frac{%s}{%s} = %s°",
@@ -128,8 +135,11 @@ static void add_rose(tp_solid_sheet *s, const tp_solid_band *b) {
   const size_t step = (b->rose_count + ROSE_ROWS - 1) / ROSE_ROWS;
   if (b->rose_count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x17,
-                    "Towards each azimuth, in the governing band: tilts from level, and the least "
-                    "horizontal acceleration at its tilt");
+                    s->solid->has_below
+                        ? "Towards each azimuth: tilts from level, and the least horizontal "
+                          "acceleration at its tilt"
+                        : "Towards each azimuth, in the governing band: tilts from level, and the "
+                          "least horizontal acceleration at its tilt");
   tp_sheet_add_heads(d, heads, 6);
   for (size_t k = 0; k < b->rose_count; k += step) {
     const tp_solid_azimuth *own = b->rose + k;

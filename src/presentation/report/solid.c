@@ -64,6 +64,13 @@ static void add_body(tp_text *t, const tp_solid *s) {
   } else {
     tp_text_add(t, "lengths of the mesh in %s\n", s->length_unit);
   }
+  if (s->has_below) {
+    tp_text_add(
+        t,
+        "  %-*s %.6g over its lowest point by a plane across up: what lies below is ground,\n"
+        "  %-*s and all that follows is of what lies above, which rests on the section\n",
+        LABEL, "cut", s->below, LABEL, "");
+  }
   add_bounded(t, "volume", s->volume_m3, "m³");
   if (s->has_weight) add_bounded(t, "weight", s->weight_n, "N");
   add_parts(t, s);
@@ -103,7 +110,7 @@ static void add_edges(tp_text *t, const tp_solid *s) {
                       is_same_point(own->edge_to, last->edge_to);
     last = own;
     if (same) continue;
-    tp_text_add(t, "  band %.6g: about the edge from ", b->band);
+    tp_text_add(t, "  %s %.6g: about the edge from ", tp_text_solid_band(s), b->band);
     add_point(t, own->edge_from);
     tp_text_add(t, " to ");
     add_point(t, own->edge_to);
@@ -151,12 +158,12 @@ static void add_bands(tp_text *t, const tp_solid *s) {
   if (s->is_on_slope) {
     tp_text_add(t, "\nAs it lies, tilted from where its base, which dips, would be level");
   } else {
-    tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on a plane base", s->up[0], s->up[1],
-                s->up[2]);
+    tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on %s", s->up[0], s->up[1], s->up[2],
+                s->has_below ? "the section" : "a plane base");
   }
   if (s->has_friction) tp_text_add(t, ", friction angle %.6g°", s->friction_angle_deg);
-  tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", "band", "touching", "corners", "least tilt",
-              "azimuth", s->has_friction ? "         moves" : "");
+  tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", tp_text_solid_band(s), "touching", "corners",
+              "least tilt", "azimuth", s->has_friction ? "         moves" : "");
   for (size_t k = 0; k < s->band_count; k++) add_band(t, s, s->bands + k);
   add_edges(t, s);
   add_range(t, s);
@@ -170,7 +177,7 @@ static void add_rose(tp_text *t, const tp_solid *s) {
   if (b == s->bands + s->band_count) return;
   const size_t step = (b->rose_count + COLUMNS - 1) / COLUMNS;
   tp_text_add(t, "\nTilt at which it %s towards an azimuth; --csv and --json have all %zu\n  %10s",
-              s->has_friction ? "moves" : "topples", b->rose_count, "band");
+              s->has_friction ? "moves" : "topples", b->rose_count, tp_text_solid_band(s));
   for (size_t k = 0; k < b->rose_count; k += step) {
     tp_text_add(t, " %8.4g°", b->rose[k].azimuth_deg);
   }
@@ -198,7 +205,7 @@ static const char *add_rise(char text[TP_NUMBER_SIZE + 4], const tp_solid_pose *
 }
 
 static void add_lasting(tp_text *t, const tp_solid *s) {
-  if (s->band_count == 0 || s->pose_count < 2) return;
+  if (s->band_count == 0 || s->pose_count < 2 || s->has_below) return;
   tp_text_add(t, "  Poses that last where each point is off by a band, for their persistence is "
                  "more than twice it:");
   for (size_t k = 0; k < s->band_count; k++) {

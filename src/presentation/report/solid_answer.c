@@ -58,7 +58,11 @@ static void add_of_band(tp_text *t, const tp_solid *solid) {
   } else if (!band->has_stance) {
     tp_text_add(t, "It does not stand.");
   }
-  tp_text_add(t, " So by the least band, %.6g %s, which governs.", band->band, solid->length_unit);
+  tp_text_add(t,
+              solid->has_below
+                  ? " So on the section %.6g %s over its lowest point, below which all is ground."
+                  : " So by the least band, %.6g %s, which governs.",
+              band->band, solid->length_unit);
 }
 
 static void add_of_contacts(tp_text *t, const tp_solid_contacts *own) {

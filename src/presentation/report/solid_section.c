@@ -10,6 +10,7 @@
 #include "number/shortest.h"
 #include "output/encode.h"
 #include "report/results.h"
+#include "report/section_above.h"
 #include "scene/scene.h"
 #include "solid/surface.h"
 
@@ -23,6 +24,7 @@ typedef struct section {
   double azimuth_deg;
   const char *length_unit; /* of the mesh */
   bool y_is_up;
+  tp_section_above above; /* of a rock that a plane cuts */
   tp_message *message;
 } section;
 
@@ -77,7 +79,35 @@ static void add_point(tp_text *t, const section *x) {
   tp_text_add(t, "[%s, %s]", tp_shortest(n[0], east), tp_shortest(n[1], north));
 }
 
-static void add_scene(tp_text *t, const section *x, const double *below) {
+/* The outline itself, where a plane cuts the rock. */
+static void add_above(tp_text *t, const section *x) {
+  char n[2][TP_SHORTEST_SIZE];
+  tp_text_add(t, "topple: 1\nlength_unit: %s\nblock:\n  outline:\n", x->length_unit);
+  for (long k = 0; k < x->above.count; k++) {
+    tp_text_add(t, "    - [%s, %s]\n", tp_shortest(n[0], x->above.x[k]),
+                tp_shortest(n[1], x->above.y[k]));
+  }
+}
+
+/* The line of the cut, from the first corner on it to the last: what touches may be several pieces.
+ */
+static void add_level(tp_text *t, const section *x) {
+  const tp_section_above *own = &x->above;
+  const double level = own->y[0];
+  double left = own->x[0], right = left;
+  char n[3][TP_SHORTEST_SIZE];
+  for (long k = 1; k < own->count; k++) {
+    if (own->y[k] != level) continue;
+    left = fmin(left, own->x[k]);
+    right = fmax(right, own->x[k]);
+  }
+  tp_shortest(n[0], left);
+  tp_shortest(n[1], right);
+  tp_shortest(n[2], level);
+  tp_text_add(t, "base: {profile: [[%s, %s], [%s, %s]]}\n", n[0], n[2], n[1], n[2]);
+}
+
+static void add_mesh(tp_text *t, const section *x) {
   char n[TP_SHORTEST_SIZE];
   tp_text_add(t, "topple: 1\nlength_unit: %s\nsection: {at: ", x->length_unit);
   add_point(t, x);
@@ -90,7 +120,18 @@ static void add_scene(tp_text *t, const section *x, const double *below) {
     tp_encode_json(t, x->solid->object);
     tp_text_add(t, "\n");
   }
-  if (below != NULL) {
+}
+
+static void add_scene(tp_text *t, const section *x, const double *below) {
+  char n[TP_SHORTEST_SIZE];
+  if (x->above.count > 0) {
+    add_above(t, x);
+  } else {
+    add_mesh(t, x);
+  }
+  if (x->above.count > 0) {
+    add_level(t, x);
+  } else if (below != NULL) {
     tp_text_add(t, "base: {mated: true, between: {below: %s}, beyond: {left: 0, right: 0}}\n",
                 tp_shortest(n, *below));
   }
@@ -109,8 +150,20 @@ static tp_status read_scene(tp_scene **scene, const section *x, const double *be
   return status;
 }
 
+/* At the height of the plane, below the centroid of what it cuts off. */
+static tp_status cut_section(double *below, section *x, const tp_polyline *outline) {
+  const tp_bounded *centroid = x->solid->centroid_m + (x->y_is_up ? 1 : 2);
+  *below = (centroid->value - x->band->height_m.value) / x->solid->metres_per_unit;
+  if (!tp_section_above_init(&x->above, outline, *below)) {
+    return tp_fail_memory(x->message, "the section of a solid");
+  }
+  return x->above.count > 2 ? TP_OK
+                            : refuse(x, "the plane that cuts the rock leaves nothing of this "
+                                        "section: cut it at another azimuth");
+}
+
 /* As high over the lowest point of the section as the band, a hair more for its rounding. */
-static tp_status find_below(double *below, const section *x) {
+static tp_status find_below(double *below, section *x) {
   static const double hair = 1e-9;
   tp_scene *scene = NULL;
   const tp_status status = read_scene(&scene, x, NULL);
@@ -122,6 +175,11 @@ static tp_status find_below(double *below, const section *x) {
     if (fmpq_cmp(outline->y + k, highest) > 0) highest = outline->y + k;
   }
   const double low = fmpq_get_d(lowest), tall = fmpq_get_d(highest) - low;
+  if (x->solid->has_below) {
+    const tp_status cut = cut_section(below, x, outline);
+    tp_scene_free(scene);
+    return cut;
+  }
   fmpq_t metres;
   const char *unit = x->solid->length_unit;
   fmpq_init(metres);
@@ -185,9 +243,13 @@ static tp_status add_head(tp_text *t, const section *x, double below) {
   if (status == TP_OK) {
     tp_text_add(
         t,
-        "# A section of a solid through its centroid at the azimuth %.6g°, made by topple "
-        "solid --section.\n# What lies no higher than %.6g %s over its lowest point touches "
-        "the base.\n",
+        x->solid->has_below
+            ? "# A section of a solid through its centroid at the azimuth %.6g°, made by topple "
+              "solid --section.\n# A plane %.6g %s over its lowest point cuts the solid; this is "
+              "what lies above.\n"
+            : "# A section of a solid through its centroid at the azimuth %.6g°, made by topple "
+              "solid --section.\n# What lies no higher than %.6g %s over its lowest point touches "
+              "the base.\n",
         x->azimuth_deg, x->band->band, x->solid->length_unit);
     for (size_t k = 0; k < solution->case_count; k++) add_side(t, x, solution->cases + k);
   }
@@ -212,10 +274,11 @@ tp_status tp_report_solid_section(char **text, const tp_solid *solid, double azi
   tp_status status = check(&x);
   if (status == TP_OK) status = find_below(&below, &x);
   if (status == TP_OK) status = add_head(&t, &x, below);
+  if (status == TP_OK) add_scene(&t, &x, &below);
+  tp_section_above_clear(&x.above);
   if (status != TP_OK) {
     tp_text_drop(&t);
     return status;
   }
-  add_scene(&t, &x, &below);
   return tp_text_finish(&t, text);
 }

@@ -58,8 +58,12 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
   tp_text_add(t, "\n");
 }
 
+const char *tp_text_solid_band(const tp_solid *solid) {
+  return solid->has_below ? "below" : "band";
+}
+
 void tp_text_solid_required(tp_text *t, const tp_solid *s) {
-  const char *where = s->band_count == 0 ? "" : " in the least band";
+  const char *where = s->band_count == 0 || s->has_below ? "" : " in the least band";
   if (!s->has_required_fos) return;
   switch (tp_solid_meets(s, s->required_fos)) {
   case TP_DESIGN_MET:
@@ -82,7 +86,7 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
     any = any || (s->bands[k].has_stance && s->bands[k].stance.has_fos);
     shaken = shaken || (s->bands[k].has_stance && s->bands[k].stance.has_acceleration);
   }
-  tp_text_add(t, "  %10s", "band");
+  tp_text_add(t, "  %10s", tp_text_solid_band(s));
   if (any || shaken) {
     tp_text_add(t, "  %-10s %10s %-8s%s", "", any ? "factor" : "", any ? "against" : "",
                 shaken ? " acceleration    azimuth" : "");

@@ -13,13 +13,16 @@
 #include <arb.h>
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_solid_options, repair_drop_below);
+TP_OPTIONS_END(tp_solid_options, below);
 
 enum { AZIMUTHS = 72, OWN_BANDS = 4, NORMAL_BITS = 100 };
 
 void tp_solid_options_init(tp_solid_options *options, size_t size) {
-  const tp_solid_options defaults = {
-      .size = sizeof defaults, .friction_angle_deg = -1, .up = {0, 0, 1}, .azimuths = AZIMUTHS};
+  const tp_solid_options defaults = {.size = sizeof defaults,
+                                     .friction_angle_deg = -1,
+                                     .up = {0, 0, 1},
+                                     .azimuths = AZIMUTHS,
+                                     .below = -1};
   tp_options_fill(options, size, &defaults);
 }
 
@@ -92,11 +95,32 @@ static tp_status take_bands(tp_solid_given *given, const tp_solid_options *o, tp
   return status;
 }
 
+/* A rock that a plane cuts rests on all of the section and no more: its band is 0. */
+static tp_status take_cut(tp_solid_given *given, tp_message *message) {
+  given->has_below = true;
+  return make_bands(given, 1, message);
+}
+
+static tp_status take_below(tp_solid_given *given, const tp_solid_options *o, tp_message *message) {
+  if (o->below < 0) return take_bands(given, o, message);
+  if (o->bands != NULL) {
+    return refuse(message, TP_FAULT_ARGUMENT,
+                  "a rock rests on what lies within its bands, or on the section of a plane that "
+                  "cuts it so far over its lowest point: give one of both");
+  }
+  return tp_ratio_read_double(given->below, o->below)
+             ? take_cut(given, message)
+             : refuse(message, TP_FAULT_RANGE,
+                      "the height of the plane that cuts the rock must be a finite length of 0 or "
+                      "more");
+}
+
 static void start(tp_solid_given *given) {
   *given = (tp_solid_given){.length_unit = NULL};
   fmpq_init(given->metres_per_unit);
   fmpq_init(given->unit_weight);
   fmpq_init(given->band_lengths);
+  fmpq_init(given->below);
   for (int k = 0; k < 3; k++) fmpz_init(given->up + k);
 }
 
@@ -134,7 +158,7 @@ tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *opt
     status = refuse(message, TP_FAULT_RANGE, "a rose has 1 to 36000 azimuths");
   }
   if (status == TP_OK) status = check_repair(options, message);
-  return status == TP_OK ? take_bands(given, options, message) : status;
+  return status == TP_OK ? take_below(given, options, message) : status;
 }
 
 /* ---- a scene -----------------------------------------------------------------------------------
@@ -194,6 +218,10 @@ tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
       own->azimuths.given ? (size_t)fmpz_get_ui(fmpq_numref(own->azimuths.value)) : AZIMUTHS;
   set_up(given, own->up);
   if (own->dip_deg.given) set_normal(given, own->dip_deg.value, own->dip_direction_deg.value);
+  if (own->below.given) {
+    fmpq_mul(given->below, own->below.value, given->band_lengths);
+    return take_cut(given, message);
+  }
   const tp_status status = make_bands(given, (size_t)own->band_count, message);
   for (size_t k = 0; k < given->band_count; k++) {
     fmpq_mul(given->bands + k, own->bands + k, given->band_lengths);
@@ -208,6 +236,7 @@ void tp_solid_given_clear(tp_solid_given *given) {
   fmpq_clear(given->metres_per_unit);
   fmpq_clear(given->unit_weight);
   fmpq_clear(given->band_lengths);
+  fmpq_clear(given->below);
 }
 
 tp_status tp_solid_given_bands(tp_solid_given *given, double height, tp_message *message) {

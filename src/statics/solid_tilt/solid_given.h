@@ -16,6 +16,8 @@ typedef struct tp_solid_given {
   fmpz up[3];
   size_t band_count;
   fmpq *bands;         /* in lengths of the mesh; NULL where none are given */
+  bool has_below;      /* a plane cuts the rock, which rests on the section: */
+  fmpq_t below;        /* so high over its lowest point, in lengths of the mesh */
   fmpq_t band_lengths; /* of the mesh, in one of those that bands are told in */
   bool has_friction;
   double friction_angle_deg;

@@ -30,29 +30,45 @@ static bool is_hole(const tp_solid_part_moments *part) {
   return fmpz_is_one(fmpq_denref(part->excess)) && fmpz_equal_si(fmpq_numref(part->excess), -1);
 }
 
+/* All numbers of the level exact times `factor`, which makes `multiple` that many times as much. */
+static void stretch(tp_solid_moments *m, const fmpz_t factor) {
+  for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_mul(m->exact + k, m->exact + k, factor);
+  fmpz_mul(m->exact_volume6, m->exact_volume6, factor);
+  fmpz_mul(m->multiple, m->multiple, factor);
+}
+
+/* One part, with sums of its own times `own`: excess times them. */
+static void weigh_part(tp_solid_moments *m, const tp_solid_part_moments *part, const fmpz *sums,
+                       const fmpz_t own) {
+  fmpz_t factor, common;
+  fmpz_init(factor);
+  fmpz_init(common);
+  fmpz_mul(common, own, fmpq_denref(part->excess));
+  fmpz_lcm(common, common, m->multiple);
+  fmpz_divexact(factor, common, m->multiple);
+  stretch(m, factor);
+  fmpz_divexact(factor, common, own);
+  if (is_hole(part)) fmpz_submul(m->exact_volume6, factor, sums + TP_SOLID_V6);
+  fmpz_divexact(factor, factor, fmpq_denref(part->excess));
+  fmpz_mul(factor, factor, fmpq_numref(part->excess));
+  for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_addmul(m->exact + k, factor, sums + k);
+  fmpz_clear(factor);
+  fmpz_clear(common);
+}
+
 /* Of the level exact: of the rock alone, then of each part. */
 static void weigh_exact(tp_solid_moments *m) {
   fmpz sums[TP_SOLID_SUM_COUNT];
-  fmpz_t factor;
-  fmpz_init(factor);
+  fmpz_t own;
+  fmpz_init(own);
   for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_init(sums + k);
   fmpz_set(m->exact_volume6, m->exact + TP_SOLID_V6);
   for (long n = 0; n < m->part_count; n++) {
-    fmpz_lcm(m->multiple, m->multiple, fmpq_denref(m->parts[n].excess));
-  }
-  for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) {
-    fmpz_mul(m->exact + k, m->exact + k, m->multiple);
-  }
-  for (long n = 0; n < m->part_count; n++) {
-    const tp_solid_part_moments *part = m->parts + n;
-    fmpz_divexact(factor, m->multiple, fmpq_denref(part->excess));
-    fmpz_mul(factor, factor, fmpq_numref(part->excess));
-    tp_solid_sums_exact(sums, part->own->surface, TP_SOLID_SUM_COUNT);
-    for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_addmul(m->exact + k, factor, sums + k);
-    if (is_hole(part)) fmpz_sub(m->exact_volume6, m->exact_volume6, sums + TP_SOLID_V6);
+    tp_solid_sums_exact(sums, own, m->parts[n].own->surface);
+    weigh_part(m, m->parts + n, sums, own);
   }
   for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_clear(sums + k);
-  fmpz_clear(factor);
+  fmpz_clear(own);
 }
 
 static void weigh_near(tp_solid_moments *m) {
@@ -72,7 +88,7 @@ static void weigh_near(tp_solid_moments *m) {
 static void take_exact(tp_solid_moments *m) {
   m->level = TP_LEVEL_EXACT;
   weigh_exact(m);
-  tp_centre_of_exact(&m->centre, m->surface, m->exact);
+  tp_centre_of_exact(&m->centre, m->surface, m->exact, m->multiple);
 }
 
 void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *moments,
@@ -85,6 +101,7 @@ void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *m
   weigh_near(weighed);
   if (moments->level == TP_LEVEL_EXACT) {
     for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_set(weighed->exact + k, moments->exact + k);
+    fmpz_set(weighed->multiple, moments->multiple);
     take_exact(weighed);
   } else {
     tp_centre_of_near(&weighed->centre, weighed->surface, weighed->near);
@@ -94,7 +111,7 @@ void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *m
 void tp_solid_moments_climb(tp_solid_moments *moments) {
   if (moments->level == TP_LEVEL_EXACT) return;
   tp_centre_clear(&moments->centre);
-  tp_solid_sums_exact(moments->exact, moments->surface, TP_SOLID_SUM_COUNT);
+  tp_solid_sums_exact(moments->exact, moments->multiple, moments->surface);
   take_exact(moments);
 }
 
@@ -160,6 +177,7 @@ static void set_sum(arb_t sum, const tp_solid_moments *moments, int k) {
 static void set_volume(arb_t volume, const tp_solid_moments *moments) {
   if (moments->level == TP_LEVEL_EXACT) {
     arb_set_fmpz(volume, moments->exact_volume6);
+    arb_div_fmpz(volume, volume, moments->multiple, 2 * BITS);
   } else {
     set_near(volume, moments, moments->near_volume6, 3);
   }

@@ -20,7 +20,7 @@ typedef struct tp_solid_moments {
   fmpz exact[TP_SOLID_SUM_COUNT]; /* at the level exact: */
   fmpz_t multiple;                /* so many times the sums */
   tp_near near_volume6;           /* without holes, whatever the weight; */
-  fmpz_t exact_volume6;           /* at the level exact */
+  fmpz_t exact_volume6;           /* at the level exact, likewise */
   long part_count;
   const struct tp_solid_part_moments *parts; /* borrowed */
 } tp_solid_moments;

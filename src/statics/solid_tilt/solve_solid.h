@@ -9,8 +9,8 @@
 #include "solid_tilt/solid_body.h"
 #include "solid_tilt/solid_given.h"
 
-/* Into a solid of zeros, to be freed also on failure. Bands that are not given are put into
- * `given`. */
+/* Into a solid of zeros, to be freed also on failure: of what lies above where a plane cuts it.
+ * Bands that are not given are put into `given`. */
 TP_MUST_USE tp_status tp_solid_find(tp_solid *solid, const tp_solid_body *body,
                                     tp_solid_given *given, tp_message *message);
 

@@ -79,7 +79,8 @@ static void set_limit(fmpz_t limit, const tp_heights_above *above, const fmpq_t 
  */
 
 typedef struct seen {
-  fmpz x, y;
+  fmpz x, y;    /* to be divided by */
+  fmpz *weight; /* where it is not NULL */
   int vertex;
 } seen;
 
@@ -99,19 +100,38 @@ static void set_axes(fmpz *e, fmpz *f, const fmpz *up) {
   }
 }
 
+/* (to - from) of one axis, times both weights. */
+static void set_way(fmpz_t way, const seen *a, const fmpz_t from, const seen *b, const fmpz_t to) {
+  if (a->weight == NULL) {
+    fmpz_sub(way, to, from);
+  } else {
+    fmpz_mul(way, to, a->weight);
+    fmpz_submul(way, from, b->weight);
+  }
+}
+
 static int compare(const void *one, const void *other) {
   const seen *a = one, *b = other;
-  const int order = fmpz_cmp(&a->x, &b->x);
-  return order != 0 ? order : fmpz_cmp(&a->y, &b->y);
+  if (a->weight == NULL) {
+    const int order = fmpz_cmp(&a->x, &b->x);
+    return order != 0 ? order : fmpz_cmp(&a->y, &b->y);
+  }
+  fmpz_t way;
+  fmpz_init(way);
+  set_way(way, b, &b->x, a, &a->x);
+  if (fmpz_is_zero(way)) set_way(way, b, &b->y, a, &a->y);
+  const int order = fmpz_sgn(way);
+  fmpz_clear(way);
+  return order;
 }
 
 /* Does the way from a by b to c turn left? */
 static bool turns_left(const seen *a, const seen *b, const seen *c, fmpz r[3]) {
-  fmpz_sub(r, &b->x, &a->x);
-  fmpz_sub(r + 1, &c->y, &a->y);
+  set_way(r, a, &a->x, b, &b->x);
+  set_way(r + 1, a, &a->y, c, &c->y);
   fmpz_mul(r + 2, r, r + 1);
-  fmpz_sub(r, &b->y, &a->y);
-  fmpz_sub(r + 1, &c->x, &a->x);
+  set_way(r, a, &a->y, b, &b->y);
+  set_way(r + 1, a, &a->x, c, &c->x);
   fmpz_submul(r + 2, r, r + 1);
   return fmpz_sgn(r + 2) > 0;
 }
@@ -152,6 +172,7 @@ static void see(seen *points, const tp_heights_above *above, const fmpz_t limit)
     seen *own = points + found++;
     dot(&own->x, axes, s->whole + 3L * v);
     dot(&own->y, axes + 3, s->whole + 3L * v);
+    own->weight = s->weights != NULL ? s->weights + v : NULL;
     own->vertex = v;
   }
   for (int k = 0; k < 6; k++) fmpz_clear(axes + k);

@@ -10,7 +10,9 @@
 #include "solid/centre.h"
 #include "solid/tilting.h"
 
-/* Heights of all vertices over the lowest one, times |up|. */
+/* Heights of all vertices over the lowest one, times |up|. Of a solid that a plane has cut they are
+ * over that plane, and times the weights of the vertices: 0 of its section, above it of all else.
+ */
 typedef struct tp_heights_above {
   const tp_surface *surface;
   tp_rest_plane plane; /* through the lowest vertex, the first of several */

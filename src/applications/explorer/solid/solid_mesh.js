@@ -3,7 +3,7 @@
 
 /**
  * The triangles of a scene's solid, to be looked at: of the file that it names, or of the wedge between its planes. They are drawn
- * only where they are as many as the core counts, and a wedge only where it encloses the core's volume.
+ * only where they are as many as the core counts, and a wedge only where it encloses the core's volume. What a plane cuts is not drawn.
  */
 
 import { UNITS } from "../scene/length_units.js";
@@ -21,6 +21,7 @@ const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
+  if (solution.below !== undefined) return null; // of what a plane cuts off the core tells no unit
   const content = files[scene.scalar(["solid", "file"]) ?? ""];
   const triangles = content === undefined ? wedgeOf(scene, solution.volume_m3.value) : trianglesOf(content);
   if (triangles === null || triangles.length !== 9 * solution.triangles) return null;
