@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """A scanned rock from its file to a rose, a section and a probability: docs/scanned_rock.md says what comes out of it.
 
-The mesh, examples/meshes/scanned_rock_sp2.obj, says in its head where it comes from. Three questions: which part of the rock's
+The mesh, examples/solids/scanned_rock_sp2.obj, says in its head where it comes from. Three questions: which part of the rock's
 tilt depends on what is taken to touch; how far off is a section through the centroid, in the direction in which the rock is
 tilted; and with what probability does it move at a tilt, if azimuth, contact and friction are not known.
 
@@ -20,7 +20,7 @@ import numpy as np
 
 import topple
 
-MESH = Path(__file__).resolve().parent.parent / "meshes" / "scanned_rock_sp2.obj"
+MESH = Path(__file__).resolve().parent.parent / "solids" / "scanned_rock_sp2.obj"
 BANDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02)  # metres
 SEEN = 0.002  # the band of the sections
 STEP = 5  # degrees of azimuth
