@@ -24,7 +24,7 @@ DEFINED = [
     for pattern in (
         r"^static\b[^;{=]*?(\w+)\s*[(\[=;,]",
         r"^(?:typedef|static)\b[^;{}]*?\(\*(\w+)\)",
-        r"^typedef\b[^;{}]*?(\w+)(?:\([^;]*\))?;",
+        r"^typedef\b[^;{}]*?(\w+)(?:\s*__attribute__\(\([^;]*\)\))?(?:\([^;]*\))?;",
         r"^\} (\w+);",
         r"^(?:static |const |typedef )*(?:struct|union|enum) (\w+) \{",
         r"^START_TEST\((\w+)\)",

@@ -31,9 +31,10 @@ class Units(unittest.TestCase):
                 for unit in units if unit.exists()]
 
     def test_the_same_name_in_files_apart(self):
-        """A function, a table, a type, a structure, a constant and a test that two files name, each in a pair of its own."""
+        """A function, a table, types, a structure, a constant and a test that two files name, each in a pair of its own."""
         pairs = ["static void add(int a) {\n}\n", "static const char *const add[] = {\n  0};\n", "typedef struct {\n  int a;\n} add;\n",
-                 "struct add {\n  int a;\n};\n", "enum { MANY = 3, add = 4 };\n", "typedef int (*add)(int);\n", "START_TEST(add) {\n}\n"]
+                 "struct add {\n  int a;\n};\n", "enum { MANY = 3, add = 4 };\n", "typedef int (*add)(int);\n", "START_TEST(add) {\n}\n",
+                 "typedef double add __attribute__((vector_size(16)));\n"]
         for text in pairs:
             units = self.group({"a.c": text, "b.c": text, "c.c": "int other;\n"}, 2)
             self.assertEqual(sorted(sum(units, [])), ["a.c", "b.c", "c.c"], text)
