@@ -10,6 +10,7 @@
 #include "common/options.h"
 #include "common/outside.h"
 #include "scene_varying/settings.h"
+#include "solid_tilt/on_contacts.h"
 #include "solid_tilt/repaired.h"
 #include "solid_tilt/rose.h"
 
