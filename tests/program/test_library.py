@@ -48,7 +48,8 @@ def blocks_of(language, page="library.md"):
 
 ARRAY, SOLVE = blocks_of("c")
 ARRAY_PRINTS, SOLVE_PRINTS = blocks_of("text")
-(MEMORY,) = blocks_of("c", "scene_in_memory.md")
+MEMORY, SYSTEM = blocks_of("c", "scene_in_memory.md")
+(SYSTEM_PRINTS,) = blocks_of("text", "scene_in_memory.md")
 (BLOCKS,) = blocks_of("c", "blocks.md")
 (BLOCKS_PRINT,) = blocks_of("text", "blocks.md")
 (CMAKE,) = blocks_of("cmake")
@@ -65,8 +66,8 @@ class Library(unittest.TestCase):
         cls.libraries = next(cls.root.rglob("pkgconfig/topple.pc")).parent.parent
         cls.folder = pathlib.Path(folder.name) / "use"
         cls.folder.mkdir()
-        for name, text in (("array.c", ARRAY), ("solve.c", SOLVE), ("memory.c", MEMORY), ("blocks.c", BLOCKS),
-                           ("draw.c", DRAW)):
+        for name, text in (("array.c", ARRAY), ("solve.c", SOLVE), ("memory.c", MEMORY), ("system.c", SYSTEM),
+                           ("blocks.c", BLOCKS), ("draw.c", DRAW)):
             (cls.folder / name).write_text(text, encoding="utf-8")
         shutil.copy(ROOT / "examples" / "block_e_valley.yaml", cls.folder / "scene.yaml")
 
@@ -139,6 +140,10 @@ class Library(unittest.TestCase):
             program = self.compile(compiler, "memory.c", self.flags("topple"))
             out = self.run_in(program, LD_LIBRARY_PATH=str(self.libraries))
             self.assertRegex(out, r"^\d+\.\d+ degrees\n$")
+
+    def test_blocks_in_memory(self):
+        program = self.compile(COMPILERS[0], "system.c", self.flags("topple"))
+        self.assertEqual(self.run_in(program, LD_LIBRARY_PATH=str(self.libraries)), SYSTEM_PRINTS)
 
     def test_many_blocks(self):
         program = self.compile(COMPILERS[0], "blocks.c", self.flags("topple"))

@@ -138,7 +138,7 @@ class Repairs(SceneCase):
             self.assertAlmostEqual(got["repair"]["closed_area_share"]["value"], own / whole, 9)
             self.assertGreater(got["repair"]["closed_volume_share"]["value"], 0)
             note, = (n["text"] for n in got["notes"] if "is an assumption" in n["text"])
-            self.assertIn("1 gap is closed", note)
+            self.assertIn("which is an assumption: 1. ", note)
             feet = json.loads(run("solid", "--json", "--unit=ft", "--repair", f"{self.folder}/rock.obj")[1])
             self.assertAlmostEqual(feet["repair"]["gaps"][0]["area_m2"]["value"], own * 0.3048 ** 2, 9)
 
@@ -222,6 +222,13 @@ class Repairs(SceneCase):
             self.assertEqual(status, 0, err)
         with open(f"{self.folder}/sheet.html", encoding="utf-8") as sheet:
             self.assertIn("is an assumption", sheet.read())
+        status, out, err = run("solve", "--report", f"{self.folder}/sheet.html", "--language", "es", path)
+        self.assertEqual(status, 0, err)
+        with open(f"{self.folder}/sheet.html", encoding="utf-8") as sheet:
+            text = sheet.read()
+        self.assertIn("lo que es una suposición: 1", text)
+        self.assertIn("En el hueco mayor, 4 m² con 4 puntos alrededor de", text)
+        self.assertNotIn("repair:", text.replace("repair: true", ""))
         status, out, err = run("sweep", "--x", "tilt.angle_deg=0,10", path)
         self.assertEqual(status, 0, err)
         self.put("rock.obj", exact_obj([[x + Fraction(k, 10 ** 4) for x in points[v]] for k, f in enumerate(faces) for v in f],

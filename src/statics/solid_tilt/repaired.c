@@ -114,12 +114,12 @@ static tp_status note_gaps(tp_solid *solid, tp_place place, tp_message *message)
              ? TP_OK
              : tp_notes_add(
                    &solid->notes, message, TP_CAUTION, place,
-                   "repair: the surface was open. %zu gap%s closed between %s own points, which is "
-                   "an assumption: %.3g %% of the area was not measured, and %.3g %% of the volume "
-                   "lies between its middle and there. The largest, %.3g m² of %zu points about "
-                   "(%.6g, %.6g, %.6g), has the rock beyond it left out, or air taken for rock",
-                   count, count == 1 ? " is" : "s are", count == 1 ? "its" : "their",
-                   100 * own->closed_area_share.value, 100 * own->closed_volume_share.value,
+                   "repair: the surface was open. Gaps closed by triangles between their own "
+                   "points, which is an assumption: %zu. Of the area %.3g %% was not measured, and "
+                   "%.3g %% of the volume lies between the middle of the rock and there. In the "
+                   "largest gap, %.3g m² of %zu points about (%.6g, %.6g, %.6g), rock may be left "
+                   "out, or air be taken for rock",
+                   count, 100 * own->closed_area_share.value, 100 * own->closed_volume_share.value,
                    most->area_m2.value, most->corners, most->middle[0], most->middle[1],
                    most->middle[2]);
 }
