@@ -28,20 +28,10 @@ typedef struct pair {
 /* The sides of an edge of a surface; how many there are. */
 static long find_edge(const tp_side **found, const tp_sides *sides, const tp_surface *s, int a,
                       int b) {
-  const int low = a < b ? a : b, high = a < b ? b : a;
-  if (low >= s->vertex_count) return 0;
-  long first = sides->starts[low], end = sides->starts[low + 1];
-  while (first < end) {
-    const long middle = first + (end - first) / 2;
-    if (sides->items[middle].other < high) {
-      first = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  *found = sides->items + first;
-  while (end < sides->starts[low + 1] && sides->items[end].other == high) end++;
-  return end - first;
+  long count = 0;
+  if ((a < b ? a : b) >= s->vertex_count) return 0;
+  *found = tp_sides_edge(&count, sides, a, b);
+  return count;
 }
 
 static bool has_corner(const int *corners, int vertex) {
