@@ -61,8 +61,8 @@ static tp_status read_list(const tp_reader *reader, const list *l) {
   return status;
 }
 
-static size_t length(const tp_node *list) {
-  return list != NULL && list->kind == TP_NODE_SEQUENCE ? (size_t)list->count : 0;
+static size_t length(const tp_node *node) {
+  return node != NULL && node->kind == TP_NODE_SEQUENCE ? (size_t)node->count : 0;
 }
 
 tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *node) {

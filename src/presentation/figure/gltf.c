@@ -21,12 +21,12 @@ enum { BUFFER_OF_POINTS = 34962, BUFFER_OF_INDICES = 34963 };
 enum { FLOAT = 5126, UNSIGNED = 5125 };
 
 /* Linear shares of red, green and blue. */
-typedef struct material {
+typedef struct coloured_material {
   const char *name;
   double ink[3];
-} material;
+} coloured_material;
 
-static const material materials[TP_GLTF_MATERIALS] = {
+static const coloured_material materials[TP_GLTF_MATERIALS] = {
     [TP_GLTF_ROCK] = {"rock", {0.5, 0.46, 0.4}},      [TP_GLTF_RED] = {"red", {0.66, 0.11, 0}},
     [TP_GLTF_BLUE] = {"blue", {0, 0.17, 0.45}},       [TP_GLTF_GREEN] = {"green", {0, 0.34, 0.17}},
     [TP_GLTF_PURPLE] = {"purple", {0.6, 0.19, 0.39}}, [TP_GLTF_BLACK] = {"black", {0, 0, 0}}};
@@ -163,7 +163,7 @@ static void write_shape(tp_json *j, const tp_gltf_shape *own) {
   tp_json_close(j);
 }
 
-static void write_material(tp_json *j, const material *own) {
+static void write_material(tp_json *j, const coloured_material *own) {
   tp_json_object(j, NULL, TP_JSON_LINE);
   tp_json_string(j, "name", own->name);
   if (own == materials + TP_GLTF_ROCK) tp_json_truth(j, "doubleSided", true);

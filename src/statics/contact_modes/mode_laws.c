@@ -109,9 +109,9 @@ static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) 
     closed[e] = (mode & tp_modes_closed(e)) != 0;
     const long at = s->normal_at[2 * k + e];
     if (closed[e] && at < 0) continue; /* idle */
-    const sign sign = closed[e] ? sign_of(force(s, at)) : sign_of_velocity(s, k, e, false, false);
-    if (sign == SIGN_HOLDS) continue;
-    own->idle[e] = !closed[e] && sign == SIGN_TIED;
+    const sign found = closed[e] ? sign_of(force(s, at)) : sign_of_velocity(s, k, e, false, false);
+    if (found == SIGN_HOLDS) continue;
+    own->idle[e] = !closed[e] && found == SIGN_TIED;
     closed[e] = !closed[e];
     bears = bears || (closed[e] && !own->idle[e]);
     changed = true;
@@ -128,18 +128,18 @@ static bool change_slip(tp_trial_mode *own, const tp_mode_equations *s, long k) 
                           (own->mode & tp_modes_closed(1)) != 0};
   if (normals[0] < 0 && normals[1] < 0) return false;
   if (s->shear_at[k] >= 0) {
-    const sign sign = sign_of_reserve(s, k);
-    if (sign == SIGN_HOLDS) return false;
+    const sign found = sign_of_reserve(s, k);
+    if (found == SIGN_HOLDS) return false;
     const bool back = arf_sgn(arb_midref(force(s, s->shear_at[k]))) > 0;
-    own->spent = sign == SIGN_FAILS ? 0 : back ? -1 : 1;
-    if (sign == SIGN_FAILS) set_mode(own, closed, back ? TP_MODE_BACK : TP_MODE_FORWARD);
+    own->spent = found == SIGN_FAILS ? 0 : back ? -1 : 1;
+    if (found == SIGN_FAILS) set_mode(own, closed, back ? TP_MODE_BACK : TP_MODE_FORWARD);
     return true;
   }
   if (own->spent != 0) return false;
   const bool back = (own->mode & TP_MODES_BACK) != 0;
-  const sign sign = sign_of_velocity(s, k, 0, true, back);
-  if (sign == SIGN_HOLDS) return false;
-  own->spent = sign == SIGN_FAILS ? 0 : back ? -1 : 1;
+  const sign found = sign_of_velocity(s, k, 0, true, back);
+  if (found == SIGN_HOLDS) return false;
+  own->spent = found == SIGN_FAILS ? 0 : back ? -1 : 1;
   set_mode(own, closed, TP_MODE_STICKS);
   return true;
 }
