@@ -158,6 +158,14 @@ class PageCase(unittest.TestCase):
     def mouse(self, kind, x, y, **words):
         self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1, **words)
 
+    def double_click(self, x, y):
+        if IN_FIREFOX:
+            self.browser.double_click(x, y)
+            return
+        for clicks in (1, 2):
+            for kind in ("mousePressed", "mouseReleased"):
+                self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=clicks)
+
     def drag(self, key, dx, dy, steps=12, pace=0.0):
         """@return where it was let go."""
         x, y = self.knob(key)

@@ -176,9 +176,7 @@ class Hand(DrawnCase):
         before = self.text()
         (x0, y0), (x1, y1) = self.knob("block.outline.2"), self.knob("block.outline.3")
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
-        for clicks in (1, 2):
-            for kind in ("mousePressed", "mouseReleased"):
-                self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=clicks)
+        self.double_click(x, y)
         self.answered()
         added = re.search(r"\[110, 60\], \[([-\d.]+), ([-\d.]+)\], \[60, 140\]", self.text())
         self.assertAlmostEqual(float(added.group(1)), 85, delta=1.5)
