@@ -2,17 +2,22 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Solids on the page: their meshes as triangles, turns of them, and the picture that follows hand, keys and tilt."""
 
+import json
 import math
+import pathlib
 import re
 import struct
+import tempfile
 import time
 import unittest
 
 import picture
 from node_case import NODE, node
-from page_case import ROOT, main
+from page_case import IN_FIREFOX, KNOWN, ROOT, PageCase, main, run
 from panel_case import PanelCase
 
+YAML = ROOT / "src" / "applications" / "explorer" / "node_modules" / "yaml"
+WITHOUT_WEBGL = "const all = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl' ? null : all.call(this, kind, ...rest); };"
 SOLID = ROOT / "src" / "applications" / "explorer" / "solid"
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]]
 FACES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -37,6 +42,51 @@ class Parts(unittest.TestCase):
         quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n"
         self.assertEqual(node(SOLID / "mesh.js", "return given.map((content) => it.trianglesOf(content)?.length ?? null);", [quad, "no mesh", "v 0 0 0\nf 1 2 3\n"]), [18, None, None])
 
+    def test_a_plane_cuts_a_mesh(self):
+        """Of the tetrahedron of volume 1 and height 3: above a third of it (2/3)³ are left, below 19/27, and half its width in x leaves 1/8;
+        the section is closed, edge by edge, and as large as the sides say; a plane that meets corners alone cuts nothing."""
+        body = """const mesh = it_.trianglesOf(given.text); return given.planes.map(([up, level]) => { const { above, section } = it.cutMesh(mesh, up, level);
+          return [it_.volumeOf(above, up.map((each) => each * level)), section, above.length, it.lowestOf(mesh, up)]; });"""
+        body = f"const it_ = await import({json.dumps((SOLID / 'mesh.js').as_uri())});" + body
+        planes = [[[0, 0, 1], 1], [[0, 0, -1], -1], [[1, 0, 0], 0.5], [[0, 0, 1], 0], [[0, 0, 1], 4]]
+        found = node(SOLID / "cut_mesh.js", body, {"text": OBJ, "planes": planes})
+        for (volume, section, _, lowest), expected, area, least in zip(found, (8 / 27, 19 / 27, 1 / 8), (4 / 9, 4 / 9, 3 / 4), (0, -3, 0)):
+            self.assertAlmostEqual(volume, expected, places=12)
+            self.assertEqual(lowest, least)
+            ends = {tuple(round(c, 9) for c in start): tuple(round(c, 9) for c in end) for start, end in section}
+            self.assertEqual(set(ends), set(ends.values()))
+            twice = [sum(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3] for a, b in ends.items()) for k in range(3)]
+            self.assertAlmostEqual(max(map(abs, twice)) / 2, area, places=9)
+        self.assertEqual([(count, len(section)) for _, section, count, _ in found[3:]], [(36, 0), (0, 0)])
+
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_the_core_has_the_volume_that_is_drawn(self):
+        """A rock cut from its ground in other units, aslant, far off and by two points of a known distance: in each what is drawn has the
+        volume that the program tells, or it would not be; of a mesh of another volume nothing is."""
+        rock = (ROOT / "examples" / "solids" / "balanced_rock.obj").read_text(encoding="utf-8")
+        far = re.sub(r"^v (\S+) (\S+)", lambda m: f"v {500_000 + float(m[1]):.3f} {4_000_000 + float(m[2]):.3f}", rock, flags=re.M)
+        text = (ROOT / "examples" / "solids" / "rock_in_the_ground.yaml").read_text(encoding="utf-8")
+        texts = [text, text.replace("unit: m\n", "unit: cm\n").replace("length_unit: cm", "length_unit: mm").replace("below: 0.1 ", "below: 2 "),
+                 text.replace("unit: m\n  unit_w", "scale: {from: [0, 0, 0], to: [0, 3, 4], length: 2.5}\n  unit_w"),
+                 text.replace("below: 0.1 ", "below: 0.3\n  up: [0.2, -0.1, 2]").replace("tilt: {angle_deg: 5, azimuth_deg: 120}\n", "")]
+        body = """const {SceneText} = await import(given.module);
+          return given.each.map(([answer, text, rock]) => { const mesh = it.meshOf(answer, new SceneText(text), {"balanced_rock.obj": rock});
+            return mesh && [mesh.unit, mesh.section.length, mesh.near.length, mesh.reach]; });"""
+        each = []
+        with tempfile.TemporaryDirectory() as folder:
+            for mesh, scene in [(rock, scene) for scene in texts] + [(far, text)]:
+                (pathlib.Path(folder) / "balanced_rock.obj").write_text(mesh, encoding="utf-8")
+                (pathlib.Path(folder) / "scene.yaml").write_text(scene, encoding="utf-8")
+                status, out, err = run("solve", "--json", "scene.yaml", folder=pathlib.Path(folder))
+                self.assertEqual(status, 0, err)
+                each.append([json.loads(out), scene, mesh])
+        each.append([{**each[0][0], "volume_m3": {"value": 2.2, "error": 0}}, text, rock])
+        *drawn, none = node(SOLID / "solid_mesh.js", body, {"module": (SOLID.parent / "scene" / "scene_text.js").as_uri(), "each": each})
+        self.assertIsNone(none)
+        self.assertEqual([unit for unit, *_ in drawn], [1, 0.01, 0.5, 1, 1])
+        self.assertTrue(all(section > 10 for _, section, *_ in drawn), drawn)
+        self.assertEqual(drawn[4][1:3], drawn[0][1:3])
+
     def test_turns(self):
         """Up comes upright; what lies towards the azimuth goes down by the tilt, what lies across stays; nothing is stretched."""
         ups = [[0, 0, 1], [0, 0, -2], [0, 1, 0], [0.3, -0.4, 0.5]]
@@ -60,8 +110,6 @@ class Solid(PanelCase):
 
     def setUp(self):
         super().setUp()
-        if self.value("document.createElement('canvas').getContext('webgl') === null"):
-            self.skipTest("this browser draws nothing by WebGL here: its page shows the report of a solid")
         self.example("balanced_rock")
         self.awaits("!document.getElementById('solid-stage').hidden")
         time.sleep(0.3)
@@ -69,7 +117,10 @@ class Solid(PanelCase):
     def rock(self):
         """Dots whose red, green and blue stand to each other as the block's, of whatever light."""
         _, _, found = picture.dots(self.picture())
-        return sum(count for (r, g, b), count in found.items() if r > 60 and 0.75 < g / r < 0.92 and 0.45 < b / r < 0.68)
+        return sum(count for dot, count in found.items() if self.of_rock(*dot))
+
+    def of_rock(self, r, g, b):
+        return r > 60 and 0.75 < g / r < 0.92 and 0.45 < b / r < 0.68
 
     def edge(self):
         return self.value("document.querySelector('.solid-lines .edge').getAttribute('d')")
@@ -78,7 +129,7 @@ class Solid(PanelCase):
         self.assertGreater(self.rock(), 30_000)
         self.assertEqual(self.said("#verdict-said"), "Stands at 5°")
         self.assertIn("1.641", self.said("#factor-said"))
-        self.assertIn("tilted by 5° towards 120°", self.said(".solid-lines text"))
+        self.assertIn("tilted by 5° towards 120°", self.said(".solid-words"))
 
     def test_wedge_and_contacts(self):
         """A wedge, which no file has, between its planes, with the line that it would slide along; points that a rock lies on."""
@@ -89,9 +140,36 @@ class Solid(PanelCase):
                 self.example(name)
                 self.assertEqual(self.said("#verdict-said"), said)
                 self.assertIn(factor, self.said("#factor-said"))
-                self.assertIn(words, self.said(".solid-lines text"))
+                self.assertIn(words, self.said(".solid-words"))
                 self.assertEqual(self.value(f"document.querySelectorAll('.solid-lines:not(.below-mesh) .{kind}').length"), count)
                 self.assertGreater(self.rock(), 5_000)
+
+    def test_cut_from_its_ground(self):
+        """What lies above the plane, on its section, with the hull that it rests on; from below nothing of the rock goes on, and whole
+        again it is larger."""
+        self.example("rock_in_the_ground")
+        self.assertEqual(self.said("#verdict-said"), "Stands at 5°")
+        self.assertIn("cut 0.1 m over its lowest point", self.said(".solid-words"))
+        self.assertEqual(len(re.findall("M", self.value("document.querySelector('.solid-lines .cut').getAttribute('d')"))), 36)
+        self.assertGreater(self.rock(), 30_000)
+        self.example("balanced_rock")
+        self.assertEqual(self.value("document.querySelector('.solid-lines .cut').getAttribute('d')"), "")
+
+    @unittest.skipIf(IN_FIREFOX, "one browser draws by both, the other by what it has")
+    def test_the_processor_draws_the_same(self):
+        """Without WebGL, which is said: as many dots of the rock, of the same light, but for those of its edge."""
+        _, _, first = picture.dots(self.picture())
+        self.assertNotIn("WebGL", self.said(".solid-words"))
+        PageCase.load(self, kept=KNOWN + WITHOUT_WEBGL)
+        self.example("balanced_rock")
+        time.sleep(0.3)
+        self.assertIn("drawn without WebGL", self.said(".solid-words"))
+        _, _, second = picture.dots(self.picture())
+        lights = [sorted(r for (r, g, b), count in found.items() for _ in range(count) if self.of_rock(r, g, b)) for found in (first, second)]
+        self.assertAlmostEqual(len(lights[1]), len(lights[0]), delta=0.03 * len(lights[0]))
+        for share in range(5, 100, 5):
+            one, other = (light[len(light) * share // 100] for light in lights)
+            self.assertAlmostEqual(other, one, delta=3, msg=share)
 
     def test_turned_by_hand_and_keys(self):
         before = self.edge()
@@ -112,7 +190,7 @@ class Solid(PanelCase):
         self.value("(() => { const f = document.querySelector('#numbers input[type=text]'); f.value = '9'; f.dispatchEvent(new Event('input')); })()")
         self.answered()
         self.assertNotEqual(self.edge(), edge)
-        self.assertIn("tilted by 9°", self.said(".solid-lines text"))
+        self.assertIn("tilted by 9°", self.said(".solid-words"))
         x = re.findall(r"[-\d.]+", self.value("document.querySelector('.solid-lines .weight').getAttribute('d')"))
         self.assertAlmostEqual(float(x[0]), float(x[2]), places=1)
         self.example("slab_left")

@@ -10,6 +10,7 @@ import { element } from "./element.js";
 import { language, say } from "../words/language.js";
 
 const REPORT_MAX_MS = 60_000;
+const BROKEN = 60; // characters at which a sentence may go on in the next line
 const SHEET = ".report.html";
 
 /** What asks for a sheet in that of the page, where the scene names none. @param {import("../scene/store.js").SceneStore} store @returns {string[]} */
@@ -29,9 +30,16 @@ export async function reportOf(panel, core) {
   return sheet === undefined ? textOf(answer.out + answer.err) : sheetOf(sheet);
 }
 
-/** @param {string} text */
+/** Lines as they stand, but for paragraphs of sentences, which are as wide as the page. @param {string} text */
 export function textOf(text) {
-  return element("pre", { class: "wide", tabindex: 0, "aria-label": "Report" }, text);
+  const parts = text.split(/(?<=\n)(?=\n)/).map((part) => (isProse(part) ? element("span", { class: "prose" }, part) : part));
+  return element("pre", { class: "wide", tabindex: 0, "aria-label": "Report" }, parts);
+}
+
+/** Several lines, as long as words let them be, neither indented nor in columns. */
+function isProse(part) {
+  const lines = part.replace(/^\n|\n$/g, "").split("\n");
+  return lines.length > 1 && lines.every((line) => /^\S/.test(line) && !line.includes("  ")) && lines.slice(0, -1).every(({ length }) => length >= BROKEN);
 }
 
 /** As a page of its own, in which no script runs. */

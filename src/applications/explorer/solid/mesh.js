@@ -61,11 +61,15 @@ function fans(points, faces) {
   return numbers.length === 0 ? null : Float64Array.from(numbers);
 }
 
-/** @param {Triangles} triangles @returns {number} the volume that they enclose, in lengths of the mesh */
-export function volumeOf(t) {
+/**
+ * @param {Triangles} triangles @param {number[]} from where tetrahedra to them begin: on the plane of an open face its own has no volume
+ * @returns {number} the volume that they enclose, in lengths of the mesh
+ */
+export function volumeOf(triangles, from = [0, 0, 0]) {
   let six = 0;
-  for (let k = 0; k < t.length; k += 9) {
-    six += t[k] * (t[k + 4] * t[k + 8] - t[k + 5] * t[k + 7]) - t[k + 1] * (t[k + 3] * t[k + 8] - t[k + 5] * t[k + 6]) + t[k + 2] * (t[k + 3] * t[k + 7] - t[k + 4] * t[k + 6]);
+  for (let k = 0; k < triangles.length; k += 9) {
+    const [a, b, c, d, e, f, g, h, i] = triangles.subarray(k, k + 9).map((value, at) => value - from[at % 3]);
+    six += a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
   }
   return Math.abs(six / 6);
 }

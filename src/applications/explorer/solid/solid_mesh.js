@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
 /**
- * The triangles of a scene's solid, to be looked at: of the file that it names, or of the wedge between its planes. They are drawn
- * only where they are as many as the core counts, and a wedge only where it encloses the core's volume. What a plane cuts is not drawn.
+ * The triangles of a scene's solid, to be looked at: of the file that it names, what a plane leaves of it, or the wedge between its
+ * planes. They are drawn only where they are as many as the core counts and enclose the core's volume.
  */
 
+import { cutMesh, lowestOf } from "./cut_mesh.js";
 import { UNITS } from "../scene/length_units.js";
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { trianglesOf, volumeOf } from "./mesh.js";
@@ -17,35 +18,58 @@ const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
  * @typedef {object} SolidMesh
  * @property {Float64Array} near triangles from the centroid, in lengths of the mesh
  * @property {number} unit metres in such a length @property {number[]} centroid @property {number} reach of the farthest corner
+ * @property {number[][][]} section where a plane cuts it, pairs of points from the centroid; empty: none does
  */
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
-  if (solution.below !== undefined) return null; // of what a plane cuts off the core tells no unit
   const content = files[scene.scalar(["solid", "file"]) ?? ""];
-  const triangles = content === undefined ? wedgeOf(scene, solution.volume_m3.value) : trianglesOf(content);
-  if (triangles === null || triangles.length !== 9 * solution.triangles) return null;
-  // metres in a length of the mesh, by the volume that the core tells
-  const unit = Math.cbrt(solution.volume_m3.value / volumeOf(triangles));
+  const triangles = content === undefined ? wedgeOf(scene) : trianglesOf(content);
+  const unit = content === undefined ? sceneUnit(scene) : meshUnit(scene);
+  if (triangles === null || unit === null || triangles.length !== 9 * solution.triangles) return null;
   const centroid = solution.centroid_m.map(({ value }) => value / unit);
-  const near = triangles.map((value, k) => value - centroid[k % 3]);
+  const whole = triangles.map((value, k) => value - centroid[k % 3]);
+  const up = solution.up.map((each) => each / Math.hypot(...solution.up));
+  const level = solution.below === undefined ? null : lowestOf(whole, up) + (solution.below * sceneUnit(scene)) / unit;
+  const { above: near, section } = level === null ? { above: whole, section: [] } : cutMesh(whole, up, level);
+  const volume = volumeOf(near, level === null ? [0, 0, 0] : up.map((each) => each * level)) * unit ** 3;
+  // cavities are not seen, but taken off by the core
+  if (scene.count(["solid", "holes"]) === null && Math.abs(volume - solution.volume_m3.value) > AGREES * volume) return null;
   let reach = 0;
   for (let k = 0; k < near.length; k += 3) reach = Math.max(reach, Math.hypot(near[k], near[k + 1], near[k + 2]));
-  return { near, unit, centroid, reach };
+  return { near, unit, centroid, reach, section };
+}
+
+/** Metres in a length of the scene. @returns {number|null} */
+function sceneUnit(scene) {
+  return metresIn(scene.scalar(["length_unit"]));
+}
+
+/** Metres in a length of its mesh, which has a unit, or two points that lie so far apart. @returns {number|null} */
+function meshUnit(scene) {
+  const parameters = parameterValues(scene);
+  const number = (...path) => quantity(scene, ["solid", "scale", ...path], parameters).value;
+  const long = number("length");
+  if (long === null) return metresIn(scene.scalar(["solid", "unit"])) ?? sceneUnit(scene);
+  return (long * sceneUnit(scene)) / Math.hypot(...[0, 1, 2].map((axis) => number("to", axis) - number("from", axis)));
+}
+
+function metresIn(unit) {
+  const [over, under] = UNITS[unit] ?? [];
+  return over === undefined ? null : Number(over) / Number(under);
 }
 
 /**
  * Its corners are the toe, which is the origin, the other end of the line of both joints, and where either joint meets face and
- * ground above. With a tension crack it has others, and is not drawn.
+ * ground above. With a tension crack it has others, so that volumes differ, and is not drawn.
  * @returns {Float64Array|null}
  */
-export function wedgeOf(scene, volume) {
+export function wedgeOf(scene) {
   const parameters = parameterValues(scene);
   const number = (...path) => quantity(scene, ["solid", "wedge", ...path], parameters).value;
   const [a, b, face, upper] = ["a", "b", "face", "upper"].map((name) => normalOf(number(name, "dip_deg"), number(name, "dip_direction_deg")));
   const height = number("height");
-  const [over, under] = UNITS[scene.scalar(["length_unit"])] ?? [];
-  if ([a, b, face, upper, height, over].some((each) => each === null || each === undefined)) return null;
+  if ([a, b, face, upper, height].includes(null)) return null;
   const line = cross(a, b);
   const top = line.map((each) => (each * height) / line[2]);
   const side = (joint) => {
@@ -53,9 +77,7 @@ export function wedgeOf(scene, volume) {
     return along.map((each) => (each * dot(upper, top)) / dot(upper, along));
   };
   const corners = [[0, 0, 0], top, side(a), side(b)];
-  const triangles = Float64Array.from(FACES.flatMap((corner) => corner.flatMap((at) => corners[at])));
-  const own = volumeOf(triangles) * (Number(over) / Number(under)) ** 3;
-  return Math.abs(own - volume) <= AGREES * volume ? triangles : null;
+  return Float64Array.from(FACES.flatMap((corner) => corner.flatMap((at) => corners[at])));
 }
 
 /** Upwards, of a plane that dips towards an azimuth. @returns {number[]|null} */

@@ -3,8 +3,8 @@
 
 /**
  * A solid on its base, tilted as the scene says, to be turned by the hand or by arrow keys: the mesh, the support within the band
- * that governs, the edge that it topples about, its weight, and the way down. Where a browser cannot draw it, or there is no
- * mesh of it, its report stands alone.
+ * that governs, the edge that it topples about, its weight, and the way down; of one that a plane cuts what lies above, on its
+ * section. A browser without WebGL draws it by the processor. Where there is no mesh of it, its report stands alone.
  */
 
 import { belowBadge } from "../drawing/view.js";
@@ -12,6 +12,7 @@ import { degreesText } from "../panels/certain.js";
 import { element, refill, svgElement } from "../panels/element.js";
 import { numeral, say } from "../words/language.js";
 import { MeshPicture } from "./mesh_picture.js";
+import { SoftwarePicture } from "./software_picture.js";
 import { meshOf } from "./solid_mesh.js";
 import { FIRST, after, seenFrom, tilted, turned, upright } from "./turning.js";
 
@@ -21,13 +22,12 @@ const CLOSER = 1.2;
 const DISC = 48; // corners of the ground that is drawn
 const WEIGHT = 0.8; // of the solid's reach
 const NORMAL = 0.25; // of it, of a contact
-const LINE = 19; // dots, of words
 const SLIDES = 0.7; // of it, beyond the toe of a wedge
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class SolidView {
   #eye = { ...FIRST, zoom: 1 };
-  #read = null; // the file that the mesh is of
+  #read = null; // what the mesh is of, and whether there is one
 
   /** @param {HTMLElement} place @param {import("../scene/store.js").SceneStore} store */
   constructor(place, store) {
@@ -36,7 +36,8 @@ export class SolidView {
     this.canvas = element("canvas", { tabindex: 0, role: "img", onkeydown: (event) => this.#key(event), onwheel: (event) => this.#wheel(event),
       onpointerdown: (event) => this.canvas.setPointerCapture(event.pointerId), onpointermove: (event) => event.buttons === 1 && this.#drag(event) });
     this.lines = svgElement("svg", { class: "solid-lines", "aria-hidden": "true" });
-    place.append(this.ground, this.canvas, this.lines);
+    this.words = element("p", { class: "solid-words" });
+    place.append(this.ground, this.canvas, this.lines, this.words);
     this.picture = null; // made for the first solid: most pages need none
     store.addEventListener("solution", () => this.#solved());
     new ResizeObserver(() => this.#draw()).observe(place);
@@ -45,7 +46,7 @@ export class SolidView {
 
   #solved() {
     const { solution } = this.store;
-    if (solution.kind === "solid") this.picture ??= new MeshPicture(this.canvas);
+    if (solution.kind === "solid") this.picture ??= pictureOn(this.canvas);
     const shown = solution.kind === "solid" && this.picture.works && this.#mesh(solution);
     document.body.classList.toggle("solid", shown);
     this.place.hidden = !shown;
@@ -58,18 +59,20 @@ export class SolidView {
   /** @returns {boolean} whether there is one */
   #mesh(solution) {
     const { parsed, files } = this.store;
-    // of a mesh in a file nothing but the file counts, which is read once
+    // of a mesh in a file nothing but the file counts, and where it is cut; it is read once
     const content = files[parsed.scalar(["solid", "file"]) ?? ""] ?? parsed.text;
-    if (content === this.#read?.content) return this.#read.fits;
+    const of = [content, solution.volume_m3.value, ...solution.up];
+    if (this.#read !== null && of.every((each, k) => each === this.#read.of[k])) return this.#read.fits;
     const mesh = meshOf(solution, parsed, files);
-    this.#read = { content, fits: mesh !== null };
+    const another = content !== this.#read?.of[0];
+    this.#read = { of, fits: mesh !== null };
     if (mesh === null) return false;
     const { near } = Object.assign(this, mesh);
     this.up = upright(solution.up);
     this.lowest = Infinity;
     for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
     this.picture.set(near);
-    this.#eye = { ...FIRST, zoom: 1 };
+    if (another) this.#eye = { ...FIRST, zoom: 1 };
     return true;
   }
 
@@ -110,19 +113,24 @@ export class SolidView {
     const edge = [least?.edge_from, least?.edge_to].filter((end) => end !== undefined).map((end) => own(end.map((value, k) => value - this.centroid[k])));
     const at = (point) => own(point.map((value, k) => value - this.centroid[k]));
     const contacts = (solution.contacts?.contacts ?? []).map((contact) => path([at(contact.at), at(contact.at.map((value, k) => value + NORMAL * reach * contact.normal[k]))]));
-    refill(this.lines, contacts.map((d) => svgElement("path", { class: "touching", d })),
+    const section = this.section.map((ends) => ends.map(own));
+    refill(this.lines, svgElement("path", { class: "section", d: section.map(([from, to]) => "M" + section[0][0] + "L" + from + "L" + to + "Z").join("") }),
+      svgElement("path", { class: "cut", d: section.map(([from, to]) => "M" + from + "L" + to).join("") }),
+      contacts.map((d) => svgElement("path", { class: "touching", d })),
       solution.wedge === undefined ? null : svgElement("path", { class: "way", d: path([at([0, 0, 0]), at(alongLine(solution.wedge, reach))]) }), svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
-      svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }),
-      this.#words(band).reverse().map((words, k) => svgElement("text", { x: 12, y: Number(this.lines.viewBox.baseVal.height) - 12 - LINE * k }, words)));
+      svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }));
+    refill(this.words, this.#words(band).map((words) => element("span", {}, words)));
   }
 
   /** Line by line. @returns {string[]} */
   #words(band) {
     const { wedge } = this.solution;
     if (wedge !== undefined) return [say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)))];
-    const tilt = this.solution.tilt_angle_deg;
-    return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((this.solution.tilt_azimuth_deg ?? 0) + "") + "°") : null,
-      band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " m")].filter((each) => each !== null);
+    const { tilt_angle_deg: tilt, tilt_azimuth_deg: azimuth, below, length_unit: unit } = this.solution;
+    return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((azimuth ?? 0) + "") + "°") : null,
+      below !== undefined ? say("cut %s over its lowest point: it rests on the section", numeral(below + "") + " " + unit)
+        : band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " " + unit),
+      this.picture instanceof SoftwarePicture ? say("drawn without WebGL: a large mesh turns slowly") : null].filter((each) => each !== null);
   }
 
   #drag(event) {
@@ -158,4 +166,10 @@ export class SolidView {
 function alongLine({ plunge_deg: plunge, trend_deg: trend }, reach) {
   const [p, t] = [plunge, trend].map(({ value }) => (value * Math.PI) / 180);
   return [Math.cos(p) * Math.sin(t), Math.cos(p) * Math.cos(t), -Math.sin(p)].map((each) => SLIDES * reach * each);
+}
+
+/** By the graphics card where the browser lets it, else by the processor. @param {HTMLCanvasElement} canvas */
+function pictureOn(canvas) {
+  const picture = new MeshPicture(canvas);
+  return picture.gl === null ? new SoftwarePicture(canvas) : picture;
 }
