@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Whether any motion of a few blocks can begin, by all that their contacts can do: each end opens or stays closed, each contact sticks or
-slips either way; of each combination Newton's and Coulomb's laws are a linear program, solved by GLPK. Nothing of Topple takes part."""
+slips either way; of each combination Newton's and Coulomb's laws are a linear program, solved by GLPK. So are salient corners of two
+blocks that meet in one point. Nothing of Topple takes part."""
 
 import ctypes
 import itertools
@@ -21,6 +22,35 @@ def polar_over_area(points, centre):
         area += cross / 2
         polar += cross * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12
     return polar / area
+
+
+def _cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def _corners(points):
+    for before, at, after in zip(points[-1:] + points[:-1], points, points[1:] + points[:1]):
+        ray, back = ((q[0] - at[0], q[1] - at[1]) for q in (after, before))
+        if _cross(ray, back) > 0:
+            yield at, (ray, back)
+
+
+def corner_pairs(blocks):
+    """Numbers of two blocks, their point, and what their corners fill together as the first one moves: two directions. By these velocities,
+    and those between them, the second block would enter the first."""
+    for i, (_, one, own) in enumerate(blocks):
+        for j, (_, two, other) in enumerate(blocks[:i]):
+            for point, rays in _corners(one):
+                for also, others in _corners(two):
+                    if also != point or (own and other):
+                        continue
+                    all_rays = [*rays, *((-x, -y) for x, y in others)]
+                    border = [[r for r in all_rays if all(sign * _cross(r, q) >= 0 for q in all_rays)][0] for sign in (1, -1)]
+                    if _cross(*border) > 0:
+                        yield i, j, point, border
+
+
+CORNER_MODES = [(0, "opens"), (1, "opens"), (0, "slips"), (1, "slips"), (0, "sticks")]
 
 
 class Program:
@@ -63,6 +93,7 @@ class Blocks:
         self.turning = {k: polar_over_area(blocks[k][1], self.places[k][1:]) for k in self.free}
         self.weight, self.strength_of = weight, strength_of
         self.contacts = list(glpk.contacts(blocks))
+        self.pairs = list(corner_pairs(blocks))
 
     def push(self, i, j, force, point):
         """{row: entry} of a force on the first block and back on the second."""
@@ -76,11 +107,42 @@ class Blocks:
         return own
 
     def can_move(self, gravity, divisor):
-        return any(self._moves(gravity, divisor, modes) for modes in itertools.product(MODES, repeat=len(self.contacts)))
+        each = [MODES] * len(self.contacts) + [CORNER_MODES] * len(self.pairs)
+        return any(self._moves(gravity, divisor, modes) for modes in itertools.product(*each))
+
+    def _add_corners(self, p, newton, pair, mode, divisor, first):
+        """N and T of both sides from column `first` on: n points out of the sector, t along its border and away from the point."""
+        i, j, point, border = pair
+        side, what = mode
+        tangent = self.strength_of(i, j)[0] / divisor
+        at = tuple(float(v) for v in point)
+        for k, (x, y) in enumerate(border):
+            size = (x * x + y * y) ** 0.5
+            t = (x / size, y / size)
+            n = (t[1], -t[0]) if k == 0 else (-t[1], t[0])
+            normal, along = self.push(j, i, n, at), self.push(j, i, t, at)
+            bears = what == "sticks" or (what == "slips" and k == side)
+            for column, row in ((first + 2 * k, normal), (first + 2 * k + 1, along)):
+                if not bears:
+                    p.add({column: 1}, _FIXED)
+                for r, v in row.items():
+                    newton[r][column] = newton[r].get(column, 0) - v
+            if what == "opens" and k == side:
+                p.add(normal, _LOWER)
+            if not bears:
+                continue
+            p.add({first + 2 * k: 1}, _LOWER)
+            p.add(normal, _FIXED)
+            if what == "slips":
+                p.add(along, _LOWER)
+                p.add({first + 2 * k + 1: 1, first + 2 * k: tangent}, _FIXED)
+            else:
+                for sign in (1, -1):
+                    p.add({first + 2 * k + 1: sign, first + 2 * k: -tangent}, _UPPER)
 
     def _moves(self, gravity, divisor, modes):
         width, count = 3 * len(self.free), len(self.contacts)
-        p = Program(width + 3 * count)
+        p = Program(width + 3 * count + 4 * len(self.pairs))
         weights = {k: self.weight * float(self.places[k][0]) for k in self.free}
         newton = [{} for _ in range(width)]
         loads = [0.0] * width
@@ -119,6 +181,8 @@ class Blocks:
                 continue
             p.add({r: slip * v for r, v in along.items()}, _LOWER)
             p.add({own[2]: slip, own[0]: tangent, own[1]: tangent}, _FIXED, -cohesion * span)
+        for k, (pair, mode) in enumerate(zip(self.pairs, modes[count:])):
+            self._add_corners(p, newton, pair, mode, divisor, width + 3 * count + 4 * k)
         for row, load in zip(newton, loads):
             p.add(row, _FIXED, load)
         most = p.greatest({k: load for k, load in enumerate(loads)})

@@ -322,6 +322,41 @@ START_TEST(images_of_random_piles) {
 }
 END_TEST
 
+/* Four blocks about a point are two pairs of corners, on the diagonals, whichever way they are
+ * listed; bricks in bond, and boxes side by side of one height, are none, as they share an edge at
+ * each of their corners. A side is an edge that ends in the point, and one that begins there. */
+START_TEST(pairs_of_corners) {
+  for (int turned = 0; turned < 2; turned++) {
+    block_pile p = {.count = 0};
+    pile_add_box(&p, -10, -1, 10, 0, 1, true);
+    for (int k = 0; k < 4; k++) {
+      const int own = turned == 1 ? 3 - k : k, x = own % 2 == 0 ? -2 : 0, y = own < 2 ? 0 : 3;
+      pile_add_box(&p, x, y, x + 2, y + 3, 1, false);
+    }
+    assemble(&p);
+    const tp_lattice *l = &p.assemblage.lattice;
+    ck_assert_int_eq(p.assemblage.pair_count, 2);
+    for (int k = 0; k < 2; k++) {
+      const tp_corner_pair *pair = p.assemblage.pairs + k;
+      ck_assert_int_eq(pair->side[0].block[0] + pair->side[0].block[1], 5);
+      ck_assert(tp_lattice_same_point(l, pair->side[0].to, pair->side[0].ends[0]));
+      ck_assert(tp_lattice_same_point(l, pair->side[1].from, pair->side[0].ends[0]));
+      /* between both the sector turns to the left, by less than 180 degrees */
+      ck_assert_int_gt(tp_lattice_cross(l, pair->side[0].from, pair->side[0].to, pair->side[1].from,
+                                        pair->side[1].to) *
+                           (pair->side[0].block[0] == pair->side[1].block[0] ? 1 : -1),
+                       0);
+    }
+    pile_clear(&p);
+  }
+  block_pile wall = {.count = 0};
+  add_wall(&wall, 4, 3);
+  assemble(&wall);
+  ck_assert_int_eq(wall.assemblage.pair_count, 0);
+  pile_clear(&wall);
+}
+END_TEST
+
 SUITE(assemblage) {
   Suite *suite = suite_create("assemblage");
   TCase *tests = tcase_create("limit");
@@ -336,6 +371,7 @@ SUITE(assemblage) {
   tcase_add_test(tests, images_of_random_piles);
   tcase_add_test(tests, what_is_no_assemblage);
   tcase_add_test(tests, corners_on_faces);
+  tcase_add_test(tests, pairs_of_corners);
   suite_add_tcase(suite, tests);
   return suite;
 }

@@ -23,6 +23,7 @@ void tp_assemblage_clear(tp_assemblage *a) {
   }
   free(a->blocks);
   free(a->contacts);
+  free(a->pairs);
   tp_lattice_clear(&a->lattice);
   memset(a, 0, sizeof *a);
 }

@@ -33,6 +33,14 @@ typedef struct tp_block_contact {
   long block[2], ends[2], from, to, along[2];
 } tp_block_contact;
 
+/* Two salient corners that meet, and share no edge there, in one point: each of its two sides is an
+ * edge at that point against the corner of the other block, as a contact is. The first side is an
+ * edge that ends there, the second one that begins there. One of them is not entered as long as the
+ * other is not: the blocks part as soon as either side opens. */
+typedef struct tp_corner_pair {
+  tp_block_contact side[2];
+} tp_corner_pair;
+
 typedef struct tp_assemblage {
   const tp_given_block *given;
   long count, free_count, edge_count; /* edges: of all outlines */
@@ -41,6 +49,8 @@ typedef struct tp_assemblage {
   long length_exponent, weight_exponent;
   long contact_count, contact_room;
   tp_block_contact *contacts;
+  long pair_count, pair_room;
+  tp_corner_pair *pairs;
 } tp_assemblage;
 
 /* On failure `assemblage` is cleared. Bad input: two blocks overlap, a free one touches nothing,
@@ -53,7 +63,7 @@ void tp_assemblage_clear(tp_assemblage *assemblage);
 /* A difference of two points of the lattice, or of one and a block's own, as a length. */
 tp_near tp_assemblage_length(const tp_assemblage *assemblage, const fmpz_t from, const fmpz_t to);
 
-/* Find the contacts (assemblage/block_contacts.c). */
+/* Find the contacts, and the pairs of corners (assemblage/block_contacts.c). */
 TP_MUST_USE tp_status tp_block_contacts_find(tp_assemblage *assemblage, tp_message *message);
 
 /* Of blocks whose corners were rounded to about 2^-64 of them all: contacts that are parallel but

@@ -4,11 +4,12 @@
 /* Contacts of edges: sorted by the line that they lie on, in whole numbers, and along it; those
  * that overlap against each other touch. Corners within edges, and overlaps, among edges whose
  * boxes meet (assemblage/edge_pairs.h), by signs of cross products in whole numbers. A corner in a
- * notch of another block touches both of its flanks, as in statics of one block. Two blocks that
- * meet with salient corners of both have no normal there and exert no force. */
+ * notch of another block touches both of its flanks, as in statics of one block. Salient corners of
+ * two blocks that meet are kept apart from contacts (assemblage/corner_pairs.h). */
 
 #define _GNU_SOURCE /* qsort_r */
 #include "assemblage/assemblage.h"
+#include "assemblage/corner_pairs.h"
 #include "assemblage/edge_pairs.h"
 
 #include "common/grow.h"
@@ -201,7 +202,9 @@ static tp_status try_corner(tp_assemblage *a, const tp_edge_of_block *e, const t
   if (tp_lattice_same_point(l, c->point, from)) { /* a corner of both */
     const bool overlap = leads_inside(l, &f->corner, c->next) ||
                          leads_inside(l, &f->corner, c->before) || leads_inside(l, c, to);
-    return overlap ? fail_overlap(a, e->block, f->block, message) : touch_flanks(a, e, f, message);
+    if (overlap) return fail_overlap(a, e->block, f->block, message);
+    const tp_status status = tp_corner_pairs_try(a, e, f, message);
+    return status == TP_OK ? touch_flanks(a, e, f, message) : status;
   }
   if (tp_lattice_cross(l, from, to, from, c->point) != 0 || !lies_within(l, c->point, from, to)) {
     return TP_OK;
@@ -245,6 +248,11 @@ static int compare_contacts(const void *first, const void *second) {
   return (a->ends[0] > b->ends[0]) - (a->ends[0] < b->ends[0]);
 }
 
+static int compare_pairs(const void *first, const void *second) {
+  const tp_corner_pair *a = first, *b = second;
+  return compare_contacts(a->side, b->side);
+}
+
 tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
   const long count = a->edge_count;
   line_edge *edges = calloc((size_t)count + 1, sizeof *edges);
@@ -262,6 +270,9 @@ tp_status tp_block_contacts_find(tp_assemblage *a, tp_message *message) {
   }
   if (status == TP_OK && a->contact_count > 0) {
     qsort(a->contacts, (size_t)a->contact_count, sizeof *a->contacts, compare_contacts);
+  }
+  if (status == TP_OK && a->pair_count > 0) {
+    qsort(a->pairs, (size_t)a->pair_count, sizeof *a->pairs, compare_pairs);
   }
   for (long k = 0; k < count; k++) clear_edge(edges + k);
   free(edges);

@@ -37,9 +37,16 @@ tp_contact_frame tp_contact_frame_of(const tp_assemblage *a, long contact, tp_ne
 
 void tp_contact_frame_column(tp_force_column *column, const tp_assemblage *a, long contact,
                              const tp_contact_frame *f, int end, const tp_near force[2]) {
-  *column = (tp_force_column){.contact = contact, .row = {-1, -1}, .most = {INFINITY, 0}};
+  tp_contact_frame_column_between(column, a, a->contacts + contact, f, end, force);
+  column->contact = contact;
+}
+
+void tp_contact_frame_column_between(tp_force_column *column, const tp_assemblage *a,
+                                     const tp_block_contact *contact, const tp_contact_frame *f,
+                                     int end, const tp_near force[2]) {
+  *column = (tp_force_column){.contact = -1, .row = {-1, -1}, .most = {INFINITY, 0}};
   for (int k = 0; k < 2; k++) {
-    const tp_rigid_block *block = a->blocks + a->contacts[contact].block[k];
+    const tp_rigid_block *block = a->blocks + contact->block[k];
     if (block->number < 0) continue;
     const tp_near arm_x = tp_assemblage_length(a, block->x, a->lattice.x + f->ends[end]);
     const tp_near arm_y = tp_assemblage_length(a, block->y, a->lattice.y + f->ends[end]);

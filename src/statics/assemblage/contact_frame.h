@@ -30,8 +30,11 @@ tp_contact_frame tp_contact_frame_of(const tp_assemblage *assemblage, long conta
                                      tp_near tangent);
 
 /* A force of the first two of `force` at an end, on the block to the left; on the other one turned
- * round. */
+ * round. Of a contact of the assemblage; and of any that is as those are, which has no number. */
 void tp_contact_frame_column(tp_force_column *column, const tp_assemblage *assemblage, long contact,
                              const tp_contact_frame *frame, int end, const tp_near force[2]);
+void tp_contact_frame_column_between(tp_force_column *column, const tp_assemblage *assemblage,
+                                     const tp_block_contact *contact, const tp_contact_frame *frame,
+                                     int end, const tp_near force[2]);
 
 #endif

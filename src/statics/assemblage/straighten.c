@@ -21,7 +21,8 @@
 enum { ROUNDED_BITS = 62 }; /* corners are off by less than 2^-62 of the largest coordinate */
 
 typedef struct direction {
-  long contact;
+  tp_block_contact *contact;
+  long order;
   double x, y, length; /* lattice steps */
   double angle;        /* of its line, from about 0 to pi */
 } direction;
@@ -37,10 +38,17 @@ static double steps(const fmpz *from, const fmpz *to) {
   return own;
 }
 
-static direction direction_of(const tp_assemblage *a, long contact) {
+/* Contacts first, then both sides of each pair of corners. */
+static tp_block_contact *contact_of(const tp_assemblage *a, long order) {
+  const long pair = order - a->contact_count;
+  return pair < 0 ? a->contacts + order : a->pairs[pair / 2].side + pair % 2;
+}
+
+static direction direction_of(const tp_assemblage *a, long order) {
   const double pi = acos(-1);
-  const tp_block_contact *c = a->contacts + contact;
-  direction own = {.contact = contact,
+  tp_block_contact *c = contact_of(a, order);
+  direction own = {.contact = c,
+                   .order = order,
                    .x = steps(a->lattice.x + c->from, a->lattice.x + c->to),
                    .y = steps(a->lattice.y + c->from, a->lattice.y + c->to)};
   own.length = hypot(own.x, own.y);
@@ -53,12 +61,12 @@ static direction direction_of(const tp_assemblage *a, long contact) {
 static int compare(const void *first, const void *second) {
   const direction *a = first, *b = second;
   if (a->angle != b->angle) return a->angle < b->angle ? -1 : 1;
-  return (a->contact > b->contact) - (a->contact < b->contact);
+  return (a->order > b->order) - (a->order < b->order);
 }
 
 static bool is_parallel(const tp_assemblage *a, const direction *p, const direction *q) {
   const tp_lattice *l = &a->lattice;
-  const tp_block_contact *c = a->contacts + p->contact, *d = a->contacts + q->contact;
+  const tp_block_contact *c = p->contact, *d = q->contact;
   fmpz_t x, y, cross;
   fmpz_init(x);
   fmpz_init(y);
@@ -78,26 +86,26 @@ static bool is_parallel(const tp_assemblage *a, const direction *p, const direct
 }
 
 /* Each keeps its own side to the left. */
-static void take(tp_assemblage *a, const direction *own, const direction *longest) {
-  const tp_block_contact *from = a->contacts + longest->contact;
+static void take(const direction *own, const direction *longest) {
+  const tp_block_contact *from = longest->contact;
   const bool same = own->x * longest->x + own->y * longest->y > 0;
-  tp_block_contact *c = a->contacts + own->contact;
+  tp_block_contact *c = own->contact;
   c->along[0] = same ? from->from : from->to;
   c->along[1] = same ? from->to : from->from;
 }
 
-static void straighten(tp_assemblage *a, const direction *first, const direction *end) {
+static void straighten(const tp_assemblage *a, const direction *first, const direction *end) {
   const direction *longest = first;
   for (const direction *d = first; d < end; d++) {
     if (d->length > longest->length) longest = d;
   }
   for (const direction *d = first; d < end; d++) {
-    if (d != longest && is_parallel(a, d, longest)) take(a, d, longest);
+    if (d != longest && is_parallel(a, d, longest)) take(d, longest);
   }
 }
 
 tp_status tp_assemblage_straighten(tp_assemblage *a, tp_message *message) {
-  const long count = a->contact_count;
+  const long count = a->contact_count + 2 * a->pair_count;
   direction *all = calloc((size_t)count + 1, sizeof *all);
   if (all == NULL) return tp_fail_memory(message, "the contacts");
   for (long k = 0; k < count; k++) all[k] = direction_of(a, k);

@@ -40,6 +40,9 @@ void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *r, const tp_built_
     at->cohesion[piece->contact] = tp_near_plus(at->cohesion[piece->contact], cohesion);
     at->tension[k] = r->contacts[piece->contact].ends == 1 ? (tp_near){0, 0} : own.tension;
   }
+  for (long k = r->pair_first; k < r->contact_count; k++) {
+    at->friction[k] = tp_built_system_over(s->pair_tangents[k - r->pair_first], divisor);
+  }
 }
 
 tp_near tp_blocks_loads(tp_weight_loads *loads, const tp_resultant *r) {

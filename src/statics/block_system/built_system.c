@@ -25,6 +25,7 @@ void tp_built_system_clear(tp_built_system *s) {
   free(s->given);
   free(s->joints);
   free(s->strengths);
+  free(s->pair_tangents);
   for (int left = 0; left < 2; left++) tp_block_loads_clear(s->loads + left);
   tp_notes_clear(&s->notes);
   memset(s, 0, sizeof *s);
@@ -93,16 +94,16 @@ static tp_status check_joints(tp_built_system *s, const tp_joint_description **s
 }
 
 /* The set that made the edges of a contact; NULL: none did. */
-static const tp_joint_set *set_of(const tp_built_system *s, long contact) {
-  const tp_block_contact *own = s->assemblage.contacts + contact;
+static const tp_joint_set *set_of(const tp_built_system *s, const tp_block_contact *own) {
   return tp_block_list_set(&s->scene->many, own->block[0],
                            own->from - s->assemblage.blocks[own->block[0]].outline);
 }
 
-const tp_quantity *tp_built_system_property(const tp_built_system *s, long contact,
-                                            tp_joint_property property) {
+/* Of a contact that may have a joint of its own. */
+static const tp_quantity *property_of(const tp_built_system *s, const tp_block_contact *contact,
+                                      const tp_joint_description *joint,
+                                      tp_joint_property property) {
   const tp_scene *scene = s->scene;
-  const tp_joint_description *joint = s->joints[contact];
   const tp_joint_set *set = set_of(s, contact);
   const tp_quantity *const of_scene[] = {[TP_JOINT_FRICTION] = &scene->friction_angle_deg,
                                          [TP_JOINT_COHESION] = &scene->loads.cohesion_kpa,
@@ -118,6 +119,11 @@ const tp_quantity *tp_built_system_property(const tp_built_system *s, long conta
                                     [TP_JOINT_COHESION] = &set->cohesion_kpa,
                                     [TP_JOINT_TENSION] = &set->tension_kpa};
   return own[property]->given ? own[property] : of_scene[property];
+}
+
+const tp_quantity *tp_built_system_property(const tp_built_system *s, long contact,
+                                            tp_joint_property property) {
+  return property_of(s, s->assemblage.contacts + contact, s->joints[contact], property);
 }
 
 /* Pressures in units of force over length of the assemblage. */
@@ -137,20 +143,27 @@ static tp_near near_of(const arb_t ball) {
   return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
 }
 
-static void set_strength(tp_built_system *s, long contact) {
-  arb_t tangent, cohesion, tension;
+static tp_near tangent_of(const tp_built_system *s, const tp_quantity *angle_deg) {
+  arb_t tangent;
   arb_init(tangent);
-  arb_init(cohesion);
-  arb_init(tension);
-  arb_set_fmpq(tangent, tp_built_system_property(s, contact, TP_JOINT_FRICTION)->value, BITS);
+  arb_set_fmpq(tangent, angle_deg->value, BITS);
   tp_friction_tangent(tangent, tangent, BITS);
   tp_friction_divide_tangent(tangent, s->scene, BITS);
+  const tp_near own = near_of(tangent);
+  arb_clear(tangent);
+  return own;
+}
+
+static void set_strength(tp_built_system *s, long contact) {
+  arb_t cohesion, tension;
+  arb_init(cohesion);
+  arb_init(tension);
   set_pressure(cohesion, s, tp_built_system_property(s, contact, TP_JOINT_COHESION));
   set_pressure(tension, s, tp_built_system_property(s, contact, TP_JOINT_TENSION));
   s->strengths[contact] =
-      (tp_contact_strength){near_of(tangent), near_of(cohesion), near_of(tension)};
+      (tp_contact_strength){tangent_of(s, tp_built_system_property(s, contact, TP_JOINT_FRICTION)),
+                            near_of(cohesion), near_of(tension)};
   s->has_cohesion = s->has_cohesion || !arb_is_zero(cohesion) || !arb_is_zero(tension);
-  arb_clear(tangent);
   arb_clear(cohesion);
   arb_clear(tension);
 }
@@ -158,14 +171,36 @@ static void set_strength(tp_built_system *s, long contact) {
 /* Contacts of a joint follow each other rarely: each takes a search. Those of one set do. */
 static void set_contacts(tp_built_system *s, const tp_joint_description **sorted, bool *used) {
   for (long k = 0; k < s->assemblage.contact_count; k++) {
-    const long joint = find_joint(s, sorted, s->assemblage.contacts + k);
+    const tp_block_contact *own = s->assemblage.contacts + k;
+    const long joint = find_joint(s, sorted, own);
     s->joints[k] = joint >= 0 ? sorted[joint] : NULL;
     if (joint >= 0) used[joint] = true;
-    if (k > 0 && s->joints[k] == s->joints[k - 1] && set_of(s, k) == set_of(s, k - 1)) {
+    if (k > 0 && s->joints[k] == s->joints[k - 1] && set_of(s, own) == set_of(s, own - 1)) {
       s->strengths[k] = s->strengths[k - 1];
     } else {
       set_strength(s, k);
     }
+  }
+}
+
+/* The greatest of all contacts where none is given: that leaves the most to a motion. */
+static tp_near greatest_tangent(const tp_built_system *s) {
+  tp_near most = {0, 0};
+  for (long k = 0; k < s->assemblage.contact_count; k++) {
+    most = tp_near_larger(most, s->strengths[k].tangent);
+  }
+  return most;
+}
+
+static void set_pairs(tp_built_system *s, const tp_joint_description **sorted, bool *used) {
+  const tp_near most = s->assemblage.pair_count > 0 ? greatest_tangent(s) : (tp_near){0, 0};
+  for (long k = 0; k < 2 * s->assemblage.pair_count; k++) {
+    const tp_block_contact *own = s->assemblage.pairs[k / 2].side + k % 2;
+    const long joint = find_joint(s, sorted, own);
+    if (joint >= 0) used[joint] = true;
+    const tp_quantity *angle =
+        property_of(s, own, joint >= 0 ? sorted[joint] : NULL, TP_JOINT_FRICTION);
+    s->pair_tangents[k] = angle->given ? tangent_of(s, angle) : most;
   }
 }
 
@@ -191,13 +226,16 @@ static tp_status set_strengths(tp_built_system *s, tp_message *message) {
   bool *used = calloc(joints, sizeof *used);
   s->joints = calloc(contacts, sizeof *s->joints);
   s->strengths = calloc(contacts, sizeof *s->strengths);
+  s->pair_tangents = calloc(2 * (size_t)s->assemblage.pair_count + 1, sizeof *s->pair_tangents);
   tp_status status = TP_OK;
-  if (sorted == NULL || used == NULL || s->joints == NULL || s->strengths == NULL) {
+  if (sorted == NULL || used == NULL || s->joints == NULL || s->strengths == NULL ||
+      s->pair_tangents == NULL) {
     status = tp_fail_memory(message, "the joints");
   } else {
     for (long k = 0; k < many->joint_count; k++) sorted[k] = many->joints + k;
     qsort(sorted, (size_t)many->joint_count, sizeof *sorted, compare_joints);
     set_contacts(s, sorted, used);
+    set_pairs(s, sorted, used);
     status = check_friction(s, message);
     if (status == TP_OK) status = check_joints(s, sorted, used, message);
   }
@@ -234,15 +272,16 @@ tp_status tp_built_system_init(tp_built_system *s, const tp_scene *scene, tp_mes
   return status;
 }
 
-static tp_near over(tp_near number, double divisor) {
+tp_near tp_built_system_over(tp_near number, double divisor) {
   return tp_near_is_zero(number) ? number : tp_near_div(number, (tp_near){divisor, 0});
 }
 
 tp_contact_strength tp_built_system_strength(const tp_built_system *s, long contact,
                                              double divisor) {
   const tp_contact_strength *own = s->strengths + contact;
-  return (tp_contact_strength){over(own->tangent, divisor), over(own->cohesion, divisor),
-                               over(own->tension, divisor)};
+  return (tp_contact_strength){tp_built_system_over(own->tangent, divisor),
+                               tp_built_system_over(own->cohesion, divisor),
+                               tp_built_system_over(own->tension, divisor)};
 }
 
 tp_status tp_built_system_program(tp_force_program *program, const tp_built_system *s,

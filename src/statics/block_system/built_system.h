@@ -17,6 +17,7 @@ typedef struct tp_built_system {
   tp_assemblage assemblage;
   const tp_joint_description **joints; /* by contact; NULL: the scene's strength */
   tp_contact_strength *strengths;      /* by contact */
+  tp_near *pair_tangents;              /* tan(phi) by pair of corners, two each: of its sides */
   bool has_cohesion;                   /* some of them has cohesion or tension */
   bool is_measured; /* that, or loads that are no weights: a common factor on all weights changes
                        something */
@@ -48,6 +49,9 @@ const tp_quantity *tp_built_system_property(const tp_built_system *system, long 
 /* The strength of a contact over a number, as its program has it. */
 tp_contact_strength tp_built_system_strength(const tp_built_system *system, long contact,
                                              double divisor);
+
+/* What is exactly nothing stays so. */
+tp_near tp_built_system_over(tp_near strength, double divisor);
 
 /* The program of forces with the strength of all contacts over a number. */
 TP_MUST_USE tp_status tp_built_system_program(tp_force_program *program,

@@ -102,14 +102,21 @@ static tp_status let_go_from_nothing(tp_moving_search *m, double x, bool frictio
   return let_go(m, x, message);
 }
 
+static bool has_pairs(const tp_moving_search *m) {
+  return m->resting->pair_first < m->resting->contact_count;
+}
+
 tp_status tp_moving_try(tp_moving_search *m, double x, bool from_nothing, tp_message *message) {
   bool exists = false;
   tp_status status = m->state(&exists, &m->at, m->context, x, message);
   if (status != TP_OK || !exists) return status;
   if (!from_nothing) return let_go(m, x, message);
-  for (int k = 0; k < 4 && status == TP_OK && m->x > x; k++) {
-    m->letting_go.backwards = k % 2 == 1;
-    status = let_go_from_nothing(m, x, k < 2, message);
+  for (int k = 0; k < (has_pairs(m) ? 6 : 4) && status == TP_OK && m->x > x; k++) {
+    m->letting_go.backwards = k < 4 && k % 2 == 1;
+    m->letting_go.corners = k < 4    ? TP_CORNERS_AS_THEY_OPEN
+                            : k == 4 ? TP_CORNERS_FIRST_SIDE
+                                     : TP_CORNERS_SECOND_SIDE;
+    status = let_go_from_nothing(m, x, k < 2 || k >= 4, message);
   }
   return status;
 }
@@ -126,20 +133,33 @@ static tp_status halve(tp_moving_search *m, double *low, double width, tp_messag
   return status;
 }
 
+/* Past where two motions are told apart. How much a corner bears, and how much an end in its point,
+ * makes motions of the same modes: nearer ones too where there are such. */
+static tp_status go_over(tp_moving_search *m, double least, double width, tp_message *message) {
+  static const double away = 1024, nearer = 8; /* widths */
+  const double from = m->x;
+  tp_status status = TP_OK;
+  for (int k = 0; k < (has_pairs(m) ? 3 : 1) && status == TP_OK && m->x >= from; k++) {
+    const double next = fmax(least, from - away * width / pow(nearer, k));
+    status = tp_moving_try(m, next, false, message);
+    if (status == TP_OK && m->x >= from) status = tp_moving_try(m, next, true, message);
+  }
+  return status;
+}
+
 /* Down along the motion that is found, and along those that it goes over into; `low`: it is not
  * proven there. */
 static tp_status go_down(tp_moving_search *m, double *low, double least, double width,
                          tp_message *message) {
-  static const double coarse = 256, away = 1024; /* widths: past where two motions are told apart */
+  static const double coarse = 256; /* widths */
   tp_status status = TP_OK;
   for (int k = 0; k < MOST_MOTIONS && status == TP_OK; k++) {
     *low = least;
     status = tp_moving_prove(m, least, m->proven, message);
     if (status != TP_OK || m->x <= least) return status;
     status = halve(m, low, coarse * width, message);
-    const double from = m->x, next = fmax(least, from - away * width);
-    if (status == TP_OK) status = tp_moving_try(m, next, false, message);
-    if (status == TP_OK && m->x >= from) status = tp_moving_try(m, next, true, message);
+    const double from = m->x;
+    if (status == TP_OK) status = go_over(m, least, width, message);
     if (m->x >= from) break;
   }
   return status;

@@ -7,6 +7,7 @@
  * whatever these are, y is theirs. */
 
 #include "contact_modes/cohesive_shear.h"
+#include "contact_modes/corner_modes.h"
 #include "contact_modes/dense_program.h"
 #include "contact_modes/reactions.h"
 
@@ -48,7 +49,8 @@ static void add_edge(resisting *s, const tp_resting_contact *c, int end, tp_near
  * else, with the least friction and the greatest. */
 static void add_end(resisting *s, long contact, int end) {
   const tp_resting_contact *c = s->q->resting->contacts + contact;
-  const tp_mode_set set = s->node->sets[contact] & tp_modes_closed(end);
+  const tp_mode_set set =
+      tp_modes_bearing(s->node->sets, s->q->resting, contact) & tp_modes_closed(end);
   if (set == 0) return;
   const bool sticks = (set & TP_MODES_STICK) != 0;
   const tp_near least = s->q->friction[0][contact], most = s->q->friction[1][contact];

@@ -11,6 +11,7 @@
 #include "contact_modes/exclusion.h"
 
 #include "common/grow.h"
+#include "contact_modes/corner_modes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -61,8 +62,17 @@ static tp_status refute(bool *refuted, branching *b, tp_modes_node *n, tp_messag
 /* ---- parts -------------------------------------------------------------------------------------
  */
 
-/* Of a set: at rest, opening at one end, open, forward, back; of one of these, single modes. */
 enum { MOST_PARTS = 10 };
+
+static int part_singly(tp_mode_set parts[MOST_PARTS], tp_mode_set set) {
+  int count = 0;
+  for (int k = 0; k < MOST_PARTS; k++) {
+    if ((set & (1U << k)) != 0) parts[count++] = set & (1U << k);
+  }
+  return count;
+}
+
+/* Of a set: at rest, opening at one end, open, forward, back; of one of these, single modes. */
 static int part(tp_mode_set parts[MOST_PARTS], tp_mode_set set, int ends) {
   const tp_mode_set rest = tp_modes_at_rest(ends);
   const tp_mode_set kinds[] = {rest, TP_MODES_STICK & ~rest, TP_MODES_OPEN, TP_MODES_FORWARD,
@@ -71,12 +81,7 @@ static int part(tp_mode_set parts[MOST_PARTS], tp_mode_set set, int ends) {
   for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
     if ((set & kinds[k]) != 0) parts[count++] = set & kinds[k];
   }
-  if (count > 1) return count;
-  count = 0;
-  for (int k = 0; k < MOST_PARTS; k++) {
-    if ((set & (1U << k)) != 0) parts[count++] = set & (1U << k);
-  }
-  return count;
+  return count > 1 ? count : part_singly(parts, set);
 }
 
 /* A division: parts of a node that are not refuted. */
@@ -90,18 +95,42 @@ static void clear_division(division *d) {
   d->count = 0;
 }
 
+/* What a contact is divided into; of a pair of corners, each mode of its one side and then of the
+ * other. */
+typedef struct contact_parts {
+  int count, of_first; /* those after the first so many are of its twin */
+  long contact, twin;
+  tp_mode_set parts[2 * MOST_PARTS];
+} contact_parts;
+
+static contact_parts parts_of(const tp_modes_node *n, const tp_resting *r, long contact) {
+  const tp_resting_contact *c = r->contacts + contact;
+  contact_parts own = {.contact = contact, .twin = c->twin};
+  if (c->twin < 0) {
+    own.count = own.of_first = part(own.parts, n->sets[contact], c->ends);
+    return own;
+  }
+  own.of_first = part_singly(own.parts, n->sets[contact]);
+  own.count = own.of_first + part_singly(own.parts + own.of_first, n->sets[c->twin]);
+  return own;
+}
+
+static void take_part(tp_modes_node *own, const contact_parts *of, int part) {
+  if (of->twin >= 0) own->sets[of->contact] = own->sets[of->twin] = 0;
+  own->sets[part < of->of_first ? of->contact : of->twin] = of->parts[part];
+}
+
 /* No more than `most` of them. */
 static tp_status divide(division *d, branching *b, const tp_modes_node *n, long contact, int most,
                         tp_message *message) {
-  tp_mode_set parts[MOST_PARTS];
-  const int count = part(parts, n->sets[contact], b->q->resting->contacts[contact].ends);
+  const contact_parts of = parts_of(n, b->q->resting, contact);
   tp_status status = TP_OK;
   d->count = 0;
-  for (int k = count - 1; k >= 0 && status == TP_OK && d->count <= most; k--) {
+  for (int k = of.count - 1; k >= 0 && status == TP_OK && d->count <= most; k--) {
     tp_modes_node *own = d->parts + d->count;
     bool refuted = false;
     if (!copy_node(own, n, b->q->resting)) return tp_fail_memory(message, "a proof");
-    own->sets[contact] = parts[k];
+    take_part(own, &of, k);
     d->count++;
     status = refute(&refuted, b, own, message);
     if (refuted) {
@@ -115,16 +144,20 @@ static tp_status divide(division *d, branching *b, const tp_modes_node *n, long 
 /* ---- the tree ----------------------------------------------------------------------------------
  */
 
+/* A pair of corners by its first side. */
+static bool can_divide(const tp_modes_node *n, const tp_resting *r, long contact) {
+  return !tp_modes_is_settled(n->sets, r, contact) && !tp_modes_is_second_side(r, contact);
+}
+
 /* Contacts that are divided first: of a block at rest with one that is not, where there are such.
  */
 static bool is_first(const tp_modes_node *n, const tp_resting *r, long contact) {
   const long *row = r->contacts[contact].along.row;
-  return !tp_modes_is_one(n->sets[contact]) &&
-         tp_modes_rests(n, row[0]) != tp_modes_rests(n, row[1]);
+  return can_divide(n, r, contact) && tp_modes_rests(n, row[0]) != tp_modes_rests(n, row[1]);
 }
 
 static bool is_second(const tp_modes_node *n, const tp_resting *r, long contact) {
-  return !tp_modes_is_one(n->sets[contact]) && !is_first(n, r, contact) &&
+  return can_divide(n, r, contact) && !is_first(n, r, contact) &&
          !tp_modes_rests(n, r->contacts[contact].along.row[0]);
 }
 
@@ -153,6 +186,13 @@ static tp_status probe(division *best, branching *b, const tp_modes_node *n, can
   return status;
 }
 
+/* A side of a pair of which nothing is left bears nothing. */
+static void leave(tp_exclusion *e, const tp_modes_node *n, const tp_resting *r) {
+  for (long k = 0; k < r->contact_count; k++) {
+    e->left[k] = n->sets[k] != 0 ? n->sets[k] : TP_MODES_OPEN;
+  }
+}
+
 static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
   tp_modes_node own = b->waiting[--b->count];
   division d = {.count = 0};
@@ -163,7 +203,7 @@ static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
   }
   if (status == TP_OK && d.count < 0) { /* all have one mode */
     b->of->has_left = true;
-    memcpy(b->of->left, own.sets, (size_t)b->q->resting->contact_count * sizeof *own.sets);
+    leave(b->of, &own, b->q->resting);
     *goes_on = false;
   }
   for (int k = 0; k < d.count && status == TP_OK; k++) status = wait(b, d.parts + k, message);
@@ -195,7 +235,7 @@ static tp_status make_root(tp_modes_node *root, const tp_resting *r, tp_message 
     clear_node(root);
     return tp_fail_memory(message, "a proof");
   }
-  for (long k = 0; k < r->contact_count; k++) root->sets[k] = tp_modes_all(r->contacts[k].ends);
+  for (long k = 0; k < r->contact_count; k++) root->sets[k] = tp_modes_of_contact(r, k);
   return TP_OK;
 }
 

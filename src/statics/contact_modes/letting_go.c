@@ -3,7 +3,8 @@
 
 /* At one end, with u = u_0 + D f for the other forces as they are and D = (n, t)^T M^-1 (n, t): no
  * force where u_0 opens; the one that stops it, where that is within the cone; else the edge of
- * the cone that stops u_n, by the side on which that force lies. */
+ * the cone that stops u_n, by the side on which that force lies. A side of a pair of corners bears
+ * nothing where the other one opens. */
 
 #include "contact_modes/letting_go.h"
 
@@ -20,6 +21,8 @@ typedef struct end {
   double along_n[2][3], along_t[2][3]; /* the entries of both rows: in one place, for speed */
   double nn, nt, tt;
   const tp_force_column *normal, *along;
+  long twin;   /* of a pair of corners: the other side's end; -1 */
+  long corner; /* else: the first side's end of a pair in its point, of one of its blocks; -1 */
 } end;
 
 tp_status tp_letting_go_init(tp_letting_go *s, const tp_resting *r, tp_message *message) {
@@ -65,7 +68,19 @@ static double power(const tp_force_column *c, double y[2][3]) {
   return sum;
 }
 
+static long corner_at(const tp_resting *r, const tp_resting_contact *c, long point) {
+  for (long k = r->pair_first; k < r->contact_count; k += 2) {
+    const tp_block_contact *own = &r->contacts[k].of;
+    const bool shares = own->block[0] == c->of.block[0] || own->block[1] == c->of.block[1] ||
+                        own->block[0] == c->of.block[1] || own->block[1] == c->of.block[0];
+    if (shares && tp_lattice_same_point(&r->assemblage->lattice, own->ends[0], point)) return 2 * k;
+  }
+  return -1;
+}
+
 static void set_end(end *own, const tp_resting *r, const tp_resting_contact *c, int which) {
+  own->twin = c->twin < 0 ? -1 : 2 * c->twin;
+  own->corner = c->twin < 0 ? corner_at(r, c, c->of.ends[which]) : -1;
   own->normal = c->normal + which;
   own->along = &c->along;
   for (int side = 0; side < 2; side++) {
@@ -104,15 +119,32 @@ static void velocities(double *normal, double *shear, const tp_letting_go *s, co
   }
 }
 
+/* Does the other side of a pair of corners bear, or is it to, as asked for? Else does that open
+ * without the force of this one, or more than it? */
+static bool is_kept_apart(tp_letting_go *s, const end *ends, long at) {
+  const end *own = ends + at;
+  if (own->twin < 0) return false;
+  if (s->corners == TP_CORNERS_FIRST_SIDE) return own->twin < at;
+  if (s->corners == TP_CORNERS_SECOND_SIDE) return own->twin > at;
+  if (s->normals[own->twin] > 0) return true;
+  double opens = 0, twin_opens = 0, slip = 0;
+  accelerate(s, own, -s->normals[at], -s->shears[at]);
+  velocities(&opens, &slip, s, own);
+  velocities(&twin_opens, &slip, s, ends + own->twin);
+  accelerate(s, own, s->normals[at], s->shears[at]);
+  return twin_opens >= 0 || twin_opens > opens;
+}
+
 /* The force of an end by its law; how far that is from the one it had, as a velocity. */
-static double give(tp_letting_go *s, const end *own, long at, double friction, double cohesion) {
+static double give(tp_letting_go *s, const end *ends, long at, double friction, double cohesion) {
+  const end *own = ends + at;
   const double n = s->normals[at], t = s->shears[at];
   double un = 0, ut = 0;
   velocities(&un, &ut, s, own);
   un -= own->nn * n + own->nt * t;
   ut -= own->nt * n + own->tt * t;
   double normal = 0, shear = 0;
-  if (un < 0) {
+  if (un < 0 && !is_kept_apart(s, ends, at)) {
     const double volume = own->nn * own->tt - own->nt * own->nt;
     normal = (own->nt * ut - own->tt * un) / volume;
     shear = (own->nt * un - own->nn * ut) / volume;
@@ -166,8 +198,13 @@ static double go_round(tp_letting_go *s, const end *ends, const tp_shear_strengt
   for (long k = 0; k < count; k++) {
     const long at = s->backwards ? count - 1 - k : k;
     if (ends[at].normal == NULL) continue;
+    const long corner = s->corners != TP_CORNERS_AS_THEY_OPEN ? ends[at].corner : -1;
+    for (int side = 0; side < 2 && corner >= 0; side++) {
+      const long other = side == 0 ? corner : ends[corner].twin;
+      give(s, ends, other, strength == NULL ? 0 : strength->friction[other / 2].value, 0);
+    }
     const double own = strength == NULL ? 0 : strength->friction[at / 2].value;
-    const double moved = give(s, ends + at, at, own, cohesion_at(s, strength, at));
+    const double moved = give(s, ends, at, own, cohesion_at(s, strength, at));
     if (moved > change) change = moved; /* fmax is a call, in the innermost loop of all */
   }
   return change;
@@ -211,6 +248,17 @@ static void settle(tp_letting_go *s, const end *ends, double *before,
   }
 }
 
+/* Ends beside a corner that bears leave all to it: which of both bears how much is undetermined. */
+static void leave_to_corners(tp_letting_go *s, const end *ends) {
+  for (long k = 0; k < 2 * s->resting->contact_count; k++) {
+    if (s->corners == TP_CORNERS_AS_THEY_OPEN || ends[k].normal == NULL || ends[k].corner < 0) {
+      continue;
+    }
+    const double first = s->normals[ends[k].corner], second = s->normals[ends[ends[k].corner].twin];
+    if (s->normals[k] < fmax(first, second)) s->normals[k] = s->shears[k] = 0;
+  }
+}
+
 bool tp_letting_go_find(tp_letting_go *s, const tp_shear_strength *strength, const tp_near *loads,
                         long rounds) {
   const tp_resting *r = s->resting;
@@ -228,6 +276,7 @@ bool tp_letting_go_find(tp_letting_go *s, const tp_shear_strength *strength, con
   settle(s, ends, before, strength, rounds);
   begin(s, ends, loads); /* once more, without the roundings of so many steps */
   find_most(s, ends);
+  leave_to_corners(s, ends);
   free(ends);
   free(before);
   return true;
@@ -248,7 +297,8 @@ void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s,
     for (int e = 0; e < c->ends; e++) {
       const double n = s->normals[2 * k + e],
                    most = strength->friction[k].value * n + cohesion_at(s, strength, 2 * k + e);
-      closed[e] = tp_resting_along_double(c->normal + e, s->accelerations) <= nothing;
+      closed[e] = tp_resting_along_double(c->normal + e, s->accelerations) <= nothing &&
+                  (c->twin < 0 || n > 0);
       grips = grips || (closed[e] && fabs(s->shears[2 * k + e]) < (1 - within) * most);
     }
     const double slip = tp_resting_along_double(&c->along, s->accelerations);

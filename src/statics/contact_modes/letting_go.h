@@ -13,12 +13,21 @@
 #include "contact_modes/mode_set.h"
 #include "contact_modes/resting.h"
 
+/* Which side of a pair of corners bears. Where it is asked for, it does so before ends of contacts
+ * in its point. */
+typedef enum tp_letting_go_corners {
+  TP_CORNERS_AS_THEY_OPEN,
+  TP_CORNERS_FIRST_SIDE,
+  TP_CORNERS_SECOND_SIDE
+} tp_letting_go_corners;
+
 typedef struct tp_letting_go {
   const tp_resting *resting;
   double *accelerations;    /* by row */
   double *normals, *shears; /* 2 a contact */
   bool backwards;           /* rounds run from the last contact to the first */
-  double most;              /* the largest velocity of an end against the other block */
+  tp_letting_go_corners corners;
+  double most; /* the largest velocity of an end against the other block */
 } tp_letting_go;
 
 TP_MUST_USE tp_status tp_letting_go_init(tp_letting_go *letting_go, const tp_resting *resting,

@@ -5,6 +5,8 @@
 
 #include "contact_modes/mode_laws.h"
 
+#include "contact_modes/corner_modes.h"
+
 #include "number/ball.h"
 
 enum { BITS = TP_EQUATION_BITS };
@@ -37,8 +39,8 @@ static void velocity(arb_t sum, const tp_mode_equations *s, long contact, int en
 }
 
 /* In units of the assemblage, as velocities are of the order of gravity there. */
-static sign sign_of_velocity(const tp_mode_equations *s, long contact, int end, bool along,
-                             bool back) {
+static void scaled_velocity(arb_t sum, const tp_mode_equations *s, long contact, int end,
+                            bool along) {
   const tp_resting *r = s->groups->resting;
   const tp_block_contact *c = &r->contacts[contact].of;
   const tp_lattice *l = &r->assemblage->lattice;
@@ -50,10 +52,15 @@ static sign sign_of_velocity(const tp_mode_equations *s, long contact, int end, 
   const long x = (long)fmpz_bits(dx), y = (long)fmpz_bits(dy);
   fmpz_clear(dx);
   fmpz_clear(dy);
-  arb_t sum;
-  arb_init(sum);
   velocity(sum, s, contact, end, along);
   arb_mul_2exp_si(sum, sum, -(x > y ? x : y));
+}
+
+static sign sign_of_velocity(const tp_mode_equations *s, long contact, int end, bool along,
+                             bool back) {
+  arb_t sum;
+  arb_init(sum);
+  scaled_velocity(sum, s, contact, end, along);
   if (back) arb_neg(sum, sum);
   const sign own = sign_of(sum);
   arb_clear(sum);
@@ -101,6 +108,24 @@ static tp_mode_slip slip_of(tp_mode_set mode) {
                                           : TP_MODE_BACK;
 }
 
+/* Does the other side of a pair of corners keep them apart, or is it the one that is to close? */
+static bool is_kept_apart(const tp_trial_mode *own, const tp_mode_equations *s, long k) {
+  const long twin = s->groups->resting->contacts[k].twin;
+  if (twin < 0) return false;
+  if (s->trial[twin].mode != TP_MODES_OPEN) return true;
+  if (own->mode != TP_MODES_OPEN) return false;
+  if (sign_of_velocity(s, twin, 0, false, false) == SIGN_HOLDS) return true;
+  arb_t one, other;
+  arb_init(one);
+  arb_init(other);
+  scaled_velocity(one, s, k, 0, false);
+  scaled_velocity(other, s, twin, 0, false);
+  const int order = arf_cmp(arb_midref(one), arb_midref(other));
+  arb_clear(one);
+  arb_clear(other);
+  return order < 0 || (order == 0 && twin < k);
+}
+
 /* Ends that open or close; true where one has to. */
 static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) {
   bool closed[2] = {false, false}, changed = false, bears = false;
@@ -110,7 +135,7 @@ static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) 
     const long at = s->normal_at[2 * k + e];
     if (closed[e] && at < 0) continue; /* idle */
     const sign found = closed[e] ? sign_of(force(s, at)) : sign_of_velocity(s, k, e, false, false);
-    if (found == SIGN_HOLDS) continue;
+    if (found == SIGN_HOLDS || (!closed[e] && is_kept_apart(own, s, k))) continue;
     own->idle[e] = !closed[e] && found == SIGN_TIED;
     closed[e] = !closed[e];
     bears = bears || (closed[e] && !own->idle[e]);
@@ -121,12 +146,22 @@ static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) 
   return changed;
 }
 
+/* Corners part that slip along an edge to where it ends. */
+static bool parts_by_slip(const tp_trial_mode *own, const tp_resting *r, long k) {
+  if (r->contacts[k].twin < 0 || own->spent != 0) return false;
+  return (own->mode & (tp_modes_is_second_side(r, k) ? TP_MODES_FORWARD : TP_MODES_BACK)) != 0;
+}
+
 /* Friction of a contact that bears something; true where it has to change. */
 static bool change_slip(tp_trial_mode *own, const tp_mode_equations *s, long k) {
   const long *normals = s->normal_at + 2 * k;
   const bool closed[2] = {(own->mode & tp_modes_closed(0)) != 0,
                           (own->mode & tp_modes_closed(1)) != 0};
   if (normals[0] < 0 && normals[1] < 0) return false;
+  if (parts_by_slip(own, s->groups->resting, k)) {
+    *own = (tp_trial_mode){.mode = TP_MODES_OPEN};
+    return true;
+  }
   if (s->shear_at[k] >= 0) {
     const sign found = sign_of_reserve(s, k);
     if (found == SIGN_HOLDS) return false;

@@ -6,6 +6,8 @@
 
 #include "contact_modes/node.h"
 
+#include "contact_modes/corner_modes.h"
+
 #include "plane/contact_rows.h"
 
 #include <string.h>
@@ -49,13 +51,15 @@ static long moving_row(const tp_modes_node *n, const tp_resting_contact *c) {
   return first == second ? -1 : row[first ? 1 : 0];
 }
 
-/* A contact of blocks at rest is at rest; a block that sticks to one at rest by an edge is too. */
+/* A contact of blocks at rest is at rest, of a pair by its first side; a block that sticks to one
+ * at rest by an edge is too. */
 static bool settle_contact(bool *changed, tp_modes_node *n, const tp_resting *r, long k) {
   const tp_resting_contact *c = r->contacts + k;
   const long *row = c->along.row, moving = moving_row(n, c);
   if (tp_modes_rests(n, row[0]) && tp_modes_rests(n, row[1])) {
-    n->sets[k] &= tp_modes_at_rest(c->ends);
-    return n->sets[k] != 0;
+    const bool is_second = tp_modes_is_second_side(r, k);
+    n->sets[k] &= is_second ? 0 : tp_modes_at_rest(c->ends);
+    return is_second || n->sets[k] != 0;
   }
   if (moving >= 0 && c->ends == 2 && n->sets[k] == tp_modes_at_rest(2)) {
     n->still[moving / 3] = *changed = true;
@@ -66,7 +70,8 @@ static bool settle_contact(bool *changed, tp_modes_node *n, const tp_resting *r,
 static bool is_held_fast(const tp_modes_node *n, const tp_resting *r, long block) {
   fixed_rows f = {.count = 0};
   for (long k = 0; k < r->contact_count; k++) {
-    if (moving_row(n, r->contacts + k) == 3 * block) {
+    if (moving_row(n, r->contacts + k) == 3 * block && n->sets[k] != 0 &&
+        tp_modes_is_told(n->sets, r, k)) {
       take_contact(&f, r->contacts + k, n->sets[k], 3 * block);
     }
   }

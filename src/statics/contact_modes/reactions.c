@@ -2,9 +2,11 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Of each contact, by what its set of modes says for certain: an end that stays closed, a slip that
- * has one side only. */
+ * has one side only; of a pair of corners, once one of its sides has nothing left. */
 
 #include "contact_modes/reactions.h"
+
+#include "contact_modes/corner_modes.h"
 
 #include <stdlib.h>
 
@@ -28,7 +30,7 @@ bool tp_reactions_init(tp_bearing_reactions *r, const tp_modes_node *n, const tp
   for (long k = 0; k < resting->contact_count && r->all != NULL; k++) {
     const tp_resting_contact *c = resting->contacts + k;
     if (tp_modes_rests(n, c->along.row[0]) && tp_modes_rests(n, c->along.row[1])) continue;
-    add_contact(r, c, n->sets[k]);
+    if (n->sets[k] != 0 && tp_modes_is_told(n->sets, resting, k)) add_contact(r, c, n->sets[k]);
   }
   return r->all != NULL;
 }

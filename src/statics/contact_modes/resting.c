@@ -18,14 +18,14 @@ void tp_resting_clear(tp_resting *r) {
   memset(r, 0, sizeof *r);
 }
 
-static void set_columns(tp_resting_contact *own, const tp_assemblage *a, long contact) {
+static void set_columns(tp_resting_contact *own, const tp_assemblage *a) {
   const tp_contact_frame f = tp_contact_frame_between(a, &own->of, (tp_near){0, 0});
   const tp_near normal[2] = {tp_near_neg(f.dy), f.dx}, along[2] = {f.dx, f.dy};
   own->ends = f.ends[0] == f.ends[1] ? 1 : 2;
   for (int e = 0; e < own->ends; e++) {
-    tp_contact_frame_column(own->normal + e, a, contact, &f, e, normal);
+    tp_contact_frame_column_between(own->normal + e, a, &own->of, &f, e, normal);
   }
-  tp_contact_frame_column(&own->along, a, contact, &f, 0, along);
+  tp_contact_frame_column_between(&own->along, a, &own->of, &f, 0, along);
 }
 
 /* ---- pieces of a line --------------------------------------------------------------------------
@@ -76,6 +76,16 @@ static void take(tp_resting *r, const tp_contact_strength *strengths, long conta
   r->pieces[contact].contact = added;
   r->contacts[added].of = *own;
   r->contacts[added].line = line < 0 ? added : line;
+  r->contacts[added].twin = -1;
+}
+
+static void take_pair(tp_resting *r, const tp_corner_pair *pair) {
+  const long first = r->contact_count;
+  for (int side = 0; side < 2; side++) {
+    const long added = r->contact_count++;
+    r->contacts[added] = (tp_resting_contact){
+        .of = pair->side[side], .line = added, .twin = side == 0 ? first + 1 : first};
+  }
 }
 
 static void measure(tp_resting *r, long contact) {
@@ -91,7 +101,7 @@ tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a,
                           const tp_contact_strength *strengths, tp_message *message) {
   *r = (tp_resting){.assemblage = a, .rows = 3 * a->free_count};
   r->block = calloc((size_t)a->free_count + 1, sizeof *r->block);
-  r->contacts = calloc((size_t)a->contact_count + 1, sizeof *r->contacts);
+  r->contacts = calloc((size_t)(a->contact_count + 2 * a->pair_count) + 1, sizeof *r->contacts);
   r->pieces = calloc((size_t)a->contact_count + 1, sizeof *r->pieces);
   if (r->block == NULL || r->contacts == NULL || r->pieces == NULL) {
     tp_resting_clear(r);
@@ -101,10 +111,10 @@ tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a,
     if (a->blocks[k].number >= 0) r->block[a->blocks[k].number] = k;
   }
   for (long k = 0; k < a->contact_count; k++) take(r, strengths, k);
-  for (long k = a->contact_count - 1; k >= 0; k--) { /* of each the first of its pieces last */
-    set_columns(r->contacts + r->pieces[k].contact, a, k);
-    measure(r, k);
-  }
+  r->pair_first = r->contact_count;
+  for (long k = 0; k < a->pair_count; k++) take_pair(r, a->pairs + k);
+  for (long k = 0; k < r->contact_count; k++) set_columns(r->contacts + k, a);
+  for (long k = 0; k < a->contact_count; k++) measure(r, k);
   return TP_OK;
 }
 

@@ -16,12 +16,14 @@
 
 /* n at each end, t; of the same size. Along t both ends of a contact move alike. Where an edge is
  * in pieces, all that the same two blocks share along a line, with one friction, is one contact:
- * what its outer ends can do, and bear, says it of all between. */
+ * what its outer ends can do, and bear, says it of all between. A pair of corners is two contacts
+ * of one end, its sides, behind all others (contact_modes/corner_modes.h). */
 typedef struct tp_resting_contact {
   int ends; /* 1: a corner */
   tp_force_column normal[2], along;
   tp_block_contact of; /* from end to end, as those of the assemblage are */
   long line;           /* the first contact of the same two blocks along the same line */
+  long twin;           /* of a pair of corners the other side; -1: it is of none */
 } tp_resting_contact;
 
 /* A contact of the assemblage: which of these it is part of; its length over the size of that one's
@@ -34,7 +36,8 @@ typedef struct tp_resting_piece {
 typedef struct tp_resting {
   const tp_assemblage *assemblage;
   long rows, contact_count;
-  long *block; /* by number of a free block: which it is */
+  long pair_first; /* the first contact that is of a pair of corners; they follow each other */
+  long *block;     /* by number of a free block: which it is */
   tp_resting_contact *contacts;
   tp_resting_piece *pieces; /* by contact of the assemblage */
 } tp_resting;
