@@ -41,13 +41,15 @@ typedef struct tp_solid_options {
                                  dropped; 0: none */
   double below; /* instead of bands: a plane so high over the lowest point, in lengths of the
                    mesh, cuts the solid, which rests on the section; below 0: none does */
+  double thin;  /* to fewer triangles, whose surface is nowhere farther than this from the mesh's,
+                   in its lengths; 0: not */
 } tp_solid_options;
 
 /* The most that options may ask for, and that contacts a scene may have. */
 enum { TP_SOLID_BANDS = 100, TP_SOLID_AZIMUTHS = 36000, TP_SOLID_CONTACTS = 1000 };
 
 /* The defaults: in metres, the whole file, no weight, no friction, z upwards, 72 azimuths, no
- * repair; `size` is the caller's. */
+ * repair and no thinning; `size` is the caller's. */
 void tp_solid_options_init(tp_solid_options *options, size_t size);
 static inline tp_solid_options tp_solid_options_default(void) {
   tp_solid_options options;
@@ -283,6 +285,19 @@ typedef struct tp_solid_repair {
   tp_bounded closed_volume_share;  /* of the volume, what lies between its middle and them */
 } tp_solid_repair;
 
+/* How a mesh was thinned. All vertices of the thinned surface are of the mesh; corners of its
+ * convex hull stay. Volume, weight, centroid and inertia, and with them poses, are those of the
+ * mesh as it was. */
+typedef struct tp_solid_thinning {
+  double length;         /* as asked for, in lengths of the mesh */
+  double farthest;       /* likewise: no point of either surface is farther from the other */
+  size_t scan_vertices;  /* before */
+  size_t scan_triangles; /* before */
+  size_t hull_corners;   /* vertices that stay as corners of the convex hull, */
+  size_t left_points;    /* and as the surface would otherwise have met itself there */
+  tp_bounded volume_difference_m3; /* what the thinned surface encloses more, or less, below 0 */
+} tp_solid_thinning;
+
 /* A closed mesh inside the solid: rock of another unit weight, or a hole. */
 typedef struct tp_solid_part {
   TP_OUTSIDE char *file;    /* the mesh, */
@@ -344,6 +359,8 @@ typedef struct tp_solid {
   bool has_below;             /* a plane cuts it, and all results are of what lies above: */
   double below;               /* if has_below: so high over the lowest point, in lengths of the
                                  mesh; of a scene, in its own */
+  bool has_thinning; /* thinning was asked for, and vertices and triangles are what is left */
+  tp_solid_thinning thinning; /* if has_thinning: how it was done */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

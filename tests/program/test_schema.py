@@ -337,7 +337,7 @@ class Schema(unittest.TestCase):
             faces = [t for a, b, c, d in square for t in ((a, b, c), (a, c, d))]
             faces += [(0, 8, 4), (8, 5, 4), (8, 1, 5), (0, 1, 8), (2, 0, 4), (2, 6, 4), (4, 6, 2), (9, 10, 11), (10, 9, 12), (11, 10, 12), (9, 11, 12)]
             (pathlib.Path(folder) / "rock.obj").write_text(corners + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces[1:]))
-            self.prints("solid", "--json", "--repair", "--merge-within=1e-6", "--drop-below=0.01", "rock.obj", folder=folder)
+            self.prints("solid", "--json", "--repair", "--thin=0.1", "--merge-within=1e-6", "--drop-below=0.01", "rock.obj", folder=folder)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
         status, out, err = run("solve", "--json", rock.with_name("rock_in_the_ground.yaml"))
         self.assertEqual((status, err), (0, ""))

@@ -32,6 +32,7 @@ enum {
   KEY_REPAIR,
   KEY_MERGE,
   KEY_DROP,
+  KEY_THIN,
   KEY_CSV
 };
 
@@ -59,6 +60,11 @@ static const struct argp_option options[] = {
      "With --repair: merge points as near as this, in lengths of the mesh", 0},
     {"drop-below", KEY_DROP, "SHARE", 0,
      "With --repair: drop pieces of less than this share of the area", 0},
+    {"thin", KEY_THIN, "LENGTH", 0,
+     "Thin the mesh to one that is nowhere farther from it than this, in lengths of the mesh, nor "
+     "it "
+     "from that",
+     0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the rock, what of it touches, and the rose into FILE: .svg, .pdf or .png; as "
      ".glb the rock as a model",
@@ -119,6 +125,10 @@ static error_t parse_repair(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_DROP:
     a->options.repair_drop_below = read_number("drop-below", argument, state);
+    return 0;
+  case KEY_THIN:
+    a->options.thin = read_number("thin", argument, state);
+    if (a->options.thin == 0) tp_cli_refuse(state, "--thin takes a length above 0");
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;

@@ -76,13 +76,14 @@ public:
       : points_(points), space_(points), triangles_(triangles) {
   }
 
-  void run(tp_geom_clashes *clashes, size_t count) const {
+  void run(tp_geom_clashes *clashes, size_t count, bool *marks) const {
     std::vector<TriangleBox> boxes(count);
     for (size_t k = 0; k < count; k++) boxes[k] = box(k);
     const auto decide = [&](const TriangleBox &one, const TriangleBox &other) {
       const size_t a = std::min(one.number, other.number);
       const size_t b = std::max(one.number, other.number);
       if (!meet(a, b)) return;
+      if (marks != nullptr) marks[a] = marks[b] = true;
       if (clashes->count++ > 0 &&
           !(a < clashes->first || (a == clashes->first && b < clashes->second))) {
         return;
@@ -216,13 +217,13 @@ template <class Kernel> tp_geom_status hull_of(tp_geom_hull *hull, const tp_geom
 } // namespace
 
 tp_geom_status tp_geom_find_clashes(tp_geom_clashes *clashes, const tp_geom_points *points,
-                                    const int *triangles, size_t count) {
+                                    const int *triangles, size_t count, bool *marks) {
   *clashes = tp_geom_clashes{0, 0, 0};
   return tp::guard([&] {
     if (points->small) {
-      Clashes<tp::Small>(*points, triangles).run(clashes, count);
+      Clashes<tp::Small>(*points, triangles).run(clashes, count, marks);
     } else {
-      Clashes<tp::Large>(*points, triangles).run(clashes, count);
+      Clashes<tp::Large>(*points, triangles).run(clashes, count, marks);
     }
     return TP_GEOM_OK;
   });

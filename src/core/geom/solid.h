@@ -32,9 +32,10 @@ typedef struct tp_geom_clashes {
   size_t first, second; /* the pair with the least first, then the least second; first < second */
 } tp_geom_clashes;
 
-/* `triangles` has three corners for each of `count`, none of which lie on one line. */
+/* `triangles` has three corners for each of `count`, none of which lie on one line. Where `marks`
+ * is not NULL, those of triangles of such pairs are set; there is one for each. */
 tp_geom_status tp_geom_find_clashes(tp_geom_clashes *clashes, const tp_geom_points *points,
-                                    const int *triangles, size_t count);
+                                    const int *triangles, size_t count, bool *marks);
 
 /* The convex hull: triangles whose corners run counter-clockwise seen from outside; several lie in
  * one plane where a facet has more corners. */

@@ -186,8 +186,8 @@ tp_status tp_gate_edges(const tp_surface *surface, tp_message *message) {
 tp_status tp_gate_clashes(const tp_surface *surface, tp_message *message) {
   const tp_geom_points points = tp_surface_points(surface);
   tp_geom_clashes clashes;
-  const tp_geom_status found =
-      tp_geom_find_clashes(&clashes, &points, surface->triangles, (size_t)surface->triangle_count);
+  const tp_geom_status found = tp_geom_find_clashes(&clashes, &points, surface->triangles,
+                                                    (size_t)surface->triangle_count, NULL);
   if (found == TP_GEOM_OUT_OF_MEMORY) return tp_fail_memory(message, "the triangles of a solid");
   if (found != TP_GEOM_OK) {
     return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){surface->mesh->file, 0, 0},

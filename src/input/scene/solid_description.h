@@ -62,6 +62,7 @@ typedef struct tp_solid_description {
   bool repair;                /* mend the mesh: */
   double repair_merge_within; /* in lengths of the mesh; 0: equal points alone */
   double repair_drop_below;   /* pieces of less than this share of the area; 0: none */
+  double thin;                /* by this length, in those of the mesh; 0: not */
   tp_wedge_description wedge; /* instead of the mesh and what touches */
 } tp_solid_description;
 

@@ -78,6 +78,8 @@ TP_MUST_USE tp_status tp_note_mesh_unit(const tp_reader *reader, const tp_node *
 TP_MUST_USE tp_status tp_read_solid(const tp_reader *reader, const tp_node *root);
 /* true, or {merge_within, drop_below}; NULL: none. */
 TP_MUST_USE tp_status tp_read_solid_repair(const tp_reader *reader, const tp_node *node);
+/* A length; NULL: none. */
+TP_MUST_USE tp_status tp_read_solid_thin(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *solid);
 /* The mesh that a map names, and the object of it. */
 TP_MUST_USE tp_status tp_read_solid_mesh(const tp_reader *reader, const tp_mesh **mesh,

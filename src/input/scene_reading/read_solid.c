@@ -286,6 +286,7 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_solid_parts(reader, node);
   if (status == TP_OK) status = read_lengths(reader, node);
   if (status == TP_OK) status = tp_read_solid_repair(reader, tp_node_get(node, "repair"));
+  if (status == TP_OK) status = tp_read_solid_thin(reader, tp_node_get(node, "thin"));
   if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));
   if (status == TP_OK) status = read_solid_base(reader, tp_node_get(node, "base"));
   if (status == TP_OK) status = read_bands(reader, node);

@@ -5,6 +5,7 @@
  * solid.parts, as holes and parts of a block are outlines inside its own. That they lie inside is
  * for whoever has their surfaces (solid/pieces.h). */
 
+#include "number/ball.h"
 #include "scene/members.h"
 #include "scene_reading/read.h"
 
@@ -84,18 +85,29 @@ tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *node) {
 /* ---- a repair ----------------------------------------------------------------------------------
  */
 
-static tp_status read_merge_within(const tp_reader *reader, const tp_node *node) {
-  tp_solid_description *own = &reader->scene->solid;
-  if (node == NULL) return TP_OK;
-  fmpq_t within;
-  fmpq_init(within);
-  const tp_status status =
-      tp_read_by_rule(reader, within, node, "merge_within", TP_RULE_NOT_NEGATIVE);
-  fmpq_mul(within, within, reader->scene->metres_per_unit);
-  fmpq_div(within, within, own->metres_per_unit);
-  own->repair_merge_within = fmpq_get_d(within);
-  fmpq_clear(within);
+/* A length of the scene in those of the mesh. */
+static tp_status read_mesh_length(const tp_reader *reader, double *length, const tp_node *node,
+                                  const char *name, tp_rule rule) {
+  fmpq_t own;
+  fmpq_init(own);
+  const tp_status status = tp_read_by_rule(reader, own, node, name, rule);
+  fmpq_mul(own, own, reader->scene->metres_per_unit);
+  fmpq_div(own, own, reader->scene->solid.metres_per_unit);
+  if (status == TP_OK) {
+    arf_t nearest;
+    arf_init(nearest);
+    arf_fmpz_div_fmpz(nearest, fmpq_numref(own), fmpq_denref(own), DBL_MANT_DIG, ARF_RND_NEAR);
+    *length = tp_ball_nearest(nearest);
+    arf_clear(nearest);
+  }
+  fmpq_clear(own);
   return status;
+}
+
+static tp_status read_merge_within(const tp_reader *reader, const tp_node *node) {
+  return node == NULL ? TP_OK
+                      : read_mesh_length(reader, &reader->scene->solid.repair_merge_within, node,
+                                         "merge_within", TP_RULE_NOT_NEGATIVE);
 }
 
 static tp_status read_drop_below(const tp_reader *reader, const tp_node *node) {
@@ -122,4 +134,18 @@ tp_status tp_read_solid_repair(const tp_reader *reader, const tp_node *node) {
   tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_repair, "repair");
   if (status == TP_OK) status = read_merge_within(reader, tp_node_get(node, "merge_within"));
   return status == TP_OK ? read_drop_below(reader, tp_node_get(node, "drop_below")) : status;
+}
+
+/* ---- thinning ----------------------------------------------------------------------------------
+ */
+
+tp_status tp_read_solid_thin(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *own = &reader->scene->solid;
+  if (node == NULL) return TP_OK;
+  if (own->part_count > 0) {
+    return tp_read_fail(reader, TP_FAULT_KEY, node,
+                        "a rock with 'holes' or 'parts' is not thinned, for these may touch its "
+                        "surface: leave out 'thin', or them");
+  }
+  return read_mesh_length(reader, &own->thin, node, "thin", TP_RULE_ABOVE_ZERO);
 }

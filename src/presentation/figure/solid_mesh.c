@@ -12,9 +12,11 @@
 #include "scene/scene.h"
 #include "solid/azimuth.h"
 #include "solid/cut.h"
+#include "solid/gate.h"
 #include "solid/mend.h"
 #include "solid/sides.h"
 #include "solid/solid_sums.h"
+#include "solid/thin.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -118,12 +120,13 @@ static double origin(const tp_surface *surface, int axis) {
 static void set_centre(double centre[3], const tp_surface *surface, const tp_solid *solid,
                        double metres) {
   tp_near sums[TP_SOLID_SUM_COUNT];
-  if (solid->part_count == 0) tp_solid_sums_near(sums, surface);
+  const bool sums_it = solid->part_count == 0 && !solid->has_thinning;
+  if (sums_it) tp_solid_sums_near(sums, surface);
   for (int k = 0; k < 3; k++) {
-    centre[k] = solid->part_count == 0
+    centre[k] = sums_it
                     ? sums[TP_SOLID_X24 + k].value / (4 * sums[TP_SOLID_V6].value)
                     : (solid->centroid_m[k].value - solid->metres_per_unit * origin(surface, k)) /
-                          metres; /* its parts are not read */
+                          metres; /* not of what is read here */
   }
 }
 
@@ -166,6 +169,18 @@ static tp_status mend(tp_mesh *mesh, long *object, const tp_solid *solid, tp_mes
   return status;
 }
 
+/* As it was thinned, in place of all of it. */
+static tp_status thin(tp_surface *surface, const tp_solid *solid, tp_message *message) {
+  tp_surface whole = *surface;
+  tp_solid_thinning record;
+  tp_status status = tp_gate_edges(&whole, message); /* what the file has now */
+  if (status == TP_OK) {
+    status = tp_surface_thin(surface, &record, &whole, solid->thinning.length, message);
+  }
+  tp_surface_clear(&whole);
+  return status;
+}
+
 static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid *solid,
                               tp_message *message) {
   long object = -1;
@@ -175,6 +190,7 @@ static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid
   if (solid->object != NULL && object < 0) return refuse_other(solid, message);
   tp_status status = mend(mesh, &object, solid, message);
   if (status == TP_OK) status = tp_surface_init(surface, mesh, object, message);
+  if (status == TP_OK && solid->has_thinning) status = thin(surface, solid, message);
   if (status != TP_OK) return status;
   if (surface->triangle_count == (long)solid->triangles &&
       surface->vertex_count == (long)solid->vertices) {

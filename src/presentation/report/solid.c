@@ -245,6 +245,7 @@ tp_status tp_report_solid(char **text, const tp_solid *solid) {
   tp_text t = {0};
   add_body(&t, solid);
   tp_text_solid_repair(&t, solid);
+  tp_text_solid_thinning(&t, solid);
   if (solid->band_count > 0) add_bands(&t, solid);
   tp_text_solid_stances(&t, solid);
   tp_text_solid_contacts(&t, solid);

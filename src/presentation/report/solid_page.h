@@ -20,6 +20,9 @@ void tp_text_solid_answer_wrapped(tp_text *t, const tp_solid *solid); /* and an 
 /* Where it was mended: the gaps that were closed; else nothing. */
 void tp_text_solid_repair(tp_text *t, const tp_solid *solid);
 
+/* Where it was thinned: what is left; else nothing. */
+void tp_text_solid_thinning(tp_text *t, const tp_solid *solid);
+
 /* What the first column of bands is: band, or below, the height of a plane that cuts it. */
 const char *tp_text_solid_band(const tp_solid *solid);
 

@@ -14,6 +14,7 @@
 #include "solid_tilt/rose.h"
 #include "solid_tilt/solid_parts.h"
 #include "solid_tilt/stance.h"
+#include "solid_tilt/thinned.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -206,6 +207,7 @@ tp_status tp_solid_find_body(tp_solid *solid, const tp_solid_body *body, tp_soli
   if (given->bands == NULL) {
     status = tp_solid_given_bands(given, tp_heights_above_most(&w.above), message);
   }
+  if (status == TP_OK) status = tp_thinning_tell(solid, body, given, message);
   if (status == TP_OK) status = climb(&w);
   tp_heights_above_clear(&w.above);
   return status;

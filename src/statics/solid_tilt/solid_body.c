@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The surface, the gate, moments in doubles and the hull, in the order in which faults are told. */
+/* The surface, the gate, moments in doubles and the hull, in the order in which faults are told. Of
+ * a mesh that is thinned the moments stay those of all of it, for they cost little. */
 
 #include "solid_tilt/solid_body.h"
 
@@ -63,35 +64,55 @@ static tp_status pass(tp_solid_moments *moments, const tp_surface *surface, tp_m
   return tp_solid_moments_check(moments, message);
 }
 
-static tp_status pass_all(tp_solid_body *body, tp_message *message) {
-  tp_status status = pass(&body->moments, &body->surface, message);
+/* One that is thinned: edges and moments are of all of it, areas and where it meets itself of what
+ * is left, which has the same hull. */
+static tp_status pass_thinned(tp_solid_body *body, double length, tp_message *message) {
+  body->is_thinned = true;
+  body->surface = (tp_surface){.mesh = NULL};
+  tp_status status = tp_gate_edges(&body->whole, message);
+  if (status != TP_OK) return status;
+  tp_solid_moments_init(&body->moments, &body->whole);
+  status = tp_solid_moments_check(&body->moments, message);
+  if (status == TP_OK) {
+    status = tp_surface_thin(&body->surface, &body->thinning, &body->whole, length, message);
+  }
+  if (status != TP_OK) return status;
+  tp_solid_moments_lie_on(&body->moments, &body->surface);
+  tp_solid_moments_init(&body->of_thinned, &body->surface);
+  return tp_solid_moments_check(&body->of_thinned, message);
+}
+
+static tp_status pass_all(tp_solid_body *body, const tp_solid_wish *wish, tp_message *message) {
+  const bool thins = wish != NULL && wish->thin > 0;
+  tp_status status = thins ? pass_thinned(body, wish->thin, message)
+                           : pass(&body->moments, &body->surface, message);
   for (long k = 0; k < body->part_count && status == TP_OK; k++) {
     status = pass(body->part_moments + k, &body->pieces[k + 1].surface, message);
   }
-  if (status == TP_OK) status = tp_gate_clashes(&body->whole, message);
+  if (status == TP_OK && !thins) status = tp_gate_clashes(&body->whole, message);
   if (status == TP_OK && body->part_count > 0) {
     status = tp_gate_pieces(body->pieces, body->part_count + 1, message);
   }
   return status == TP_OK ? tp_hull_facets_init(&body->facets, &body->surface, message) : status;
 }
 
-static tp_status mend(tp_solid_body *body, const tp_mend_wish *wish, tp_message *message) {
-  if (wish == NULL) return TP_OK;
+static tp_status mend(tp_solid_body *body, const tp_solid_wish *wish, tp_message *message) {
+  if (wish == NULL || !wish->repair) return TP_OK;
   body->is_mended = true;
   const tp_status status =
-      tp_mesh_mend(&body->mended, &body->repair, body->mesh, body->object, wish, message);
+      tp_mesh_mend(&body->mended, &body->repair, body->mesh, body->object, &wish->mend, message);
   body->mesh = &body->mended;
   if (body->object > 0) body->object = 0;
   return status;
 }
 
 tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long object,
-                             const tp_mend_wish *wish, const tp_solid_part_description *parts,
+                             const tp_solid_wish *wish, const tp_solid_part_description *parts,
                              long part_count, tp_message *message) {
   *body = (tp_solid_body){.mesh = mesh, .object = object, .part_count = part_count};
   tp_status status = mend(body, wish, message);
   if (status == TP_OK) status = take_surfaces(body, parts, message);
-  if (status == TP_OK) status = pass_all(body, message);
+  if (status == TP_OK) status = pass_all(body, wish, message);
   if (status != TP_OK) tp_solid_body_clear(body);
   return status;
 }
@@ -104,6 +125,10 @@ void tp_solid_body_clear(tp_solid_body *body) {
   }
   free(body->part_moments);
   free(body->pieces);
+  if (body->is_thinned) {
+    tp_solid_moments_clear(&body->of_thinned);
+    tp_surface_clear(&body->surface);
+  }
   tp_surface_clear(&body->whole);
   tp_mesh_clear(&body->joined);
   tp_mesh_clear(&body->mended);
@@ -128,10 +153,10 @@ tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *sce
   tp_solid_body *own = malloc(sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "a solid");
   const tp_solid_description *solid = &scene->solid;
-  const tp_mend_wish wish = {solid->repair_merge_within, solid->repair_drop_below};
-  const tp_status status =
-      tp_solid_body_init(own, solid->mesh, solid->object, solid->repair ? &wish : NULL,
-                         solid->parts, solid->part_count, message);
+  const tp_solid_wish wish = {
+      solid->repair, {solid->repair_merge_within, solid->repair_drop_below}, solid->thin};
+  const tp_status status = tp_solid_body_init(own, solid->mesh, solid->object, &wish, solid->parts,
+                                              solid->part_count, message);
   if (status == TP_OK) {
     *body = tp_scene_file_keep(file, own, give_back);
   } else {

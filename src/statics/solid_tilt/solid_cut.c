@@ -9,11 +9,15 @@
 #include "solid/cut.h"
 #include "solid_tilt/find_solid.h"
 #include "solid_tilt/solve_solid.h"
+#include "solid_tilt/thinned.h"
 
 #include <stdlib.h>
 
+/* Of a rock that is thinned all of it, for what lies above is then as exact as without. */
 static const tp_surface *surface_of(const tp_solid_body *body, long k) {
-  return k == 0 ? &body->surface : &body->pieces[k].surface;
+  return k == 0 && body->is_thinned ? &body->whole
+         : k == 0                   ? &body->surface
+                                    : &body->pieces[k].surface;
 }
 
 static tp_place place_of(const tp_solid_cut *cut, const tp_solid_given *given) {
@@ -95,7 +99,7 @@ tp_status tp_solid_cut_init(tp_solid_cut *cut, const tp_solid_body *body,
                                  .repair = body->repair, /* borrowed */
                                  .part_count = body->part_count}};
   tp_cut_plane plane;
-  tp_cut_plane_init(&plane, &body->surface, given->up, given->below);
+  tp_cut_plane_init(&plane, surface_of(body, 0), given->up, given->below);
   tp_status status = cut_all(cut, body, &plane, message);
   tp_cut_plane_clear(&plane);
   if (status == TP_OK) status = check(cut, given, given->up, message);
@@ -134,6 +138,7 @@ static tp_status find_cut(tp_solid *solid, const tp_solid_body *body, tp_solid_g
   status = tp_solid_find_body(solid, &cut.body, given, message);
   solid->vertices = (size_t)body->surface.vertex_count;
   solid->triangles = (size_t)body->surface.triangle_count;
+  if (status == TP_OK) status = tp_thinning_tell(solid, body, given, message);
   if (status == TP_OK) solid->bands->band = solid->below;
   tp_solid_cut_clear(&cut);
   return status;

@@ -13,7 +13,7 @@
 #include <arb.h>
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_solid_options, below);
+TP_OPTIONS_END(tp_solid_options, thin);
 
 enum { AZIMUTHS = 72, OWN_BANDS = 4, NORMAL_BITS = 100 };
 
@@ -124,11 +124,16 @@ static void start(tp_solid_given *given) {
   for (int k = 0; k < 3; k++) fmpz_init(given->up + k);
 }
 
+/* What is to be done to the mesh. */
 static tp_status check_repair(const tp_solid_options *options, tp_message *message) {
   const double within = options->repair_merge_within, below = options->repair_drop_below;
   if (!options->repair && (within != 0 || below != 0)) {
     return refuse(message, TP_FAULT_KEY,
                   "points are merged and pieces dropped by a repair: ask for it too");
+  }
+  if (!(isfinite(options->thin) && options->thin >= 0)) {
+    return refuse(message, TP_FAULT_RANGE,
+                  "a mesh is thinned by a finite length above 0, or 0 where it is not");
   }
   return isfinite(within) && within >= 0 && below >= 0 && below < 1
              ? TP_OK

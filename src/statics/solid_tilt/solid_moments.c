@@ -13,7 +13,7 @@
 enum { BITS = 192 }; /* of balls: roundings far below what a double shows */
 
 static void start(tp_solid_moments *moments, const tp_surface *surface) {
-  *moments = (tp_solid_moments){.surface = surface, .level = TP_LEVEL_DOUBLE};
+  *moments = (tp_solid_moments){.surface = surface, .summed = surface, .level = TP_LEVEL_DOUBLE};
   for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_init(moments->exact + k);
   fmpz_init_set_ui(moments->multiple, 1);
   fmpz_init(moments->exact_volume6);
@@ -24,6 +24,11 @@ void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface)
   tp_solid_sums_near(moments->near, surface);
   moments->near_volume6 = moments->near[TP_SOLID_V6];
   tp_centre_of_near(&moments->centre, surface, moments->near);
+}
+
+void tp_solid_moments_lie_on(tp_solid_moments *moments, const tp_surface *surface) {
+  moments->surface = surface;
+  moments->centre.surface = surface;
 }
 
 static bool is_hole(const tp_solid_part_moments *part) {
@@ -94,6 +99,7 @@ static void take_exact(tp_solid_moments *m) {
 void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *moments,
                             const tp_solid_part_moments *parts, long part_count) {
   start(weighed, moments->surface);
+  weighed->summed = moments->summed;
   weighed->parts = parts;
   weighed->part_count = part_count;
   memcpy(weighed->near, moments->near, sizeof weighed->near);
@@ -111,7 +117,7 @@ void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *m
 void tp_solid_moments_climb(tp_solid_moments *moments) {
   if (moments->level == TP_LEVEL_EXACT) return;
   tp_centre_clear(&moments->centre);
-  tp_solid_sums_exact(moments->exact, moments->multiple, moments->surface);
+  tp_solid_sums_exact(moments->exact, moments->multiple, moments->summed);
   take_exact(moments);
 }
 

@@ -13,7 +13,8 @@
 /* Sums over what is inside a surface; with parts, by weight: with all of these times `excess`
  * added, their unit weight over that of the rock, less one. */
 typedef struct tp_solid_moments {
-  const tp_surface *surface;
+  const tp_surface *surface; /* on whose lattice these numbers are, */
+  const tp_surface *summed;  /* and that within which all is: the same, or with its vertices */
   tp_level level;
   tp_centre centre;
   tp_near near[TP_SOLID_SUM_COUNT];
@@ -36,6 +37,8 @@ void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface)
 void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *moments,
                             const tp_solid_part_moments *parts, long part_count);
 void tp_solid_moments_climb(tp_solid_moments *moments); /* to the level exact */
+/* Sums of a surface for another one on its lattice, in place of it. */
+void tp_solid_moments_lie_on(tp_solid_moments *moments, const tp_surface *surface);
 void tp_solid_moments_clear(tp_solid_moments *moments);
 
 /* Refuses a surface that encloses no volume, or that is oriented inwards, which exact sums tell

@@ -65,10 +65,10 @@ static tp_status solve_mesh(tp_solid *solid, const tp_mesh *mesh, const tp_solid
   tp_solid_body body;
   long object = -1;
   tp_status status = find_object(&object, mesh, options->object, message);
-  const tp_mend_wish wish = {options->repair_merge_within, options->repair_drop_below};
+  const tp_solid_wish wish = {
+      options->repair, {options->repair_merge_within, options->repair_drop_below}, options->thin};
   if (status == TP_OK) {
-    status =
-        tp_solid_body_init(&body, mesh, object, options->repair ? &wish : NULL, NULL, 0, message);
+    status = tp_solid_body_init(&body, mesh, object, &wish, NULL, 0, message);
   }
   if (status != TP_OK) return status;
   status = tp_solid_find(solid, &body, given, message);
