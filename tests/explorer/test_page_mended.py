@@ -9,7 +9,7 @@ import tempfile
 import time
 
 from drawn_case import POLYGON
-from page_case import main
+from page_case import ROOT, main, run
 from panel_case import PanelCase
 
 BOX = "(() => {{ const r = document.querySelector({}).getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; }})()"
@@ -95,15 +95,52 @@ class Mended(PanelCase):
                     if abs(at_x - x) < 2 and abs(at_y - y) < 2:
                         self.assertGreater((right - left) / 2, radius + 3)
 
-    def test_pivots_are_whole_at_1024(self):
-        """No column of the table is cut off, nor has to be scrolled to."""
-        self.load(width=1024, height=768)
-        self.tab("pivots")
-        widths = self.value("(() => { const t = document.querySelector('#panel-pivots table'); const out = [];"
-                            " for (let e = t; e.id !== 'panels'; e = e.parentElement) out.push([e.scrollWidth, e.clientWidth]); return out; })()")
-        for needed, given in widths:
-            self.assertLessEqual(needed, given + 1)
-        self.assertLessEqual(self.box("#panel-pivots table")[2], 1024)
+    def test_pivots_are_whole(self):
+        """In windows of each width no column of the table is cut off or has to be scrolled to, and no scroll bar is empty."""
+        for width, height in ((1440, 900), (1024, 768), (390, 844)):
+            with self.subTest(width):
+                self.load(width=width, height=height)
+                self.tab("pivots")
+                widths = self.value("(() => { const t = document.querySelector('#panel-pivots table'); const out = [];"
+                                    " for (let e = t; e.id !== 'panels'; e = e.parentElement) out.push([e.scrollWidth, e.clientWidth]); return out; })()")
+                for needed, given in widths:
+                    self.assertLessEqual(needed, given + 1)
+                self.assertLessEqual(self.box("#panel-pivots table")[2], width)
+                self.assertEqual(self.value("(() => { const w = document.querySelector('#panel-pivots .wide'); return w.offsetHeight - w.clientHeight; })()"), 0)
+
+    def test_vertices_that_crowd_are_small(self):
+        """On a telephone the ground of a slope has a vertex below each column: their knobs leave the contacts in sight, and one that has
+        the focus is as large as any; of a block with four they are not small."""
+        self.load(width=390, height=844)
+        self.example("toppling_slope")
+        knobs = "[...document.querySelectorAll('.handle.vertex')].map(h => [h.classList.contains('close'), h.querySelector('.knob').getBoundingClientRect().width])"
+        sizes = self.value(knobs)
+        small = [width for close, width in sizes if close]
+        self.assertGreater(len(small), 8)
+        self.assertLess(max(small), 11)
+        self.value("document.querySelector('.handle.vertex.close').focus()")
+        self.frame()
+        self.assertGreater(self.value("document.querySelector('.handle.vertex.close:focus .knob').getBoundingClientRect().width"), 13)
+        self.example("boulder_traced")
+        self.assertLess(sum(close for close, _ in self.value(knobs)), 0.5 * len(self.value(knobs)) + 1)
+
+    def test_sentences_of_a_report_are_as_wide_as_their_panel(self):
+        """What goes on in the next line is broken where the panel ends, what stands in columns is not; the text is the program's to the letter."""
+        self.load(width=390, height=844)
+        for name, begins, count in (("balanced_rock", "Tilted by 5°", 1), ("toppling_slope", "MAY MOVE", 1)):
+            with self.subTest(name):
+                self.example(name)
+                self.awaits(f"[...document.querySelectorAll('#panel-verdict .prose')].some(e => e.textContent.trim().startsWith('{begins}'))")
+                proses = self.value("[...document.querySelectorAll('#panel-verdict .prose')].map(e => [e.textContent, e.getBoundingClientRect().right])")
+                self.assertGreaterEqual(len(proses), count)
+                for text, right in proses:
+                    self.assertLessEqual(right, 390)
+                    self.assertNotRegex(text.strip(), r"\S  ")
+                folder = "solids" if name == "balanced_rock" else "blocks"
+                whole = self.value("document.querySelector('#panel-verdict pre').textContent")
+                status, out, _ = run("solve", ROOT / "examples" / folder / f"{name}.yaml")
+                self.assertEqual(status, 0)
+                self.assertEqual(whole.split("\n")[3:12], out.split("\n")[3:12])
 
     def test_controls_stay_within_their_part(self):
         """In windows of each width, none lies over another part of the page, or beyond it."""

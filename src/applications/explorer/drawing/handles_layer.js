@@ -9,6 +9,7 @@ import { say } from "../words/language.js";
 const RADIUS = 7;
 const REACH = 2.4 * RADIUS;
 const APART = 24; // dots
+const CLOSE = 3 * RADIUS; // of a neighbour: both are drawn smaller
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -63,7 +64,7 @@ export class HandlesLayer {
     this.view.direction(0, -1), this.#grip);
     this.group.selectAll("g.handle").data(seen, (one) => one.handle.key)
       .join((enter) => this.#made(enter))
-      .each(function ({ handle, x, y, away }) {
+      .each(function ({ handle, x, y, away, close }) {
         // of a hundred handles one is dragged: the others' places and words stay, and are not laid out again
         const place = "translate(" + (x + away.x) + " " + (y + away.y) + ")";
         if (this.place !== place) {
@@ -72,10 +73,11 @@ export class HandlesLayer {
           this.querySelector(".lead").setAttribute("d", away.x === 0 && away.y === 0 ? "" : "M0 0L" + -away.x + " " + -away.y);
         }
         if (handle.reach !== undefined) this.querySelector(".reach").setAttribute("r", dotsOf(handle.reach));
+        if (this.close !== close) this.classList.toggle("close", (this.close = close));
         const words = handle.fixed ?? handle.label;
         if (this.words === words) return;
         this.words = words;
-        this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed"));
+        this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed") + (close ? " close" : ""));
         this.setAttribute("aria-label", handle.fixed ?? handle.label + ". " + say("Arrow keys move it."));
         this.querySelector("title").textContent = words;
       });
@@ -164,13 +166,14 @@ function alongAxis(from, hand) {
 
 /**
  * Handles of the base lie where those of the block do, as these touch it: they are drawn below, with a line to their place.
- * One that is dragged stays as it was taken.
+ * One that is dragged stays as it was taken. Vertices that crowd are small, so that one sees what they lie on.
  */
 function apart(seen, down, grip) {
   const others = seen.filter(({ handle }) => handle.kind !== "base");
   return seen.map((one) => {
     const covered = one.handle.kind === "base" && others.some(({ x, y }) => Math.hypot(x - one.x, y - one.y) < 2 * RADIUS);
     const away = grip?.key === one.handle.key ? grip.away : covered ? { x: APART * down.x, y: APART * down.y } : { x: 0, y: 0 };
-    return { ...one, away };
+    const crowds = one.handle.kind === "vertex" && seen.some((other) => other !== one && other.handle.kind === "vertex" && Math.hypot(other.x - one.x, other.y - one.y) < CLOSE);
+    return { ...one, away, close: crowds };
   });
 }

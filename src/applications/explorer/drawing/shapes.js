@@ -6,8 +6,8 @@
 import { shapesOfMany } from "./shapes_of_many.js";
 import { nearPath, pathPoints, thinPath } from "./thin_path.js";
 
-/** Browsers draw in single precision: diagonals beyond these are not drawn, in metres, ... */
-const SIZES = { least: 1e-15, most: 1e15 };
+/** Browsers draw in single precision, and Firefox stops for good at matrices of 4e-12: diagonals beyond these are not drawn, in metres, ... */
+const SIZES = { least: 1e-15, most: 1e11 };
 /** ... and what lies farther off than so many of them is drawn nearer. */
 const REACH = 1e9;
 const ROCK_DEPTH = 0.3; // of the block's height

@@ -10,7 +10,7 @@ import { element } from "./element.js";
 import { language, say } from "../words/language.js";
 
 const REPORT_MAX_MS = 60_000;
-const BROKEN = 60; // characters at which a sentence may go on in the next line
+const BROKEN = { least: 76, most: 82 }; // characters of a line, with the word that it had no room for, and without
 const SHEET = ".report.html";
 
 /** What asks for a sheet in that of the page, where the scene names none. @param {import("../scene/store.js").SceneStore} store @returns {string[]} */
@@ -30,16 +30,24 @@ export async function reportOf(panel, core) {
   return sheet === undefined ? textOf(answer.out + answer.err) : sheetOf(sheet);
 }
 
-/** Lines as they stand, but for paragraphs of sentences, which are as wide as the page. @param {string} text */
+/** Lines as they stand, but for sentences that go on in the next line, which are as wide as their place. @param {string} text */
 export function textOf(text) {
-  const parts = text.split(/(?<=\n)(?=\n)/).map((part) => (isProse(part) ? element("span", { class: "prose" }, part) : part));
+  const lines = text.split(/(?<=\n)/);
+  const parts = [];
+  for (let at = 0; at < lines.length; at++) {
+    const from = at;
+    while (at + 1 < lines.length && goesOn(lines[at], lines[at + 1])) at++;
+    const part = lines.slice(from, at + 1).join("");
+    parts.push(at === from ? part : element("span", { class: "prose", style: "padding-left: " + /^ */.exec(part)[0].length + "ch" }, part));
+  }
   return element("pre", { class: "wide", tabindex: 0, "aria-label": "Report" }, parts);
 }
 
-/** Several lines, as long as words let them be, neither indented nor in columns. */
-function isProse(part) {
-  const lines = part.replace(/^\n|\n$/g, "").split("\n");
-  return lines.length > 1 && lines.every((line) => /^\S/.test(line) && !line.includes("  ")) && lines.slice(0, -1).every(({ length }) => length >= BROKEN);
+/** Of a line that the next one's first word would have been too long for; neither is in columns. */
+function goesOn(line, next) {
+  const [[, indent, words], [, indentThere, wordsThere]] = [line, next].map((each) => /^( *)(.*)/.exec(each));
+  const long = indent.length + words.length;
+  return indent === indentThere && wordsThere !== "" && !(words + wordsThere).includes("  ") && long <= BROKEN.most && long + 1 + wordsThere.split(" ")[0].length > BROKEN.least;
 }
 
 /** As a page of its own, in which no script runs. */

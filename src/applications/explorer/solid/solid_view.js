@@ -86,7 +86,7 @@ export class SolidView {
     const top = belowBadge(width);
     this.dots = (zoom * Math.min(width, height - top)) / (2.9 * this.reach);
     const style = getComputedStyle(document.documentElement);
-    const hex = style.getPropertyValue("--block").trim();
+    const hex = style.getPropertyValue("--solid").trim();
     const colour = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
     this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3 * this.reach, x: 0, y: top / 2 }, colour);
     const project = (turn) => (point) => {
