@@ -78,6 +78,17 @@ class Refusals(unittest.TestCase):
         for path in [*sorted((ROOT / "tests" / "bad").glob("*.yaml")), lone]:
             _, _, err = run("solve", "--json", path.name, folder=path.parent)
             said[path.name] = re.sub(r"^[^:]+:\d+:\d+: ", "", re.sub(r"^topple: ", "", err.split("\n")[0]))
+        solids, rock = ROOT / "examples" / "solids", lone.parent
+        (rock / "balanced_rock.obj").write_bytes((solids / "balanced_rock.obj").read_bytes())
+        whole = (solids / "rock_in_the_ground.yaml").read_text(encoding="utf-8")
+        below = "  below: 0.1 "
+        for name, old, new in (("whole_below", below, "  below: 9 "), ("bands_and_below", below, "  bands: [0.1]\n" + below), ("no_band", below, "  bands: []\n  # "),
+                               ("to_the_left", "azimuth_deg: 120", "towards: left"), ("no_up", below, "  up: [0, 0, 0]\n" + below), ("no_object", below, "  object: rocks\n" + below)):
+            self.assertIn(old, whole)
+            (rock / "solid.yaml").write_text(whole.replace(old, new), encoding="utf-8")
+            status, _, err = run("solve", "--json", "solid.yaml", folder=rock)
+            self.assertEqual(status, 3, err)
+            said[name] = re.sub(r"^topple: [^:]+:\d+:\d+: ", "", err.split("\n")[0])
         self.assertGreater(len(said), 100)
         return said
 
