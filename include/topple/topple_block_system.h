@@ -230,22 +230,36 @@ typedef struct tp_system_case {
   bool has_acceleration;         /* that, and it lies below: */
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt */
-  tp_fos fos;              /* by strength reduction: the number by which the strength of all joints
-                              can be divided until no forces hold the blocks as they lie */
-  bool fos_is_least;       /* that is only proven to be exceeded: the search ended there */
-  tp_system_sought sought; /* how far motions were looked for */
-  bool has_standing_fos;   /* it stands, and: */
-  double standing_fos;     /* if has_standing_fos: no motion can begin with the strength divided by
-                              any number from 1 to this one, proven */
+  tp_fos fos;         /* by strength reduction: the number by which the strength of all joints
+                         can be divided until no forces hold the blocks as they lie */
+  bool fos_is_least;  /* that is only proven to be exceeded: the search ended there */
+  tp_fos fos_driving; /* by what drives: the number by which the loads that drive the blocks to
+                         this side can be multiplied until no forces hold them, those that rest
+                         on the base staying (docs/blocks_in_contact.md).
+                         TP_FOS_NO_OVERTURNING: nothing drives them; TP_FOS_UNDEFINED: not even
+                         without are they held */
+  bool fos_driving_is_least;          /* that is only proven to be exceeded */
+  tp_mechanism fos_driving_mechanism; /* if fos_driving.state == TP_FOS_NUMBER &&
+                                         !fos_driving_is_least: how they begin to move beyond it */
+  tp_system_sought sought;            /* how far motions were looked for */
+  bool has_standing_fos;              /* it stands, and: */
+  double standing_fos; /* if has_standing_fos: no motion can begin with the strength divided by
+                          any number from 1 to this one, proven */
   bool standing_fos_is_least; /* the search ended there */
   bool has_moving_fos;        /* a motion was found: */
   double moving_fos;          /* if has_moving_fos: the least number found by which strength can be
                                  divided for a motion to begin, proven; the true factor is no more */
   bool moving_fos_is_most;    /* the search ended there */
-  bool has_standing_angle;    /* it stands, and: */
-  double standing_angle_deg;  /* if has_standing_angle: no motion can begin at any tilt from its own
-                                 to this one, proven */
-  bool has_moving_angle;      /* a motion was found: */
+  bool has_standing_fos_driving; /* it stands, and something drives it: */
+  double standing_fos_driving; /* if has_standing_fos_driving: no motion can begin with what drives
+                                  multiplied by any number from 1 to this one, proven */
+  bool has_moving_fos_driving; /* a motion was found: */
+  double moving_fos_driving;   /* if has_moving_fos_driving: the least number found by which what
+                                  drives can be multiplied for a motion to begin, proven */
+  bool has_standing_angle;     /* it stands, and: */
+  double standing_angle_deg; /* if has_standing_angle: no motion can begin at any tilt from its own
+                                to this one, proven */
+  bool has_moving_angle;     /* a motion was found: */
   double moving_angle_deg; /* if has_moving_angle: the least tilt found, of those from level on, at
                               which a motion can begin, proven */
   bool has_start;        /* a motion can begin as the blocks lie, or, where that is not known, with
@@ -298,10 +312,11 @@ void tp_block_system_free(tp_block_system *system);
 /* Did the proofs leave a verdict open? */
 bool tp_block_system_is_undecided(const tp_block_system *system);
 
-/* Has a case certainly a factor of `required`? Met only where no motion can begin with the strength
- * divided by it, nor by less: the factor of limit analysis is above that of joints that do not
- * dilate as they slip. Not met where a motion can begin at that divisor or at a lesser one, and
- * where the factor of Goodman and Bray is below it, too. */
+/* Has a case certainly a factor of `required`, by strength reduction and by what drives? Met only
+ * where no motion can begin with the strength divided by it, nor by less, nor with what drives
+ * multiplied so: the factor of limit analysis is above that of joints that do not dilate as they
+ * slip. Not met where a motion can begin at that number or at a lesser one, and where the factor of
+ * Goodman and Bray is below it, too. */
 tp_design tp_system_case_meets(const tp_system_case *one, double required);
 
 /* Does every case certainly have a factor of `required`? */

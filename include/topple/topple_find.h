@@ -15,7 +15,8 @@ extern "C" {
 #endif
 
 /* What a number of the scene is found for. Of many blocks there are TP_FIND_LIMIT_ANGLE,
- * TP_FIND_LIMIT_FOS, of which TP_FIND_FOS is another name, and the last two, of many blocks alone.
+ * TP_FIND_LIMIT_FOS, of which TP_FIND_FOS is another name, TP_FIND_GOVERNING_FOS, the lesser of
+ * that and the factor on what drives, and the last two, of many blocks alone.
  */
 typedef enum tp_find_target {
   TP_FIND_CRITICAL_ANGLE, /* of toppling, degrees */

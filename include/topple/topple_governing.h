@@ -31,8 +31,10 @@ typedef enum tp_fos_definition {
                           tan(phi + i) / tan(tilt) */
   TP_FOS_BY_REDUCTION, /* the divisor of all strength at which a motion can just begin, or, where
                           more strength lets one begin, its multiple: tp_onset.fos */
-  TP_FOS_BY_TILT       /* tan(tilt at which motions begin) / tan(tilt); where they end as the tilt
+  TP_FOS_BY_TILT,      /* tan(tilt at which motions begin) / tan(tilt); where they end as the tilt
                           rises, the inverse. Where strength decides nothing */
+  TP_FOS_BY_DRIVING    /* of many blocks: the multiple of what drives that can just be held
+                          (topple_block_system.h) */
 } tp_fos_definition;
 
 /* moments, shear strength, shear strength with roughness, strength reduction, or tilt. */
@@ -63,8 +65,9 @@ typedef struct tp_factor {
   bool raised; /* by strength: more of it lets a motion begin, or less would stop it */
 } tp_factor;
 
-/* One by each definition, at most, and one by moments that does not count. */
-enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
+/* How many there are. Of one block there is one by each of the first five at most, and one by
+ * moments that does not count. */
+enum { TP_FOS_DEFINITIONS = 6, TP_FACTORS_MAX = 6 };
 
 /* Has a case the factor of safety that is required? Open: undecided. */
 typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;

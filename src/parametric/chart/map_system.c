@@ -27,8 +27,9 @@ static void take_governing(tp_map_sample *sample, const tp_system_case *own) {
   sample->has_limit = own->limit == TP_SYSTEM_LIMIT_NUMBER;
   sample->limit_deg = own->critical_angle_deg;
   sample->limit_deg.digits = NULL;
-  sample->has_fos = own->fos.state == TP_FOS_NUMBER && !own->fos_is_least;
-  sample->fos = own->fos.value;
+  const tp_system_factor factor = tp_system_case_factor(own);
+  sample->has_fos = factor.fos.state == TP_FOS_NUMBER && !factor.is_least;
+  sample->fos = factor.fos.value;
   sample->fos.digits = NULL;
 }
 

@@ -73,7 +73,7 @@ tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_
   row->dip_deg = c->tilt_angle_deg;
   row->towards = c->towards;
   row->verdict = verdict_of(c);
-  row->fos = c->fos;
+  row->fos = tp_system_case_factor(c).fos;
   row->has_fos_mechanism = collapse != TP_STANDS;
   row->fos_mechanism = collapse;
   row->has_required_fos = c->has_required_fos;

@@ -74,6 +74,10 @@ static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
   if (c->fos.state != TP_FOS_NOT_ASKED) {
     tp_text_add(t, " Factor of safety by strength reduction: ");
     tp_text_system_factor(t, c);
+    if (c->fos_driving.state != TP_FOS_NO_OVERTURNING) {
+      tp_text_add(t, "; on driving loads: ");
+      tp_text_system_driving(t, c);
+    }
     tp_text_add(t, c->goodman_bray.applies ? "; by Goodman and Bray: " : ".");
     if (c->goodman_bray.applies) {
       tp_text_goodman_bray_factor(t, &c->goodman_bray);

@@ -83,6 +83,9 @@ static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_cas
   tp_text_system_label(t, "factor of safety, strength reduction");
   tp_text_system_factor(t, c);
   tp_text_add(t, "\n");
+  tp_text_system_label(t, "factor of safety, driving loads");
+  tp_text_system_driving(t, c);
+  tp_text_add(t, "\n");
   if (c->has_required_fos) {
     tp_text_system_label(t, "required factor of safety");
     tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),

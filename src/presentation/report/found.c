@@ -39,6 +39,7 @@ static bool governs(const tp_governing_fos *g, tp_find_target target) {
   case TP_FOS_BY_REDUCTION:
     return target == TP_FIND_LIMIT_FOS;
   case TP_FOS_BY_TILT:
+  case TP_FOS_BY_DRIVING:
     break;
   }
   return false;

@@ -100,6 +100,8 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
                                        : "strength raised: with more it can move";
   case TP_FOS_BY_TILT:
     return "tilt: tan α of the onset over tan α";
+  case TP_FOS_BY_DRIVING: /* of many blocks */
+    break;
   }
   return "";
 }

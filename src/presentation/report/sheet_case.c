@@ -53,6 +53,8 @@ static const char *definition_words(const tp_factor *factor, bool loaded) {
                : "the factor by which all strength is divided until a motion can just begin";
   case TP_FOS_BY_TILT:
     return "tan of the tilt at which motions begin, or end, over tan α";
+  case TP_FOS_BY_DRIVING: /* of many blocks */
+    break;
   }
   return "";
 }

@@ -57,6 +57,12 @@ static void add_assumptions(tp_system_sheet *s) {
                   "Each limit is proven from both sides, to 1e-6 of itself. That forces can hold "
                   "the blocks does not exclude that a motion begins: where joints do not dilate as "
                   "they slip, the true factor may be less.");
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "Driving loads: the same for the number by which all that drives the blocks to a "
+                  "side is multiplied while what rests on the base stays: of weights and "
+                  "surcharges the part along x, the earthquake, and water, pressures and forces "
+                  "that push to the side or off the base. Columns that topple do so however rough "
+                  "their joints are; this factor counts that.");
   if (!columns) return;
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "Goodman and Bray (1976): from the last column down, each passes on to the next "

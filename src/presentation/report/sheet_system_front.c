@@ -126,6 +126,29 @@ static void add_factor(tp_document *d, const tp_system_case *c) {
   }
 }
 
+/* The sheet's language has the mechanism in the table of the collapse. */
+static void add_driving(tp_document *d, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  switch (c->fos_driving.state) {
+  case TP_FOS_NUMBER:
+    if (c->fos_driving_is_least) {
+      tp_document_cell(d, "above %s", tp_text_significant(n, c->fos_driving.value, 4));
+    } else {
+      tp_document_cell(d, "%s", tp_text_fixed(n, c->fos_driving.value, 5));
+    }
+    break;
+  case TP_FOS_NO_OVERTURNING:
+    tp_document_word(d, "–");
+    break;
+  case TP_FOS_UNDEFINED:
+    tp_document_word(d, "none");
+    break;
+  default:
+    tp_document_word(d, "undecided");
+    break;
+  }
+}
+
 static void add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
   if (!own->applies) {
     tp_document_word(d, "–");
@@ -151,10 +174,11 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
   const tp_system_case *governing = tp_system_governing(own);
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 7 : 5,
-                    own->has_required_fos ? 0x1e : 0xe, "Factors of safety");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 8 : 6,
+                    own->has_required_fos ? 0x3e : 0x1e, "Factors of safety");
   tp_document_word(d, "Direction");
   tp_document_word(d, "Strength reduction");
+  tp_document_word(d, "Driving loads");
   tp_document_word(d, "Goodman and Bray");
   tp_document_word(d, "A motion can begin at");
   if (own->has_required_fos) {
@@ -167,6 +191,7 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
     if (c == governing && own->case_count > 1) tp_document_mark_row(d);
     tp_document_word(d, tp_direction_name(c->towards));
     add_factor(d, c);
+    add_driving(d, c);
     add_goodman_bray(d, &c->goodman_bray);
     add_beginning(d, c);
     if (own->has_required_fos) {

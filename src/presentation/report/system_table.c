@@ -97,6 +97,8 @@ static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *
     tp_text_add(t, " (%s required: %s)", tp_text_significant(n, s->required_fos, 5),
                 tp_design_name(c->meets_required));
   }
+  tp_text_add(t, " | ");
+  tp_text_system_driving(t, c);
   add_goodman_bray(t, &c->goodman_bray);
   tp_text_add(t, " | ");
   tp_text_system_limit(t, c);
@@ -112,9 +114,10 @@ tp_status tp_report_block_systems_table(char **text, const tp_block_system *cons
   TP_REFUSE_NULL(NULL, systems);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, systems[k]);
   tp_text t = {0};
-  tp_text_add(&t, "| scene | towards | tilt or dip | verdict | FoS, strength reduction | FoS, "
-                  "Goodman and Bray | greatest tilt or dip | collapse | support |\n"
-                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  tp_text_add(&t,
+              "| scene | towards | tilt or dip | verdict | FoS, strength reduction | FoS, driving "
+              "loads | FoS, Goodman and Bray | greatest tilt or dip | collapse | support |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   bool any = false;
   for (size_t k = 0; k < count; k++) {
     const tp_block_system *s = systems[k];

@@ -42,15 +42,38 @@ void tp_text_system_limit(tp_text *t, const tp_system_case *c) {
   }
 }
 
-void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
+static void add_number(tp_text *t, tp_bounded number, bool is_least) {
   static const double whole = 100; /* from where on digits behind the point tell nothing */
   char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "%s%s", is_least ? "above " : "",
+              tp_text_fixed(n, number, is_least && number.value >= whole ? 0 : 5));
+}
+
+void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
   if (c->fos.state == TP_FOS_NUMBER) {
-    tp_text_add(
-        t, "%s%s", c->fos_is_least ? "above " : "",
-        tp_text_fixed(n, c->fos.value, c->fos_is_least && c->fos.value.value >= whole ? 0 : 5));
+    add_number(t, c->fos.value, c->fos_is_least);
   } else {
     tp_text_add(t, "undecided");
+  }
+}
+
+void tp_text_system_driving(tp_text *t, const tp_system_case *c) {
+  switch (c->fos_driving.state) {
+  case TP_FOS_NUMBER:
+    add_number(t, c->fos_driving.value, c->fos_driving_is_least);
+    if (!c->fos_driving_is_least) {
+      tp_text_add(t, ", %s", tp_mechanism_name(c->fos_driving_mechanism));
+    }
+    break;
+  case TP_FOS_NO_OVERTURNING:
+    tp_text_add(t, "none: no load points along x");
+    break;
+  case TP_FOS_UNDEFINED:
+    tp_text_add(t, "none: not held even without");
+    break;
+  default:
+    tp_text_add(t, "undecided");
+    break;
   }
 }
 

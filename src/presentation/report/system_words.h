@@ -19,6 +19,9 @@ void tp_text_system_limit(tp_text *text, const tp_system_case *of);
 /* The factor of safety: a number, "above 1000" or "undecided". */
 void tp_text_system_factor(tp_text *text, const tp_system_case *of);
 
+/* The factor on what drives: a number and what it is against, "above 1000", or why it is none. */
+void tp_text_system_driving(tp_text *text, const tp_system_case *of);
+
 /* A force in kN; what is less than the search tells of the largest is nothing. */
 double tp_text_system_force_kn(double newtons, const tp_system_case *of);
 

@@ -47,13 +47,13 @@ typedef enum own_field {
 static const own_field of_block[] = {
     OUTCOME, FOS,     FOS_MECHANISM, FOS_DEFINITION, FOS_MOMENTS, FOS_SLIDING,    FIRST,
     MOMENTS, PIVOT_X, PIVOT_Y,       ONSET,          LIMIT,       LIMIT_MECHANISM};
-static const own_field of_many[] = {OUTCOME,  FOS,   FOS_GOODMAN_BRAY, LIMIT, ACCELERATION,
-                                    COLLAPSE, DESIGN};
+static const own_field of_many[] = {OUTCOME, FOS,          FOS_DEFINITION, FOS_GOODMAN_BRAY,
+                                    LIMIT,   ACCELERATION, COLLAPSE,       DESIGN};
 static const own_field of_solid[] = {OUTCOME,         FOS,          FOS_MECHANISM,
                                      FOS_MOMENTS,     FOS_SLIDING,  LIMIT,
                                      LIMIT_MECHANISM, ACCELERATION, DESIGN};
-static const own_field of_supported[] = {OUTCOME,      FOS,      FOS_GOODMAN_BRAY, LIMIT,
-                                         ACCELERATION, COLLAPSE, SUPPORT,          DESIGN};
+static const own_field of_supported[] = {
+    OUTCOME, FOS, FOS_DEFINITION, FOS_GOODMAN_BRAY, LIMIT, ACCELERATION, COLLAPSE, SUPPORT, DESIGN};
 enum { LAST_FIELDS = 2 };
 
 typedef struct own_fields {

@@ -152,7 +152,6 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
   begin(row);
   if (!read_fields(row, study, &at)) return false;
   row->at[0].fos = row->quantities[TP_STUDY_FOS];
-  if (tp_study_is_of_many(study)) tp_study_complete_system(row);
   if (row->at[0].outcome != TP_STUDY_INVALID) return *at == '\0';
   row->why = read_text(at);
   *no_memory = row->why == NULL;

@@ -24,7 +24,8 @@ static double limit_deg(const tp_system_case *own) {
 
 /* A factor that is only known to be exceeded is its proven bound. */
 static double fos_of(const tp_system_case *own) {
-  return own->fos.state == TP_FOS_NUMBER ? own->fos.value.value : (double)NAN;
+  const tp_system_factor factor = tp_system_case_factor(own);
+  return factor.fos.state == TP_FOS_NUMBER ? factor.fos.value.value : (double)NAN;
 }
 
 static double goodman_bray_fos(const tp_goodman_bray *own) {
@@ -51,10 +52,6 @@ static double support_n_m(const tp_system_case *own) {
   }
 }
 
-void tp_study_complete_system(tp_study_row *row) {
-  row->fos_definition = isnan(row->quantities[TP_STUDY_FOS]) ? -1 : (int)TP_FOS_BY_REDUCTION;
-}
-
 static void take_case(tp_study_row *row, const tp_system_case *own) {
   const tp_mechanism collapse = tp_system_case_mechanism(own);
   row->quantities[TP_STUDY_LIMIT_DEG] = limit_deg(own);
@@ -66,12 +63,15 @@ static void take_case(tp_study_row *row, const tp_system_case *own) {
     row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(collapse));
   }
   row->tilt_deg = own->tilt_angle_deg.value;
-  tp_study_complete_system(row);
+  if (!isnan(row->quantities[TP_STUDY_FOS])) {
+    row->fos_definition = (int)tp_system_case_factor(own).definition;
+  }
 }
 
 static bool is_open(const tp_system_case *own) {
+  const tp_system_factor factor = tp_system_case_factor(own);
   return own->verdict == TP_SYSTEM_UNDECIDED || own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
-         own->fos.state != TP_FOS_NUMBER || own->fos_is_least ||
+         factor.fos.state != TP_FOS_NUMBER || factor.is_least ||
          (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 

@@ -11,8 +11,4 @@
 /* At the scene's own tilt (`at` 0) all of it, at a further one what becomes of the blocks there. */
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system);
 
-/* What is no field of such a row and follows from those: its factor is one by strength reduction.
- */
-void tp_study_complete_system(tp_study_row *row);
-
 #endif

@@ -69,7 +69,7 @@ static void add_cohesion(tp_force_program *p, long contact, const tp_contact_fra
 
 static void set_other_loads(tp_force_program *p, const tp_weight_loads *loads) {
   for (long r = 0; r < p->rows; r++) {
-    if (loads->push != NULL) p->live[r] = loads->push[r];
+    if (loads->push != NULL) p->live[r] = tp_near_plus(p->live[r], loads->push[r]);
     if (loads->applied == NULL) continue;
     const tp_applied_load *own = loads->applied + r;
     tp_near sum = tp_near_plus(p->dead[r], own->steady);

@@ -29,12 +29,12 @@ typedef struct tp_applied_load {
   tp_near steady, down[2];
 } tp_applied_load;
 
-/* What acts on a weight of one: always, and times s; and besides. */
+/* What acts on a weight of one: always, and times s; and what else acts. */
 typedef struct tp_weight_loads {
   tp_near dead[2], live[2];
   tp_near down[2];                /* the direction of gravity */
   const tp_applied_load *applied; /* borrowed, by row; NULL: nothing */
-  const tp_near *push;            /* borrowed, by row: times s instead of the weights; NULL: they */
+  const tp_near *push;            /* borrowed, by row: times s besides; NULL: nothing */
 } tp_weight_loads;
 
 /* The least load s that is looked for: 45 degrees to the other side. */

@@ -24,6 +24,7 @@ tp_status tp_search_check_system(const tp_search *s) {
   switch (s->options->target) {
   case TP_FIND_FOS:
   case TP_FIND_LIMIT_FOS:
+  case TP_FIND_GOVERNING_FOS:
   case TP_FIND_LIMIT_ANGLE:
   case TP_FIND_FOS_GOODMAN_BRAY:
   case TP_FIND_ACCELERATION:
@@ -31,22 +32,26 @@ tp_status tp_search_check_system(const tp_search *s) {
   default:
     return tp_refuse(s->message, TP_FAULT_ARGUMENT, place,
                      "%s is of one block on its base; of many blocks there are fos, by strength "
-                     "reduction, limit_angle, critical_acceleration, and of columns "
-                     "fos_goodman_bray",
+                     "reduction, governing_fos, the lesser of that and the factor on what drives, "
+                     "limit_angle, critical_acceleration, and of columns fos_goodman_bray",
                      tp_find_target_name(s->options->target));
   }
 }
 
-static void take_reduction(tp_sample *at, bool *unbounded, const tp_system_case *own) {
-  *unbounded = own->fos.state == TP_FOS_NUMBER && own->fos_is_least;
-  at->known = own->fos.state == TP_FOS_NUMBER && !own->fos_is_least;
-  at->result = own->fos.value;
+static void take_factor(tp_sample *at, bool *unbounded, const tp_fos *fos, bool is_least) {
+  *unbounded = fos->state == TP_FOS_NUMBER && is_least;
+  at->known = fos->state == TP_FOS_NUMBER && !is_least;
+  at->result = fos->value;
 }
 
 static void take_from_system(tp_sample *at, bool *unbounded, const tp_system_case *own,
                              tp_find_target target) {
   const tp_goodman_bray *columns = &own->goodman_bray;
+  const tp_system_factor factor = tp_system_case_factor(own);
   switch (target) {
+  case TP_FIND_GOVERNING_FOS:
+    take_factor(at, unbounded, &factor.fos, factor.is_least);
+    break;
   case TP_FIND_LIMIT_ANGLE:
     *unbounded = own->limit == TP_SYSTEM_INTERLOCKED;
     at->known = own->limit == TP_SYSTEM_LIMIT_NUMBER;
@@ -62,7 +67,7 @@ static void take_from_system(tp_sample *at, bool *unbounded, const tp_system_cas
     at->result = own->critical_acceleration_g;
     break;
   default:
-    take_reduction(at, unbounded, own);
+    take_factor(at, unbounded, &own->fos, own->fos_is_least);
     break;
   }
   at->result.digits = NULL;

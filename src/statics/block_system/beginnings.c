@@ -16,7 +16,6 @@
 #include <stdlib.h>
 
 enum { MOST_BLOCKS = 48 }; /* free ones, for motions */
-static const double most_factor = 1000;
 
 typedef struct beginnings {
   const tp_beginnings_task *task;
@@ -41,6 +40,15 @@ static tp_status state_at_tilt(bool *exists, tp_blocks_at *at, const void *conte
   tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
   return tp_blocks_at_tilt(exists, at, &b->resting, b->task->resultant,
                            b->task->system->is_measured, degrees, message);
+}
+
+static tp_status state_at_driving(bool *exists, tp_blocks_at *at, const void *context,
+                                  double multiple, tp_message *message) {
+  const beginnings *b = context;
+  tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
+  *exists = true;
+  return tp_resting_loads(at->loads, at->central, &b->resting, &b->task->driving->loads,
+                          (tp_near){multiple, 0}, at->tension, message);
 }
 
 /* ---- as they lie -------------------------------------------------------------------------------
@@ -90,8 +98,8 @@ static tp_status stand_to_limit(double *standing, tp_moving_search *m, tp_standi
 static tp_moving_range factors(const beginnings *b) {
   static const double width = 1e-6, step = 1e-3;
   return (tp_moving_range){.from = 0,
-                           .least = -log(most_factor),
-                           .limit = log(fmin(b->task->held_factor, most_factor)),
+                           .least = -log(TP_MOST_FACTOR),
+                           .limit = log(fmin(b->task->held_factor, TP_MOST_FACTOR)),
                            .width = width,
                            .step = step};
 }
@@ -204,7 +212,7 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
     status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
     own->has_standing_fos = true;
     own->standing_fos = nextafter(exp(standing), 0);
-    own->standing_fos_is_least = standing >= log(most_factor);
+    own->standing_fos_is_least = standing >= log(TP_MOST_FACTOR);
   }
   own->has_moving_fos = b->moving.found;
   own->moving_fos = exp(b->moving.x);
@@ -236,6 +244,31 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
   return status;
 }
 
+/* Where weights are measured the tilt does not tell it. */
+static tp_status search_driving(beginnings *b, tp_message *message) {
+  static const double width = 1e-6;
+  tp_system_case *own = b->own;
+  if (!b->task->system->is_measured) {
+    tp_driving_of_angles(own, b->task->driving, b->task->resultant);
+    return TP_OK;
+  }
+  if (!b->task->driving->drives || own->verdict != TP_SYSTEM_STANDS || !b->task->asks_factor) {
+    return TP_OK;
+  }
+  const bool bounded = own->fos_driving.state == TP_FOS_NUMBER;
+  const double limit = bounded ? own->fos_driving.value.value : TP_MOST_FACTOR;
+  tp_standing_search s;
+  tp_status status = tp_standing_init(&s, &b->resting, state_at_driving, b, message);
+  if (status != TP_OK) return status;
+  s.loads_vary = true;
+  s.most_work = b->standing.most_work;
+  status = tp_standing_extend(&own->standing_fos_driving, &s, 1, fmin(limit, TP_MOST_FACTOR), width,
+                              message);
+  own->has_standing_fos_driving = status == TP_OK;
+  tp_standing_clear(&s);
+  return status;
+}
+
 static tp_status search_both(beginnings *b, tp_message *message) {
   tp_moving_search turned;
   tp_status status = tp_moving_init(&turned, &b->resting, state_at_tilt, b, message);
@@ -243,6 +276,7 @@ static tp_status search_both(beginnings *b, tp_message *message) {
   status = find_as_they_lie(b, &turned, message);
   if (status == TP_OK) status = search_factor(b, message);
   if (status == TP_OK) status = search_tilt(b, &turned, message);
+  if (status == TP_OK) status = search_driving(b, message);
   tp_moving_clear(&turned);
   return status;
 }
@@ -279,7 +313,7 @@ static void judge_frictionless(beginnings *b) {
   if (!b->frictionless) return;
   judge(b->own, true, false);
   b->own->has_standing_fos = b->own->standing_fos_is_least = true;
-  b->own->standing_fos = most_factor;
+  b->own->standing_fos = TP_MOST_FACTOR;
 }
 
 tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task,

@@ -8,6 +8,7 @@
 #define TP_BLOCK_SYSTEM_BEGINNINGS_H
 
 #include "block_system/built_system.h"
+#include "block_system/driving.h"
 #include "block_system/resultant.h"
 #include "contact_modes/resting.h"
 
@@ -16,6 +17,7 @@
 typedef struct tp_beginnings_task {
   const tp_built_system *system;
   const tp_resultant *resultant;
+  const tp_driving *driving;
   double held_factor; /* no forces hold with strength divided by more, as far as is known */
   double held_tilt_deg;
   bool asks_factor;

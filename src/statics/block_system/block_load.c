@@ -15,6 +15,8 @@ void tp_block_loads_clear(tp_block_loads *loads) {
   for (long k = 0; k < loads->count; k++) tp_wrench_clear(&loads->items[k].wrench);
   free(loads->items);
   free(loads->applied);
+  free(loads->resting);
+  free(loads->pushing);
   free(loads->water);
   memset(loads, 0, sizeof *loads);
 }

@@ -195,32 +195,74 @@ static tp_near part_of(const arb_t of, const arb_t unit, bool reversed) {
 }
 
 /* At a tilt a gravity points to (-sin a, -cos a): what has the factor sin a or cos a follows it. */
-static void apply(tp_applied_load *row, const tp_trig *of, const arb_t unit) {
-  row->steady = tp_near_plus(row->steady, part_of(of->of + TP_ONE, unit, false));
+static void apply(tp_applied_load *row, tp_near *steady, const tp_trig *of, const arb_t unit) {
+  *steady = tp_near_plus(*steady, part_of(of->of + TP_ONE, unit, false));
   row->down[0] = tp_near_plus(row->down[0], part_of(of->of + TP_SIN, unit, true));
   row->down[1] = tp_near_plus(row->down[1], part_of(of->of + TP_COS, unit, true));
 }
 
+/* To the side and off the base together. */
+static double drive_of(const tp_block_loads *loads, const tp_block_load *own) {
+  const double x = arf_get_d(arb_midref(own->wrench.x.of + TP_ONE), ARF_RND_NEAR);
+  const double y = arf_get_d(arb_midref(own->wrench.y.of + TP_ONE), ARF_RND_NEAR);
+  return (loads->left ? -x : x) + y;
+}
+
+static double drive_of_water(const tp_block_loads *loads) {
+  double sum = 0;
+  for (long k = 0; k < loads->count; k++) {
+    if (tp_block_load_is_water(loads->items + k)) sum += drive_of(loads, loads->items + k);
+  }
+  return sum;
+}
+
+static bool drives(const tp_block_loads *loads, const tp_block_load *own, double of_water) {
+  switch (own->kind) {
+  case TP_SYSTEM_LOAD_WATER_IN_JOINTS:
+  case TP_SYSTEM_LOAD_WATER_ON_FACES:
+    return of_water > 0;
+  case TP_SYSTEM_LOAD_PRESSURE:
+  case TP_SYSTEM_LOAD_FORCE:
+    return drive_of(loads, own) > 0;
+  default:
+    return false;
+  }
+}
+
+/* What rests and what drives, apart. */
+static void apply_one(tp_block_loads *loads, const tp_block_load *own, long at,
+                      const arb_struct *units, bool driving) {
+  const tp_trig *const of[ROW] = {&own->wrench.x, &own->wrench.y, &own->wrench.moment};
+  for (long e = 0; e < ROW; e++) {
+    tp_applied_load *all = loads->applied + at + e, *resting = loads->resting + at + e;
+    apply(all, &all->steady, of[e], units + e);
+    apply(resting, driving ? loads->pushing + at + e : &resting->steady, of[e], units + e);
+  }
+}
+
 static tp_status apply_all(tp_block_loads *loads, const tp_assemblage *a, tp_message *message) {
-  arb_t force, moment;
-  loads->applied = calloc((size_t)a->free_count * ROW + 1, sizeof *loads->applied);
-  if (loads->applied == NULL) return tp_fail_memory(message, "the loads");
-  arb_init(force);
-  arb_init(moment);
-  arb_set_ui(force, TP_KILO);
-  arb_mul_2exp_si(force, force, a->weight_exponent);
-  arb_set_fmpq(moment, a->lattice.step_m, BITS);
-  arb_mul_2exp_si(moment, moment, a->length_exponent);
-  arb_mul(moment, moment, force, BITS);
+  const size_t rows = (size_t)a->free_count * ROW + 1;
+  loads->applied = calloc(rows, sizeof *loads->applied);
+  loads->resting = calloc(rows, sizeof *loads->resting);
+  loads->pushing = calloc(rows, sizeof *loads->pushing);
+  if (loads->applied == NULL || loads->resting == NULL || loads->pushing == NULL) {
+    return tp_fail_memory(message, "the loads");
+  }
+  arb_struct units[ROW];
+  for (int e = 0; e < ROW; e++) arb_init(units + e);
+  for (int e = 0; e < 2; e++) {
+    arb_set_ui(units + e, TP_KILO);
+    arb_mul_2exp_si(units + e, units + e, a->weight_exponent);
+  }
+  arb_set_fmpq(units + 2, a->lattice.step_m, BITS);
+  arb_mul_2exp_si(units + 2, units + 2, a->length_exponent);
+  arb_mul(units + 2, units + 2, units, BITS);
+  const double of_water = drive_of_water(loads);
   for (long k = 0; k < loads->count; k++) {
     const tp_block_load *own = loads->items + k;
-    tp_applied_load *row = loads->applied + ROW * a->blocks[own->block].number;
-    apply(row, &own->wrench.x, force);
-    apply(row + 1, &own->wrench.y, force);
-    apply(row + 2, &own->wrench.moment, moment);
+    apply_one(loads, own, ROW * a->blocks[own->block].number, units, drives(loads, own, of_water));
   }
-  arb_clear(force);
-  arb_clear(moment);
+  for (int e = 0; e < ROW; e++) arb_clear(units + e);
   return TP_OK;
 }
 

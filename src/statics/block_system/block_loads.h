@@ -19,13 +19,22 @@ typedef struct tp_block_load {
                        below zero where the right side is lowered */
 } tp_block_load;
 
-/* All of them, as the blocks are seen in a case that goes to one side. */
+static inline bool tp_block_load_is_water(const tp_block_load *load) {
+  return load->kind == TP_SYSTEM_LOAD_WATER_IN_JOINTS ||
+         load->kind == TP_SYSTEM_LOAD_WATER_ON_FACES;
+}
+
+/* All of them, as the blocks are seen in a case that goes to one side. A pressure or a force drives
+ * blocks where its parts to the side and off the base are together above zero; so does water, all
+ * of it as one. What turns with gravity does not, nor do bolts and support pressures. */
 typedef struct tp_block_loads {
   bool left;  /* the side */
   bool omits; /* water before faces that it would hold is left out */
   long count, room;
   tp_block_load *items;
   tp_applied_load *applied; /* by row, in units of the assemblage; NULL: there are none */
+  tp_applied_load *resting; /* of these, those that do not drive blocks to the side, */
+  tp_near *pushing;         /* and those that do */
   tp_bounded *water;        /* by contact: what the water in it pushes by, in N per metre */
 } tp_block_loads;
 

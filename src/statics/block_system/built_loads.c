@@ -28,10 +28,7 @@ static tp_status check_weighed(const tp_built_system *s, tp_message *message) {
 
 static bool is_wet(const tp_block_loads *loads) {
   for (long k = 0; k < loads->count; k++) {
-    const tp_system_load_kind kind = loads->items[k].kind;
-    if (kind == TP_SYSTEM_LOAD_WATER_IN_JOINTS || kind == TP_SYSTEM_LOAD_WATER_ON_FACES) {
-      return true;
-    }
+    if (tp_block_load_is_water(loads->items + k)) return true;
   }
   return false;
 }

@@ -13,13 +13,23 @@ static double low(tp_bounded number) {
   return number.value - number.error;
 }
 
+tp_system_factor tp_system_case_factor(const tp_system_case *c) {
+  const tp_system_factor strength = {c->fos, c->fos_is_least, TP_FOS_BY_REDUCTION};
+  const tp_system_factor driving = {c->fos_driving, c->fos_driving_is_least, TP_FOS_BY_DRIVING};
+  if (c->fos_driving.state == TP_FOS_UNDECIDED) return driving;
+  if (c->fos_driving.state != TP_FOS_NUMBER || driving.is_least) return strength;
+  if (c->fos.state != TP_FOS_NUMBER) return strength;
+  return high(driving.fos.value) < low(strength.fos.value) ? driving : strength;
+}
+
 bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other) {
   const bool falls = one->verdict == TP_SYSTEM_COLLAPSES;
   if (falls != (other->verdict == TP_SYSTEM_COLLAPSES)) return falls;
-  const bool told = one->fos.state == TP_FOS_NUMBER, also = other->fos.state == TP_FOS_NUMBER;
+  const tp_fos own = tp_system_case_factor(one).fos, its = tp_system_case_factor(other).fos;
+  const bool told = own.state == TP_FOS_NUMBER, also = its.state == TP_FOS_NUMBER;
   if (told != also) return told;
-  if (told && high(one->fos.value) < low(other->fos.value)) return true;
-  if (told && low(one->fos.value) > high(other->fos.value)) return false;
+  if (told && high(own.value) < low(its.value)) return true;
+  if (told && low(own.value) > high(its.value)) return false;
   return one->limit == TP_SYSTEM_LIMIT_NUMBER && other->limit == TP_SYSTEM_LIMIT_NUMBER &&
          high(one->critical_angle_deg) - low(one->tilt_angle_deg) <
              low(other->critical_angle_deg) - high(other->tilt_angle_deg);

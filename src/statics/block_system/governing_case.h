@@ -8,6 +8,15 @@
 
 #include "topple_block_system.h"
 
+/* The factor of safety of a case: the lesser of that by strength reduction and that on what drives.
+ */
+typedef struct tp_system_factor {
+  tp_fos fos;
+  bool is_least; /* it is only known to be exceeded */
+  tp_fos_definition definition;
+} tp_system_factor;
+tp_system_factor tp_system_case_factor(const tp_system_case *of);
+
 /* Does one certainly govern before the other? By collapse, by the factor, and where that is the
  * same by how much more tilt it bears. */
 bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other);

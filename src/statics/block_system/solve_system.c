@@ -6,18 +6,16 @@
 
 #include "block_system/beginnings.h"
 #include "block_system/collapse.h"
+#include "block_system/driving.h"
 #include "block_system/goodman_bray.h"
 #include "block_system/load_results.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
-#include "common/host.h"
+#include "common/notes.h"
 #include "number/ball.h"
 
 #include <math.h>
 #include <string.h>
-
-/* No greater factor of safety is looked for. */
-static const double most_factor = 1000;
 
 typedef struct solving {
   const tp_built_system *s;
@@ -31,6 +29,7 @@ typedef struct direction {
   const solving *x;
   tp_system_case *own;
   tp_resultant resultant;
+  tp_driving driving;
   tp_limits limits;      /* as the blocks lie */
   tp_threshold strength; /* by the logarithm of the factor */
   tp_threshold tilt;     /* where loads are measured: in radians */
@@ -123,7 +122,7 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                       .target = d->resultant.target,
                                       .from = 0,
                                       .step = log(2),
-                                      .most = log(most_factor),
+                                      .most = log(TP_MOST_FACTOR),
                                       .limit = &d->limits.side};
   tp_fos *fos = &d->own->fos;
   fos->state = TP_FOS_NOT_ASKED;
@@ -135,6 +134,12 @@ static tp_status find_factor(direction *d, tp_message *message) {
   fos->value = found->is_bounded ? between(exp(found->held), exp(found->bound))
                                  : (tp_bounded){.value = exp(found->held)};
   return TP_OK;
+}
+
+static tp_status find_factor_on_loads(direction *d, tp_message *message) {
+  d->own->fos_driving.state = TP_FOS_NOT_ASKED;
+  if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
+  return tp_driving_factor_find(d->own, &d->driving, d->x->s, &d->limits.side, message);
 }
 
 /* ---- collapse ----------------------------------------------------------------------------------
@@ -167,6 +172,7 @@ static tp_status find_motions(direction *d, tp_message *message) {
   const tp_beginnings_task task = {
       .system = d->x->s,
       .resultant = &d->resultant,
+      .driving = &d->driving,
       .asks_factor = d->x->options->strength_reduction,
       .verdict_alone = d->x->motions == TP_MOTIONS_AS_THEY_LIE,
       .held_factor = d->strength.is_bounded ? exp(d->strength.bound) : INFINITY,
@@ -185,6 +191,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) judge(d);
   if (status == TP_OK) status = set_limit(d, message);
   if (status == TP_OK) status = find_factor(d, message);
+  if (status == TP_OK) status = find_factor_on_loads(d, message);
   if (status == TP_OK) status = set_collapse(d, message);
   if (status == TP_OK) {
     status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
@@ -205,7 +212,11 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
                                x->s->loads[left ? 1 : 0].applied, message);
   }
   if (status != TP_OK) return status;
-  status = solve_direction(&d, message);
+  status = tp_driving_init(&d.driving, x->s, &d.resultant, message);
+  if (status == TP_OK) {
+    status = solve_direction(&d, message);
+    tp_driving_clear(&d.driving);
+  }
   d.own->has_required_fos = x->system->has_required_fos;
   if (d.own->has_required_fos) {
     d.own->meets_required = tp_system_case_meets(d.own, x->system->required_fos.value);
@@ -217,12 +228,28 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
   return status;
 }
 
+/* Strength alone says nothing of columns that topple. */
+static tp_status note_undriven(const solving *x, tp_message *message) {
+  tp_block_system *own = x->system;
+  bool undriven = false;
+  for (size_t k = 0; k < own->case_count; k++) {
+    undriven = undriven || (own->cases[k].fos_driving.state == TP_FOS_NO_OVERTURNING &&
+                            own->cases[k].limit != TP_SYSTEM_INTERLOCKED);
+  }
+  if (!undriven || !own->has_required_fos) return TP_OK;
+  return tp_notes_add(&own->notes, message, TP_CAUTION, x->s->scene->required_fos.place,
+                      "no load drives the blocks to a side along x: the factor is of strength "
+                      "alone, and how near they are to toppling is told by the greatest tilt and "
+                      "the critical acceleration; say 'slope: {dip_deg: ...}' and draw x along it "
+                      "where they stand on one");
+}
+
 static tp_status solve_cases(const solving *x, tp_message *message) {
   const tp_scene *scene = x->s->scene;
   tp_status status = TP_OK;
   if (tp_scene_asks_side(scene, true)) status = solve_case(x, true, message);
   if (status == TP_OK && tp_scene_asks_side(scene, false)) status = solve_case(x, false, message);
-  return status;
+  return status == TP_OK ? note_undriven(x, message) : status;
 }
 
 tp_status tp_block_system_solve_as_given(tp_block_system **system, const tp_scene *scene,
@@ -245,44 +272,4 @@ tp_status tp_block_system_solve_as_given(tp_block_system **system, const tp_scen
   }
   tp_built_system_clear(&built);
   return status;
-}
-
-bool tp_block_system_is_undecided(const tp_block_system *system) {
-  if (system == NULL) return true;
-  for (size_t k = 0; k < system->case_count; k++) {
-    if (system->cases[k].verdict == TP_SYSTEM_UNDECIDED) return true;
-  }
-  return false;
-}
-
-static bool falls_short(const tp_goodman_bray *own, double required) {
-  return own->applies && (!own->has_fos || (own->fos < required && !own->fos_is_least));
-}
-
-/* A factor of limit analysis is above the true one where friction does not dilate, and so is a
- * divisor at which a motion can begin: what these do not reach is certainly not met. Of columns the
- * factor of the named method is asked for as well. */
-tp_design tp_system_case_meets(const tp_system_case *own, double required) {
-  TP_GUARD_HOST;
-  if (own == NULL) return TP_DESIGN_OPEN;
-  if (own->verdict == TP_SYSTEM_COLLAPSES) return TP_DESIGN_NOT_MET;
-  if (falls_short(&own->goodman_bray, required)) return TP_DESIGN_NOT_MET;
-  if (own->has_moving_fos && own->moving_fos <= required) return TP_DESIGN_NOT_MET;
-  if (own->fos.state == TP_FOS_NUMBER && !own->fos_is_least &&
-      own->fos.value.value + own->fos.value.error < required) {
-    return TP_DESIGN_NOT_MET;
-  }
-  const bool stands = own->verdict == TP_SYSTEM_STANDS && own->has_standing_fos;
-  return stands && own->standing_fos >= required ? TP_DESIGN_MET : TP_DESIGN_OPEN;
-}
-
-tp_design tp_block_system_meets(const tp_block_system *system, double required) {
-  TP_GUARD_HOST;
-  if (system == NULL) return TP_DESIGN_OPEN;
-  tp_design worst = TP_DESIGN_MET;
-  for (size_t k = 0; k < system->case_count && worst != TP_DESIGN_NOT_MET; k++) {
-    const tp_design own = tp_system_case_meets(system->cases + k, required);
-    if (own != TP_DESIGN_MET) worst = own;
-  }
-  return worst;
 }

@@ -8,7 +8,8 @@
 
 #include "block_system/built_system.h"
 
-#define TP_LIMIT_SHARE 1e-6 /* of itself, to which a limit is proven */
+#define TP_LIMIT_SHARE 1e-6   /* of itself, to which a limit is proven */
+#define TP_MOST_FACTOR 1000.0 /* no greater factor of safety is looked for */
 
 /* What acts on the blocks, and what their strength is divided by, at x. */
 typedef struct tp_system_state {

@@ -121,6 +121,7 @@ static tp_weight_loads loads_as_they_lie(const supporting *x, const tp_near *pus
   for (int axis = 0; axis < 2; axis++) {
     loads.dead[axis] =
         tp_near_plus(loads.dead[axis], tp_near_times(x->r->target, loads.live[axis]));
+    loads.live[axis] = (tp_near){0, 0};
   }
   loads.push = push;
   return loads;

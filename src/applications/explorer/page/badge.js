@@ -28,8 +28,11 @@ export function verdictWords(kase) {
 }
 
 /** The number stands out, and what it is against follows. */
-function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fos }) {
-  if (governing === undefined) return fos ? parts("FoS %s by strength reduction", strong(fosText(fos))) : [];
+function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fos, fos_driving: driving }) {
+  if (governing === undefined) {
+    if (driving && driving.value + driving.error < (fos?.value ?? Infinity)) return parts("FoS %s on driving loads", strong(fosText(driving)));
+    return fos ? parts("FoS %s by strength reduction", strong(fosText(fos))) : [];
+  }
   if (!tilt && onset?.kind === "angle") return [say("Certain to stand up to %s", degreesText(onset.critical_angle_deg))];
   if (governing.fos === null) return [say("FoS") + " " + say(governing.fos_is ?? "none")];
   const [number, against] = [strong(fosText(governing.fos)), againstText(governing.mechanism)];
