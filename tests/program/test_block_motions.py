@@ -11,7 +11,7 @@ from fractions import Fraction
 from beginning_oracle import Beginning
 from governing_case import GoverningCase
 from harness import main, rounds, run
-from pile_case import EXAMPLE, Pile, box, text_of, wall
+from pile_case import EXAMPLE, Pile, box, text_of, turned, wall
 
 
 def tilted(angle, side="left"):
@@ -59,6 +59,17 @@ class BlockMotions(GoverningCase):
         self.assertEqual(self.case(own, 30, tilted(1e-9))["verdict"], "can be held")
         notch = Pile().add("g", [(-9, -5), (9, -5), (9, 2), (2, 2), (0, 0), (-1, 2), (-9, 2)], True).add("wedge", [(0, 0), (2, 2), (0.5, 4), (-1, 2)])
         self.assertEqual(self.case(notch, 0)["verdict"], "stands")
+
+    def test_tilted_walls(self):
+        """Bricks in bond, tilted: two courses and a lower one of three bricks stand, proven nearly as far as forces can hold them; so do four
+        blocks about a point, of which the corners meet."""
+        quarters = on_ground().add("a", box(-2, 0, 0, 3)).add("b", box(0, 0, 2, 3)).add("c", box(-2, 3, 0, 6)).add("d", box(0, 3, 2, 6))
+        for pile, friction, share in ((wall(2, 1), 35, 0.99), (wall(1, 2), 35, 0.99), (quarters, 30, 0)):
+            for side, sign in (("left", 1), ("right", -1)):
+                own = self.case(pile.moved(lambda x, y, s=sign: (s * x, y)), friction, tilted(2, side))
+                self.assertEqual(own["verdict"], "stands")
+                self.assertGreaterEqual(own["standing_fos"], share * own["fos"]["value"])
+                self.assertLessEqual(own["standing_fos"], own["fos"]["value"] + own["fos"]["error"])
 
     def test_slopes(self):
         """One box, and two on each other: it stands up to tan φ / tan α, and to φ where it does not topple before. The required factor is
@@ -163,6 +174,10 @@ class BlockMotions(GoverningCase):
             for key in ("standing_fos", "standing_angle_deg"):
                 self.assertAlmostEqual(other[key], own[0][key], delta=1e-3 * own[0][key], msg=key)
             self.assertGreater(other["moving_angle_deg"], max(one["standing_angle_deg"] for one in own))
+        aslant, angle = turned(pile)
+        other = self.case(aslant, 30, tilted(angle - 5, "right"))
+        self.assertEqual(other["verdict"], own[0]["verdict"])
+        self.assertAlmostEqual(other["standing_fos"], own[0]["standing_fos"], delta=1e-3 * own[0]["standing_fos"])
 
     def test_columns(self):
         """Goodman and Bray's slope can be held up to a divisor of 1.19, theirs is 1, and a motion can begin at 0.83; a shorter one of six

@@ -12,7 +12,7 @@ from fractions import Fraction
 import modes_by_glpk as modes
 from governing_case import GoverningCase
 from harness import main, rounds, run
-from pile_case import Pile, box
+from pile_case import Pile, box, turned
 
 
 def toe(polished, wide=2, high=1):
@@ -120,7 +120,7 @@ class CornerMotions(GoverningCase):
                 for divisor in (1, 1 + 0.9999 * (most - 1)):
                     self.assertFalse(blocks.can_move(gravity, divisor), (*where, divisor))
                 if "moving_fos" in own:
-                    self.assertTrue(blocks.can_move(gravity, own["moving_fos"] * (1 + 1e-3)), where)
+                    self.assertTrue(blocks.can_move(gravity, own["moving_fos"] * (1 + 1e-2)), where)
                 narrow += "moving_fos" not in own or own["moving_fos"] <= own["standing_fos"] * (1 + 2e-5)
         self.assertGreater(moving, 0)
         self.assertGreater(standing, 0)
@@ -137,6 +137,8 @@ class CornerMotions(GoverningCase):
         cases = [self.case(own, 30, more), self.case(shuffled, 30, more), self.case(pieces, 30, more), self.case(far, 30, more),
                  self.case(own.moved(lambda x, y: (1000 * x, 1000 * y)), 30, more, "mm"),
                  self.case(own.moved(lambda x, y: (x + Fraction(5123452, 10), y + 6789012)), 30, more)]
+        aslant, angle = turned(own)
+        cases.append(self.case(aslant, 30, f"tilt: {{towards: right, angle_deg: {angle - 8}}}"))
         for other in cases:
             self.assertEqual(other["verdict"], "stands")
             self.assertAlmostEqual(other["standing_fos"], cases[0]["standing_fos"], delta=1e-4)

@@ -288,7 +288,7 @@ static tp_status search_collapse(beginnings *b, tp_message *message) {
 }
 
 static tp_status search(beginnings *b, tp_message *message) {
-  static const long most_work = 40000000;
+  static const long most_work = 200000000;
   tp_status status = tp_moving_init(&b->moving, &b->resting, state_at_strength, b, message);
   if (status != TP_OK) return status;
   status = tp_standing_init(&b->standing, &b->resting, state_at_strength, b, message);

@@ -26,6 +26,13 @@ tp_status tp_standing_init(tp_standing_search *s, const tp_resting *r, tp_moving
   return tp_fail_memory(message, "the motions");
 }
 
+/* An interval that takes far more than the last one that was proven is too wide. */
+static long most_work(const tp_standing_search *s) {
+  enum { TIMES = 6 };
+  const long enough = s->work + TIMES * s->proof_work;
+  return s->proof_work > 0 && enough < s->most_work ? enough : s->most_work;
+}
+
 /* Strength is greatest where x, of a divisor, is least. */
 tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, double to,
                             tp_message *message) {
@@ -42,10 +49,12 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
                                .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
                                .loads = {s->ends[0].loads, s->ends[1].loads},
                                .load_count = s->loads_vary && to > from ? 2 : 1};
-  tp_exclusion e = {.most_work = s->most_work, .work = s->work, .left = s->left};
+  const long before = s->work;
+  tp_exclusion e = {.most_work = most_work(s), .work = before, .left = s->left};
   status = tp_exclusion_find(&e, &q, message);
   s->work = e.work;
   *proven = status == TP_OK && e.is_proven;
+  if (*proven) s->proof_work = s->work - before;
   return status;
 }
 

@@ -18,6 +18,7 @@ typedef struct tp_standing_search {
                     */
   long most_work;  /* in all */
   long work;       /* so far */
+  long proof_work; /* of the last proof that was found; 0: of none */
   tp_blocks_at ends[2];
   tp_mode_set *left; /* by contact: what an exclusion left; all 0: nothing of the kind */
 } tp_standing_search;

@@ -1,25 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reactions c whose accelerations y = M^-1 A c no force of the node resists: e . y < 0 for each of
- * its edges, and w . y < 0. Searched by a linear program that makes all of them as negative as
- * they can be, with what cohesion may add, then evaluated with bounds from the c that are found:
- * whatever these are, y is theirs. */
+/* Reactions c, and a share s >= 0 of the loads, whose accelerations y = M^-1 (A c + s w) no force
+ * of the node resists: e . y < 0 for each of its edges, and w . y < 0. Searched by a linear program
+ * that makes all of them as negative as they can be, with what cohesion may add, then evaluated
+ * with bounds from the c and s that are found: whatever these are, y is theirs. Of loads between
+ * two, w . y is greatest at one of both, and e . y too. */
 
 #include "contact_modes/cohesive_shear.h"
-#include "contact_modes/corner_modes.h"
 #include "contact_modes/dense_program.h"
 #include "contact_modes/reactions.h"
+#include "contact_modes/resisting_edges.h"
 
 #include "plane/contact_rows.h"
 
 #include <stdlib.h>
-
-/* An edge of a cone: n at an end, and so much of t. */
-typedef struct edge {
-  const tp_force_column *normal, *along;
-  tp_near shear;
-} edge;
 
 /* What cohesion may add along a contact. */
 typedef struct cohesive {
@@ -31,53 +26,19 @@ typedef struct resisting {
   const tp_modes_node *node;
   const tp_modes_question *q;
   tp_bearing_reactions reactions;
-  long edge_count, shear_count; /* shears: of contacts that have some by cohesion */
-  edge *edges;
+  tp_resisting_edges edges;
+  long shear_count; /* of contacts that have some by cohesion */
   cohesive *shears;
   double *columns, *factors;
+  double share; /* of the loads */
+  bool takes_loads;
+  double *load_y;        /* by row: room */
   tp_near *wrenches, *y; /* by row */
 } resisting;
 
-/* ---- edges -------------------------------------------------------------------------------------
+/* ---- cohesion
+ * -------------------------------------------------------------------------------------
  */
-
-static void add_edge(resisting *s, const tp_resting_contact *c, int end, tp_near shear) {
-  s->edges[s->edge_count++] = (edge){c->normal + end, &c->along, shear};
-}
-
-/* Of an end that can be closed: both edges of the cone where it can stick, and against the slip
- * else, with the least friction and the greatest. */
-static void add_end(resisting *s, long contact, int end) {
-  const tp_resting_contact *c = s->q->resting->contacts + contact;
-  const tp_mode_set set =
-      tp_modes_bearing(s->node->sets, s->q->resting, contact) & tp_modes_closed(end);
-  if (set == 0) return;
-  const bool sticks = (set & TP_MODES_STICK) != 0;
-  const tp_near least = s->q->friction[0][contact], most = s->q->friction[1][contact];
-  const bool same = least.value == most.value && least.error == most.error;
-  if (sticks || (set & TP_MODES_FORWARD) != 0) {
-    add_edge(s, c, end, tp_near_neg(most));
-    if (!sticks && !same) add_edge(s, c, end, tp_near_neg(least));
-  }
-  if (sticks || (set & TP_MODES_BACK) != 0) {
-    add_edge(s, c, end, most);
-    if (!sticks && !same) add_edge(s, c, end, least);
-  }
-}
-
-static bool find_edges(resisting *s) {
-  enum { MOST = 8 }; /* of a contact */
-  const tp_resting *r = s->q->resting;
-  s->edges = calloc(MOST * (size_t)r->contact_count + 1, sizeof *s->edges);
-  for (long k = 0; k < r->contact_count && s->edges != NULL; k++) {
-    const tp_resting_contact *c = r->contacts + k;
-    if (tp_modes_rests(s->node, c->along.row[0]) && tp_modes_rests(s->node, c->along.row[1])) {
-      continue;
-    }
-    for (int e = 0; e < c->ends; e++) add_end(s, k, e);
-  }
-  return s->edges != NULL;
-}
 
 static bool find_shears(resisting *s) {
   const tp_resting *r = s->q->resting;
@@ -136,17 +97,28 @@ static double power(const tp_near *loads, const pushed *p) {
   return sum;
 }
 
+/* Edges are asked for each load where y has a share of it. */
+static int copies_of_edges(const resisting *s) {
+  return s->takes_loads ? s->q->load_count : 1;
+}
+
+static long row_of_power(const resisting *s, int load) {
+  return copies_of_edges(s) * s->edges.count + load;
+}
+
 static long row_of_shear(const resisting *s, long shear) {
-  return s->edge_count + s->q->load_count + shear;
+  return row_of_power(s, s->q->load_count) + shear;
 }
 
 static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing_reaction *own,
                        double sign, long column) {
   const pushed of = push(s, own);
-  for (long r = 0; r < s->edge_count; r++) {
-    const edge *e = s->edges + r;
-    *tp_dense_program_entry(p, r, column) =
-        sign * (along(e->normal, &of) + e->shear.value * along(e->along, &of));
+  for (long r = 0; r < s->edges.count; r++) {
+    const tp_resisting_edge *e = s->edges.all + r;
+    const double entry = sign * (along(e->normal, &of) + e->shear.value * along(e->along, &of));
+    for (int copy = 0; copy < copies_of_edges(s); copy++) {
+      *tp_dense_program_entry(p, copy * s->edges.count + r, column) = entry;
+    }
   }
   double least = 0; /* of what cohesion adds to the power of the loads */
   for (long k = 0; k < s->shear_count; k++) {
@@ -156,9 +128,34 @@ static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing
     *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
   }
   for (int k = 0; k < s->q->load_count; k++) {
-    *tp_dense_program_entry(p, s->edge_count + k, column) =
+    *tp_dense_program_entry(p, row_of_power(s, k), column) =
         least + sign * power(s->q->loads[k], &of);
   }
+}
+
+/* M^-1 w, of one load, as far as blocks are not at rest. */
+static void set_load(tp_dense_program *p, const resisting *s, int load, double *y, long column) {
+  const tp_resting *r = s->q->resting;
+  const tp_near *loads = s->q->loads[load];
+  double sum = 0;
+  for (long b = 0; b < r->rows / 3; b++) {
+    double wrench[3];
+    for (int e = 0; e < 3; e++) wrench[e] = s->node->still[b] ? 0 : loads[3 * b + e].value;
+    tp_resting_accelerate_double(y + 3 * b, r->assemblage->blocks + r->block[b], wrench);
+    for (int e = 0; e < 3; e++) sum += wrench[e] * y[3 * b + e];
+  }
+  for (long k = 0; k < s->edges.count; k++) {
+    const tp_resisting_edge *e = s->edges.all + k;
+    *tp_dense_program_entry(p, load * s->edges.count + k, column) =
+        tp_resting_along_double(e->normal, y) +
+        e->shear.value * tp_resting_along_double(e->along, y);
+  }
+  for (long k = 0; k < s->shear_count; k++) {
+    const double slip = tp_resting_along_double(s->shears[k].along, y);
+    sum += s->shears[k].own.least.value * slip;
+    *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
+  }
+  *tp_dense_program_entry(p, row_of_power(s, load), column) = sum;
 }
 
 /* The most that cohesion adds is its least shear times the slip y . t, and the rest of it times a
@@ -169,7 +166,7 @@ static void set_shears(tp_dense_program *p, const resisting *s) {
     const cohesive *c = s->shears + k;
     *tp_dense_program_entry(p, row_of_shear(s, k), first + k) = -1;
     for (int load = 0; load < s->q->load_count; load++) {
-      *tp_dense_program_entry(p, s->edge_count + load, first + k) =
+      *tp_dense_program_entry(p, row_of_power(s, load), first + k) =
           c->own.most.value - c->own.least.value;
     }
   }
@@ -187,6 +184,9 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
     set_column(p, s, own, 1, column++);
     if (own->is_free) set_column(p, s, own, -1, column++);
   }
+  if (s->takes_loads) {
+    for (int k = 0; k < s->q->load_count; k++) set_load(p, s, k, s->load_y, column);
+  }
   set_shears(p, s);
   for (long r = 0; r + 1 < p->rows; r++) {
     *tp_dense_program_entry(p, r, last) = r < row_of_shear(s, 0) ? 1 : 0;
@@ -199,14 +199,18 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
   *work += p->work;
   tp_dense_program_solution(s->columns, p);
   tp_reactions_join(s->factors, &s->reactions, s->columns);
+  s->share = s->takes_loads ? s->columns[column] : 0;
   return found && s->columns[last] > margin;
 }
 
 /* ---- proof -------------------------------------------------------------------------------------
  */
 
-static void find_y(resisting *s) {
+static void find_y(resisting *s, int load) {
   const tp_resting *r = s->q->resting;
+  for (long k = 0; k < r->rows; k++) {
+    s->wrenches[k] = tp_near_times((tp_near){s->share, 0}, s->q->loads[load][k]);
+  }
   for (long k = 0; k < s->reactions.count; k++) {
     const tp_bearing_reaction *own = s->reactions.all + k;
     const tp_near factor = {own->sign * s->factors[k], 0};
@@ -228,10 +232,10 @@ static bool is_not_above(tp_near number) {
   return number.value + number.error <= 0;
 }
 
-static bool prove(resisting *s) {
-  find_y(s);
-  for (long k = 0; k < s->edge_count; k++) {
-    const edge *e = s->edges + k;
+static bool prove(resisting *s, int load) {
+  find_y(s, load);
+  for (long k = 0; k < s->edges.count; k++) {
+    const tp_resisting_edge *e = s->edges.all + k;
     const tp_near shear = tp_near_times(e->shear, tp_resting_along(e->along, s->y));
     if (!is_not_above(tp_near_plus(tp_resting_along(e->normal, s->y), shear))) return false;
   }
@@ -242,30 +246,30 @@ static bool prove(resisting *s) {
     cohesion = tp_near_plus(cohesion, tp_near_larger(tp_near_times(c->own.least, slip),
                                                      tp_near_times(c->own.most, slip)));
   }
-  for (int k = 0; k < s->q->load_count; k++) {
-    tp_near sum = cohesion;
-    for (long r = 0; r < s->q->resting->rows; r++) {
-      sum = tp_near_plus(sum, tp_near_times(s->q->loads[k][r], s->y[r]));
-    }
-    if (tp_near_sign(sum) >= 0) return false;
+  for (long r = 0; r < s->q->resting->rows; r++) {
+    cohesion = tp_near_plus(cohesion, tp_near_times(s->q->loads[load][r], s->y[r]));
   }
-  return true;
+  return tp_near_sign(cohesion) < 0;
 }
 
 static bool make(resisting *s, tp_dense_program *p) {
   const size_t rows = (size_t)s->q->resting->rows + 1;
-  if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) || !find_edges(s) ||
-      !find_shears(s)) {
+  if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) ||
+      !tp_resisting_edges_init(&s->edges, s->node, s->q) || !find_shears(s)) {
     return false;
   }
-  const size_t most = 2 * (size_t)s->reactions.count + (size_t)s->shear_count + 2;
+  s->takes_loads = s->q->load_count == 1 || s->shear_count == 0;
+  const size_t most = 2 * (size_t)s->reactions.count + (size_t)s->shear_count + 3;
   s->columns = calloc(most, sizeof *s->columns);
   s->factors = calloc(most, sizeof *s->factors);
   s->wrenches = calloc(rows, sizeof *s->wrenches);
   s->y = calloc(rows, sizeof *s->y);
+  s->load_y = calloc(rows, sizeof *s->load_y);
   return s->columns != NULL && s->factors != NULL && s->wrenches != NULL && s->y != NULL &&
+         s->load_y != NULL &&
          tp_dense_program_init(p, row_of_shear(s, s->shear_count) + 1,
-                               tp_reactions_columns(&s->reactions) + s->shear_count + 1);
+                               tp_reactions_columns(&s->reactions) + s->takes_loads +
+                                   s->shear_count + 1);
 }
 
 tp_status tp_modes_refute_by_forces(bool *refuted, long *work, const tp_modes_node *node,
@@ -273,14 +277,16 @@ tp_status tp_modes_refute_by_forces(bool *refuted, long *work, const tp_modes_no
   resisting s = {.node = node, .q = q};
   tp_dense_program p = {.rows = 0};
   const bool made = make(&s, &p);
-  *refuted = made && search(&s, work, &p) && prove(&s);
+  *refuted = made && search(&s, work, &p);
+  for (int k = 0; k < q->load_count && *refuted; k++) *refuted = prove(&s, k);
   tp_dense_program_clear(&p);
   tp_reactions_clear(&s.reactions);
-  free(s.edges);
+  tp_resisting_edges_clear(&s.edges);
   free(s.shears);
   free(s.columns);
   free(s.factors);
   free(s.wrenches);
   free(s.y);
+  free(s.load_y);
   return made ? TP_OK : tp_fail_memory(message, "a proof");
 }

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Depth first, with probing. Each contact of a block at rest with one that is not could be divided:
- * whether it sticks at both ends, so that this block is at rest too, slips forward, slips back, or
- * opens; then by which ends are closed. All parts that are refuted at once are left out. Where one
- * part is left, it is so: mostly the block is at rest, and the next one is asked for. Else the
- * contact of the fewest parts is divided. Blocks that do not touch, but by ground, move whatever
- * the others do: each group of those that do is taken by itself, with the others at rest. */
+/* Depth first, with probing. Each contact of a block that is not at rest could be divided: whether
+ * it sticks at both ends, slips forward, slips back, or opens; then by which ends are closed. Parts
+ * that are refuted are left out for good, whatever is divided in the end. Where one part is left,
+ * it is so; else the contact of the fewest parts is divided. Blocks that do not touch, but by
+ * ground, move whatever the others do: each group of those that do is taken by itself, with the
+ * others at rest. */
 
 #include "contact_modes/exclusion.h"
 
 #include "common/grow.h"
+#include "contact_modes/contact_parts.h"
 #include "contact_modes/corner_modes.h"
+#include "contact_modes/settling.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -62,32 +64,10 @@ static tp_status refute(bool *refuted, branching *b, tp_modes_node *n, tp_messag
 /* ---- parts -------------------------------------------------------------------------------------
  */
 
-enum { MOST_PARTS = 10 };
-
-static int part_singly(tp_mode_set parts[MOST_PARTS], tp_mode_set set) {
-  int count = 0;
-  for (int k = 0; k < MOST_PARTS; k++) {
-    if ((set & (1U << k)) != 0) parts[count++] = set & (1U << k);
-  }
-  return count;
-}
-
-/* Of a set: at rest, opening at one end, open, forward, back; of one of these, single modes. */
-static int part(tp_mode_set parts[MOST_PARTS], tp_mode_set set, int ends) {
-  const tp_mode_set rest = tp_modes_at_rest(ends);
-  const tp_mode_set kinds[] = {rest, TP_MODES_STICK & ~rest, TP_MODES_OPEN, TP_MODES_FORWARD,
-                               TP_MODES_BACK};
-  int count = 0;
-  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
-    if ((set & kinds[k]) != 0) parts[count++] = set & kinds[k];
-  }
-  return count > 1 ? count : part_singly(parts, set);
-}
-
 /* A division: parts of a node that are not refuted. */
 typedef struct division {
   int count;
-  tp_modes_node parts[MOST_PARTS];
+  tp_modes_node parts[TP_MOST_PARTS];
 } division;
 
 static void clear_division(division *d) {
@@ -95,45 +75,21 @@ static void clear_division(division *d) {
   d->count = 0;
 }
 
-/* What a contact is divided into; of a pair of corners, each mode of its one side and then of the
- * other. */
-typedef struct contact_parts {
-  int count, of_first; /* those after the first so many are of its twin */
-  long contact, twin;
-  tp_mode_set parts[2 * MOST_PARTS];
-} contact_parts;
-
-static contact_parts parts_of(const tp_modes_node *n, const tp_resting *r, long contact) {
-  const tp_resting_contact *c = r->contacts + contact;
-  contact_parts own = {.contact = contact, .twin = c->twin};
-  if (c->twin < 0) {
-    own.count = own.of_first = part(own.parts, n->sets[contact], c->ends);
-    return own;
-  }
-  own.of_first = part_singly(own.parts, n->sets[contact]);
-  own.count = own.of_first + part_singly(own.parts + own.of_first, n->sets[c->twin]);
-  return own;
-}
-
-static void take_part(tp_modes_node *own, const contact_parts *of, int part) {
-  if (of->twin >= 0) own->sets[of->contact] = own->sets[of->twin] = 0;
-  own->sets[part < of->of_first ? of->contact : of->twin] = of->parts[part];
-}
-
-/* No more than `most` of them. */
-static tp_status divide(division *d, branching *b, const tp_modes_node *n, long contact, int most,
+/* No more than `most` of them. Parts that are refuted are left out of the node. */
+static tp_status divide(division *d, branching *b, tp_modes_node *n, long contact, int most,
                         tp_message *message) {
-  const contact_parts of = parts_of(n, b->q->resting, contact);
+  const tp_contact_parts of = tp_contact_parts_of(n, b->q->resting, contact);
   tp_status status = TP_OK;
   d->count = 0;
   for (int k = of.count - 1; k >= 0 && status == TP_OK && d->count <= most; k--) {
     tp_modes_node *own = d->parts + d->count;
     bool refuted = false;
     if (!copy_node(own, n, b->q->resting)) return tp_fail_memory(message, "a proof");
-    take_part(own, &of, k);
+    tp_contact_parts_take(own, &of, k);
     d->count++;
     status = refute(&refuted, b, own, message);
     if (refuted) {
+      tp_contact_parts_leave_out(n, &of, k);
       clear_node(own);
       d->count--;
     }
@@ -146,35 +102,51 @@ static tp_status divide(division *d, branching *b, const tp_modes_node *n, long 
 
 /* A pair of corners by its first side. */
 static bool can_divide(const tp_modes_node *n, const tp_resting *r, long contact) {
-  return !tp_modes_is_settled(n->sets, r, contact) && !tp_modes_is_second_side(r, contact);
-}
-
-/* Contacts that are divided first: of a block at rest with one that is not, where there are such.
- */
-static bool is_first(const tp_modes_node *n, const tp_resting *r, long contact) {
   const long *row = r->contacts[contact].along.row;
-  return can_divide(n, r, contact) && tp_modes_rests(n, row[0]) != tp_modes_rests(n, row[1]);
+  return !(tp_modes_rests(n, row[0]) && tp_modes_rests(n, row[1])) &&
+         !tp_modes_is_settled(n->sets, r, contact) && !tp_modes_is_second_side(r, contact);
 }
 
-static bool is_second(const tp_modes_node *n, const tp_resting *r, long contact) {
-  return can_divide(n, r, contact) && !is_first(n, r, contact) &&
-         !tp_modes_rests(n, r->contacts[contact].along.row[0]);
+/* Of a pair: past which side it opens is not asked until nothing else is left to ask. */
+static bool is_asked_last(const tp_modes_node *n, const tp_resting *r, long contact) {
+  const long twin = r->contacts[contact].twin;
+  return twin >= 0 && can_divide(n, r, contact) &&
+         ((n->sets[contact] | n->sets[twin]) & ~(tp_mode_set)TP_MODES_OPEN) == 0;
+}
+
+static bool is_asked_first(const tp_modes_node *n, const tp_resting *r, long contact) {
+  return can_divide(n, r, contact) && !is_asked_last(n, r, contact);
 }
 
 typedef bool candidate(const tp_modes_node *n, const tp_resting *r, long contact);
 
-/* The division of the fewest parts of all candidates; -1 parts: there is none. */
-static tp_status probe(division *best, branching *b, const tp_modes_node *n, candidate *is_asked,
+/* In all parts. */
+static long count_modes(const division *d, const tp_resting *r) {
+  long count = 0;
+  for (int k = 0; k < d->count; k++) {
+    for (long c = 0; c < r->contact_count; c++) {
+      for (tp_mode_set set = d->parts[k].sets[c]; set != 0; set &= set - 1) count++;
+    }
+  }
+  return count;
+}
+
+/* The division of the fewest parts of all candidates, and of those the one that leaves the fewest
+ * modes; -1 parts: there is none. */
+static tp_status probe(division *best, branching *b, tp_modes_node *n, candidate *is_asked,
                        tp_message *message) {
-  enum { MANY = MOST_PARTS + 1 };
+  enum { MANY = TP_MOST_PARTS + 1 };
   const tp_resting *r = b->q->resting;
   tp_status status = TP_OK;
   int fewest = MANY;
+  long fewest_modes = 0;
   for (long k = 0; k < r->contact_count && status == TP_OK && fewest > 1; k++) {
     if (!is_asked(n, r, k) || (fewest < MANY && b->of->work > b->of->most_work)) continue;
     division own;
-    status = divide(&own, b, n, k, fewest - 1, message);
-    if (status == TP_OK && own.count < fewest) {
+    status = divide(&own, b, n, k, fewest, message);
+    const long modes = count_modes(&own, r);
+    if (status == TP_OK && (own.count < fewest || (own.count == fewest && modes < fewest_modes))) {
+      fewest_modes = modes;
       clear_division(best);
       fewest = own.count;
       *best = own;
@@ -193,20 +165,30 @@ static void leave(tp_exclusion *e, const tp_modes_node *n, const tp_resting *r) 
   }
 }
 
+/* By what was left out of the node that it is a part of. */
+static void narrow(tp_modes_node *part, const tp_modes_node *of, const tp_resting *r) {
+  for (long k = 0; k < r->contact_count; k++) part->sets[k] &= of->sets[k];
+}
+
 static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
   tp_modes_node own = b->waiting[--b->count];
   division d = {.count = 0};
-  tp_status status = probe(&d, b, &own, is_first, message);
-  if (status == TP_OK && d.count < 0) {
+  candidate *const asked[] = {is_asked_first, is_asked_last};
+  d.count = -1;
+  tp_status status = TP_OK;
+  for (int k = 0; k < 2 && d.count < 0 && status == TP_OK; k++) {
     d.count = 0;
-    status = probe(&d, b, &own, is_second, message);
+    status = probe(&d, b, &own, asked[k], message);
   }
   if (status == TP_OK && d.count < 0) { /* all have one mode */
     b->of->has_left = true;
     leave(b->of, &own, b->q->resting);
     *goes_on = false;
   }
-  for (int k = 0; k < d.count && status == TP_OK; k++) status = wait(b, d.parts + k, message);
+  for (int k = 0; k < d.count && status == TP_OK; k++) {
+    narrow(d.parts + k, &own, b->q->resting);
+    status = wait(b, d.parts + k, message);
+  }
   clear_division(&d);
   clear_node(&own);
   *goes_on = *goes_on && b->of->work <= b->of->most_work;

@@ -9,13 +9,13 @@
  *   Reactions: w + A c = 0 with c . u >= 0 on K gives w . a <= 0, so that a = 0. Of a contact, c is
  * any compression of its ends, any normal force of those that are closed, a shear in the direction
  * of a slip that is certain, and any shear where it sticks.
- *   Forces: with such c, and y = M^-1 A c with e . y <= 0 for each edge e of F and
+ *   Forces: with such c, s >= 0 and y = M^-1 (A c + s w), e . y <= 0 for each edge e of F and
  * w . y + C (t . y) < 0 for all shears C of cohesion that the sets allow (that of a joint does no
- * work but against its slip), Newton's law gives w . y + f . A^T y = y . M a = c . u >= 0, which
- * cannot be. Tensile strength is part of w, as a pull that the ends of a joint press against.
- * Blocks at rest, joined to the ground by contacts that only stick or that leave no freedom, take
- * no part. Friction and cohesion may be anything between two numbers, and the loads
- * anything between two: each proof is of all of that. */
+ * work but against its slip). Newton's law gives s w . a + c . u = y . M a = w . y + f . A^T y + C
+ * (t . y) < 0: with c . u >= 0 and w . a >= 0 that cannot be. Tensile strength is part of w, as a
+ * pull that the ends of a joint press against. Blocks at rest, joined to the ground by contacts
+ * that only stick or that leave no velocity, take no part. Friction and cohesion may be anything
+ * between two numbers, and the loads anything between two: each proof is of all of that. */
 
 #ifndef TP_CONTACT_MODES_NODE_H
 #define TP_CONTACT_MODES_NODE_H
@@ -35,10 +35,6 @@ typedef struct tp_modes_node {
   tp_mode_set *sets; /* by contact */
   bool *still;       /* by number of a free block: its acceleration is 0 */
 } tp_modes_node;
-
-/* Blocks that are at rest, and modes that this leaves; false: none are left to some contact. */
-bool tp_modes_node_settle(tp_modes_node *node, const tp_resting *resting);
-bool tp_modes_node_is_still(const tp_modes_node *node, const tp_resting *resting);
 
 /* Is a block, by its row, at rest or fixed? */
 static inline bool tp_modes_rests(const tp_modes_node *node, long row) {
