@@ -214,6 +214,42 @@ typedef struct tp_solid_contacts {
   tp_bounded acceleration_ahead_g;     /* if has_acceleration_ahead: the one towards that */
 } tp_solid_contacts;
 
+/* On a mesh of the ground, where all counts as touching that is within a band of it. */
+typedef struct tp_solid_ground_band {
+  double band;                 /* in lengths of the scene */
+  size_t found;                /* contacts within it, */
+  size_t contacts;             /* of which so many are left without those that lie between others of
+                                  one plane */
+  double widest_m;             /* the widest gap that counts as touching */
+  double normals_deg;          /* the greatest angle between two of their normals */
+  tp_mechanism verdict;        /* as of contacts */
+  bool has_fos;                /* likewise */
+  tp_bounded fos;              /* if has_fos: likewise */
+  bool has_critical;           /* likewise */
+  tp_bounded critical_deg;     /* if has_critical: likewise */
+  bool has_acceleration;       /* likewise */
+  tp_bounded acceleration_g;   /* if has_acceleration: likewise */
+  bool has_smooth;             /* the same points, each with the mean of their normals, so that none
+                                  is wedged: */
+  tp_mechanism smooth_verdict; /* if has_smooth: what it does on them */
+  bool has_smooth_fos;         /* if has_smooth: likewise */
+  tp_bounded smooth_fos;       /* if has_smooth_fos: likewise */
+  bool has_smooth_critical;    /* if has_smooth: likewise */
+  tp_bounded smooth_critical_deg; /* if has_smooth_critical: likewise */
+} tp_solid_ground_band;
+
+/* The mesh of the ground that a solid rests on. */
+typedef struct tp_solid_ground {
+  TP_OUTSIDE char *file;   /* the mesh, */
+  TP_OUTSIDE char *object; /* and the one object of it that is meant; NULL: all of it */
+  size_t vertices;         /* that its triangles have */
+  size_t triangles;        /* of it */
+  double entered_m;        /* how deep the solid enters it at most: no more than the least band */
+  size_t band_count;       /* of the bands */
+  tp_solid_ground_band *bands; /* band_count of them: in the order of the scene */
+  size_t governing;            /* the least of them, of which the contacts are: from 0 */
+} tp_solid_ground;
+
 /* A plane that bounds a wedge, as its scene gives it. */
 typedef struct tp_wedge_side {
   double dip_deg;            /* of the plane */
@@ -361,6 +397,8 @@ typedef struct tp_solid {
                                  mesh; of a scene, in its own */
   bool has_thinning; /* thinning was asked for, and vertices and triangles are what is left */
   tp_solid_thinning thinning; /* if has_thinning: how it was done */
+  bool has_ground;            /* it rests on a mesh of the ground, which gives its contacts: */
+  tp_solid_ground ground;     /* if has_ground: that */
 } tp_solid;
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the

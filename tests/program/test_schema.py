@@ -331,6 +331,12 @@ class Schema(unittest.TestCase):
             status, out, err = run("solve", "--json", "rock.yaml", folder=folder)
             self.assertEqual((status, err), (0, ""))
             self.fits("solid", out)
+        with tempfile.TemporaryDirectory() as folder:  # one object of a ground
+            text = rock.with_name("rock_on_ground.yaml").read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")
+            (pathlib.Path(folder) / "rock.yaml").write_text(text.replace("ground.obj}", "ground.obj, object: ground}"))
+            status, out, err = run("solve", "--json", "rock.yaml", folder=folder)
+            self.assertEqual((status, err), (0, ""))
+            self.fits("solid", out)
         with tempfile.TemporaryDirectory() as folder:  # a corner is cut off a cube, a face is given twice, one is flat, one turned
             corners = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for y in (0, 1) for x in (0, 1)) + "v 0.5 0 0\nv 9 9 9\nv 9 9 9.1\nv 9 9.1 9\nv 9.1 9 9\n"
             square = ((0, 2, 3, 1), (4, 5, 7, 6), (1, 3, 7, 5), (3, 2, 6, 7))
@@ -339,9 +345,10 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "rock.obj").write_text(corners + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces[1:]))
             self.prints("solid", "--json", "--repair", "--thin=0.1", "--merge-within=1e-6", "--drop-below=0.01", "rock.obj", folder=folder)
         self.prints("sweep", "--json", "--x", "tilt.angle_deg=0,20", rock)
-        status, out, err = run("solve", "--json", rock.with_name("rock_in_the_ground.yaml"))
-        self.assertEqual((status, err), (0, ""))
-        self.fits("solid", out)
+        for name in ("rock_in_the_ground.yaml", "rock_on_ground.yaml"):
+            status, out, err = run("solve", "--json", rock.with_name(name))
+            self.assertEqual((status, err), (0, ""))
+            self.fits("solid", out)
         with tempfile.TemporaryDirectory() as folder:
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")
             crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2"

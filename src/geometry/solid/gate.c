@@ -22,7 +22,8 @@ typedef struct fault {
 typedef struct gate {
   const tp_surface *surface;
   tp_sides sides;
-  int *leaders; /* of the triangles: another one of its piece, itself of one in each piece */
+  bool is_ground; /* which may end, and have pieces */
+  int *leaders;   /* of the triangles: another one of its piece, itself of one in each piece */
   fault open, crowded, turned;
 } gate;
 
@@ -75,7 +76,8 @@ static void judge_edges(gate *g) {
 enum { EDGE = 160 };
 
 /* What a repair may do about it, or that it did not. */
-static const char *offer(const tp_surface *s, const char *what) {
+static const char *offer(const tp_surface *s, bool is_ground, const char *what) {
+  if (is_ground) return "; a ground is not repaired";
   return s->mesh->is_mended ? "; its repair left them so" : what;
 }
 
@@ -121,33 +123,36 @@ static tp_status refuse_faults(gate *g, tp_message *message) {
                      edge_text(edge, s, &g->crowded),
                      tp_surface_name(names[0], s, g->crowded.triangle),
                      tp_surface_name(names[1], s, g->crowded.neighbour), g->crowded.count,
-                     offer(s, "; where they are given twice --repair, in a scene 'repair: true', "
-                              "drops them"));
+                     offer(s, g->is_ground,
+                           "; where they are given twice --repair, in a scene 'repair: true', "
+                           "drops them"));
   }
-  if (g->open.count > 0) {
-    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->open.triangle),
-                     "the surface is open: at its edge %s %s has no neighbour; there are %ld such "
-                     "edges: close the holes of the mesh%s",
-                     edge_text(edge, s, &g->open), tp_surface_name(names[0], s, g->open.triangle),
-                     g->open.count,
-                     offer(s, ", or have them closed by --repair, in a scene 'repair: true'"));
+  if (g->open.count > 0 && !g->is_ground) {
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->open.triangle),
+        "the surface is open: at its edge %s %s has no neighbour; there are %ld such "
+        "edges: close the holes of the mesh%s",
+        edge_text(edge, s, &g->open), tp_surface_name(names[0], s, g->open.triangle), g->open.count,
+        offer(s, g->is_ground, ", or have them closed by --repair, in a scene 'repair: true'"));
   }
   if (g->turned.count > 0) {
-    return tp_refuse(message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->turned.triangle),
-                     "%s and %s are oriented against each other: both pass their edge %s in one "
-                     "direction; there are %ld such edges: orient the faces of the mesh outwards%s",
-                     tp_surface_name(names[0], s, g->turned.triangle),
-                     tp_surface_name(names[1], s, g->turned.neighbour),
-                     edge_text(edge, s, &g->turned), g->turned.count,
-                     offer(s, ", or have them turned by --repair, in a scene 'repair: true'"));
+    return tp_refuse(
+        message, TP_FAULT_GEOMETRY, tp_surface_place(s, g->turned.triangle),
+        "%s and %s are oriented against each other: both pass their edge %s in one "
+        "direction; there are %ld such edges: orient the faces of the mesh outwards%s",
+        tp_surface_name(names[0], s, g->turned.triangle),
+        tp_surface_name(names[1], s, g->turned.neighbour), edge_text(edge, s, &g->turned),
+        g->turned.count,
+        offer(s, g->is_ground, ", or have them turned by --repair, in a scene 'repair: true'"));
   }
-  return refuse_pieces(g, message);
+  return g->is_ground ? TP_OK : refuse_pieces(g, message);
 }
 
 /* ---- areas, meetings -----
  */
 
-static tp_status refuse_flat(const tp_surface *surface, long triangle, tp_message *message) {
+static tp_status refuse_flat(const tp_surface *surface, long triangle, bool is_ground,
+                             tp_message *message) {
   const int *corners = surface->triangles + 3 * triangle;
   double at[9];
   char name[TP_SURFACE_NAME];
@@ -157,20 +162,20 @@ static tp_status refuse_flat(const tp_surface *surface, long triangle, tp_messag
                    "%.9g, %.9g) lie on one line; repair the mesh%s",
                    tp_surface_name(name, surface, triangle), at[0], at[1], at[2], at[3], at[4],
                    at[5], at[6], at[7], at[8],
-                   offer(surface, " by --repair, in a scene 'repair: true'"));
+                   offer(surface, is_ground, " by --repair, in a scene 'repair: true'"));
 }
 
-tp_status tp_gate_areas(const tp_surface *surface, tp_message *message) {
+static tp_status pass_areas(const tp_surface *surface, bool is_ground, tp_message *message) {
   for (long t = 0; t < surface->triangle_count; t++) {
     const int *own = surface->triangles + 3 * t;
     if (!tp_surface_is_straight(surface, own[0], own[1], own[2])) continue;
-    return refuse_flat(surface, t, message);
+    return refuse_flat(surface, t, is_ground, message);
   }
   return TP_OK;
 }
 
-tp_status tp_gate_edges(const tp_surface *surface, tp_message *message) {
-  gate g = {.surface = surface};
+static tp_status pass_edges(const tp_surface *surface, bool is_ground, tp_message *message) {
+  gate g = {.surface = surface, .is_ground = is_ground};
   tp_status status = TP_OK;
   if (gather(&g)) {
     judge_edges(&g);
@@ -181,6 +186,19 @@ tp_status tp_gate_edges(const tp_surface *surface, tp_message *message) {
   tp_sides_clear(&g.sides);
   free(g.leaders);
   return status;
+}
+
+tp_status tp_gate_edges(const tp_surface *surface, tp_message *message) {
+  return pass_edges(surface, false, message);
+}
+
+tp_status tp_gate_areas(const tp_surface *surface, tp_message *message) {
+  return pass_areas(surface, false, message);
+}
+
+tp_status tp_gate_ground(const tp_surface *surface, tp_message *message) {
+  const tp_status status = pass_areas(surface, true, message);
+  return status == TP_OK ? pass_edges(surface, true, message) : status;
 }
 
 tp_status tp_gate_clashes(const tp_surface *surface, tp_message *message) {

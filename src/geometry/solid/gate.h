@@ -19,6 +19,10 @@ TP_MUST_USE tp_status tp_gate_areas(const tp_surface *surface, tp_message *messa
 /* Closed, oriented, of one piece. */
 TP_MUST_USE tp_status tp_gate_edges(const tp_surface *surface, tp_message *message);
 
+/* A ground: its triangles have areas, and neighbours do not run against each other; it may end, be
+ * of several pieces, and meet itself. */
+TP_MUST_USE tp_status tp_gate_ground(const tp_surface *surface, tp_message *message);
+
 /* No two triangles meet elsewhere. */
 TP_MUST_USE tp_status tp_gate_clashes(const tp_surface *surface, tp_message *message);
 

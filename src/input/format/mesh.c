@@ -210,28 +210,47 @@ tp_status tp_mesh_add_face(tp_mesh *mesh, const int *corners, long count, int li
 /* ---- several meshes ----------------------------------------------------------------------------
  */
 
+/* Where a vertex of another mesh is here. */
+static tp_status join_vertex(tp_mesh *mesh, int *corner, const fmpq *vertex, const fmpq_t factor,
+                             tp_message *message) {
+  fmpq at[3];
+  for (int k = 0; k < 3; k++) {
+    fmpq_init(at + k);
+    fmpq_mul(at + k, vertex + k, factor);
+  }
+  const tp_status status = tp_mesh_add_vertex(mesh, corner, at, message);
+  for (int k = 0; k < 3; k++) fmpq_clear(at + k);
+  return status;
+}
+
 /* The vertices of a face, as they are here. */
 static tp_status join_face(tp_mesh *mesh, const tp_mesh *other, const tp_mesh_face *face,
-                           int *corners, tp_message *message) {
+                           const fmpq_t factor, int *corners, tp_message *message) {
   tp_status status = TP_OK;
   for (int k = 0; k < face->count && status == TP_OK; k++) {
-    const long vertex = other->corners[face->first + k];
-    status = tp_mesh_add_vertex(mesh, corners + k, other->vertices + 3 * vertex, message);
+    const fmpq *vertex = other->vertices + 3L * other->corners[face->first + k];
+    status = join_vertex(mesh, corners + k, vertex, factor, message);
   }
   if (status == TP_OK) status = tp_mesh_add_face(mesh, corners, face->count, face->line, message);
   if (status == TP_OK) mesh->faces[mesh->face_count - 1].number = face->number;
   return status;
 }
 
-tp_status tp_mesh_join(tp_mesh *mesh, const tp_mesh *other, long object, tp_message *message) {
+tp_status tp_mesh_join_scaled(tp_mesh *mesh, const tp_mesh *other, long object, const fmpq_t factor,
+                              tp_message *message) {
   int *corners = malloc(TP_MESH_CORNERS * sizeof *corners);
   if (corners == NULL) return tp_fail_memory(message, "a mesh");
   tp_status status = add_object(mesh, "", 0, message);
   if (status == TP_OK) mesh->objects[mesh->object].file = other->file;
   for (long f = 0; f < other->face_count && status == TP_OK; f++) {
     if (object >= 0 && other->faces[f].object != object) continue;
-    status = join_face(mesh, other, other->faces + f, corners, message);
+    status = join_face(mesh, other, other->faces + f, factor, corners, message);
   }
   free(corners);
   return status;
+}
+
+tp_status tp_mesh_join(tp_mesh *mesh, const tp_mesh *other, long object, tp_message *message) {
+  const fmpq_t one = {{1, 1}};
+  return tp_mesh_join_scaled(mesh, other, object, one, message);
 }

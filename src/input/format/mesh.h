@@ -71,6 +71,9 @@ void tp_mesh_object_names(char names[TP_MESH_NAMES], const tp_mesh *mesh);
  * one: equal vertices of both are one. The other's file must outlive the mesh. */
 TP_MUST_USE tp_status tp_mesh_join(tp_mesh *mesh, const tp_mesh *other, long object,
                                    tp_message *message);
+/* The same with its coordinates times a factor above 0. */
+TP_MUST_USE tp_status tp_mesh_join_scaled(tp_mesh *mesh, const tp_mesh *other, long object,
+                                          const fmpq_t factor, tp_message *message);
 
 /* For the readers: the vertex of these coordinates, an old one where it is equal. */
 TP_MUST_USE tp_status tp_mesh_add_vertex(tp_mesh *mesh, int *index, const fmpq coordinates[3],

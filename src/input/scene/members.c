@@ -16,9 +16,13 @@
 #define OFFSETS(array)                                                                             \
   { array, sizeof(array) / sizeof(array)[0] }
 
-static const size_t numbers[] = {IN_SCENE(metres_per_unit), IN_SCENE(solid.metres_per_unit),
-                                 IN_SCENE(solid.up[0]),     IN_SCENE(solid.up[1]),
-                                 IN_SCENE(solid.up[2]),     TP_SCENE_NUMBERS(OFFSET)};
+static const size_t numbers[] = {IN_SCENE(metres_per_unit),
+                                 IN_SCENE(solid.metres_per_unit),
+                                 IN_SCENE(solid.ground.metres_per_unit),
+                                 IN_SCENE(solid.up[0]),
+                                 IN_SCENE(solid.up[1]),
+                                 IN_SCENE(solid.up[2]),
+                                 TP_SCENE_NUMBERS(OFFSET)};
 static const size_t lines[] = {IN_SCENE(block.outline),      IN_SCENE(base.between),
                                IN_SCENE(base.profile),       IN_SCENE(base.rule.measured),
                                IN_SCENE(mean_plane),         IN_SCENE(loads.water.surface),

@@ -24,6 +24,14 @@ typedef struct tp_solid_part_description {
   tp_quantity unit_weight_kn_m3; /* of a part */
 } tp_solid_part_description;
 
+/* A mesh that the solid rests on, in its axes. */
+typedef struct tp_ground_description {
+  tp_place place;         /* no file: a plane, or contacts */
+  const tp_mesh *mesh;    /* of the scene's file, */
+  long object;            /* one object of it; below zero: all */
+  fmpq_t metres_per_unit; /* of the mesh */
+} tp_ground_description;
+
 /* A plane of a wedge: its dip and the azimuth of that. */
 typedef struct tp_wedge_plane {
   tp_quantity dip_deg, dip_direction_deg;
@@ -59,11 +67,12 @@ typedef struct tp_solid_description {
   tp_quantity below; /* instead: a plane so high over the lowest point, in scene lengths, cuts it */
   long contact_count; /* 0: what touches is by bands */
   tp_contact_description *contacts;
-  bool repair;                /* mend the mesh: */
-  double repair_merge_within; /* in lengths of the mesh; 0: equal points alone */
-  double repair_drop_below;   /* pieces of less than this share of the area; 0: none */
-  double thin;                /* by this length, in those of the mesh; 0: not */
-  tp_wedge_description wedge; /* instead of the mesh and what touches */
+  tp_ground_description ground; /* instead of a plane: what is within a band of it touches */
+  bool repair;                  /* mend the mesh: */
+  double repair_merge_within;   /* in lengths of the mesh; 0: equal points alone */
+  double repair_drop_below;     /* pieces of less than this share of the area; 0: none */
+  double thin;                  /* by this length, in those of the mesh; 0: not */
+  tp_wedge_description wedge;   /* instead of the mesh and what touches */
 } tp_solid_description;
 
 #endif

@@ -85,6 +85,8 @@ TP_MUST_USE tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node
 TP_MUST_USE tp_status tp_read_solid_mesh(const tp_reader *reader, const tp_mesh **mesh,
                                          long *object, const tp_node *node);
 TP_MUST_USE tp_status tp_read_solid_contacts(const tp_reader *reader, const tp_node *solid);
+/* The plane or the ground that a solid lies on; its mesh was read. */
+TP_MUST_USE tp_status tp_read_solid_base(const tp_reader *reader, const tp_node *solid);
 TP_MUST_USE tp_status tp_read_wedge(const tp_reader *reader, const tp_node *solid);
 /* A point or a vector of space, [x, y, z], in the axes of the mesh. */
 TP_MUST_USE tp_status tp_read_triple(const tp_reader *reader, fmpq point[3], const tp_node *node,

@@ -192,19 +192,6 @@ static tp_status read_up_vector(const tp_reader *reader, const tp_node *node) {
                       "of the three numbers of 'up' at least one is not 0");
 }
 
-static tp_status read_solid_base(const tp_reader *reader, const tp_node *node) {
-  tp_scene *scene = reader->scene;
-  const fmpq *up = scene->solid.up;
-  if (node == NULL) return TP_OK;
-  tp_status status = tp_read_map(reader, scene, node, &tp_key_map_solid_base, "the base");
-  if (status == TP_OK && !(fmpq_is_zero(up) && fmpq_is_zero(up + 1) && fmpq_sgn(up + 2) > 0)) {
-    status = tp_read_fail(reader, TP_FAULT_KEY, node,
-                          "a base has its dip where the mesh has z upwards: leave out 'up', or "
-                          "say by it which way is across the base instead of its dip");
-  }
-  return status;
-}
-
 /* ---- bands -------------------------------------------------------------------------------------
  */
 
@@ -213,6 +200,7 @@ static tp_status read_bands(const tp_reader *reader, const tp_node *parent) {
   const tp_node *node = NULL;
   static const char *const others[] = {"bands", "contacts", NULL};
   const tp_node *other = tp_node_first_of(parent, others);
+  if (other == NULL && own->ground.place.file != NULL) other = tp_node_get(parent, "base");
   if (own->below.given && other != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, other,
                         "a rock that a plane cuts rests on the section, 'below' which all is "
@@ -288,7 +276,7 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_solid_repair(reader, tp_node_get(node, "repair"));
   if (status == TP_OK) status = tp_read_solid_thin(reader, tp_node_get(node, "thin"));
   if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));
-  if (status == TP_OK) status = read_solid_base(reader, tp_node_get(node, "base"));
+  if (status == TP_OK) status = tp_read_solid_base(reader, node);
   if (status == TP_OK) status = read_bands(reader, node);
   return status == TP_OK ? tp_read_solid_contacts(reader, node) : status;
 }

@@ -68,6 +68,19 @@ static tp_status check_wedge(const tp_reader *reader, const tp_node *root) {
   return TP_OK;
 }
 
+static tp_status check_one_way(const tp_reader *reader) {
+  const tp_scene *scene = reader->scene;
+  const char *on = scene->solid.contact_count > 0 ? "'contacts'" : "a mesh of the ground";
+  if (scene->tilt_angle_deg.given && !scene->tilt_azimuth_deg.given) {
+    return tp_refuse(reader->message, TP_FAULT_KEY, scene->tilt_angle_deg.place,
+                     "a rock on %s is tilted one way: give the tilt its 'azimuth_deg'", on);
+  }
+  return !scene->loads.horizontal.given || scene->loads.azimuth_deg.given
+             ? TP_OK
+             : tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.horizontal.place,
+                         "a rock on %s is shaken one way: give 'seismic' its 'azimuth_deg'", on);
+}
+
 /* Contacts have friction, and are tilted and shaken one way. */
 static tp_status check_contacts(const tp_reader *reader) {
   const tp_scene *scene = reader->scene;
@@ -78,16 +91,13 @@ static tp_status check_contacts(const tp_reader *reader) {
                      "this contact has no friction: give it a 'friction_angle_deg', or the scene "
                      "one for all");
   }
-  if (scene->solid.contact_count == 0) return TP_OK;
-  if (scene->tilt_angle_deg.given && !scene->tilt_azimuth_deg.given) {
-    return tp_refuse(reader->message, TP_FAULT_KEY, scene->tilt_angle_deg.place,
-                     "a rock on 'contacts' is tilted one way: give the tilt its 'azimuth_deg'");
+  const bool is_on_ground = scene->solid.ground.place.file != NULL;
+  if (is_on_ground && !scene->friction_angle_deg.given) {
+    return tp_refuse(reader->message, TP_FAULT_KEY, scene->solid.ground.place,
+                     "a rock on a mesh of the ground needs friction: give the scene its "
+                     "'friction_angle_deg'");
   }
-  return !scene->loads.horizontal.given || scene->loads.azimuth_deg.given
-             ? TP_OK
-             : tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.horizontal.place,
-                         "a rock on 'contacts' is shaken one way: give 'seismic' its "
-                         "'azimuth_deg'");
+  return scene->solid.contact_count > 0 || is_on_ground ? check_one_way(reader) : TP_OK;
 }
 
 tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {

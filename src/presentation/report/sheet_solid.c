@@ -51,6 +51,16 @@ static void add_assumptions(tp_solid_sheet *s) {
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "A rigid solid within the surface of its mesh; earthquakes act as a static force "
                   "through its centroid.");
+  if (s->solid->has_ground) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "The ground is rigid, as its mesh has it. Corners and edges of both meshes that are "
+        "no farther from the other than the band are taken to touch, by forces in true cones "
+        "of Coulomb about the normals there; a part of how these differ may be noise of the "
+        "survey. The least band governs, as with a wider one more is held. That forces can "
+        "hold it does not exclude that it moves where contacts face different ways.");
+    return;
+  }
   if (s->solid->has_contacts) {
     tp_document_add(
         d, TP_PASSAGE_PARAGRAPH,

@@ -74,6 +74,34 @@ static void add_ways(tp_solid_sheet *s) {
   }
 }
 
+static void add_ground_bands(tp_solid_sheet *s) {
+  static const char *const heads[] = {
+      "Contacts", "Widest gap (m)", "Normals differ by (°)", "Held up to (°)",
+      "FoS",      "Verdict",        "With their mean (°)",   "FoS",
+      "Verdict"};
+  const tp_solid_ground *own = &s->solid->ground;
+  tp_document *d = &s->document;
+  if (!s->solid->has_ground) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 10, 0x1bf,
+                    "On its ground: what is no farther from it than the band touches");
+  tp_document_cell(d, "Band (%s)", s->solid->length_unit);
+  tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
+  for (size_t k = 0; k < own->band_count; k++) {
+    const tp_solid_ground_band *b = own->bands + k;
+    char n[TP_SHORTEST_SIZE];
+    tp_document_cell(d, "%s", tp_shortest(n, b->band));
+    tp_document_cell(d, "%zu", b->contacts);
+    tp_document_cell(d, "%.3g", b->widest_m);
+    tp_document_cell(d, "%.4g", b->normals_deg);
+    tp_sheet_add_number_if(d, b->has_critical, b->critical_deg, 6);
+    tp_sheet_add_number_if(d, b->has_fos, b->fos, 6);
+    tp_document_word(d, tp_mechanism_name(b->verdict));
+    tp_sheet_add_number_if(d, b->has_smooth_critical, b->smooth_critical_deg, 6);
+    tp_sheet_add_number_if(d, b->has_smooth_fos, b->smooth_fos, 6);
+    tp_document_word(d, b->has_smooth ? tp_mechanism_name(b->smooth_verdict) : "–");
+  }
+}
+
 void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
   const tp_solid_contacts *own = &s->solid->contacts;
   tp_document *d = &s->document;
@@ -88,6 +116,7 @@ void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
                     "The factor of safety is what tan φ of all contacts may be divided by until no "
                     "forces hold it.");
   }
+  add_ground_bands(s);
   add_contact_table(s);
   add_ways(s);
 }

@@ -74,10 +74,36 @@ static void add_wedge(tp_solid_sheet *s) {
   }
 }
 
+/* "0.002; 0.005": as many as page 1 has. */
+static void add_band_list(tp_text *bands, const tp_document *d, size_t k, double band) {
+  char n[TP_SHORTEST_SIZE];
+  if (k < TP_SOLID_SHEET_BANDS) {
+    tp_text_add(bands, "%s%s", k > 0 ? "; " : "", tp_shortest(n, band));
+  }
+  tp_document_set_decimals(d, bands);
+}
+
+static void add_ground(tp_solid_sheet *s) {
+  const tp_solid_ground *own = &s->solid->ground;
+  tp_document *d = &s->document;
+  tp_text bands = {0};
+  for (size_t k = 0; k < own->band_count; k++) add_band_list(&bands, d, k, own->bands[k].band);
+  tp_document_cell(d,
+                   "a mesh of the ground of %zu triangles; what is no farther from it than the "
+                   "band touches: %s %s",
+                   own->triangles, bands.data != NULL ? bands.data : "", s->solid->length_unit);
+  d->failed = d->failed || bands.failed;
+  tp_text_drop(&bands);
+}
+
 static void add_touching(tp_solid_sheet *s) {
   const tp_solid *own = s->solid;
   tp_document *d = &s->document;
   tp_document_word(d, "Contact");
+  if (own->has_ground) {
+    add_ground(s);
+    return;
+  }
   if (own->has_contacts) {
     tp_document_cell(d, "points with normals and friction: %zu", own->contacts.contact_count);
     return;
@@ -91,11 +117,7 @@ static void add_touching(tp_solid_sheet *s) {
     return;
   }
   tp_text bands = {0};
-  for (size_t k = 0; k < own->band_count && k < TP_SOLID_SHEET_BANDS; k++) {
-    char n[TP_SHORTEST_SIZE];
-    tp_text_add(&bands, "%s%s", k > 0 ? "; " : "", tp_shortest(n, own->bands[k].band));
-  }
-  tp_document_set_decimals(d, &bands);
+  for (size_t k = 0; k < own->band_count; k++) add_band_list(&bands, d, k, own->bands[k].band);
   tp_document_cell(d,
                    "a plane; what lies no higher over the lowest point than the band touches: "
                    "%s %s",

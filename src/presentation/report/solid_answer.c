@@ -65,7 +65,20 @@ static void add_of_band(tp_text *t, const tp_solid *solid) {
               band->band, solid->length_unit);
 }
 
-static void add_of_contacts(tp_text *t, const tp_solid_contacts *own) {
+static void add_of_ground(tp_text *t, const tp_solid *solid, const tp_solid_ground_band *own) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, " So by the least band over its ground, %.6g %s, which governs.", own->band,
+              solid->length_unit);
+  if (!own->has_smooth || own->normals_deg == 0) return;
+  tp_text_add(t, " With the mean of all normals, between which nothing is wedged,");
+  if (own->has_smooth_critical) {
+    tp_text_add(t, " up to %s°:", tp_text_significant(n, own->smooth_critical_deg, 5));
+  }
+  tp_text_add(t, " it %s at its tilt.", tp_mechanism_name(own->smooth_verdict));
+}
+
+static void add_of_contacts(tp_text *t, const tp_solid *solid) {
+  const tp_solid_contacts *own = &solid->contacts;
   char n[2][TP_NUMBER_SIZE];
   tp_text_add(t, own->verdict == TP_MAY_MOVE
                      ? "Forces within all cones of friction can hold it, but contacts that face "
@@ -88,6 +101,9 @@ static void add_of_contacts(tp_text *t, const tp_solid_contacts *own) {
                 tp_text_significant(n[0], own->acceleration_g, 4),
                 tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1));
   }
+  if (solid->has_ground) {
+    add_of_ground(t, solid, solid->ground.bands + solid->ground.governing);
+  }
 }
 
 static void add_of_wedge(tp_text *t, const tp_solid_wedge *own) {
@@ -102,7 +118,7 @@ void tp_text_solid_answer(tp_text *t, const tp_solid *solid) {
   if (solid->has_wedge) {
     add_of_wedge(t, &solid->wedge);
   } else if (solid->has_contacts) {
-    add_of_contacts(t, &solid->contacts);
+    add_of_contacts(t, solid);
   } else {
     add_of_band(t, solid);
   }

@@ -147,6 +147,7 @@ static void add_ways(tp_text *t, const tp_solid_contacts *c) {
 
 void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
   if (!s->has_contacts) return;
+  tp_text_solid_ground(t, s);
   tp_text_solid_loads(t, s);
   add_verdict(t, &s->contacts);
   add_critical(t, s);

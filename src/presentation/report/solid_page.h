@@ -32,6 +32,9 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *solid);
 /* Of a scene with contacts: what the solid does on them; else nothing. */
 void tp_text_solid_contacts(tp_text *t, const tp_solid *solid);
 
+/* Of a scene with a mesh of the ground: its bands; else nothing. */
+void tp_text_solid_ground(tp_text *t, const tp_solid *solid);
+
 /* Do some forces hold it? */
 bool tp_solid_is_held(const tp_solid_contacts *contacts);
 

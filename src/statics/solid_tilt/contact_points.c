@@ -168,6 +168,14 @@ static tp_status take_contact(const asked *a) {
   return check_place(a, &nearest);
 }
 
+/* With its normal and its distance from the surface. */
+static tp_status take_found(const asked *a, double gap) {
+  set_steps(a->cone->at, a->surface, a->given->at);
+  a->result->distance_m = fabs(gap);
+  for (int k = 0; k < 3; k++) fmpq_set(a->cone->normal + k, a->given->normal + k);
+  return TP_OK;
+}
+
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
@@ -177,7 +185,7 @@ static void settle(tp_contact_points *points, tp_solid_contact *results,
   set_length(points);
   for (long n = 0; n < points->cones.count; n++) {
     tp_friction_cone *own = points->cones.cones + n;
-    const tp_contact_description *of = scene->solid.contacts + n;
+    const tp_contact_description *of = given->contacts + n;
     const fmpq *degrees = of->friction_angle_deg.given ? of->friction_angle_deg.value
                                                        : scene->friction_angle_deg.value;
     for (int k = 0; k < 3; k++) fmpq_div(own->at + k, own->at + k, points->length);
@@ -193,12 +201,11 @@ static void settle(tp_contact_points *points, tp_solid_contact *results,
 tp_status tp_contact_points_init(tp_contact_points *points, tp_solid_contact *results,
                                  const tp_centre *centre, const tp_solid_given *given,
                                  tp_notes *notes, tp_message *message) {
-  const tp_solid_description *solid = &given->scene->solid;
   const tp_surface *surface = centre->surface;
   *points = (tp_contact_points){.metres = 1};
   fmpq_init(points->length);
   for (int k = 0; k < 3; k++) fmpq_init(points->centre + k);
-  if (!tp_friction_cones_init(&points->cones, solid->contact_count)) {
+  if (!tp_friction_cones_init(&points->cones, given->contact_count)) {
     return tp_fail_memory(message, "the contacts of a solid");
   }
   fmpq_set_fmpz(points->length, (fmpz[]){1});
@@ -207,11 +214,12 @@ tp_status tp_contact_points_init(tp_contact_points *points, tp_solid_contact *re
   const double near_metres = points->metres;
   set_centre(points, centre);
   tp_status status = TP_OK;
-  for (long n = 0; n < solid->contact_count && status == TP_OK; n++) {
+  for (long n = 0; n < given->contact_count && status == TP_OK; n++) {
     tp_friction_cone *cone = points->cones.cones + n;
-    const asked own = {solid->contacts + n, surface, cone,   results + n,
+    const asked own = {given->contacts + n, surface, cone,   results + n,
                        near_metres,         notes,   message};
-    status = take_contact(&own);
+    status =
+        given->contact_gaps == NULL ? take_contact(&own) : take_found(&own, given->contact_gaps[n]);
     for (int k = 0; k < 3; k++) fmpq_sub(cone->at + k, cone->at + k, points->centre + k);
   }
   if (status == TP_OK) settle(points, results, given);

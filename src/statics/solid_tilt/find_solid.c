@@ -10,6 +10,7 @@
 #include "common/notes.h"
 #include "solid/poses.h"
 #include "solid_tilt/on_contacts.h"
+#include "solid_tilt/on_ground.h"
 #include "solid_tilt/repaired.h"
 #include "solid_tilt/rose.h"
 #include "solid_tilt/solid_parts.h"
@@ -117,7 +118,7 @@ static tp_status climb(work *w) {
   tp_status status = tp_solid_parts_weigh(&parts, w->body, w->given, w->message);
   if (status != TP_OK) return status;
   tp_solid_moments_weigh(&moments, &w->body->moments, parts, w->body->part_count);
-  if (w->given->scene != NULL && w->given->scene->solid.contact_count > 0) {
+  if (w->given->contact_count > 0 || w->given->ground_band_count > 0) {
     tp_solid_moments_climb(&moments);
   }
   while (status == TP_OK) {
@@ -133,7 +134,9 @@ static tp_status climb(work *w) {
                      "coordinates of sizes too unlike for the range of doubles");
   }
   if (status == TP_OK) {
-    status = tp_on_contacts_find(w->solid, &moments.centre, w->given, w->message);
+    status = w->given->ground_band_count > 0
+                 ? tp_on_ground_find(w->solid, w->body, &moments.centre, w->given, w->message)
+                 : tp_on_contacts_find(w->solid, &moments.centre, w->given, w->message);
   }
   if (status == TP_OK) {
     tp_solid_moments_tell(w->solid, &moments, w->given->metres_per_unit, w->given->unit_weight);
@@ -204,7 +207,7 @@ tp_status tp_solid_find_body(tp_solid *solid, const tp_solid_body *body, tp_soli
   if (!tp_heights_above_init(&w.above, &body->surface, given->up)) {
     return tp_fail_memory(message, "the heights of a solid");
   }
-  if (given->bands == NULL) {
+  if (given->bands == NULL && given->scene == NULL) {
     status = tp_solid_given_bands(given, tp_heights_above_most(&w.above), message);
   }
   if (status == TP_OK) status = tp_thinning_tell(solid, body, given, message);

@@ -257,16 +257,15 @@ static tp_status find_all(work *w) {
   return status == TP_OK ? find_shaken(w) : status;
 }
 
-static tp_status find_on(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
-                         tp_message *message) {
-  tp_solid_contacts *own = &solid->contacts;
+tp_status tp_on_contacts_solve(tp_solid_contacts *own, tp_notes *notes, const tp_centre *centre,
+                               const tp_solid_given *given, tp_message *message) {
   work w = {.results = own, .surface = centre->surface, .given = given, .message = message};
-  const size_t count = (size_t)given->scene->solid.contact_count;
+  const size_t count = (size_t)given->contact_count;
   own->contacts = calloc(count + 1, sizeof *own->contacts);
   if (own->contacts == NULL) return fail_memory(&w);
   own->contact_count = count;
   tp_status status =
-      tp_contact_points_init(&w.points, own->contacts, centre, given, &solid->notes, message);
+      tp_contact_points_init(&w.points, own->contacts, centre, given, notes, message);
   if (status == TP_OK) {
     tp_hold_frame_init(&w.frame, given->up);
     tp_level_loads_init(&w.level, &w.frame, NULL);
@@ -283,7 +282,7 @@ static tp_status find_on(tp_solid *solid, const tp_centre *centre, const tp_soli
 
 /* Rows of tables have the stance of the band that governs: on contacts there is none, and its place
  * behind those that are counted has theirs. */
-static void set_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
+void tp_on_contacts_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
   row->has_stance = true;
   row->stance = (tp_solid_stance){.verdict = contacts->verdict,
                                   .has_fos = contacts->has_fos,
@@ -300,10 +299,11 @@ static void set_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
 
 tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
                               tp_message *message) {
-  solid->has_contacts = given->scene != NULL && given->scene->solid.contact_count > 0;
+  solid->has_contacts = given->contact_count > 0;
   if (!solid->has_contacts) return TP_OK;
-  const tp_status status = find_on(solid, centre, given, message);
-  if (status == TP_OK) set_row(solid->bands, &solid->contacts);
+  const tp_status status =
+      tp_on_contacts_solve(&solid->contacts, &solid->notes, centre, given, message);
+  if (status == TP_OK) tp_on_contacts_row(solid->bands, &solid->contacts);
   return status;
 }
 

@@ -19,6 +19,12 @@
  * it: `centre` at the level exact. */
 TP_MUST_USE tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre,
                                           const tp_solid_given *given, tp_message *message);
+/* The same of the contacts that are given, into results of zeros, to be cleared also on failure. */
+TP_MUST_USE tp_status tp_on_contacts_solve(tp_solid_contacts *results, tp_notes *notes,
+                                           const tp_centre *centre, const tp_solid_given *given,
+                                           tp_message *message);
+/* What tables of many scenes have of them. */
+void tp_on_contacts_row(tp_solid_band *row, const tp_solid_contacts *contacts);
 void tp_solid_contacts_clear(tp_solid_contacts *contacts);
 
 #endif

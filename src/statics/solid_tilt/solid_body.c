@@ -125,6 +125,7 @@ void tp_solid_body_clear(tp_solid_body *body) {
   }
   free(body->part_moments);
   free(body->pieces);
+  tp_ground_body_free(body->ground);
   if (body->is_thinned) {
     tp_solid_moments_clear(&body->of_thinned);
     tp_surface_clear(&body->surface);
@@ -155,8 +156,12 @@ tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *sce
   const tp_solid_description *solid = &scene->solid;
   const tp_solid_wish wish = {
       solid->repair, {solid->repair_merge_within, solid->repair_drop_below}, solid->thin};
-  const tp_status status = tp_solid_body_init(own, solid->mesh, solid->object, &wish, solid->parts,
-                                              solid->part_count, message);
+  tp_status status = tp_solid_body_init(own, solid->mesh, solid->object, &wish, solid->parts,
+                                        solid->part_count, message);
+  if (status == TP_OK && solid->ground.place.file != NULL) {
+    status = tp_ground_body_make(&own->ground, own->mesh, own->object, solid, message);
+    if (status != TP_OK) tp_solid_body_clear(own);
+  }
   if (status == TP_OK) {
     *body = tp_scene_file_keep(file, own, give_back);
   } else {

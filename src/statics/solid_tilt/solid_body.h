@@ -12,6 +12,7 @@
 #include "solid/mend.h"
 #include "solid/pieces.h"
 #include "solid/thin.h"
+#include "solid_tilt/ground_body.h"
 #include "solid_tilt/solid_moments.h"
 
 typedef struct tp_solid_body {
@@ -31,6 +32,7 @@ typedef struct tp_solid_body {
                                tell that it has a volume */
   long part_count;
   tp_solid_piece *pieces;         /* the rock and its parts */
+  tp_ground_body *ground;         /* of a scene with a mesh of the ground; else NULL */
   tp_solid_moments *part_moments; /* part_count of them, each of its surface alone, likewise */
 } tp_solid_body;
 

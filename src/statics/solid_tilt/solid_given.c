@@ -205,6 +205,14 @@ static void set_normal(tp_solid_given *given, const fmpq_t dip, const fmpq_t dir
   arb_clear(north);
 }
 
+/* Its bands are over the ground, not over a plane. */
+static void take_ground(tp_solid_given *given) {
+  given->ground_bands = given->bands;
+  given->ground_band_count = given->band_count;
+  given->bands = NULL;
+  given->band_count = 0;
+}
+
 tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
                                   tp_message *message) {
   const tp_solid_description *own = &scene->solid;
@@ -231,12 +239,17 @@ tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
   for (size_t k = 0; k < given->band_count; k++) {
     fmpq_mul(given->bands + k, own->bands + k, given->band_lengths);
   }
+  given->contacts = own->contacts;
+  given->contact_count = own->contact_count;
+  if (status == TP_OK && own->ground.place.file != NULL) take_ground(given);
   return status;
 }
 
 void tp_solid_given_clear(tp_solid_given *given) {
   for (size_t k = 0; k < given->band_count; k++) fmpq_clear(given->bands + k);
   free(given->bands);
+  for (size_t k = 0; k < given->ground_band_count; k++) fmpq_clear(given->ground_bands + k);
+  free(given->ground_bands);
   for (int k = 0; k < 3; k++) fmpz_clear(given->up + k);
   fmpq_clear(given->metres_per_unit);
   fmpq_clear(given->unit_weight);

@@ -22,7 +22,13 @@ typedef struct tp_solid_given {
   bool has_friction;
   double friction_angle_deg;
   size_t azimuths;
-  const tp_scene *scene; /* NULL: by options */
+  const tp_scene *scene;    /* NULL: by options */
+  size_t ground_band_count; /* of a scene with a ground: its bands, and no others */
+  fmpq *ground_bands;
+  long contact_count;                     /* what it rests on instead of a plane; 0: a plane */
+  const tp_contact_description *contacts; /* borrowed */
+  const double *contact_gaps; /* if not NULL: how far each is from the rock, in metres, found with
+                                 its normal: else both are looked for */
 } tp_solid_given;
 
 /* To be cleared, also on failure. */

@@ -11,6 +11,7 @@
 #include "common/outside.h"
 #include "scene_varying/settings.h"
 #include "solid_tilt/on_contacts.h"
+#include "solid_tilt/on_ground.h"
 #include "solid_tilt/repaired.h"
 #include "solid_tilt/rose.h"
 
@@ -35,6 +36,7 @@ void tp_solid_free(tp_solid *solid) {
   free(solid->parts);
   tp_solid_contacts_clear(&solid->contacts);
   tp_solid_repair_clear(&solid->repair);
+  tp_solid_ground_clear(&solid->ground);
   free(solid);
 }
 

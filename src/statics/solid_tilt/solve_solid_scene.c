@@ -155,11 +155,25 @@ static tp_design meets(tp_mechanism verdict, bool has_fos, tp_bounded fos, doubl
   return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
 }
 
+/* On a ground also with the mean of all normals. */
+static tp_design meets_smooth(const tp_solid_ground *ground, double required) {
+  const tp_solid_ground_band *own = ground->bands + ground->governing;
+  return own->has_smooth
+             ? meets(own->smooth_verdict, own->has_smooth_fos, own->smooth_fos, required)
+             : TP_DESIGN_MET;
+}
+
+static tp_design worse(tp_design one, tp_design other) {
+  if (one == TP_DESIGN_NOT_MET || other == TP_DESIGN_NOT_MET) return TP_DESIGN_NOT_MET;
+  return one == TP_DESIGN_OPEN ? one : other;
+}
+
 tp_design tp_solid_meets(const tp_solid *solid, double required) {
   TP_GUARD_HOST;
   if (solid != NULL && solid->has_contacts) {
     const tp_solid_contacts *own = &solid->contacts;
-    return meets(own->verdict, own->has_fos, own->fos, required);
+    const tp_design met = meets(own->verdict, own->has_fos, own->fos, required);
+    return solid->has_ground ? worse(met, meets_smooth(&solid->ground, required)) : met;
   }
   if (solid != NULL && solid->has_wedge) {
     return meets(solid->wedge.verdict, solid->wedge.has_fos, solid->wedge.fos, required);

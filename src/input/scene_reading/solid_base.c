@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The key solid.base: a plane that dips, or a mesh of the ground in the axes of the rock's. */
+
+#include "scene_reading/read.h"
+
+static tp_status read_dip(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"object", "unit", NULL};
+  tp_scene *scene = reader->scene;
+  const fmpq *up = scene->solid.up;
+  const tp_node *other = tp_node_first_of(node, keys);
+  if (other != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, other,
+                        "'%s' is of a mesh of the ground: name its 'file', or leave this out",
+                        other->key);
+  }
+  tp_status status = tp_read_map(reader, scene, node, &tp_key_map_solid_base, "the base");
+  if (status == TP_OK && !(fmpq_is_zero(up) && fmpq_is_zero(up + 1) && fmpq_sgn(up + 2) > 0)) {
+    status = tp_read_fail(reader, TP_FAULT_KEY, node,
+                          "a base has its dip where the mesh has z upwards: leave out 'up', or "
+                          "say by it which way is across the base instead of its dip");
+  }
+  return status;
+}
+
+/* Of its own unit, or that of the rock's mesh. */
+static tp_status read_unit(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  tp_ground_description *ground = &scene->solid.ground;
+  fmpq_set(ground->metres_per_unit, scene->solid.metres_per_unit);
+  if (node == NULL) return TP_OK;
+  const tp_status status = tp_read_mesh_unit(reader, ground->metres_per_unit, node);
+  fmpq_mul(ground->metres_per_unit, ground->metres_per_unit, scene->metres_per_unit);
+  return status;
+}
+
+static tp_status read_ground(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"dip_deg", "dip_direction_deg", NULL};
+  tp_ground_description *ground = &reader->scene->solid.ground;
+  const tp_node *dip = tp_node_first_of(node, keys);
+  if (dip != NULL) {
+    return tp_read_fail(reader, TP_FAULT_KEY, dip,
+                        "'%s' is of a base that is a plane, and this one is a mesh, which lies as "
+                        "it is: leave it out, and turn both by 'up' or 'tilt'",
+                        dip->key);
+  }
+  tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_base, "the base");
+  if (status == TP_OK) {
+    status = tp_read_solid_mesh(reader, &ground->mesh, &ground->object, node);
+  }
+  ground->place = tp_node_place(node, reader->scene->path);
+  return status == TP_OK ? read_unit(reader, tp_node_get(node, "unit")) : status;
+}
+
+tp_status tp_read_solid_base(const tp_reader *reader, const tp_node *solid) {
+  const tp_node *node = tp_node_get(solid, "base"), *thin = tp_node_get(solid, "thin");
+  if (node == NULL) return TP_OK;
+  if (tp_node_get(node, "file") == NULL) return read_dip(reader, node);
+  return thin == NULL ? read_ground(reader, node)
+                      : tp_read_fail(reader, TP_FAULT_KEY, thin,
+                                     "a rock on a mesh of the ground touches it with its own "
+                                     "surface: leave out 'thin', or thin the mesh beforehand");
+}
