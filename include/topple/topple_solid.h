@@ -192,13 +192,20 @@ typedef struct tp_solid_contacts {
   tp_mechanism verdict;       /* at its tilt, as told above */
   bool has_motion;            /* none do: */
   tp_solid_motion motion;     /* if has_motion: one that begins */
-  bool has_fos;               /* some friction is needed, and some is enough: */
-  tp_bounded fos;             /* if has_fos: what tan(phi) of all contacts may be divided by until
-                                 no forces hold it */
+  bool has_fos;               /* it has one of both factors that follow: */
+  tp_bounded fos;             /* if has_fos: the lesser of them */
   tp_mechanism fos_mechanism; /* if has_fos: what it does then */
-  bool has_critical;          /* it is held level, and not at any tilt: */
-  tp_bounded critical_deg;    /* if has_critical: without an earthquake, the tilt up to which it is
-                                 held: towards the azimuth of its tilt, or the least of all */
+  bool has_fos_friction;      /* some friction is needed, and some is enough: */
+  tp_bounded fos_friction; /* if has_fos_friction: what tan(phi) of all contacts may be divided by
+                              until no forces hold it */
+  bool has_fos_driving;    /* something drives it along its base, and what rests is held: */
+  tp_bounded fos_driving;  /* if has_fos_driving: what the part of its weight along the base and
+                              the earthquake may be multiplied by until no forces hold it */
+  tp_mechanism fos_driving_mechanism; /* if has_fos_driving: what it does then */
+  bool fos_driving_is_open;           /* nothing is proven of it */
+  bool has_critical;                  /* it is held level, and not at any tilt: */
+  tp_bounded critical_deg; /* if has_critical: without an earthquake, the tilt up to which it is
+                              held: towards the azimuth of its tilt, or the least of all */
   tp_bounded
       critical_azimuth_deg;  /* if has_critical: towards which; of the least where it was found */
   tp_solid_motion critical;  /* if has_critical: the motion that begins there */

@@ -88,7 +88,9 @@ class Contacts(SceneCase):
             self.assertLess(way["critical_deg"]["error"], 1e-6)
             self.assertEqual(way["mechanism"], "slides" if truth == 40 else "topples")
         self.assertEqual(got["verdict"], "stands")
-        self.assertAlmostEqual(got["fos"]["value"], math.tan(math.radians(40)) / math.tan(math.radians(20)), 7)
+        self.assertAlmostEqual(got["fos_friction"]["value"], math.tan(math.radians(40)) / math.tan(math.radians(20)), 7)
+        self.assertAlmostEqual(got["fos_driving"]["value"], 1 / 1.5 / math.tan(math.radians(20)), 7)
+        self.assertEqual((got["fos"], got["fos_mechanism"]), (got["fos_driving"], "topples"))
         self.assertEqual(got["critical"]["mechanism"], "topples")
         inside = [{"at": [x, y, 0]} for x in (-0.5, 0.5) for y in (-1, 1)]
         same = [dict(c, normal=[0, 0, 1]) for c in inside]
@@ -97,6 +99,27 @@ class Contacts(SceneCase):
         least = math.degrees(math.atan2(1, 1.5))
         self.assertLessEqual(abs(level["critical_deg"]["value"] - least), level["critical_deg"]["error"])
         self.assertLess(level["critical_deg"]["error"], 1e-6)
+
+    def test_a_slender_box(self):
+        """Less friction topples nothing: divided by 6.8 it still holds a slender box that topples with 1.18 times what drives it. By moments
+        about the edge, the earthquake as a whole; where it slides first, by friction; level and quiet, nothing drives it."""
+        self.put("rock.obj", exact_obj(*box((-1, -1, 0), (1, 1, 10))))
+        four = [{"at": [x, y, 0], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-1, 1)]
+        for tilt, k, phi in ((7, 0, 40), (4, 0.0625, 40), (0, 0.125, 40), (7, 0, 9), (5, 0.03125, 8.5)):
+            rest = f"friction_angle_deg: {phi}\ntilt: {{angle_deg: {tilt}, azimuth_deg: 90}}\n"
+            rest += f"loads: {{seismic: {{horizontal: {k}, azimuth_deg: 90}}}}\n" if k else ""
+            s, c, mu = math.sin(math.radians(tilt)), math.cos(math.radians(tilt)), math.tan(math.radians(phi))
+            topples, slides = c / (5 * (s + k * c) + k * s), mu * c / (s + k * c + mu * k * s)
+            got = self.found(four, rest)
+            self.assertLessEqual(abs(got["fos_driving"]["value"] - min(topples, slides)), got["fos_driving"]["error"] + 1e-12)
+            self.assertLess(got["fos_driving"]["error"], 1e-6)
+            self.assertEqual(got["fos_driving_mechanism"], "topples" if topples < slides else "slides")
+            self.assertLessEqual(got["fos"]["value"], min(got["fos_friction"]["value"], got["fos_driving"]["value"]) * (1 + 1e-6))
+        self.assertNotIn("fos_driving", self.found(four, "friction_angle_deg: 40\n"))
+        steep = "friction_angle_deg: 40\ntilt: {angle_deg: 7, azimuth_deg: 90}\n"
+        for required, expected in ((1.6, 0), (1.7, 1)):
+            status, _, err = run("solve", self.on(four, steep + f"required_fos: {required}\n"))
+            self.assertEqual(status, expected, err)
 
     def test_grooves(self):
         """A prism in a groove of the half-angle eta, tilted along it: tan = mu / sqrt(sin^2 eta - mu^2 cos^2 eta); and any tilt

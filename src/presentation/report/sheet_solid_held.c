@@ -113,8 +113,9 @@ void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
   if (own->has_critical) add_motion(s, &own->critical, "At the limit tilt it %s.");
   if (own->has_fos) {
     tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "The factor of safety is what tan φ of all contacts may be divided by until no "
-                    "forces hold it.");
+                    "The factor of safety is the lesser of two: what tan φ of all contacts may be "
+                    "divided by, and what the part of the weight along the base and the earthquake "
+                    "may be multiplied by, until no forces hold it.");
   }
   add_ground_bands(s);
   add_contact_table(s);

@@ -199,6 +199,17 @@ void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const t
   set_of_scene(load, frame, scene, true);
 }
 
+void tp_hold_frame_rest(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
+  arb_struct parts[3];
+  turn tilt;
+  init_parts(parts, 3);
+  turn_init(&tilt, &scene->tilt_angle_deg);
+  arb_neg(parts + UP, &tilt.cosine);
+  set_load(load, frame, parts);
+  clear_parts(parts, 3);
+  turn_clear(&tilt);
+}
+
 void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
   set_of_scene(load, frame, scene, false);
 }

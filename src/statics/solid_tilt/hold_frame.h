@@ -28,6 +28,9 @@ void tp_hold_frame_clear(tp_hold_frame *frame);
 /* An axis: 0 east, 1 north, 2 up; times -1 where `down`. */
 void tp_hold_frame_axis(tp_hold_load *load, const tp_hold_frame *frame, int axis, bool down);
 
+/* Of the weight, one, at the tilt of a scene what rests on the base: its part across it. */
+void tp_hold_frame_rest(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene);
+
 /* Along the base as it lies, towards an azimuth. */
 void tp_hold_frame_way(tp_hold_load *load, const tp_hold_frame *frame, const fmpq_t azimuth);
 

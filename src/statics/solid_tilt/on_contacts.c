@@ -93,19 +93,71 @@ static tp_mechanism held_verdict(const work *w, const tp_hold *hold) {
 /* ---- at its tilt -------------------------------------------------------------------------------
  */
 
-static tp_status set_stance(const work *w, tp_hold *hold) {
+/* By what the friction of all contacts may be divided. */
+static tp_status find_fos_of_friction(const work *w, const tp_hold_load *load) {
   tp_solid_contacts *own = w->results;
-  double twist[TP_WRENCH], beyond[TP_WRENCH];
-  tp_hold_side side = TP_HOLD_OPEN;
+  double beyond[TP_WRENCH];
   tp_hold_factor_kind kind = TP_HOLD_FACTOR_OPEN;
   tp_near factor = {0, INFINITY};
-  tp_hold_load load;
-  tp_hold_load_init(&load);
-  tp_hold_frame_scene(&load, &w->frame, w->given->scene);
-  const bool done = tp_hold_load_side(&side, twist, hold, &load) &&
-                    tp_hold_factor(&kind, &factor, beyond, &w->points.cones, &load);
-  tp_hold_load_clear(&load);
-  if (!done) return fail_memory(w);
+  if (!tp_hold_factor(&kind, &factor, beyond, &w->points.cones, load)) return fail_memory(w);
+  own->has_fos_friction = kind == TP_HOLD_FACTOR;
+  if (!own->has_fos_friction) return TP_OK;
+  tp_solid_motion motion;
+  own->fos_friction = tp_near_bounded(factor);
+  set_motion(&motion, w, beyond);
+  own->has_fos = true;
+  own->fos = own->fos_friction;
+  own->fos_mechanism = motion.mechanism;
+  return TP_OK;
+}
+
+static tp_status set_fos_driving(const work *w, const tp_hold_limit *limit) {
+  tp_solid_contacts *own = w->results;
+  own->fos_driving_is_open = limit->is_open;
+  own->has_fos_driving = !limit->is_open && !limit->is_endless;
+  if (!own->has_fos_driving) return TP_OK;
+  tp_solid_motion motion;
+  own->fos_driving = tp_near_bounded(limit->t);
+  set_motion(&motion, w, limit->twist);
+  own->fos_driving_mechanism = motion.mechanism;
+  const bool lesser = !own->has_fos || own->fos_driving.value + own->fos_driving.error <
+                                           own->fos.value - own->fos.error;
+  if (!lesser) return TP_OK;
+  own->has_fos = true;
+  own->fos = own->fos_driving;
+  own->fos_mechanism = own->fos_driving_mechanism;
+  return TP_OK;
+}
+
+/* By what the loads that drive it may be multiplied, where those that rest are held: less friction
+ * topples nothing, however near to it that is. */
+static tp_status find_fos_of_driving(const work *w, tp_hold *hold, const tp_hold_load *load) {
+  tp_hold_load rest, way;
+  tp_hold_limit limit = {.is_endless = true};
+  tp_hold_side side = TP_HOLD_OPEN;
+  double twist[TP_WRENCH];
+  tp_hold_load_init(&rest);
+  tp_hold_load_init(&way);
+  tp_hold_frame_rest(&rest, &w->frame, w->given->scene);
+  bool drives = false;
+  for (int k = 0; k < 3; k++) {
+    fmpq_sub(way.exact + k, load->exact + k, rest.exact + k);
+    drives = drives || !fmpq_is_zero(way.exact + k);
+  }
+  tp_hold_load_settle(&way);
+  bool done = !drives || tp_hold_load_side(&side, twist, hold, &rest);
+  if (done && side == TP_HOLD_HOLDS) done = tp_hold_limit_find(&limit, hold, &rest, &way);
+  if (done && drives && side == TP_HOLD_OPEN) limit = (tp_hold_limit){.is_open = true};
+  tp_hold_load_clear(&rest);
+  tp_hold_load_clear(&way);
+  return done ? set_fos_driving(w, &limit) : fail_memory(w);
+}
+
+static tp_status set_verdict(const work *w, tp_hold *hold, const tp_hold_load *load) {
+  tp_solid_contacts *own = w->results;
+  double twist[TP_WRENCH];
+  tp_hold_side side = TP_HOLD_OPEN;
+  if (!tp_hold_load_side(&side, twist, hold, load)) return fail_memory(w);
   own->has_motion = side == TP_HOLD_MOVES;
   if (own->has_motion) set_motion(&own->motion, w, twist);
   own->verdict = side == TP_HOLD_HOLDS   ? held_verdict(w, hold)
@@ -114,14 +166,18 @@ static tp_status set_stance(const work *w, tp_hold *hold) {
   for (size_t n = 0; n < own->contact_count && side == TP_HOLD_HOLDS; n++) {
     for (int k = 0; k < 3; k++) own->contacts[n].force[k] = hold->found.forces[n][k];
   }
-  own->has_fos = kind == TP_HOLD_FACTOR;
-  if (own->has_fos) {
-    tp_solid_motion motion;
-    own->fos = tp_near_bounded(factor);
-    set_motion(&motion, w, beyond);
-    own->fos_mechanism = motion.mechanism;
-  }
   return TP_OK;
+}
+
+static tp_status set_stance(const work *w, tp_hold *hold) {
+  tp_hold_load load;
+  tp_hold_load_init(&load);
+  tp_hold_frame_scene(&load, &w->frame, w->given->scene);
+  tp_status status = set_verdict(w, hold, &load);
+  if (status == TP_OK) status = find_fos_of_friction(w, &load);
+  if (status == TP_OK) status = find_fos_of_driving(w, hold, &load);
+  tp_hold_load_clear(&load);
+  return status;
 }
 
 /* ---- towards azimuths --------------------------------------------------------------------------

@@ -172,7 +172,8 @@ tp_design tp_solid_meets(const tp_solid *solid, double required) {
   TP_GUARD_HOST;
   if (solid != NULL && solid->has_contacts) {
     const tp_solid_contacts *own = &solid->contacts;
-    const tp_design met = meets(own->verdict, own->has_fos, own->fos, required);
+    tp_design met = meets(own->verdict, own->has_fos, own->fos, required);
+    if (own->fos_driving_is_open) met = worse(met, TP_DESIGN_OPEN);
     return solid->has_ground ? worse(met, meets_smooth(&solid->ground, required)) : met;
   }
   if (solid != NULL && solid->has_wedge) {
