@@ -137,8 +137,12 @@ static parts place_parts(const tp_solid_figure *f, double y) {
 static double draw_rock(cairo_t *cr, const tp_solid_figure *f, double y) {
   const parts at = place_parts(f, y);
   const bool held = f->band == NULL;
-  head(cr, f, at.side, held ? "On its contacts" : "On its base");
-  head(cr, f, at.above, held ? "Its contacts, from above" : "What touches, from above");
+  const bool cut = f->solid->has_below;
+  head(cr, f, at.side, held ? "On its contacts" : cut ? "On its section" : "On its base");
+  head(cr, f, at.above,
+       held  ? "Its contacts, from above"
+       : cut ? "The section, from above"
+             : "What touches, from above");
   head(cr, f, at.rose,
        held ? "Tilt that forces hold, by azimuth" : "Tilt at which it topples, by azimuth");
   if (held) {
