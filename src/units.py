@@ -30,6 +30,7 @@ DEFINED = [
         r"^START_TEST\((\w+)\)",
     )
 ]
+SEVERAL = re.compile(r"^static\b([^;{}()]*,[^;{}()]*);", re.M)  # of one type, in one declaration
 ENUMERATED = re.compile(r"^(?:static |typedef )*enum\s*\w*\s*\{(.*?)\}", re.M | re.S)
 MACRO = re.compile(r"^\s*#\s*define\s+(\w+)", re.M)
 FUNCTION = re.compile(r"^[A-Za-z_][\w *]*?(\w+)\(", re.M)
@@ -44,6 +45,8 @@ class Source:
         self.lines = text.count("\n")
         self.leads = BEFORE_HEADERS.search(text) is not None
         self.defines = {name for pattern in DEFINED for name in pattern.findall(text)}
+        for names in SEVERAL.findall(text):
+            self.defines.update(re.findall(r"(\w+)\s*(?:\[[^\]]*\]\s*)?(?:=[^,]*)?(?:,|$)", names))
         for body in ENUMERATED.findall(text):
             self.defines.update(re.findall(r"(?:^|,)\s*(\w+)", body))
         self.macros = set(MACRO.findall(text))
