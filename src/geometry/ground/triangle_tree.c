@@ -6,7 +6,7 @@
 
 #include "ground/triangle_tree.h"
 
-#include "ground/triangle_distance.h"
+#include "solid/triangle_distance.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The distance from a triangle: the foot within it, or else the nearest of its sides. */
+/* All triangles, but for those that are too far by a sphere about a corner. */
 
 #include "solid/nearest.h"
 
+#include "solid/triangle_distance.h"
+
 #include <math.h>
+#include <string.h>
 
 static void take(double way[3], const tp_surface *s, int to, const double from[3]) {
   for (int k = 0; k < 3; k++) way[k] = s->near[3 * to + k] - from[k];
@@ -34,28 +37,12 @@ static void set_normal(double normal[3], const tp_surface *s, long triangle) {
   for (int k = 0; k < 3; k++) normal[k] /= length;
 }
 
-/* From a side, and whether the point lies to its left within the plane of the triangle. */
-static double from_side(bool *left, const double a[3], const double b[3], const double normal[3]) {
-  double way[3], across[3], foot[3];
-  for (int k = 0; k < 3; k++) way[k] = b[k] - a[k];
-  cross(across, a, b); /* of the point as the origin */
-  *left = dot(across, normal) >= 0;
-  const double share = fmin(1, fmax(0, -dot(a, way) / dot(way, way)));
-  for (int k = 0; k < 3; k++) foot[k] = a[k] + share * way[k];
-  return sqrt(dot(foot, foot));
-}
-
 static double distance(const tp_surface *s, long triangle, const double point[3]) {
-  const int *corners = s->triangles + 3 * triangle;
-  double ways[3][3], normal[3], least = INFINITY;
-  bool within = true, left = true;
-  set_normal(normal, s, triangle);
-  for (int k = 0; k < 3; k++) take(ways[k], s, corners[k], point);
-  for (int k = 0; k < 3; k++) {
-    least = fmin(least, from_side(&left, ways[k], ways[(k + 1) % 3], normal));
-    within = within && left;
+  double corners[3][3], nearest[3];
+  for (int c = 0; c < 3; c++) {
+    memcpy(corners[c], s->near + 3 * (size_t)s->triangles[3 * triangle + c], sizeof corners[c]);
   }
-  return within ? fabs(dot(ways[0], normal)) : least;
+  return tp_point_triangle_distance(nearest, point, corners);
 }
 
 /* Farther than the sphere about a corner that holds the triangle: need not be looked at. */

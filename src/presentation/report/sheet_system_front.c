@@ -115,37 +115,16 @@ void tp_system_sheet_add_inputs(tp_system_sheet *s) {
 /* ---- what came out -----------------------------------------------------------------------------
  */
 
-static void add_factor(tp_document *d, const tp_system_case *c) {
+static void add_factor(tp_document *d, const tp_fos *fos, bool is_least) {
   char n[TP_NUMBER_SIZE];
-  if (c->fos.state != TP_FOS_NUMBER) {
-    tp_document_word(d, "undecided");
-  } else if (c->fos_is_least) {
-    tp_document_cell(d, "above %s", tp_text_significant(n, c->fos.value, 4));
+  if (fos->state == TP_FOS_NUMBER && is_least) {
+    tp_document_cell(d, "above %s", tp_text_significant(n, fos->value, 4));
+  } else if (fos->state == TP_FOS_NUMBER) {
+    tp_document_cell(d, "%s", tp_text_fixed(n, fos->value, 5));
   } else {
-    tp_document_cell(d, "%s", tp_text_fixed(n, c->fos.value, 5));
-  }
-}
-
-/* The sheet's language has the mechanism in the table of the collapse. */
-static void add_driving(tp_document *d, const tp_system_case *c) {
-  char n[TP_NUMBER_SIZE];
-  switch (c->fos_driving.state) {
-  case TP_FOS_NUMBER:
-    if (c->fos_driving_is_least) {
-      tp_document_cell(d, "above %s", tp_text_significant(n, c->fos_driving.value, 4));
-    } else {
-      tp_document_cell(d, "%s", tp_text_fixed(n, c->fos_driving.value, 5));
-    }
-    break;
-  case TP_FOS_NO_OVERTURNING:
-    tp_document_word(d, "–");
-    break;
-  case TP_FOS_UNDEFINED:
-    tp_document_word(d, "none");
-    break;
-  default:
-    tp_document_word(d, "undecided");
-    break;
+    tp_document_word(d, fos->state == TP_FOS_NO_OVERTURNING ? "–"
+                        : fos->state == TP_FOS_UNDEFINED    ? "none"
+                                                            : "undecided");
   }
 }
 
@@ -190,8 +169,8 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
     const tp_system_case *c = own->cases + k;
     if (c == governing && own->case_count > 1) tp_document_mark_row(d);
     tp_document_word(d, tp_direction_name(c->towards));
-    add_factor(d, c);
-    add_driving(d, c);
+    add_factor(d, &c->fos, c->fos_is_least);
+    add_factor(d, &c->fos_driving, c->fos_driving_is_least);
     add_goodman_bray(d, &c->goodman_bray);
     add_beginning(d, c);
     if (own->has_required_fos) {

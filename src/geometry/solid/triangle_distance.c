@@ -4,7 +4,7 @@
 /* Sides by the common perpendicular of their lines, cut to both of them; corners by their foot in
  * the triangle, else by its sides. */
 
-#include "ground/triangle_distance.h"
+#include "solid/triangle_distance.h"
 
 #include <math.h>
 #include <stdbool.h>

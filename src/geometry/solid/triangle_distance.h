@@ -3,8 +3,8 @@
 
 /* How far two triangles are apart, in doubles, for messages: nothing is decided by it. */
 
-#ifndef TP_GROUND_TRIANGLE_DISTANCE_H
-#define TP_GROUND_TRIANGLE_DISTANCE_H
+#ifndef TP_SOLID_TRIANGLE_DISTANCE_H
+#define TP_SOLID_TRIANGLE_DISTANCE_H
 
 /* The least of all distances between a corner of one and the other, and between sides of both, with
  * the two points; of triangles that cross, a distance within them. */
