@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import random
+import re
 
 from governing_case import GoverningCase
 from harness import main, rounds, run
@@ -145,6 +146,18 @@ class DrivingLoads(GoverningCase):
         for times, verdicts in ((0.9999, ("stands", "can be held", "may move")), (1.0001, ("collapses",))):
             text = scene_of(blocks, tilted(0) + scene.format(f"{2 * factor * times:.12f}"), 30)
             self.assertIn(self.case(text, status=(0, 1, 4))["verdict"], verdicts)
+
+    def test_told_where_it_begins(self):
+        """The factor is one of limit analysis; that a motion can begin at less stands beside it in the report, from one number on."""
+        blocks = ["{name: slab, outline: [[0, 0], [1, 0], [1.4, 6], [0.4, 6]]}", "{name: wedge, outline: [[1, 0], [3, 0], [1.2, 3]]}"]
+        path = self.scene(scene_of(blocks, "slope: {dip_deg: 6, towards: left}\nrequired_fos: 2.5\n", 35))
+        status, out, err = run("solve", path)
+        self.assertEqual(status, 1, err)
+        told = dict(re.findall(r"^  (certain to stand|motion can begin), driving loads times +(?:up to )?([\d.]+)$", out, re.M))
+        self.assertEqual(set(told), {"certain to stand", "motion can begin"})
+        self.assertLessEqual(float(told["certain to stand"]), float(told["motion can begin"]))
+        self.assertLess(float(told["motion can begin"]), 2.5)
+        self.assertGreater(float(re.search(r"driving loads +([\d.]+), ", out)[1]), 2.5)
 
     def test_upright_scene(self):
         """Where no load points along x the scene's factor is of strength alone, and a caution says so where one is required."""

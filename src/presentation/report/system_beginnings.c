@@ -37,6 +37,20 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
   }
 }
 
+static void add_driving(tp_text *t, const tp_system_case *c) {
+  if (c->has_standing_fos_driving) {
+    tp_text_system_label(t, "certain to stand, driving loads times");
+    tp_text_add(t, "up to %.5f\n", down(c->standing_fos_driving, fifth));
+  }
+  const bool is_sooner =
+      c->fos_driving.state != TP_FOS_NUMBER || c->fos_driving_is_least ||
+      c->moving_fos_driving < c->fos_driving.value.value - c->fos_driving.value.error;
+  if (c->has_moving_fos_driving && is_sooner) {
+    tp_text_system_label(t, "motion can begin, driving loads times");
+    tp_text_add(t, "%.5f\n", up(c->moving_fos_driving, fifth));
+  }
+}
+
 static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const double fourth = 1e4;
   if (c->has_standing_angle) {
@@ -56,6 +70,7 @@ static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case
 
 void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   add_factors(t, c);
+  add_driving(t, c);
   add_tilts(t, s, c);
   if (c->sought == TP_SYSTEM_SOUGHT || c->verdict == TP_SYSTEM_COLLAPSES) return;
   if (c->verdict == TP_SYSTEM_STANDS) return; /* without friction */
