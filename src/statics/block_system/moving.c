@@ -136,10 +136,10 @@ static tp_status halve(tp_moving_search *m, double *low, double width, tp_messag
 /* Past where two motions are told apart. How much a corner bears, and how much an end in its point,
  * makes motions of the same modes: nearer ones too where there are such. */
 static tp_status go_over(tp_moving_search *m, double least, double width, tp_message *message) {
-  static const double away = 1024, nearer = 8; /* widths */
+  static const double away = 1024, nearer = 64; /* widths */
   const double from = m->x;
   tp_status status = TP_OK;
-  for (int k = 0; k < (has_pairs(m) ? 3 : 1) && status == TP_OK && m->x >= from; k++) {
+  for (int k = 0; k < (has_pairs(m) ? 2 : 1) && status == TP_OK && m->x >= from; k++) {
     const double next = fmax(least, from - away * width / pow(nearer, k));
     status = tp_moving_try(m, next, false, message);
     if (status == TP_OK && m->x >= from) status = tp_moving_try(m, next, true, message);

@@ -14,20 +14,23 @@
 
 static const double still = 1e-7; /* of gravity, or of the largest velocity */
 
-/* What a unit of n or t at an end does to both blocks, and D. */
+/* What a unit of n or t at an end does to both blocks, and D. What every round reads of each end
+ * comes first, and in one place, for speed. */
 typedef struct end {
-  long row[2];
+  long row[2];          /* of ground the one behind all others, which stays at rest */
+  double along_n[2][3]; /* the entries of both rows */
+  double along_t[2][3];
+  double nn, nt, tt, per_volume; /* 1 / (nn tt - nt^2) */
   double n[2][3], t[2][3];
-  double along_n[2][3], along_t[2][3]; /* the entries of both rows: in one place, for speed */
-  double nn, nt, tt;
   const tp_force_column *normal, *along;
-  long twin;   /* of a pair of corners: the other side's end; -1 */
+  double twin_n, twin_t; /* u_n of the twin by a unit of n, of t */
+  long twin;             /* of a pair of corners: the other side's end; -1 */
   long corner; /* else: the first side's end of a pair in its point, of one of its blocks; -1 */
 } end;
 
 tp_status tp_letting_go_init(tp_letting_go *s, const tp_resting *r, tp_message *message) {
   *s = (tp_letting_go){.resting = r};
-  s->accelerations = calloc((size_t)r->rows + 1, sizeof *s->accelerations);
+  s->accelerations = calloc((size_t)r->rows + 3, sizeof *s->accelerations);
   s->normals = calloc(2 * (size_t)r->contact_count + 1, sizeof *s->normals);
   s->shears = calloc(2 * (size_t)r->contact_count + 1, sizeof *s->shears);
   if (s->accelerations != NULL && s->normals != NULL && s->shears != NULL) return TP_OK;
@@ -84,70 +87,77 @@ static void set_end(end *own, const tp_resting *r, const tp_resting_contact *c, 
   own->normal = c->normal + which;
   own->along = &c->along;
   for (int side = 0; side < 2; side++) {
-    own->row[side] = c->along.row[side];
-    if (own->row[side] < 0) continue;
-    for (int e = 0; e < 3; e++) {
+    const bool is_ground = c->along.row[side] < 0;
+    own->row[side] = is_ground ? r->rows : c->along.row[side];
+    for (int e = 0; e < 3 && !is_ground; e++) {
       own->along_n[side][e] = own->normal->entry[side][e].value;
       own->along_t[side][e] = own->along->entry[side][e].value;
     }
+    if (is_ground) continue;
     push(own->n[side], r, own->normal, side);
     push(own->t[side], r, own->along, side);
   }
   own->nn = power(own->normal, own->n);
   own->nt = power(own->normal, own->t);
   own->tt = power(own->along, own->t);
+  own->per_volume = 1 / (own->nn * own->tt - own->nt * own->nt);
+}
+
+/* Both sides of a pair are of the same blocks, in one order or the other. */
+static void set_twin(end *ends, long at) {
+  end *own = ends + at;
+  const end *twin = ends + own->twin;
+  own->twin_n = own->twin_t = 0;
+  for (int side = 0; side < 2; side++) {
+    const int other = twin->row[side] == own->row[side] ? side : 1 - side;
+    for (int e = 0; e < 3; e++) {
+      own->twin_n += twin->along_n[other][e] * own->n[side][e];
+      own->twin_t += twin->along_n[other][e] * own->t[side][e];
+    }
+  }
 }
 
 static void accelerate(tp_letting_go *s, const end *own, double normal, double shear) {
   for (int side = 0; side < 2; side++) {
-    if (own->row[side] < 0) continue;
     double *a = s->accelerations + own->row[side];
     for (int e = 0; e < 3; e++) a[e] += normal * own->n[side][e] + shear * own->t[side][e];
   }
 }
 
-/* u_n and u_t as they are. */
-static void velocities(double *normal, double *shear, const tp_letting_go *s, const end *own) {
-  *normal = *shear = 0;
-  for (int side = 0; side < 2; side++) {
-    if (own->row[side] < 0) continue;
-    const double *a = s->accelerations + own->row[side];
-    for (int e = 0; e < 3; e++) {
-      *normal += own->along_n[side][e] * a[e];
-      *shear += own->along_t[side][e] * a[e];
-    }
-  }
+/* u_n, or u_t, as it is. */
+static double velocity(const tp_letting_go *s, const end *own, const double along[2][3]) {
+  const double *a = s->accelerations + own->row[0], *b = s->accelerations + own->row[1];
+  return (along[0][0] * a[0] + along[0][1] * a[1] + along[0][2] * a[2]) +
+         (along[1][0] * b[0] + along[1][1] * b[1] + along[1][2] * b[2]);
 }
 
 /* Does the other side of a pair of corners bear, or is it to, as asked for? Else does that open
- * without the force of this one, or more than it? */
-static bool is_kept_apart(tp_letting_go *s, const end *ends, long at) {
+ * without the force of this one, or more than it? `opens` is u_n of this one without its force. */
+static bool is_kept_apart(const tp_letting_go *s, const end *ends, long at, double opens) {
   const end *own = ends + at;
   if (own->twin < 0) return false;
   if (s->corners == TP_CORNERS_FIRST_SIDE) return own->twin < at;
   if (s->corners == TP_CORNERS_SECOND_SIDE) return own->twin > at;
   if (s->normals[own->twin] > 0) return true;
-  double opens = 0, twin_opens = 0, slip = 0;
-  accelerate(s, own, -s->normals[at], -s->shears[at]);
-  velocities(&opens, &slip, s, own);
-  velocities(&twin_opens, &slip, s, ends + own->twin);
-  accelerate(s, own, s->normals[at], s->shears[at]);
+  const end *twin = ends + own->twin;
+  const double twin_opens =
+      velocity(s, twin, twin->along_n) - own->twin_n * s->normals[at] - own->twin_t * s->shears[at];
   return twin_opens >= 0 || twin_opens > opens;
 }
 
-/* The force of an end by its law; how far that is from the one it had, as a velocity. */
+/* The force of an end by its law; how far that is from the one it had, as a velocity. An end that
+ * bears nothing and opens stays so. */
 static double give(tp_letting_go *s, const end *ends, long at, double friction, double cohesion) {
   const end *own = ends + at;
   const double n = s->normals[at], t = s->shears[at];
-  double un = 0, ut = 0;
-  velocities(&un, &ut, s, own);
-  un -= own->nn * n + own->nt * t;
-  ut -= own->nt * n + own->tt * t;
+  double un = velocity(s, own, own->along_n);
+  if (n == 0 && t == 0 && un >= 0) return 0;
   double normal = 0, shear = 0;
-  if (un < 0 && !is_kept_apart(s, ends, at)) {
-    const double volume = own->nn * own->tt - own->nt * own->nt;
-    normal = (own->nt * ut - own->tt * un) / volume;
-    shear = (own->nt * un - own->nn * ut) / volume;
+  un -= own->nn * n + own->nt * t;
+  if (un < 0 && !is_kept_apart(s, ends, at, un)) {
+    const double ut = velocity(s, own, own->along_t) - (own->nt * n + own->tt * t);
+    normal = (own->nt * ut - own->tt * un) * own->per_volume;
+    shear = (own->nt * un - own->nn * ut) * own->per_volume;
     if (!(fabs(shear) <= friction * normal + cohesion)) {
       const double side = shear > 0 ? friction : -friction;
       const double bound = shear > 0 ? cohesion : -cohesion;
@@ -156,6 +166,7 @@ static double give(tp_letting_go *s, const end *ends, long at, double friction, 
       shear = side * normal + (normal > 0 ? bound : 0);
     }
   }
+  if (normal == n && shear == t) return 0;
   accelerate(s, own, normal - n, shear - t);
   s->normals[at] = normal;
   s->shears[at] = shear;
@@ -219,20 +230,20 @@ static void lead(tp_letting_go *s, const end *ends, double *before, double share
     const double normal = share * (n - before[k]), shear = share * (t - before[count + k]);
     before[k] = n;
     before[count + k] = t;
-    if (ends[k].normal == NULL || share == 0) continue;
+    if (normal == 0 && shear == 0) continue;
     accelerate(s, ends + k, normal, shear);
     s->normals[k] += normal;
     s->shears[k] += shear;
   }
 }
 
-/* Rounds with momentum (Nesterov's), which begins anew where they do not come nearer. Where so many
- * did not halve what is left, they go in circles. */
+/* Rounds with momentum (Nesterov's), which begins anew where they do not come nearer. Where what is
+ * left, over so many of them, is not half of what it was before, they go in circles. */
 static void settle(tp_letting_go *s, const end *ends, double *before,
                    const tp_shear_strength *strength, long rounds) {
   static const double enough = 1e-13;
   enum { CIRCLE = 600 };
-  double change = INFINITY, pace = 1, least = INFINITY, mark = INFINITY;
+  double change = INFINITY, pace = 1, sum = 0, mark = INFINITY;
   lead(s, ends, before, 0);
   for (long round = 0; round < rounds && change > enough; round++) {
     const double own = go_round(s, ends, strength);
@@ -241,10 +252,11 @@ static void settle(tp_letting_go *s, const end *ends, double *before,
     lead(s, ends, before, alone ? 0 : (pace - 1) / next);
     pace = next;
     change = own;
-    least = fmin(least, own);
+    sum += own;
     if ((round + 1) % CIRCLE != 0) continue;
-    if (least > mark / 2) break;
-    mark = least;
+    if (sum > mark / 2) break;
+    mark = sum;
+    sum = 0;
   }
 }
 
@@ -272,6 +284,7 @@ bool tp_letting_go_find(tp_letting_go *s, const tp_shear_strength *strength, con
   for (long k = 0; k < r->contact_count; k++) {
     for (int e = 0; e < r->contacts[k].ends; e++) set_end(ends + 2 * k + e, r, r->contacts + k, e);
   }
+  for (long k = r->pair_first; k < r->contact_count; k++) set_twin(ends, 2 * k);
   begin(s, ends, loads);
   settle(s, ends, before, strength, rounds);
   begin(s, ends, loads); /* once more, without the roundings of so many steps */
