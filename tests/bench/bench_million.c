@@ -7,7 +7,7 @@
  *
  * Measured: a rough profile with four-decimal coordinates in mm is written to a temporary CSV file
  * with a scene that names it; then each part of the way is timed on it, in turn, medians of 5.
- * To be read: `read and solve` is the whole way. What it takes beyond the parts above it goes into
+ * Times are of computing (this thread), which other programs on the machine disturb less. To be read: `read and solve` is the whole way. What it takes beyond the parts above it goes into
  * the pivots, the sliding and the higher rungs of the ladder; exact moments and the triangulation
  * are parts that this scene does not call for. The lattice holds the vertices of the outline and
  * again those of the mated base; all times are per vertex of the outline. The peak memory is that
@@ -184,9 +184,9 @@ static tp_status time_parts(work *w, double seconds[PARTS][ROUNDS]) {
   tp_status status = keep_inputs(w);
   for (int round = 0; round < ROUNDS && status == TP_OK; round++) {
     for (int p = 0; p < PARTS && status == TP_OK; p++) {
-      const double began = bench_now();
+      const double began = bench_computed();
       status = parts[p].run(w);
-      seconds[p][round] = bench_now() - began;
+      seconds[p][round] = bench_computed() - began;
       drop_made(w);
     }
   }

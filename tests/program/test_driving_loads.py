@@ -191,6 +191,17 @@ class DrivingLoads(GoverningCase):
             definitions.add(row["fos_definition"])
         self.assertEqual(len(definitions), 2)
 
+    def test_the_lesser_is_read_first(self):
+        """Who reads one line of the page reads the factor that governs: sliding of a smooth slab at 8 degrees, toppling of a slim one."""
+        for friction, block in ((30, column(3, 1)), (40, column(1, 5))):
+            status, out, err = run("solve", self.scene(scene_of([block], tilted(8), friction)))
+            self.assertEqual(status, 0, err)
+            first, second = (line for line in out.splitlines() if "factor of safety, " in line)
+            self.assertTrue(first.endswith(" (governs)"), first)
+            self.assertNotIn("governs", second)
+            values = [float(re.search(r"\s{2,}([\d.]+)", line.strip()).group(1)) for line in (first, second)]
+            self.assertLessEqual(values[0], values[1] * (1 + 1e-5), out)
+
 
 if __name__ == "__main__":
     main()

@@ -4,6 +4,7 @@
 /* A scene of many blocks as a page for a terminal, and as JSON: the verdict first, then numbers,
  * then how each block moves and what each contact bears. */
 
+#include "block_system/governing_case.h"
 #include "common/host.h"
 #include "output/encode.h"
 #include "report/column_page.h"
@@ -75,17 +76,29 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
   }
 }
 
+/* The lesser first: it governs. */
+static void add_both_factors(tp_text *t, const tp_system_case *c) {
+  const bool by_driving = tp_system_case_factor(c).definition == TP_FOS_BY_DRIVING;
+  const bool are_two = c->fos.state == TP_FOS_NUMBER && c->fos_driving.state == TP_FOS_NUMBER;
+  for (int k = 0; k < 2; k++) {
+    const bool driving = by_driving == (k == 0);
+    tp_text_system_label(t, driving ? "factor of safety, driving loads"
+                                    : "factor of safety, strength reduction");
+    if (driving) {
+      tp_text_system_driving(t, c);
+    } else {
+      tp_text_system_factor(t, c);
+    }
+    tp_text_add(t, are_two && k == 0 ? " (governs)\n" : "\n");
+  }
+}
+
 static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const char *const met[] = {"met", "NOT MET",
                                     "undecided, as a motion is neither excluded nor proven"};
   char required[TP_NUMBER_SIZE];
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
-  tp_text_system_label(t, "factor of safety, strength reduction");
-  tp_text_system_factor(t, c);
-  tp_text_add(t, "\n");
-  tp_text_system_label(t, "factor of safety, driving loads");
-  tp_text_system_driving(t, c);
-  tp_text_add(t, "\n");
+  add_both_factors(t, c);
   if (c->has_required_fos) {
     tp_text_system_label(t, "required factor of safety");
     tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),

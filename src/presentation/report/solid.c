@@ -67,9 +67,9 @@ static void add_body(tp_text *t, const tp_solid *s) {
   if (s->has_below) {
     tp_text_add(
         t,
-        "  %-*s %.6g over its lowest point by a plane across up: what lies below is ground,\n"
+        "  %-*s %.6g %s over its lowest point by a plane across up: what lies below is ground,\n"
         "  %-*s and all that follows is of what lies above, which rests on the section\n",
-        LABEL, "cut", s->below, LABEL, "");
+        LABEL, "cut", s->below, s->length_unit, LABEL, "");
   }
   add_bounded(t, "volume", s->volume_m3, "m³");
   if (s->has_weight) add_bounded(t, "weight", s->weight_n, "N");
@@ -89,10 +89,9 @@ static void add_body(tp_text *t, const tp_solid *s) {
 /* ---- as it lies --------------------------------------------------------------------------------
  */
 
+/* Nine digits: a millimetre of a hundred kilometres. */
 static void add_point(tp_text *t, const double point[3]) {
-  char n[3][TP_SHORTEST_SIZE];
-  tp_text_add(t, "(%s, %s, %s)", tp_shortest(n[0], point[0]), tp_shortest(n[1], point[1]),
-              tp_shortest(n[2], point[2]));
+  tp_text_add(t, "(%.9g, %.9g, %.9g)", point[0], point[1], point[2]);
 }
 
 static bool is_same_point(const double a[3], const double b[3]) {
@@ -110,7 +109,8 @@ static void add_edges(tp_text *t, const tp_solid *s) {
                       is_same_point(own->edge_to, last->edge_to);
     last = own;
     if (same) continue;
-    tp_text_add(t, "  %s %.6g: about the edge from ", tp_text_solid_band(s), b->band);
+    tp_text_add(t, "  %s %.6g %s: about the edge of the mesh from ",
+                s->has_below ? "below" : "band", b->band, s->length_unit);
     add_point(t, own->edge_from);
     tp_text_add(t, " to ");
     add_point(t, own->edge_to);
@@ -155,6 +155,7 @@ static void add_range(tp_text *t, const tp_solid *s) {
 }
 
 static void add_bands(tp_text *t, const tp_solid *s) {
+  char band[TP_SOLID_BAND_SIZE];
   if (s->is_on_slope) {
     tp_text_add(t, "\nAs it lies, tilted from where its base, which dips, would be level");
   } else {
@@ -162,8 +163,8 @@ static void add_bands(tp_text *t, const tp_solid *s) {
                 s->has_below ? "the section" : "a plane base");
   }
   if (s->has_friction) tp_text_add(t, ", friction angle %.6g°", s->friction_angle_deg);
-  tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", tp_text_solid_band(s), "touching", "corners",
-              "least tilt", "azimuth", s->has_friction ? "         moves" : "");
+  tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", tp_text_solid_band(band, s), "touching",
+              "corners", "least tilt", "azimuth", s->has_friction ? "         moves" : "");
   for (size_t k = 0; k < s->band_count; k++) add_band(t, s, s->bands + k);
   add_edges(t, s);
   add_range(t, s);
@@ -172,12 +173,13 @@ static void add_bands(tp_text *t, const tp_solid *s) {
 /* The least tilt towards each of eight azimuths, or all where they are fewer. */
 static void add_rose(tp_text *t, const tp_solid *s) {
   enum { COLUMNS = 8 };
+  char band[TP_SOLID_BAND_SIZE];
   const tp_solid_band *b = s->bands;
   while (b < s->bands + s->band_count && !b->stands) b++;
   if (b == s->bands + s->band_count) return;
   const size_t step = (b->rose_count + COLUMNS - 1) / COLUMNS;
   tp_text_add(t, "\nTilt at which it %s towards an azimuth; --csv and --json have all %zu\n  %10s",
-              s->has_friction ? "moves" : "topples", b->rose_count, tp_text_solid_band(s));
+              s->has_friction ? "moves" : "topples", b->rose_count, tp_text_solid_band(band, s));
   for (size_t k = 0; k < b->rose_count; k += step) {
     tp_text_add(t, " %8.4g°", b->rose[k].azimuth_deg);
   }

@@ -35,6 +35,7 @@ static void add_band(tp_text *t, const tp_solid_ground_band *b) {
 
 void tp_text_solid_ground(tp_text *t, const tp_solid *s) {
   const tp_solid_ground *g = &s->ground;
+  char band[TP_SOLID_BAND_SIZE];
   if (!s->has_ground) return;
   tp_text_add(t, "\nOn the ground of ");
   tp_encode_plain(t, name_of(g->file));
@@ -44,8 +45,8 @@ void tp_text_solid_ground(tp_text *t, const tp_solid *s) {
   } else {
     tp_text_add(t, "the rock does not enter it\n");
   }
-  tp_text_add(t, "  %10s  %7s  %8s  %10s  %8s  %12s  %11s  %s\n", "band", "found", "contacts",
-              "widest gap", "normals", "held up to", "factor", "at its tilt");
+  tp_text_add(t, "  %10s  %7s  %8s  %10s  %8s  %12s  %11s  %s\n", tp_text_solid_band(band, s),
+              "found", "contacts", "widest gap", "normals", "held up to", "factor", "at its tilt");
   for (size_t k = 0; k < g->band_count; k++) add_band(t, g->bands + k);
   const tp_solid_ground_band *least = g->bands + g->governing;
   tp_text_add(t,

@@ -23,8 +23,10 @@ void tp_text_solid_repair(tp_text *t, const tp_solid *solid);
 /* Where it was thinned: what is left; else nothing. */
 void tp_text_solid_thinning(tp_text *t, const tp_solid *solid);
 
-/* What the first column of bands is: band, or below, the height of a plane that cuts it. */
-const char *tp_text_solid_band(const tp_solid *solid);
+/* What the first column of bands is, with its unit: band, or below, the height of a plane that cuts
+ * it. */
+enum { TP_SOLID_BAND_SIZE = 16 };
+const char *tp_text_solid_band(char text[TP_SOLID_BAND_SIZE], const tp_solid *solid);
 
 /* Of a scene: what the solid does at its tilt; else nothing. */
 void tp_text_solid_stances(tp_text *t, const tp_solid *solid);

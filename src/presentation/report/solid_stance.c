@@ -58,8 +58,10 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
   tp_text_add(t, "\n");
 }
 
-const char *tp_text_solid_band(const tp_solid *solid) {
-  return solid->has_below ? "below" : "band";
+const char *tp_text_solid_band(char text[TP_SOLID_BAND_SIZE], const tp_solid *solid) {
+  snprintf(text, TP_SOLID_BAND_SIZE, "%s (%s)", solid->has_below ? "below" : "band",
+           solid->length_unit);
+  return text;
 }
 
 void tp_text_solid_required(tp_text *t, const tp_solid *s) {
@@ -79,6 +81,7 @@ void tp_text_solid_required(tp_text *t, const tp_solid *s) {
 }
 
 void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
+  char band[TP_SOLID_BAND_SIZE];
   bool any = false, shaken = false;
   if (!s->of_scene || s->has_contacts || s->has_wedge) return;
   tp_text_solid_loads(t, s);
@@ -86,7 +89,7 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
     any = any || (s->bands[k].has_stance && s->bands[k].stance.has_fos);
     shaken = shaken || (s->bands[k].has_stance && s->bands[k].stance.has_acceleration);
   }
-  tp_text_add(t, "  %10s", tp_text_solid_band(s));
+  tp_text_add(t, "  %10s", tp_text_solid_band(band, s));
   if (any || shaken) {
     tp_text_add(t, "  %-10s %10s %-8s%s", "", any ? "factor" : "", any ? "against" : "",
                 shaken ? " acceleration    azimuth" : "");
