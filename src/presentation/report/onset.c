@@ -169,12 +169,12 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
   if (tp_onset_leaves_window(c)) {
     tp_text_add(&p->text,
                 "  %s the result depends on loading history: friction on\n"
-                "  contacts that carry no normal load could hold it. Knowledge of that history%s\n"
-                "  would decide.\n",
+                "  contacts that carry no normal load could hold it. Knowledge of that history%s\n",
                 c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between these tilts"
                 : c->onset.kind == TP_ONSET_AT_ANGLE ? "Beyond α_s"
                                                      : "Beyond that tilt",
-                p->solution->frame.world ? "" : ",\n  a tilt test or the tilting table");
+                p->solution->frame.world ? "\n  would decide."
+                                         : ",\n  a tilt test or the tilting table would decide.");
   }
   tp_page_add_windows(p, &c->onset);
   if (c->onset.paradox) {
