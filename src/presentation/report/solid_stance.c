@@ -7,6 +7,8 @@
 #include "report/solid_page.h"
 #include "terms/names.h"
 
+#include <stdio.h>
+
 enum { TILT = TP_SOLID_TILT_DIGITS };
 
 static void add_azimuth(tp_text *t, bool has, double azimuth) {
