@@ -119,6 +119,11 @@ static int name_width(const tp_block_system *s) {
   return width < MOST ? (int)width : MOST;
 }
 
+/* Without the sign of what rounds to zero. */
+static double to_fourth(double number) {
+  return round(number * 1e4) / 1e4 + 0.0;
+}
+
 static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_motion *motions,
                         size_t count, const char *heading, int width) {
   size_t row = 0;
@@ -132,7 +137,8 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_mo
     tp_text_add(t, "  %-19s",
                 m->mechanism == TP_STANDS ? "at rest" : tp_mechanism_name(m->mechanism));
     if (m->mechanism != TP_STANDS) {
-      tp_text_add(t, "  %10.4f  %10.4f  %12.3g", m->velocity_x, m->velocity_y, m->turn_per_m);
+      tp_text_add(t, "  %10.4f  %10.4f  %12.3g", to_fourth(m->velocity_x), to_fourth(m->velocity_y),
+                  m->turn_per_m);
     }
     tp_text_add(t, "\n");
   }

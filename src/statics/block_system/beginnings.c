@@ -211,7 +211,7 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
     double standing = 0;
     status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
     own->has_standing_fos = true;
-    own->standing_fos = nextafter(exp(standing), 0);
+    own->standing_fos = standing > 0 ? nextafter(exp(standing), 0) : 1;
     own->standing_fos_is_least = standing >= log(TP_MOST_FACTOR);
   }
   own->has_moving_fos = b->moving.found;
