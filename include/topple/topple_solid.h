@@ -255,6 +255,7 @@ typedef struct tp_solid_ground {
   size_t band_count;       /* of the bands */
   tp_solid_ground_band *bands; /* band_count of them: in the order of the scene */
   size_t governing;            /* the least of them, of which the contacts are: from 0 */
+  double metres_per_unit;      /* of a length of its mesh */
 } tp_solid_ground;
 
 /* A plane that bounds a wedge, as its scene gives it. */

@@ -27,9 +27,10 @@ typedef struct coloured_material {
 } coloured_material;
 
 static const coloured_material materials[TP_GLTF_MATERIALS] = {
-    [TP_GLTF_ROCK] = {"rock", {0.5, 0.46, 0.4}},      [TP_GLTF_RED] = {"red", {0.66, 0.11, 0}},
-    [TP_GLTF_BLUE] = {"blue", {0, 0.17, 0.45}},       [TP_GLTF_GREEN] = {"green", {0, 0.34, 0.17}},
-    [TP_GLTF_PURPLE] = {"purple", {0.6, 0.19, 0.39}}, [TP_GLTF_BLACK] = {"black", {0, 0, 0}}};
+    [TP_GLTF_ROCK] = {"rock", {0.5, 0.46, 0.4}},  [TP_GLTF_GROUND] = {"ground", {0.72, 0.58, 0.36}},
+    [TP_GLTF_RED] = {"red", {0.66, 0.11, 0}},     [TP_GLTF_BLUE] = {"blue", {0, 0.17, 0.45}},
+    [TP_GLTF_GREEN] = {"green", {0, 0.34, 0.17}}, [TP_GLTF_PURPLE] = {"purple", {0.6, 0.19, 0.39}},
+    [TP_GLTF_BLACK] = {"black", {0, 0, 0}}};
 
 /* ---- the buffer --------------------------------------------------------------------------------
  */
@@ -104,9 +105,10 @@ void tp_gltf_add_line(tp_gltf *m, const char *name, tp_gltf_material material, c
   (void)add_shape(m, name, material, ends, 2);
 }
 
-void tp_gltf_add_rock(tp_gltf *m, const double *points, size_t count, const int *corners,
-                      size_t corner_count) {
-  tp_gltf_shape *own = add_shape(m, "rock", TP_GLTF_ROCK, points, count);
+void tp_gltf_add_triangles(tp_gltf *m, const char *name, tp_gltf_material material,
+                           const double *points, size_t count, const int *corners,
+                           size_t corner_count) {
+  tp_gltf_shape *own = add_shape(m, name, material, points, count);
   const size_t start = m->buffer.length;
   for (size_t k = 0; k < corner_count; k++) put_word(&m->buffer, (uint32_t)corners[k]);
   if (add_accessor(m, start, corner_count) != NULL && own != NULL)
@@ -164,12 +166,13 @@ static void write_shape(tp_json *j, const tp_gltf_shape *own) {
 }
 
 static void write_material(tp_json *j, const coloured_material *own) {
+  const bool is_surface = own == materials + TP_GLTF_ROCK || own == materials + TP_GLTF_GROUND;
   tp_json_object(j, NULL, TP_JSON_LINE);
   tp_json_string(j, "name", own->name);
-  if (own == materials + TP_GLTF_ROCK) tp_json_truth(j, "doubleSided", true);
+  if (is_surface) tp_json_truth(j, "doubleSided", true);
   tp_json_object(j, "pbrMetallicRoughness", TP_JSON_LINE);
   write_numbers(j, "baseColorFactor", (double[]){own->ink[0], own->ink[1], own->ink[2], 1}, 4);
-  if (own == materials + TP_GLTF_ROCK) tp_json_integer(j, "metallicFactor", 0);
+  if (is_surface) tp_json_integer(j, "metallicFactor", 0);
   tp_json_close(j);
   tp_json_close(j);
 }

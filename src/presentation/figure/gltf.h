@@ -12,6 +12,7 @@
 
 typedef enum tp_gltf_material {
   TP_GLTF_ROCK,
+  TP_GLTF_GROUND,
   TP_GLTF_RED,
   TP_GLTF_BLUE,
   TP_GLTF_GREEN,
@@ -51,9 +52,10 @@ void tp_gltf_add_lines(tp_gltf *model, const char *name, tp_gltf_material materi
 void tp_gltf_add_line(tp_gltf *model, const char *name, tp_gltf_material material,
                       const double from[3], const double to[3]);
 
-/* Triangles, counter-clockwise seen from outside, of rock. */
-void tp_gltf_add_rock(tp_gltf *model, const double *points, size_t count, const int *corners,
-                      size_t corner_count);
+/* Triangles, counter-clockwise seen from outside. */
+void tp_gltf_add_triangles(tp_gltf *model, const char *name, tp_gltf_material material,
+                           const double *points, size_t count, const int *corners,
+                           size_t corner_count);
 
 /* The file, of the model leant over by an angle towards an azimuth, both in radians; 4 GB at most.
  * `source` is named where it is refused. */

@@ -33,11 +33,13 @@ typedef struct tp_solid_picture {
   double dots;          /* to a metre */
   double left, top;     /* of its corner, along right and up */
   double width, height; /* metres */
+  bool is_cut;          /* the ground goes on beyond what is drawn of it */
 } tp_solid_picture;
 
 typedef struct tp_solid_figure {
   const tp_solid *solid;
   tp_solid_mesh mesh;        /* none of a wedge */
+  tp_solid_mesh ground;      /* that it rests on, in the frame of the mesh; else none */
   const tp_solid_band *band; /* that governs; NULL: it lies on contacts, or is a wedge */
   bool has_way;              /* the rock has an azimuth in which it is tilted, or moves first: */
   double azimuth_deg;        /* that, to the right in the view */
@@ -68,9 +70,10 @@ TP_MUST_USE tp_status tp_solid_figure_init(tp_solid_figure *figure, const tp_sol
                                            tp_message *message);
 void tp_solid_figure_clear(tp_solid_figure *figure);
 
-/* The mesh of a solid, read again; to be cleared where it was made. */
-TP_MUST_USE tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, const tp_solid *solid,
-                                         tp_message *message);
+/* The mesh of a solid, read again, and that of its ground, empty where it has none, in the frame of
+ * the solid's; to be cleared where they were made. */
+TP_MUST_USE tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, tp_solid_mesh *ground,
+                                         const tp_solid *solid, tp_message *message);
 void tp_solid_mesh_clear(tp_solid_mesh *mesh);
 
 /* A vector, and a point in lengths of the file, in the frame of the base. */
@@ -78,9 +81,9 @@ void tp_solid_mesh_turn(double turned[3], const tp_solid_mesh *mesh, const doubl
 void tp_solid_mesh_place(double placed[3], const tp_solid_mesh *mesh, const tp_solid *solid,
                          const double point[3]);
 
-/* Draw it, shaded or as a flat shape, into a picture of so many dots along its longer side. False
- * when memory is exhausted. */
-TP_MUST_USE bool tp_solid_picture_init(tp_solid_picture *picture, const tp_solid_mesh *mesh,
+/* Draw the rock, shaded or as a flat shape, and the ground about it into a picture of so many dots
+ * along its longer side. False when memory is exhausted. */
+TP_MUST_USE bool tp_solid_picture_init(tp_solid_picture *picture, const tp_solid_figure *figure,
                                        const tp_solid_view *view, bool shaded, int dots);
 void tp_solid_picture_clear(tp_solid_picture *picture);
 

@@ -54,13 +54,13 @@ tp_status tp_solid_figure_init(tp_solid_figure *f, const tp_solid *solid, int do
   *f = (tp_solid_figure){.solid = solid};
   if (solid->has_wedge) return TP_OK;
   if (solid->band_count > 0) f->band = solid->bands + solid->governing;
-  const tp_status status = tp_solid_mesh_init(&f->mesh, solid, message);
+  const tp_status status = tp_solid_mesh_init(&f->mesh, &f->ground, solid, message);
   if (status != TP_OK) return status;
   choose_way(f);
   if (dots == 0) return TP_OK;
   set_view(f);
-  if (tp_solid_picture_init(&f->side, &f->mesh, &f->view, true, dots) &&
-      tp_solid_picture_init(&f->above, &f->mesh, &tp_solid_from_above, false, dots)) {
+  if (tp_solid_picture_init(&f->side, f, &f->view, true, dots) &&
+      tp_solid_picture_init(&f->above, f, &tp_solid_from_above, false, dots)) {
     return TP_OK;
   }
   tp_solid_figure_clear(f);
@@ -71,6 +71,7 @@ void tp_solid_figure_clear(tp_solid_figure *f) {
   tp_solid_picture_clear(&f->side);
   tp_solid_picture_clear(&f->above);
   tp_solid_mesh_clear(&f->mesh);
+  tp_solid_mesh_clear(&f->ground);
 }
 
 static bool draw_page(double *height, cairo_t *cr, const void *what) {

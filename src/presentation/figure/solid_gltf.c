@@ -7,6 +7,7 @@
 #include "figure/gltf.h"
 #include "figure/solid.h"
 
+#include "output/encode.h"
 #include "report/solid_page.h"
 
 #include <math.h>
@@ -83,9 +84,33 @@ static void add_contacts(tp_gltf *m, const tp_solid_figure *f) {
   tp_gltf_add_line(m, motion->turns ? "axis" : "way", TP_GLTF_PURPLE, ends[0], ends[1]);
 }
 
+static void add_mesh(tp_gltf *m, const char *name, tp_gltf_material material,
+                     const tp_solid_mesh *mesh) {
+  tp_gltf_add_triangles(m, name, material, mesh->points, (size_t)mesh->vertex_count,
+                        mesh->triangles, 3 * (size_t)mesh->triangle_count);
+}
+
+/* All of it, by the name of its file, and of its object where one is meant. */
+static bool add_ground(tp_gltf *m, const tp_solid_figure *f) {
+  const tp_solid_ground *own = &f->solid->ground;
+  tp_text name = {0};
+  if (f->ground.triangle_count == 0) return true;
+  const char *slash = strrchr(own->file, '/');
+  tp_text_add(&name, "ground, ");
+  tp_encode_plain(&name, slash != NULL ? slash + 1 : own->file);
+  if (own->object != NULL) {
+    tp_text_add(&name, ", ");
+    tp_encode_plain(&name, own->object);
+  }
+  if (!name.failed) add_mesh(m, name.data, TP_GLTF_GROUND, &f->ground);
+  const bool done = !name.failed;
+  tp_text_drop(&name);
+  return done;
+}
+
 static bool fill(tp_gltf *m, const tp_solid_figure *f) {
-  tp_gltf_add_rock(m, f->mesh.points, (size_t)f->mesh.vertex_count, f->mesh.triangles,
-                   3 * (size_t)f->mesh.triangle_count);
+  add_mesh(m, "rock", TP_GLTF_ROCK, &f->mesh);
+  if (!add_ground(m, f)) return false;
   if (f->band != NULL) return add_bands(m, f);
   add_contacts(m, f);
   return true;

@@ -5,41 +5,25 @@
  * turned upright about the foot of its centroid, in doubles. */
 
 #include "figure/solid.h"
+#include "figure/solid_surface.h"
 
 #include "common/message.h"
-#include "format/mesh.h"
 #include "number/ratio.h"
-#include "scene/scene.h"
 #include "solid/azimuth.h"
-#include "solid/cut.h"
-#include "solid/gate.h"
-#include "solid/mend.h"
 #include "solid/sides.h"
 #include "solid/solid_sums.h"
-#include "solid/thin.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double radian = 3.14159265358979323846 / 180;
-
 /* ---- the frame of the base ---------------------------------------------------------------------
  */
-
-/* Across the base: up, or the normal of a base that dips. */
-static void set_normal(tp_near up[3], const tp_solid *solid) {
-  const double dip = radian * solid->tilt_angle_deg, way = radian * solid->tilt_azimuth_deg;
-  const double dipping[3] = {sin(dip) * sin(way), sin(dip) * cos(way), cos(dip)};
-  for (int k = 0; k < 3; k++) {
-    up[k] = (tp_near){solid->is_on_slope ? dipping[k] : solid->up[k], 0};
-  }
-}
 
 static void set_axes(tp_solid_mesh *mesh, const tp_solid *solid) {
   tp_near up[3];
   tp_map_frame frame;
-  set_normal(up, solid);
+  tp_solid_base_normal(up, solid);
   tp_map_frame_init(&frame, up);
   const double length =
       sqrt(up[0].value * up[0].value + up[1].value * up[1].value + up[2].value * up[2].value);
@@ -130,8 +114,12 @@ static void set_centre(double centre[3], const tp_surface *surface, const tp_sol
   }
 }
 
-static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid) {
-  double centre[3];
+/* Metres to a length of the surface's doubles. */
+static double step_of(const tp_surface *surface, double metres_per_unit) {
+  return metres_per_unit * ldexp(1, (int)surface->exponent) / fmpz_get_d(surface->divisor);
+}
+
+static bool make_room(tp_solid_mesh *mesh, const tp_surface *surface) {
   const size_t corners = 3 * (size_t)surface->triangle_count;
   *mesh = (tp_solid_mesh){.vertex_count = surface->vertex_count,
                           .triangle_count = surface->triangle_count};
@@ -139,117 +127,99 @@ static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid 
   mesh->triangles = malloc(corners * sizeof *mesh->triangles);
   if (mesh->points == NULL || mesh->triangles == NULL) return false;
   memcpy(mesh->triangles, surface->triangles, corners * sizeof *mesh->triangles);
-  const double metres =
-      solid->metres_per_unit * ldexp(1, (int)surface->exponent) / fmpz_get_d(surface->divisor);
+  return true;
+}
+
+static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid *solid) {
+  double centre[3];
+  const double step = step_of(surface, solid->metres_per_unit);
+  if (!make_room(mesh, surface)) return false;
   set_axes(mesh, solid);
-  set_centre(centre, surface, solid, metres);
-  set_points(mesh, surface, centre, metres);
+  set_centre(centre, surface, solid, step);
+  set_points(mesh, surface, centre, step);
   return set_edges(mesh);
 }
 
-/* ---- the mesh ----------------------------------------------------------------------------------
+/* ---- the ground --------------------------------------------------------------------------------
  */
 
-static tp_status refuse_other(const tp_solid *solid, tp_message *message) {
-  return tp_refuse(message, TP_FAULT_KEY, (tp_place){solid->file, 0, 0},
-                   "the mesh has changed since it was solved: solve it again");
+/* In metres, by which the origin of a surface lies from that of another: the difference of far
+ * origins is taken exactly. */
+static double way_between(const tp_surface *from, double from_metres, const tp_surface *to,
+                          double to_metres, int axis) {
+  fmpq_t unit, one, other;
+  fmpq_init(unit);
+  fmpq_init(one);
+  fmpq_init(other);
+  fmpq_set_fmpz_frac(one, from->origin[axis], from->divisor);
+  fmpq_set_fmpz_frac(other, to->origin[axis], to->divisor);
+  (void)tp_ratio_read_double(unit, from_metres);
+  fmpq_mul(one, one, unit);
+  (void)tp_ratio_read_double(unit, to_metres);
+  fmpq_mul(other, other, unit);
+  fmpq_sub(other, other, one);
+  const double way = tp_surface_nearest(other);
+  fmpq_clear(unit);
+  fmpq_clear(one);
+  fmpq_clear(other);
+  return way;
 }
 
-/* As it was mended, in place of what is in the file. */
-static tp_status mend(tp_mesh *mesh, long *object, const tp_solid *solid, tp_message *message) {
-  const tp_mend_wish wish = {solid->repair.merge_within, solid->repair.drop_below};
-  tp_solid_repair record;
-  tp_mesh mended;
-  if (!solid->has_repair) return TP_OK;
-  const tp_status status = tp_mesh_mend(&mended, &record, mesh, *object, &wish, message);
-  tp_solid_repair_clear(&record);
-  tp_mesh_clear(mesh);
-  *mesh = mended;
-  if (*object > 0) *object = 0;
-  return status;
-}
-
-/* As it was thinned, in place of all of it. */
-static tp_status thin(tp_surface *surface, const tp_solid *solid, tp_message *message) {
-  tp_surface whole = *surface;
-  tp_solid_thinning record;
-  tp_status status = tp_gate_edges(&whole, message); /* what the file has now */
-  if (status == TP_OK) {
-    status = tp_surface_thin(surface, &record, &whole, solid->thinning.length, message);
-  }
-  tp_surface_clear(&whole);
-  return status;
-}
-
-static tp_status read_surface(tp_surface *surface, tp_mesh *mesh, const tp_solid *solid,
-                              tp_message *message) {
-  long object = -1;
-  for (long k = 0; solid->object != NULL && k < mesh->object_count; k++) {
-    if (strcmp(mesh->objects[k].name, solid->object) == 0) object = k;
-  }
-  if (solid->object != NULL && object < 0) return refuse_other(solid, message);
-  tp_status status = mend(mesh, &object, solid, message);
-  if (status == TP_OK) status = tp_surface_init(surface, mesh, object, message);
-  if (status == TP_OK && solid->has_thinning) status = thin(surface, solid, message);
-  if (status != TP_OK) return status;
-  if (surface->triangle_count == (long)solid->triangles &&
-      surface->vertex_count == (long)solid->vertices) {
-    return TP_OK;
-  }
-  tp_surface_clear(surface);
-  return refuse_other(solid, message);
-}
-
-/* The height of the plane that cuts it, which is told in lengths of the scene or of the file. */
-static double below_in_file(const tp_solid *solid) {
-  const char *unit = solid->length_unit;
-  fmpq_t metres;
-  fmpq_init(metres);
-  const double own = tp_unit_find(metres, &unit) ? tp_surface_nearest(metres) : 1;
-  fmpq_clear(metres);
-  return solid->below * own / solid->metres_per_unit;
-}
-
-/* What lies above the plane that cuts it, with numbers rounded to doubles. */
-static tp_status cut_surface(tp_surface *surface, const tp_solid *solid, tp_message *message) {
-  enum { BITS = 60 };
-  tp_surface whole = *surface;
-  tp_cut_plane plane;
-  tp_near normal[3];
-  fmpz up[3];
-  fmpq_t height;
-  fmpq_init(height);
-  set_normal(normal, solid);
-  const double length = hypot(hypot(normal[0].value, normal[1].value), normal[2].value);
+/* In the frame of the rock's mesh, which is filled. */
+static bool fill_ground(tp_solid_mesh *ground, const tp_surface *surface, const tp_solid_mesh *rock,
+                        const tp_surface *rock_surface, const tp_solid *solid) {
+  const double metres = solid->metres_per_unit, own_metres = solid->ground.metres_per_unit;
+  const double rock_step = step_of(rock_surface, metres), step = step_of(surface, own_metres);
+  double centre[3], shift[3];
+  if (!make_room(ground, surface)) return false;
+  set_centre(centre, rock_surface, solid, rock_step);
   for (int k = 0; k < 3; k++) {
-    fmpz_init(up + k);
-    fmpz_set_d_2exp(up + k, normal[k].value / length, BITS);
+    shift[k] = way_between(rock_surface, metres, surface, own_metres, k) - rock_step * centre[k];
   }
-  (void)tp_ratio_read_double(height, below_in_file(solid));
-  tp_cut_plane_init(&plane, &whole, up, height);
-  const tp_status status = tp_cut_above(surface, &whole, &plane, message);
-  tp_cut_plane_clear(&plane);
-  tp_surface_clear(&whole);
-  fmpq_clear(height);
-  for (int k = 0; k < 3; k++) fmpz_clear(up + k);
-  return status;
+  for (long v = 0; v < ground->vertex_count; v++) {
+    double way[3];
+    for (int k = 0; k < 3; k++) way[k] = step * surface->near[3 * v + k] + shift[k];
+    tp_solid_mesh_turn(ground->points + 3 * v, rock, way);
+    ground->points[3 * v + 2] += rock->height;
+  }
+  return set_edges(ground);
 }
 
-tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, const tp_solid *solid, tp_message *message) {
+static tp_status add_ground(tp_solid_mesh *ground, const tp_solid_mesh *rock,
+                            const tp_surface *rock_surface, const tp_solid *solid,
+                            tp_message *message) {
   tp_mesh read;
   tp_surface surface;
-  tp_status status = tp_mesh_read(&read, solid->file, message);
+  tp_status status = tp_solid_ground_read(&surface, &read, solid, message);
   if (status != TP_OK) return status;
-  status = read_surface(&surface, &read, solid, message);
-  if (status == TP_OK && solid->has_below) status = cut_surface(&surface, solid, message);
-  if (status == TP_OK) {
-    if (!fill(mesh, &surface, solid)) {
-      tp_solid_mesh_clear(mesh);
-      status = tp_fail_memory(message, "the figure");
-    }
-    tp_surface_clear(&surface);
+  if (!fill_ground(ground, &surface, rock, rock_surface, solid)) {
+    status = tp_fail_memory(message, "the figure");
   }
+  tp_surface_clear(&surface);
   tp_mesh_clear(&read);
+  return status;
+}
+
+/* ---- both --------------------------------------------------------------------------------------
+ */
+
+tp_status tp_solid_mesh_init(tp_solid_mesh *mesh, tp_solid_mesh *ground, const tp_solid *solid,
+                             tp_message *message) {
+  tp_mesh read;
+  tp_surface surface;
+  *mesh = *ground = (tp_solid_mesh){0};
+  tp_status status = tp_solid_surface_read(&surface, &read, solid, message);
+  if (status != TP_OK) return status;
+  if (!fill(mesh, &surface, solid)) status = tp_fail_memory(message, "the figure");
+  if (status == TP_OK && solid->has_ground) {
+    status = add_ground(ground, mesh, &surface, solid, message);
+  }
+  tp_surface_clear(&surface);
+  tp_mesh_clear(&read);
+  if (status != TP_OK) {
+    tp_solid_mesh_clear(mesh);
+    tp_solid_mesh_clear(ground);
+  }
   return status;
 }
 

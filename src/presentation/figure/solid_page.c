@@ -54,6 +54,18 @@ static double explain(cairo_t *cr, const tp_solid_figure *f, double x, double y,
   return tp_figure_paragraph(cr, x, y, width, TP_SMALL_SIZE, false, text) + 3;
 }
 
+/* How much of it is drawn. */
+static double explain_ground(cairo_t *cr, const tp_solid_figure *f, double x, double y,
+                             double width) {
+  if (f->ground.triangle_count == 0) return y;
+  return explain(cr, f, x, y, width,
+                 f->side.is_cut || f->above.is_cut
+                     ? "Like sand: the ground of its mesh about the rock, which goes on farther "
+                       "than it is drawn; where it stands before the rock, that shows through."
+                     : "Like sand: all of the mesh of its ground; where it stands before the rock, "
+                       "that shows through.");
+}
+
 static void say_below(cairo_t *cr, const tp_solid_figure *f, double x, double y, double width) {
   if (f->band == NULL) {
     y = tp_solid_draw_contacts(cr, f, x, y, width) + 6;
@@ -63,6 +75,7 @@ static void say_below(cairo_t *cr, const tp_solid_figure *f, double x, double y,
         "rock hides them; blue: their normals into the rock; green: forces of the ground "
         "that hold it, and black, from the centroid, the load that they bear; purple: the "
         "axis about which it turns as it begins to move, or the way in which it slides.");
+    y = explain_ground(cr, f, x, y, width);
     explain(cr, f, x, y, width,
             "How far from the middle the line lies in an azimuth is the tilt up to which forces "
             "hold the rock that way; where there is none, they do at any.");

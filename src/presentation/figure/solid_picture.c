@@ -1,71 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A picture of a mesh from one side, with what is hidden left out: for each dot the triangle that
- * is nearest to the eye (Catmull 1974), shaded by Lambert's law; edges that bend by more than 25
- * degrees, and those between what is seen and what is not, as dark dots where nothing is in front.
- * It is drawn at twice its size and made smaller by the mean of four dots, which smooths it. */
+/* A picture of a rock, and of the ground about it, from one side, with what is hidden left out:
+ * triangles shaded by Lambert's law; edges that bend by more than 25 degrees, and those between
+ * what is seen and what is not, as dark lines. */
 
-#include "figure/solid.h"
+#include "figure/solid_canvas.h"
+#include "figure/solid_surroundings.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-enum { FINE = 2, FINE_DOTS = FINE * FINE };
-#define BENT 0.906  /* the cosine of 25 degrees */
-#define AHEAD 0.004 /* by which an edge may lie behind, of the size of the picture */
+#define BENT 0.906 /* the cosine of 25 degrees */
 
-typedef struct canvas {
-  int width, height;
-  double dots;      /* to a metre, of the fine picture */
-  double left, top; /* metres */
-  float *depth;     /* towards the eye; -INFINITY: nothing */
-  uint8_t *grey;
-  double (*seen)[3]; /* vertices: dots to the right and down, metres towards the eye */
-  float (*normals)[3];
-} canvas;
+enum { ROCK_LINE = 40, GROUND_LINE = 140 };
 
-/* ---- where it lies -----------------------------------------------------------------------------
- */
+/* The normals of a mesh's triangles along right, up and towards the eye. */
+typedef float seen_normal[3];
 
-static void set_canvas(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view, int dots) {
-  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-  for (long v = 0; v < mesh->vertex_count; v++) {
-    const double at[2] = {tp_solid_dot(view->right, mesh->points + 3 * v),
-                          tp_solid_dot(view->up, mesh->points + 3 * v)};
-    for (int k = 0; k < 2; k++) {
-      low[k] = fmin(low[k], at[k]);
-      high[k] = fmax(high[k], at[k]);
-    }
-  }
-  const double wide = high[0] - low[0], tall = high[1] - low[1];
-  const double border = 0.01 * fmax(wide, tall);
-  c->dots = FINE * dots / (fmax(wide, tall) + 2 * border);
-  c->left = low[0] - border;
-  c->top = high[1] + border;
-  c->width = FINE * (int)ceil(c->dots * (wide + 2 * border) / FINE);
-  c->height = FINE * (int)ceil(c->dots * (tall + 2 * border) / FINE);
-}
-
-static bool make_canvas(canvas *c, const tp_solid_mesh *mesh) {
-  const size_t count = (size_t)c->width * (size_t)c->height;
-  c->depth = malloc(count * sizeof *c->depth);
-  c->grey = calloc(count, sizeof *c->grey);
-  c->seen = malloc((size_t)mesh->vertex_count * sizeof *c->seen);
-  c->normals = malloc((size_t)mesh->triangle_count * sizeof *c->normals);
-  for (size_t k = 0; c->depth != NULL && k < count; k++) c->depth[k] = -INFINITY;
-  return c->depth != NULL && c->grey != NULL && c->seen != NULL && c->normals != NULL;
-}
-
-static void look(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view) {
-  for (long v = 0; v < mesh->vertex_count; v++) {
-    const double *p = mesh->points + 3 * v;
-    c->seen[v][0] = c->dots * (tp_solid_dot(view->right, p) - c->left);
-    c->seen[v][1] = c->dots * (c->top - tp_solid_dot(view->up, p));
-    c->seen[v][2] = tp_solid_dot(view->eye, p);
-  }
-  for (long t = 0; t < mesh->triangle_count; t++) {
+static seen_normal *find_normals(const tp_solid_mesh *mesh, const tp_solid_view *view) {
+  seen_normal *normals = malloc((size_t)mesh->triangle_count * sizeof *normals);
+  for (long t = 0; t < mesh->triangle_count && normals != NULL; t++) {
     const int *k = mesh->triangles + 3 * t;
     double one[3], other[3], turn[3];
     for (int i = 0; i < 3; i++) {
@@ -79,134 +34,141 @@ static void look(canvas *c, const tp_solid_mesh *mesh, const tp_solid_view *view
     const double length = sqrt(tp_solid_dot(turn, turn));
     const double axes[3] = {tp_solid_dot(turn, view->right), tp_solid_dot(turn, view->up),
                             tp_solid_dot(turn, view->eye)};
-    for (int i = 0; i < 3; i++) c->normals[t][i] = (float)(length > 0 ? axes[i] / length : 0);
+    for (int i = 0; i < 3; i++) normals[t][i] = (float)(length > 0 ? axes[i] / length : 0);
   }
+  return normals;
 }
-
-/* ---- triangles ---------------------------------------------------------------------------------
- */
 
 /* The light comes from the upper left, from the eye's side. */
-static uint8_t shade(const float normal[3], bool shaded) {
-  static const double dark = 92, bright = 150, flat = 215;
-  const double light = (-0.45 * normal[0] + 0.6 * normal[1] + 0.66 * normal[2]) / 0.9997;
-  return (uint8_t)(shaded ? dark + bright * fmax(light, 0) : flat);
+static double light_on(const float normal[3]) {
+  return fmax(0, (-0.45 * normal[0] + 0.6 * normal[1] + 0.66 * normal[2]) / 0.9997);
 }
 
-static int clamp(double at, int most) {
-  return at <= 0 ? 0 : at >= most ? most : (int)at;
+static bool is_outline(const float *a, const float *b) {
+  return (a[2] > 0) != (b[2] > 0);
 }
 
-static void fill_triangle(canvas *c, const int *corners, uint8_t grey) {
-  const double *p = c->seen[corners[0]], *q = c->seen[corners[1]], *r = c->seen[corners[2]];
-  const double area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  if (area == 0) return;
-  const int x0 = clamp(floor(fmin(p[0], fmin(q[0], r[0]))), c->width - 1);
-  const int x1 = clamp(ceil(fmax(p[0], fmax(q[0], r[0]))), c->width - 1);
-  const int y0 = clamp(floor(fmin(p[1], fmin(q[1], r[1]))), c->height - 1);
-  const int y1 = clamp(ceil(fmax(p[1], fmax(q[1], r[1]))), c->height - 1);
-  for (int y = y0; y <= y1; y++) {
-    for (int x = x0; x <= x1; x++) {
-      const double u = x + 0.5 - p[0], v = y + 0.5 - p[1];
-      const double a = (u * (r[1] - p[1]) - v * (r[0] - p[0])) / area;
-      const double b = ((q[0] - p[0]) * v - (q[1] - p[1]) * u) / area;
-      if (a < 0 || b < 0 || a + b > 1) continue;
-      const float depth = (float)(p[2] + a * (q[2] - p[2]) + b * (r[2] - p[2]));
-      const size_t at = (size_t)y * (size_t)c->width + (size_t)x;
-      if (depth <= c->depth[at]) continue;
-      c->depth[at] = depth;
-      c->grey[at] = grey;
+static bool is_bent(const float *a, const float *b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < BENT;
+}
+
+/* ---- where it lies -----------------------------------------------------------------------------
+ */
+
+typedef struct bounds {
+  double low[2], high[2]; /* along right and up */
+} bounds;
+
+static void add_point(bounds *b, const tp_solid_view *view, const double point[3]) {
+  const double at[2] = {tp_solid_dot(view->right, point), tp_solid_dot(view->up, point)};
+  for (int k = 0; k < 2; k++) {
+    b->low[k] = fmin(b->low[k], at[k]);
+    b->high[k] = fmax(b->high[k], at[k]);
+  }
+}
+
+static bounds bounds_of(const tp_solid_mesh *rock, const tp_solid_mesh *ground,
+                        const tp_surroundings *box, const tp_solid_view *view) {
+  bounds b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (long v = 0; v < rock->vertex_count; v++) add_point(&b, view, rock->points + 3 * v);
+  for (long t = 0; t < ground->triangle_count; t++) {
+    double polygon[TP_CLIPPED_CORNERS][3];
+    const int count = tp_surroundings_clip(polygon, box, ground, t);
+    for (int k = 0; k < count; k++) add_point(&b, view, polygon[k]);
+  }
+  return b;
+}
+
+/* ---- the rock ----------------------------------------------------------------------------------
+ */
+
+/* Shaded with its edges; or flat, with its outline where there is a ground about it. */
+static bool draw_rock(tp_solid_canvas *c, const tp_solid_mesh *mesh, bool shaded, bool outlined) {
+  enum { FLAT = 215, DARK = 92, BRIGHT = 150 };
+  seen_normal *normals = find_normals(mesh, &c->view);
+  for (long t = 0; t < mesh->triangle_count && normals != NULL; t++) {
+    double corners[3][3];
+    if (normals[t][2] <= 0) continue;
+    for (int k = 0; k < 3; k++) {
+      tp_solid_canvas_see(corners[k], c, mesh->points + 3L * mesh->triangles[3 * t + k]);
     }
+    tp_solid_canvas_fill(c, TP_LAYER_ROCK, corners,
+                         (uint8_t)(shaded ? DARK + BRIGHT * light_on(normals[t]) : FLAT));
   }
+  for (long k = 0; k < mesh->edge_count && normals != NULL && (shaded || outlined); k++) {
+    const int *edge = mesh->edges[k];
+    const float *a = normals[edge[2]], *b = normals[edge[3]];
+    double ends[2][3];
+    if (a[2] <= 0 && b[2] <= 0) continue; /* both face away */
+    const bool of_section = edge[2] == edge[3];
+    if (!of_section && !is_outline(a, b) && !(shaded && is_bent(a, b))) continue;
+    for (int i = 0; i < 2; i++) tp_solid_canvas_see(ends[i], c, mesh->points + 3L * edge[i]);
+    tp_solid_canvas_line(c, TP_LAYER_ROCK, ends[0], ends[1], ROCK_LINE);
+  }
+  const bool done = normals != NULL;
+  free(normals);
+  return done;
 }
 
-/* ---- edges -------------------------------------------------------------------------------------
+/* ---- the ground --------------------------------------------------------------------------------
  */
 
-static bool is_drawn(const canvas *c, const int edge[4]) {
-  const float *a = c->normals[edge[2]], *b = c->normals[edge[3]];
-  if (a[2] <= 0 && b[2] <= 0) return false; /* both face away */
-  if (edge[2] == edge[3]) return true;      /* of a section */
-  return (a[2] > 0) != (b[2] > 0) || a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < BENT;
+/* Lighter than the rock; darker from its back, which is seen where it is open. */
+static uint8_t ground_grey(const float normal[3]) {
+  enum { DARK = 150, BRIGHT = 92, BACK = 128 };
+  return (uint8_t)(normal[2] > 0 ? DARK + BRIGHT * light_on(normal) : BACK);
 }
 
-static void mark_dot(canvas *c, double x, double y, double depth, double ahead) {
-  const int column = (int)floor(x), row = (int)floor(y);
-  if (column < 0 || row < 0 || column >= c->width || row >= c->height) return;
-  const size_t at = (size_t)row * (size_t)c->width + (size_t)column;
-  if (depth + ahead < c->depth[at]) return;
-  c->grey[at] = 40;
-  if (c->depth[at] < (float)depth) c->depth[at] = (float)depth;
-}
-
-static void draw_edge(canvas *c, const int edge[4]) {
-  const double *p = c->seen[edge[0]], *q = c->seen[edge[1]];
-  const double length = hypot(q[0] - p[0], q[1] - p[1]);
-  const double ahead = AHEAD * fmax(c->width, c->height) / c->dots;
-  const int steps = 1 + (int)(2 * length);
-  for (int k = 0; k <= steps; k++) {
-    const double t = (double)k / steps;
-    const double x = p[0] + t * (q[0] - p[0]), y = p[1] + t * (q[1] - p[1]);
-    const double depth = p[2] + t * (q[2] - p[2]);
-    mark_dot(c, x, y, depth, ahead);
-    mark_dot(c, x + 1, y, depth, ahead);
-    mark_dot(c, x, y + 1, depth, ahead);
+static void draw_ground_triangle(tp_solid_canvas *c, const tp_solid_mesh *mesh,
+                                 const tp_surroundings *box, long triangle, uint8_t grey) {
+  double polygon[TP_CLIPPED_CORNERS][3], corners[3][3];
+  const int count = tp_surroundings_clip(polygon, box, mesh, triangle);
+  if (count < 3) return;
+  tp_solid_canvas_see(corners[0], c, polygon[0]);
+  for (int k = 1; k + 1 < count; k++) {
+    tp_solid_canvas_see(corners[1], c, polygon[k]);
+    tp_solid_canvas_see(corners[2], c, polygon[k + 1]);
+    tp_solid_canvas_fill(c, TP_LAYER_GROUND, corners, grey);
   }
 }
 
-/* ---- the image ---------------------------------------------------------------------------------
+static bool draw_ground(tp_solid_canvas *c, const tp_solid_mesh *mesh, const tp_surroundings *box) {
+  seen_normal *normals = find_normals(mesh, &c->view);
+  for (long t = 0; t < mesh->triangle_count && normals != NULL; t++) {
+    draw_ground_triangle(c, mesh, box, t, ground_grey(normals[t]));
+  }
+  for (long k = 0; k < mesh->edge_count && normals != NULL; k++) {
+    const int *edge = mesh->edges[k];
+    double ends[2][3], seen[2][3];
+    const bool ends_here = edge[2] == edge[3];
+    if (!ends_here && !is_outline(normals[edge[2]], normals[edge[3]])) continue;
+    if (!tp_surroundings_clip_line(ends, box, mesh->points + 3L * edge[0],
+                                   mesh->points + 3L * edge[1])) {
+      continue;
+    }
+    for (int i = 0; i < 2; i++) tp_solid_canvas_see(seen[i], c, ends[i]);
+    tp_solid_canvas_line(c, TP_LAYER_GROUND, seen[0], seen[1], GROUND_LINE);
+  }
+  const bool done = normals != NULL;
+  free(normals);
+  return done;
+}
+
+/* ---- both --------------------------------------------------------------------------------------
  */
 
-/* The mean of the fine dots, of which those of nothing are clear. */
-static uint32_t mean_dot(const canvas *c, int x, int y) {
-  unsigned sum = 0, covered = 0;
-  for (int k = 0; k < FINE_DOTS; k++) {
-    const size_t at =
-        (size_t)(FINE * y + k / FINE) * (size_t)c->width + (size_t)(FINE * x + k % FINE);
-    if (c->depth[at] == -INFINITY) continue;
-    covered++;
-    sum += c->grey[at];
-  }
-  const uint32_t alpha = 255 * covered / FINE_DOTS, grey = sum / FINE_DOTS;
-  /* a warm grey; Cairo's colours are times alpha */
-  const uint32_t blue = grey * 94 / 100;
-  return alpha << 24 | grey << 16 | grey * 98 / 100 << 8 | blue;
-}
-
-static bool make_image(tp_solid_picture *picture, const canvas *c) {
-  const int width = c->width / FINE, height = c->height / FINE;
-  cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
-  if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) return false;
-  unsigned char *data = cairo_image_surface_get_data(image);
-  const size_t stride = (size_t)cairo_image_surface_get_stride(image);
-  for (int y = 0; y < height; y++) {
-    uint32_t *row = (uint32_t *)(void *)(data + stride * (size_t)y);
-    for (int x = 0; x < width; x++) row[x] = mean_dot(c, x, y);
-  }
-  cairo_surface_mark_dirty(image);
-  const double dots = c->dots / FINE;
-  *picture = (tp_solid_picture){image, dots, c->left, c->top, width / dots, height / dots};
-  return true;
-}
-
-bool tp_solid_picture_init(tp_solid_picture *picture, const tp_solid_mesh *mesh,
+bool tp_solid_picture_init(tp_solid_picture *picture, const tp_solid_figure *f,
                            const tp_solid_view *view, bool shaded, int dots) {
-  canvas c = {.width = 0};
-  set_canvas(&c, mesh, view, dots);
-  bool done = make_canvas(&c, mesh);
-  if (done) look(&c, mesh, view);
-  for (long t = 0; t < mesh->triangle_count && done; t++) {
-    if (c.normals[t][2] > 0)
-      fill_triangle(&c, mesh->triangles + 3 * t, shade(c.normals[t], shaded));
-  }
-  for (long k = 0; k < mesh->edge_count && done && shaded; k++) {
-    if (is_drawn(&c, mesh->edges[k])) draw_edge(&c, mesh->edges[k]);
-  }
-  done = done && make_image(picture, &c);
-  free(c.depth);
-  free(c.grey);
-  free(c.seen);
-  free(c.normals);
+  const bool has_ground = f->ground.triangle_count > 0;
+  const tp_surroundings box = tp_surroundings_of(&f->mesh, &f->ground, view);
+  const bounds b = bounds_of(&f->mesh, &f->ground, &box, view);
+  tp_solid_canvas c;
+  bool done = tp_solid_canvas_init(&c, view, b.low, b.high, dots, has_ground);
+  done = done && draw_rock(&c, &f->mesh, shaded, has_ground);
+  done = done && (!has_ground || draw_ground(&c, &f->ground, &box));
+  done = done && tp_solid_canvas_image(picture, &c);
+  picture->is_cut = box.cuts;
+  tp_solid_canvas_clear(&c);
   return done;
 }
 

@@ -15,6 +15,11 @@ static void add_front(tp_solid_sheet *s, const tp_sheet_head *head, tp_picture p
           ? "The wedge from its face; and its planes, the friction cones about their poles and the "
             "resultant R in the lower hemisphere, equal-angle: with friction alone it slides where "
             "R is beyond the line between the cones."
+      : s->solid->has_ground
+          ? "The rock at its tilt and the ground about it, which may go on farther, with the "
+            "forces "
+            "of its contacts or the motion that begins; its contacts from above; the tilt up to "
+            "which forces hold it, towards every azimuth."
       : s->solid->has_contacts
           ? "The rock at its tilt, with the forces of its contacts or the motion that begins; its "
             "contacts from above; the tilt up to which forces hold it, towards every azimuth."

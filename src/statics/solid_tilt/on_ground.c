@@ -291,6 +291,7 @@ static tp_status describe(work *w) {
     own->vertices += relief->starts[v] < relief->starts[v + 1];
   }
   own->triangles = (size_t)relief->surface.triangle_count;
+  own->metres_per_unit = tp_surface_nearest(from->metres_per_unit);
   own->band_count = w->given->ground_band_count;
   for (size_t k = 1; k < own->band_count; k++) {
     const fmpq *least = w->given->ground_bands + own->governing;
