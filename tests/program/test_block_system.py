@@ -99,6 +99,40 @@ class BlockSystem(GoverningCase):
         self.assertEqual(own["verdict"], "may move")
         self.encloses(own["fos"], 0.5 * math.sqrt(1 + 2 * 8), 1e-9)
 
+    def test_wedged_block(self):
+        """A block that fills a trench between two parallel walls moves in no collapse, as friction may wedge it: the others have their own
+        limit all the same, a box on the ground beside it tan φ / tan α, and one that has to slide over its top as well."""
+        for lean in (0, 0.25, -0.5):
+            ground = [(-9, -9), (9, -9), (9, 0), (-2, 0), (-2 - 2 * lean, -2), (-4 - 2 * lean, -2), (-4, 0), (-9, 0)]
+            key = [(-4 - 2 * lean, -2), (-2 - 2 * lean, -2), (-2, 0), (-4, 0)]
+            for left in (0, -3):
+                pile = Pile().add("g", ground, True).add("key", key).add("a", box(left, 0, left + 2, 1))
+                own = self.case(pile.scene(30, "tilt: {towards: left, angle_deg: 10}"))
+                self.encloses(own["fos"], math.tan(math.radians(30)) / math.tan(math.radians(10)), 1e-9)
+                self.encloses(own["critical_angle_deg"], 30, 1e-7)
+                self.assertEqual([m["mechanism"] for m in own["motions"] if m["block"] == "key"], ["stands"])
+
+    def test_wedged_columns(self):
+        """Columns between the risers of steps that their joints run along are wedged likewise; the first block slides on its tread, which
+        dips 22°: tan φ / tan 22°, and φ − 22° more."""
+        text = """topple: 1
+length_unit: m
+block: {unit_weight_kn_m3: 26}
+friction_angle_deg: PHI
+tilt: {towards: left}
+jointed_slope:
+  face: {dip_deg: 68, height: 8}
+  joints:
+    - {name: f, dip_deg: 68, towards: right, spacing: 3.16}
+    - {name: c, dip_deg: 20, towards: left, spacing: 3.57, offset: 1}
+  base: {dip_deg: 20, steps: f}
+"""
+        for phi, verdict in ((19, "collapses"), (25, "can be held")):
+            own = self.case(text.replace("PHI", str(phi)))
+            self.assertEqual(own["verdict"], verdict)
+            self.encloses(own["fos"], math.tan(math.radians(phi)) / math.tan(math.radians(22)), 1e-8)
+            self.encloses(own["critical_angle_deg"], phi - 22, 1e-7)
+
     def test_joint_of_its_own(self):
         """A block 2 × 1 below a column 1 × 5, μ 0.6: tan of the limit 0.25517241 = 37/145 with a frictionless joint between them,
         0.26530612 = 13/49 with 0.3 there."""

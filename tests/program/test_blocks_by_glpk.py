@@ -38,6 +38,24 @@ def random_wall(draw, blocks):
     return pile.moved(lambda x, y: (scale * (x + lean * y), scale * y))
 
 
+def with_keys(draw, pile):
+    """Trenches in the ground, of parallel walls, each filled by a block: wedged there, it moves in no collapse."""
+    (name, ground, _), *rest = pile.blocks
+    low, high = min(x for x, y in ground if y == 0), max(x for x, y in ground if y == 0)
+    cuts = sorted(draw.sample(range(1, 24), 2 * draw.randint(1, 3)))
+    at = [low + (high - low) * Q(c, 24) for c in cuts]
+    deep, lean = (high - low) * Q(draw.randint(1, 4), 32), Q(draw.randint(-4, 4), 8)
+    top, keys = [], []
+    for left, right in zip(at[::2], at[1::2]):
+        key = [(left - lean * deep, -deep), (right - lean * deep, -deep), (right, Q(0)), (left, Q(0))]
+        top += [key[3], key[0], key[1], key[2]]
+        keys.append((f"key{len(keys)}", key, False))
+    bottom = [p for p in ground if p[1] < 0]
+    floor = min(y for _, y in bottom) - 4 * deep
+    pile.blocks = [(name, [(low - deep, floor), (high + deep, floor), (high, Q(0)), *reversed(top), (low, Q(0))], True), *rest, *keys]
+    return pile
+
+
 def decimals(pile):
     """All numbers have a power of two below the line, and few digits."""
     return pile.moved(lambda x, y: (repr(float(x)), repr(float(y))))
@@ -45,8 +63,8 @@ def decimals(pile):
 
 @unittest.skipUnless(glpk.IS_THERE, "GLPK is not installed")
 class BlocksByGlpk(GoverningCase):
-    def held_against(self, draw, blocks):
-        pile = random_wall(draw, blocks)
+    def held_against(self, draw, blocks, change=lambda draw, pile: pile):
+        pile = change(draw, random_wall(draw, blocks))
         left, phi = draw.random() < 0.5, draw.choice((5, 15, 25, 33, 45))
         names = [b[0] for b in pile.blocks]
         pairs = [(i, j) for i, j, _, _ in glpk.contacts(pile.blocks) if draw.random() < 0.1]
@@ -79,6 +97,12 @@ class BlocksByGlpk(GoverningCase):
         draw = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "20")))
         for k in range(rounds(6, 10000)):
             self.held_against(draw, draw.randint(60, 200) if k % 50 == 49 else draw.randint(20, 40))
+
+    def test_wedged(self):
+        """Walls that stand on ground of which some is blocks that friction wedges."""
+        draw = random.Random(31)
+        for _ in range(rounds(4, 300)):
+            self.held_against(draw, draw.randint(8, 16), with_keys)
 
 
 if __name__ == "__main__":

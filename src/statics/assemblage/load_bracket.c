@@ -16,7 +16,8 @@ typedef struct proving {
   const tp_force_program *p;
   const tp_ground_tree *tree;
   tp_load_bracket *bracket;
-  tp_near *lacks; /* by row: what each block lacks for equilibrium, with all that hangs on it */
+  tp_near *lacks;  /* by row: what each block lacks for equilibrium, with all that hangs on it */
+  double *stilled; /* by row: room for twists */
   const tp_bracket_aim *aim;
 } proving;
 
@@ -63,6 +64,33 @@ static bool find_bound(double *bound, const tp_force_program *p, const double *t
   const tp_near own = tp_near_div(dead, live);
   *bound = nextafter(own.value + own.error, INFINITY);
   return isfinite(*bound);
+}
+
+/* All but the blocks that move by less than so much; false: those move by nothing already. */
+static bool still(double *stilled, const double *twists, long rows, double least) {
+  bool changes = false;
+  for (long r = 0; r < rows; r += 3) {
+    const double *own = twists + r;
+    const double size = fabs(own[0]) + fabs(own[1]) + fabs(own[2]);
+    changes = changes || (size < least && size > 0);
+    for (int e = 0; e < 3; e++) stilled[r + e] = size < least ? 0 : own[e];
+  }
+  return changes;
+}
+
+/* A block that others wedge, as one between two parallel faces of ground, is at rest in every
+ * collapse: no twists open its contacts, and those of iterates only come near to none. So blocks
+ * that nearly rest are put at rest, by one measure of nearly after the other. Whatever is, the
+ * bound is proven of the twists that this leaves. */
+static bool find_bound_at_rest(double *bound, proving *s, const double *twists) {
+  static const double least = 1e-14, tenth = 0.1;
+  double most = 0;
+  for (long r = 0; r < s->p->rows; r++) most = fmax(most, fabs(twists[r]));
+  for (double share = tenth; share > least && isfinite(most); share *= tenth) {
+    if (!still(s->stilled, twists, s->p->rows, share * most)) break;
+    if (find_bound(bound, s->p, s->stilled)) return true;
+  }
+  return false;
 }
 
 static void keep_forces(proving *s, const tp_interior_iterate *at) {
@@ -112,10 +140,13 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   tp_load_bracket *b = s->bracket;
   double bound = 0;
   if (!try_forces(s, at) && !b->is_held && !s->aim->bound_alone) keep_forces(s, at);
-  if (find_bound(&bound, s->p, at->twists) && (!b->is_bounded || bound < b->bound)) {
+  const bool opens = find_bound(&bound, s->p, at->twists);
+  if ((opens || find_bound_at_rest(&bound, s, at->twists)) &&
+      (!b->is_bounded || bound < b->bound)) {
+    const double *twists = opens ? at->twists : s->stilled;
     b->is_bounded = true;
     b->bound = bound;
-    memcpy(b->twists, at->twists, (size_t)s->p->rows * sizeof *b->twists);
+    memcpy(b->twists, twists, (size_t)s->p->rows * sizeof *b->twists);
     if (s->aim->bound_alone) keep_forces(s, at);
   }
   /* nearer than that roundings follow, and forces are found by the other way */
@@ -158,8 +189,9 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
   b->forces = calloc((size_t)p->count + 1, sizeof *b->forces);
   b->twists = calloc((size_t)p->rows + 1, sizeof *b->twists);
   s.lacks = calloc((size_t)p->rows + 1, sizeof *s.lacks);
-  const bool made =
-      b->forces != NULL && b->twists != NULL && s.lacks != NULL && tp_ground_tree_init(&tree, p);
+  s.stilled = calloc((size_t)p->rows + 1, sizeof *s.stilled);
+  const bool made = b->forces != NULL && b->twists != NULL && s.lacks != NULL &&
+                    s.stilled != NULL && tp_ground_tree_init(&tree, p);
   tp_status status = made ? tp_interior_point(p, watch, &s, message)
                           : tp_fail_memory(message, "the forces between blocks");
   const bool is_done = aim->bound_alone || is_narrow(&s) || is_enough(&s) || is_never_held(b);
@@ -168,6 +200,7 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
   }
   tp_ground_tree_clear(&tree);
   free(s.lacks);
+  free(s.stilled);
   if (status != TP_OK) tp_load_bracket_clear(b);
   return status;
 }
