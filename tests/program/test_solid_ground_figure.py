@@ -9,14 +9,17 @@ counts of dots of either colour in the picture that the figure embeds."""
 import base64
 import pathlib
 import re
+import sys
 
-import picture
-from harness import main, run
+from harness import ROOT, main, run
 from mesh_case import box
 from test_solid_ground import grid
 from test_solid_scenes import SceneCase
 from test_solid_sheets import Model
 from test_solids import exact_obj
+
+sys.path.insert(0, str(ROOT / "tests" / "explorer"))
+import picture  # noqa: E402
 
 SCENE = """topple: 1
 length_unit: m
