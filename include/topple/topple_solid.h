@@ -271,6 +271,17 @@ typedef struct tp_wedge_corner {
   double east_m, north_m, up_m; /* in metres */
 } tp_wedge_corner;
 
+/* What a horizontal force towards an azimuth does to a wedge, as a static share of its weight. */
+typedef struct tp_wedge_azimuth {
+  double azimuth_deg;        /* towards which */
+  const char *slides_on;     /* a static string: on which joints with its scene's earthquake */
+  bool has_fos;              /* its scene's earthquake drives it: */
+  tp_bounded fos;            /* if has_fos: strength over what drives it */
+  bool has_acceleration;     /* it stands without a horizontal force, and not with any: */
+  tp_bounded acceleration_g; /* if has_acceleration: the least at which the factor is 1, in g */
+  const char *acceleration_slides_on; /* a static string: likewise there */
+} tp_wedge_azimuth;
+
 /* A wedge between two joints A and B, as Hoek and Bray have it: friction and cohesion act against
  * the sliding alone, along the line of both joints or down one of them; no joint is in tension, and
  * nothing turns. Water fills the joints and the crack: its pressure rises from zero at the surface
@@ -293,7 +304,23 @@ typedef struct tp_solid_wedge {
   tp_bounded driving_n; /* along the way in which it slides; along the line of both joints down it,
                            and below zero where an earthquake pulls it up */
   bool has_fos;         /* something drives it: */
-  tp_bounded fos;       /* if has_fos: strength over what drives it */
+  tp_bounded fos;       /* if has_fos: strength over what drives it; the least of all azimuths where
+                           its earthquake has none */
+  bool has_azimuth;     /* an earthquake pushes it along the horizontal: */
+  double azimuth_deg;   /* if has_azimuth: towards which: its own, or else the worst */
+  bool has_worst;       /* likewise: */
+  tp_bounded worst_fos; /* if has_worst: the least factor of all azimuths, proven from both sides */
+  double worst_azimuth_deg;    /* if has_worst: at which it was found */
+  const char *worst_slides_on; /* a static string: on which joints it slides there */
+  bool has_acceleration;       /* it stands without a horizontal earthquake: */
+  tp_bounded acceleration_g; /* if has_acceleration: the least static horizontal acceleration of all
+                                azimuths at which the factor is 1, in g, proven likewise */
+  double acceleration_azimuth_deg;    /* if has_acceleration: towards which it was found */
+  const char *acceleration_slides_on; /* a static string: on which joints it slides there */
+  bool has_acceleration_ahead;        /* the same where its earthquake has an azimuth: */
+  tp_bounded acceleration_ahead_g;    /* if has_acceleration_ahead: towards that */
+  size_t azimuth_count;               /* of the azimuths */
+  tp_wedge_azimuth *azimuths;         /* azimuth_count of them: evenly from 0 on */
 } tp_solid_wedge;
 
 /* A gap of the surface, a loop of edges with one triangle, that was closed by triangles between its

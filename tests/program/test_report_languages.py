@@ -94,7 +94,7 @@ frame: base""",
 }
 EXAMPLES = ("block_e_valley", "block_seismic", "block_under_water", "block_bonded", "block_a_worn", "boulder", "slab", "vault",
             "partial_contact", "block_with_hole", "slope/anchored_block", "block_a_peak", "resting_poses", "blocks/toppling_slope",
-            "solids/wedge")
+            "solids/wedge", "solids/shaken_wedge")
 #: Symbols, units and names that no language changes.
 COMMON = re.compile(r"\b(?:FoS|Moment|mm|cm|m|kN|N|G|A|W|P|C|Eq|A1|ft|in|α_s|α_w|k_v)\b")
 

@@ -351,7 +351,8 @@ class Schema(unittest.TestCase):
             self.fits("solid", out)
         with tempfile.TemporaryDirectory() as folder:
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")
-            crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2"
+            crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2\n" \
+                    "loads: {seismic: {horizontal: 0.05, azimuth_deg: 30}}"
             (pathlib.Path(folder) / "wedge.yaml").write_text(wedge.replace("required_fos: 1.3", crack), encoding="utf-8")
             status, out, err = run("solve", "--json", "wedge.yaml", folder=folder)
             self.assertEqual((status, err), (0, ""))

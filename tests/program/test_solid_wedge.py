@@ -56,38 +56,66 @@ class Polyhedron:
         return math.sqrt(dot(total, total)) / 2
 
 
-def oracle(a, b, face, upper, height, strength, unit_weight, water=0, crack=None, quake=(0, 0, 0)):
-    """(factor, on which) by trying each way of sliding; None where the planes enclose no wedge."""
-    na, nb, nf, nu = (normal(*p) for p in (a, b, face, upper))
-    line = cross(na, nb)
-    line = times(math.copysign(1, line[2]) / math.sqrt(dot(line, line)), line)
-    top = times(height / line[2], line)
-    planes = [(times(-1, na), 0), (times(-1, nb), 0), (nf, 0), (nu, dot(nu, top))]
-    pressure = water * height / 6
-    if crack:
-        end = meet([(na, 0), (nf, 0), (nu, dot(nu, top))])
-        way = add(top, times(-1, end))
-        at = add(end, times(crack[2] / math.sqrt(dot(way, way)), way))
-        nc = normal(*crack[:2])
-        nc = times(math.copysign(1, dot(nc, at)), nc)
-        planes.append((nc, dot(nc, at)))
-        deep = times(dot(nc, at) / dot(nc, line), line)
-        pressure = water * (dot(nu, top) - dot(nu, deep)) / nu[2] / 3
-    own = Polyhedron(planes)
-    share, towards, up = quake
-    push = times(unit_weight * own.volume, [share * math.sin(RAD(towards)), share * math.cos(RAD(towards)), up - 1])
-    for (n, _), area, wet in zip(planes, own.areas, (1, 1, 0, 0, 1)):
-        push = add(push, times(-pressure * area * wet, n))
-    k = dot(na, nb)
-    on = [(-dot(push, p) + k * dot(push, q)) / (1 - k * k) for p, q in ((na, nb), (nb, na))]
-    if min(on) >= 0:
-        return sum(c * area + n * math.tan(RAD(phi)) for (phi, c), area, n in zip(strength, own.areas, on)) / abs(dot(push, line)), "a and b", own
-    for name, p, q, (phi, c), area in (("a", na, nb, strength[0], own.areas[0]), ("b", nb, na, strength[1], own.areas[1])):
-        pressed = -dot(push, p)
-        slide = add(push, times(pressed, p))
-        if pressed > 0 and dot(slide, q) > 0:
-            return (c * area + pressed * math.tan(RAD(phi))) / math.sqrt(dot(slide, slide)), name, own
-    return 0, "neither", own
+def oracle(*wedge, quake=(0, 0, 0)):
+    """(factor, on which, shape) by trying each way of sliding."""
+    own = Forces(*wedge)
+    return *own.factor(*quake), own.shape
+
+
+class Forces:
+    """Of a wedge as all half-spaces have it in common: its weight, the water's push, and its factor under an earthquake."""
+
+    def __init__(self, a, b, face, upper, height, strength, unit_weight, water=0, crack=None, *quake):
+        assert not any(quake)
+        self.set_shape(a, b, face, upper, height, unit_weight, water, crack)
+        self.strength = strength
+
+    def set_shape(self, a, b, face, upper, height, unit_weight, water, crack):
+        na, nb, nf, nu = (normal(*p) for p in (a, b, face, upper))
+        line = cross(na, nb)
+        line = times(math.copysign(1, line[2]) / math.sqrt(dot(line, line)), line)
+        top = times(height / line[2], line)
+        planes = [(times(-1, na), 0), (times(-1, nb), 0), (nf, 0), (nu, dot(nu, top))]
+        pressure = water * height / 6
+        if crack:
+            end = meet([(na, 0), (nf, 0), (nu, dot(nu, top))])
+            way = add(top, times(-1, end))
+            at = add(end, times(crack[2] / math.sqrt(dot(way, way)), way))
+            nc = normal(*crack[:2])
+            nc = times(math.copysign(1, dot(nc, at)), nc)
+            planes.append((nc, dot(nc, at)))
+            deep = times(dot(nc, at) / dot(nc, line), line)
+            pressure = water * (dot(nu, top) - dot(nu, deep)) / nu[2] / 3
+        own = Polyhedron(planes)
+        self.normals, self.line, self.shape, self.weight = (na, nb), line, own, unit_weight * own.volume
+        self.water = [0, 0, 0]
+        for (n, _), area, wet in zip(planes, own.areas, (1, 1, 0, 0, 1)):
+            self.water = add(self.water, times(-pressure * area * wet, n))
+
+    def push(self, share, towards, up):
+        return add(self.water, times(self.weight, [share * math.sin(RAD(towards)), share * math.cos(RAD(towards)), up - 1]))
+
+    def factor(self, share, towards, up):
+        """(factor, on which)"""
+        (na, nb), push, areas, strength = self.normals, self.push(share, towards, up), self.shape.areas, self.strength
+        k = dot(na, nb)
+        on = [(-dot(push, p) + k * dot(push, q)) / (1 - k * k) for p, q in ((na, nb), (nb, na))]
+        if min(on) >= 0:
+            return sum(c * area + n * math.tan(RAD(phi)) for (phi, c), area, n in zip(strength, areas, on)) / abs(dot(push, self.line)), "a and b"
+        for name, p, q, (phi, c), area in (("a", na, nb, strength[0], areas[0]), ("b", nb, na, strength[1], areas[1])):
+            pressed = -dot(push, p)
+            slide = add(push, times(pressed, p))
+            if pressed > 0 and dot(slide, q) > 0:
+                return (c * area + pressed * math.tan(RAD(phi))) / math.sqrt(dot(slide, slide)), name
+        return 0, "neither"
+
+    def turn(self, share, up, count=3600):
+        """The factor and the way at so many azimuths; the least, and how far it can be above that of all azimuths: what it changes
+        by to the next on the same way, on either side."""
+        all_of = [self.factor(share, 360 * k / count, up) for k in range(count)]
+        at = min(range(count), key=lambda k: all_of[k][0])
+        beside = [abs(all_of[k % count][0] - all_of[(k + 1) % count][0]) for k in range(at - 6, at + 6) if all_of[k % count][1] == all_of[(k + 1) % count][1] == all_of[at][1]]
+        return all_of, all_of[at][0], max(beside, default=0)
 
 
 class Wedges(Case):
@@ -158,7 +186,7 @@ class Wedges(Case):
             status, out, err = run("solve", "--json", path)
             self.assertEqual(status, 0, err)
             got = json.loads(out)["wedge"]
-            factor, on, _ = oracle(*own, water, None, (share, towards, up))
+            factor, on, _ = oracle(*own, water, quake=(share, towards, up))
             self.assertEqual(got["slides_on"], on)
             self.assertAlmostEqual(got["fos"]["value"] / max(factor, 1e-9) if factor else 1, 1, 9)
             self.assertEqual(got["verdict"], "leaves its base" if on == "neither" else "stands" if factor > 1 else "slides")
@@ -170,11 +198,128 @@ class Wedges(Case):
             self.assertAlmostEqual(json.loads(run("solve", "--json", path)[1])["wedge"]["fos"]["value"], got["fos"]["value"], 9)
         self.assertIn(("a and b", False), seen)
         self.assertGreater(len(seen), 1, seen)
-        with open(self.scene(*own), "a", encoding="utf-8") as out:
+
+    WEDGES = (
+        ((45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25, 9.81),  # of Hoek and Bray, in metres
+        ((45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25, 0),
+        ((45, 105), (70, 235), (65, 185), (12, 195), 40, ((38, 0), (33, 0)), 25, 0),  # friction alone
+        ((52, 130), (48, 228), (75, 178), (5, 181), 22, ((41, 5), (33, 120)), 26, 0),  # loses much as it leaves B
+        ((52, 130), (48, 228), (75, 178), (5, 181), 22, ((33, 120), (41, 5)), 26, 2, (80, 180, 4)),
+    )
+
+    def solved(self, own, quake=""):
+        path = self.scene(*own)
+        with open(path, "a", encoding="utf-8") as out:
+            out.write(f"loads: {{seismic: {{{quake}}}}}\n" if quake else "")
+        status, out, err = run("solve", "--json", path)
+        self.assertEqual(status, 0, err)
+        return json.loads(out)["wedge"]
+
+    def test_worst_azimuth(self):
+        """Without an azimuth an earthquake comes from the worst: the least of 3600 by brute force, which is above it by no more than
+        it changes by from one of them to the next; on both joints, on one, and lifted off; so without the azimuth never safer than with it."""
+        seen = set()
+        for own, (share, up) in itertools.product(self.WEDGES, ((0.05, 0), (0.3, -0.1), (0.6, 0.1), (2.5, 0))):
+            got, forces = self.solved(own, f"horizontal: {share}, vertical: {up}"), Forces(*own)
+            all_of, least, step = forces.turn(share, up)
+            self.assertLessEqual(got["fos"]["value"] - got["fos"]["error"], least * (1 + 1e-12))
+            self.assertGreaterEqual(got["fos"]["value"], least - step - 1e-12)
+            self.assertLessEqual(got["fos"]["error"], 1e-12 * got["fos"]["value"])
+            self.assertEqual((got["fos"], got["azimuth_deg"], got["slides_on"]), (got["worst_fos"], got["worst_azimuth_deg"], got["worst_slides_on"]))
+            self.assertAlmostEqual(forces.factor(share, got["azimuth_deg"], up)[0], got["fos"]["value"], 6)
+            self.assertEqual(got["verdict"], "leaves its base" if got["slides_on"] == "neither" else "stands" if got["fos"]["value"] > 1 else "slides")
+            seen.add(got["slides_on"])
+            for way in got["azimuths"]:  # 72 of them
+                factor, on = all_of[round(10 * way["azimuth_deg"])]
+                if factor > 1e12:  # pressed straight into a joint
+                    self.assertNotIn("fos", way)
+                    continue
+                self.assertEqual(way["slides_on"], on)
+                self.assertAlmostEqual(way["fos"]["value"] / max(factor, 1), min(factor, 1), 9)
+        self.assertEqual(seen, {"a and b", "a", "b", "neither"})
+
+    def test_least_acceleration(self):
+        """No horizontal acceleration below it brings the factor to 1, from any of 720 azimuths; at its own azimuth just more does.
+        Towards each azimuth likewise: below the factor is above 1, and there it is 1, or falls below."""
+        seen = set()
+        for own, up in itertools.product(self.WEDGES, (0, 0.15)):
+            got, forces = self.solved(own, f"vertical: {up}"), Forces(*own)
+            if forces.factor(0, 0, up)[0] < 1:
+                self.assertNotIn("acceleration_g", got)
+                continue
+            least, error = got["acceleration_g"]["value"], got["acceleration_g"]["error"]
+            self.assertLessEqual(error, 1e-12 * least)
+            for k in range(720):
+                for part in (0.4, 0.9, 1 - 1e-9):
+                    self.assertGreater(forces.factor(part * least, k / 2, up)[0], 1)
+            self.assertLess(forces.factor((1 + 1e-9) * least, got["acceleration_azimuth_deg"], up)[0], 1 + 1e-9)
+            self.assertLess(forces.factor((1 + 1e-6) * least, got["acceleration_azimuth_deg"], up)[0], 1)
+            seen.add(got["acceleration_slides_on"])
+            for way in got["azimuths"]:
+                at = way["acceleration_g"]["value"] if "acceleration_g" in way else 1e6
+                self.assertGreaterEqual(at, least - error)
+                for part in (0.3, 0.99, 1 - 1e-9):
+                    self.assertGreater(forces.factor(part * at, way["azimuth_deg"], up)[0], 1)
+                if "acceleration_g" in way:
+                    self.assertLess(forces.factor((1 + 1e-9) * at, way["azimuth_deg"], up)[0], 1)
+                    seen.add(way["acceleration_slides_on"])
+        self.assertLessEqual({"a and b", "a", "b"}, seen, seen)
+
+    def test_slab_as_a_wedge(self):
+        """Two joints that mirror each other carry what a slab on their line does, with tan φ over the cosine of their normals to it: so the
+        least acceleration is that of the slab in the plane, down the line; rotated about the vertical the same from the rotated azimuth, mirrored from
+        the mirrored, in millimetres the same."""
+        dip, spread, phi, cohesion, height = 55, 60, 35, 12, 30
+        own = ((dip, 180 - spread), (dip, 180 + spread), (80, 180), (0, 180), height, ((phi, cohesion), (phi, cohesion)), 25, 0)
+        got, forces = self.solved(own, "horizontal: 0.2"), Forces(*own)
+        plunge = RAD(got["plunge_deg"]["value"])
+        across = dot(normal(dip, 180 - spread), [0, -math.sin(plunge), math.cos(plunge)])
+        hold = math.tan(RAD(phi)) / across
+        held = cohesion * sum(forces.shape.areas[:2]) / forces.weight
+        slab = (held + hold * math.cos(plunge) - math.sin(plunge)) / (math.cos(plunge) + hold * math.sin(plunge))
+        self.assertAlmostEqual(got["acceleration_g"]["value"], slab, 12)
+        self.assertAlmostEqual(got["acceleration_azimuth_deg"], 180, 4)
+        factor = (held + hold * (math.cos(plunge) - 0.2 * math.sin(plunge))) / (math.sin(plunge) + 0.2 * math.cos(plunge))
+        self.assertAlmostEqual(got["fos"]["value"], factor, 11)
+        ahead = self.solved(own, "horizontal: 0.2, azimuth_deg: 180")
+        self.assertAlmostEqual(ahead["acceleration_ahead_g"]["value"], slab, 14)
+        self.assertAlmostEqual(ahead["fos"]["value"], factor, 14)
+        own = self.WEDGES[3]
+        one = self.solved(own, "horizontal: 0.3")
+        for change, back in ((lambda d: (d + 37) % 360, lambda d: (d - 37) % 360), (lambda d: (360 - d) % 360, lambda d: 360 - d)):
+            other = self.solved([*((dip, change(towards)) for dip, towards in own[:4]), *own[4:]], "horizontal: 0.3")
+            for key in ("fos", "acceleration_g"):
+                self.assertAlmostEqual(other[key]["value"], one[key]["value"], 11)
+            for key in ("azimuth_deg", "acceleration_azimuth_deg"):
+                self.assertAlmostEqual(back(other[key]), one[key], 4)
+        path = self.scene(*own[:4], own[4] * 1000, *own[5:])
+        with open(path, encoding="utf-8") as scene:
+            text = scene.read().replace("length_unit: m", "length_unit: mm") + "loads: {seismic: {horizontal: 0.3}}\n"
+        other = json.loads(run("solve", "--json", self.put("mm.yaml", text))[1])["wedge"]
+        self.assertAlmostEqual(other["acceleration_g"]["value"], one["acceleration_g"]["value"], 11)
+        self.assertAlmostEqual(other["fos"]["value"], one["fos"]["value"], 11)
+
+    def test_all_azimuths_told(self):
+        """The report says that an azimuth is the worst, what the least of all is where one is given, and the least acceleration; a sweep has it; so many
+        azimuths as asked for; a study of accelerations has its share."""
+        own = self.WEDGES[0]
+        path = self.scene(*own)
+        with open(path, "a", encoding="utf-8") as out:
             out.write("loads: {seismic: {horizontal: 0.1}}\n")
-        status, out, err = run("solve", out.name)
-        self.assertEqual((status, out), (3, ""))
-        self.assertIn("a wedge is shaken one way", err)
+        got, text = self.solved(own, "horizontal: 0.1"), run("solve", path)[1]
+        self.assertIn(f"0.1 of the weight towards {got['azimuth_deg']:.6g}°, the worst azimuth", text)
+        self.assertIn(f"least acceleration     {got['acceleration_g']['value']:.8g} g towards {got['acceleration_azimuth_deg']:.6g}°", text)
+        with open(path, encoding="utf-8") as scene:
+            text = scene.read().replace("horizontal: 0.1", "horizontal: 0.1, azimuth_deg: 20")
+        text = run("solve", self.put("ahead.yaml", text))[1]
+        self.assertIn(f"least of all azimuths  {got['fos']['value']:.8g} towards {got['azimuth_deg']:.6g}°, along the line of both joints", text)
+        rows = run("sweep", path, "--x=loads.seismic.horizontal=0.1,0.2,0.3")[1].splitlines()
+        names = rows[0].split(",")
+        self.assertAlmostEqual(float(rows[2].split(",")[names.index("critical_acceleration_g")]), got["acceleration_g"]["value"], 12)
+        self.assertAlmostEqual(float(rows[2].split(",")[names.index("fos")]), self.solved(own, "horizontal: 0.2")["fos"]["value"], 12)
+        with open(path, encoding="utf-8") as scene:
+            text = scene.read().replace("solid:", "solid:\n  azimuths: 7")
+        self.assertEqual(len(json.loads(run("solve", "--json", self.put("seven.yaml", text))[1])["wedge"]["azimuths"]), 7)
 
     def test_refusals_and_rows(self):
         own = [(45, 105), (70, 235), (65, 185), (12, 195), 40, ((30, 24), (20, 48)), 25]

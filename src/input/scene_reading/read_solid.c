@@ -266,8 +266,8 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   scene->block.form = TP_OUTLINE_OF_SOLID;
   tp_status status = check_root(reader, root);
   if (status == TP_OK) status = tp_read_map(reader, scene, node, &tp_key_map_solid, "a solid");
-  if (status == TP_OK && tp_node_get(node, "wedge") != NULL) return tp_read_wedge(reader, node);
   if (status == TP_OK) status = check_azimuth_count(reader);
+  if (status == TP_OK && tp_node_get(node, "wedge") != NULL) return tp_read_wedge(reader, node);
   if (status == TP_OK) {
     status = tp_read_solid_mesh(reader, &scene->solid.mesh, &scene->solid.object, node);
   }

@@ -23,10 +23,13 @@ static tp_status read_part(const tp_reader *reader, bool *has, const tp_node *we
 
 static tp_status check_solid(const tp_reader *reader, const tp_node *solid) {
   for (const tp_node *n = solid->first; n != NULL; n = n->next) {
-    if (strcmp(n->key, "wedge") == 0 || strcmp(n->key, "unit_weight_kn_m3") == 0) continue;
+    if (strcmp(n->key, "wedge") == 0 || strcmp(n->key, "unit_weight_kn_m3") == 0 ||
+        strcmp(n->key, "azimuths") == 0) {
+      continue;
+    }
     return tp_read_fail(reader, TP_FAULT_KEY, n,
-                        "a solid that is a 'wedge' has its 'unit_weight_kn_m3' beside it, and no "
-                        "'%s'",
+                        "a solid that is a 'wedge' has its 'unit_weight_kn_m3' and 'azimuths' "
+                        "beside it, and no '%s'",
                         n->key);
   }
   const tp_node *unit_weight = NULL;

@@ -50,7 +50,7 @@ static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
              : TP_OK;
 }
 
-/* A wedge slides under its weight, its water and an earthquake one way. */
+/* A wedge slides under its weight, its water and an earthquake. */
 static tp_status check_wedge(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"tilt", "friction_angle_deg", NULL};
   const tp_node *node = tp_node_first_of(root, keys);
@@ -59,11 +59,6 @@ static tp_status check_wedge(const tp_reader *reader, const tp_node *root) {
                         "a 'wedge' lies as its planes dip, with their friction, under its weight "
                         "and its water: leave out '%s'",
                         node->key);
-  }
-  const tp_scene *scene = reader->scene;
-  if (scene->loads.horizontal.given && !scene->loads.azimuth_deg.given) {
-    return tp_refuse(reader->message, TP_FAULT_KEY, scene->loads.horizontal.place,
-                     "a wedge is shaken one way: give 'seismic' its 'azimuth_deg'");
   }
   return TP_OK;
 }

@@ -122,7 +122,7 @@ static void set_resultant(double sum[3], const tp_solid *solid) {
   const tp_solid_wedge *w = &solid->wedge;
   const tp_wedge_corner *deep = w->corners + TP_WEDGE_DEEP;
   const double weight = solid->weight_n.value / 1e3;
-  const double way = radian * solid->seismic_azimuth_deg;
+  const double way = radian * w->azimuth_deg;
   const double along = solid->seismic_horizontal * weight;
   const double down[3] = {along * sin(way), along * cos(way),
                           -weight * (1 - solid->seismic_vertical)};

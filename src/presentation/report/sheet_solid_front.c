@@ -172,6 +172,13 @@ static void conclude_wedge(tp_text *t, const tp_document *d, const tp_solid_wedg
   tp_text_add(t, " ");
   tp_text_add(t, tp_document_say(d, "The line of both joints plunges %s° towards %s°."),
               tp_text_fixed(n[0], own->plunge_deg, 1), tp_text_fixed(n[1], own->trend_deg, 1));
+  if (!own->has_acceleration) return;
+  tp_text_add(t, " ");
+  tp_text_add(
+      t, tp_document_say(d, "Least horizontal acceleration that moves it: %s g towards %s°, %s."),
+      tp_text_significant(n[0], own->acceleration_g, 4),
+      tp_text_fixed(n[1], (tp_bounded){.value = own->acceleration_azimuth_deg}, 1),
+      tp_document_say(d, tp_text_solid_wedge_on(own->acceleration_slides_on)));
 }
 
 void tp_solid_sheet_add_conclusion(tp_solid_sheet *s) {

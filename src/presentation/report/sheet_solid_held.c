@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The account of a solid on contacts, with forces and motions, and of a wedge, with the factor of
- * Hoek and Bray as a formula. */
+/* The account of a solid on contacts, with forces and motions. */
 
 #include "report/sheet_solid.h"
 
@@ -120,77 +119,4 @@ void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
   add_ground_bands(s);
   add_contact_table(s);
   add_ways(s);
-}
-
-/* ---- a wedge -----------------------------------------------------------------------------------
- */
-
-static void add_wedge_row(tp_document *d, const char *word, tp_bounded number) {
-  tp_document_word(d, word);
-  tp_sheet_add_number(d, number, 8);
-}
-
-static tp_bounded kilo(tp_bounded newtons) {
-  return tp_text_over(newtons, 1e3);
-}
-
-static void add_wedge_table(tp_document *d, const tp_solid_wedge *w) {
-  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0x2, "Areas and forces of the wedge");
-  add_wedge_row(d, "A_A (m²)", w->areas_m2[0]);
-  add_wedge_row(d, "A_B (m²)", w->areas_m2[1]);
-  if (w->has_crack) add_wedge_row(d, "Area of the crack (m²)", w->crack_area_m2);
-  if (w->has_water) add_wedge_row(d, "Mean water pressure (kPa)", w->water_kpa);
-  add_wedge_row(d, "N_A (kN)", kilo(w->normal_n[0]));
-  add_wedge_row(d, "N_B (kN)", kilo(w->normal_n[1]));
-  add_wedge_row(d, "S (kN)", kilo(w->driving_n));
-}
-
-/* c A + N tan φ of a joint, with its numbers. */
-static void add_strength(tp_text *letters, tp_text *numbers, const tp_solid_wedge *w, int joint) {
-  const tp_wedge_side *side = w->sides + joint;
-  const char name = (char)('A' + joint);
-  const char *plus = letters->length > 0 ? " + " : "";
-  char n[2][TP_NUMBER_SIZE], c[TP_SHORTEST_SIZE], phi[TP_SHORTEST_SIZE];
-  tp_text_add(letters, "%sc_%c A_%c + N_%c \\tan φ_%c", plus, name, name, name, name);
-  tp_text_add(numbers, "%s%s · %s + %s \\tan %s°", plus, tp_shortest(c, side->cohesion_kpa),
-              tp_text_significant(n[0], w->areas_m2[joint], 8),
-              tp_text_significant(n[1], kilo(w->normal_n[joint]), 8),
-              tp_shortest(phi, side->friction_angle_deg));
-}
-
-/* Against its pull up the line as down it. */
-static tp_bounded size_of(tp_bounded force) {
-  if (force.value < 0) force.value = -force.value;
-  return force;
-}
-
-static void add_wedge_formula(tp_document *d, const tp_solid_wedge *w) {
-  tp_text letters = {0}, numbers = {0};
-  char n[2][TP_NUMBER_SIZE];
-  if (!w->has_fos || w->driving_n.value == 0) return;
-  for (int joint = 0; joint < 2; joint++) {
-    if (w->normal_n[joint].value > 0) add_strength(&letters, &numbers, w, joint);
-  }
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "Factor of safety: the strength of the joints that it slides on over the force S "
-                  "that drives it there; N is without the water's pressure.");
-  if (letters.data != NULL && numbers.data != NULL) {
-    tp_document_add(d, TP_PASSAGE_EQUATION,
-                    "\\text{FoS} = \\frac{%s}{S} \\\\ \\text{FoS} = \\frac{%s}{%s} = %s",
-                    letters.data, numbers.data,
-                    tp_text_significant(n[0], kilo(size_of(w->driving_n)), 8),
-                    tp_text_significant(n[1], w->fos, 6));
-  }
-  d->failed = d->failed || letters.failed || numbers.failed;
-  tp_text_drop(&letters);
-  tp_text_drop(&numbers);
-}
-
-void tp_solid_sheet_add_wedge(tp_solid_sheet *s) {
-  const tp_solid_wedge *own = &s->solid->wedge;
-  tp_document *d = &s->document;
-  if (!s->solid->has_wedge) return;
-  tp_document_heading(d, 2, "Account, sliding between two joints");
-  add_wedge_table(d, own);
-  add_wedge_formula(d, own);
 }

@@ -106,17 +106,25 @@ static void add_of_contacts(tp_text *t, const tp_solid *solid) {
   }
 }
 
-static void add_of_wedge(tp_text *t, const tp_solid_wedge *own) {
+static void add_of_wedge(tp_text *t, const tp_solid_wedge *own, bool is_worst) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "The wedge %s. Sliding %s", tp_mechanism_name(own->verdict),
               tp_text_solid_wedge_way(own));
   if (own->has_fos) tp_text_add(t, ": factor of safety %s", tp_text_significant(n, own->fos, 4));
+  if (own->has_azimuth) {
+    tp_text_add(t, " with its earthquake towards %.0f°%s", own->azimuth_deg,
+                is_worst ? ", the worst azimuth" : "");
+  }
   tp_text_add(t, ".");
+  if (own->has_acceleration) {
+    tp_text_add(t, " The least horizontal acceleration that moves it is %s g, towards %.0f°.",
+                tp_text_significant(n, own->acceleration_g, 4), own->acceleration_azimuth_deg);
+  }
 }
 
 void tp_text_solid_answer(tp_text *t, const tp_solid *solid) {
   if (solid->has_wedge) {
-    add_of_wedge(t, &solid->wedge);
+    add_of_wedge(t, &solid->wedge, !solid->has_seismic_azimuth);
   } else if (solid->has_contacts) {
     add_of_contacts(t, solid);
   } else {

@@ -54,6 +54,7 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *solid);
 
 /* The way in which a wedge slides: "along the line of both joints". */
 const char *tp_text_solid_wedge_way(const tp_solid_wedge *wedge);
+const char *tp_text_solid_wedge_on(const char *slides_on);
 
 /* Whether it has the factor that the scene requires, where it requires one. */
 void tp_text_solid_required(tp_text *t, const tp_solid *solid);

@@ -16,14 +16,59 @@ static void add_number(tp_text *t, const char *label, tp_bounded number, const c
   tp_text_add(t, "  %-22s %s%s\n", label, tp_text_significant(n, number, DIGITS), unit);
 }
 
+const char *tp_text_solid_wedge_on(const char *slides_on) {
+  return strcmp(slides_on, "a and b") == 0 ? "along the line of both joints"
+         : strcmp(slides_on, "a") == 0     ? "on joint A, away from B"
+         : strcmp(slides_on, "b") == 0     ? "on joint B, away from A"
+                                           : "on neither joint: it is lifted off";
+}
+
 const char *tp_text_solid_wedge_way(const tp_solid_wedge *w) {
   if (strcmp(w->slides_on, "a and b") == 0 && w->driving_n.value < 0) {
     return "up the line of both joints";
   }
-  return strcmp(w->slides_on, "a and b") == 0 ? "along the line of both joints"
-         : strcmp(w->slides_on, "a") == 0     ? "down joint A, away from B"
-         : strcmp(w->slides_on, "b") == 0     ? "down joint B, away from A"
-                                              : "on neither joint: the water lifts it";
+  return tp_text_solid_wedge_on(w->slides_on);
+}
+
+static void add_earthquake(tp_text *t, const tp_solid *s) {
+  const tp_solid_wedge *w = &s->wedge;
+  if (!s->has_seismic) return;
+  tp_text_add(t, "  %-22s ", "earthquake");
+  if (w->has_azimuth) {
+    tp_text_add(t, "%.6g of the weight towards %.6g°%s%s", s->seismic_horizontal, w->azimuth_deg,
+                s->has_seismic_azimuth ? "" : ", the worst azimuth",
+                s->seismic_vertical != 0 ? ", " : "");
+  }
+  if (s->seismic_vertical != 0 || !w->has_azimuth) {
+    tp_text_add(t, "%.6g of the weight upwards", s->seismic_vertical);
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_found(tp_text *t, const char *label, tp_bounded least, const char *unit,
+                      double azimuth_deg, const char *slides_on) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "  %-22s %s%s towards %.6g°, %s\n", label, tp_text_significant(n, least, DIGITS),
+              unit, azimuth_deg, tp_text_solid_wedge_on(slides_on));
+}
+
+/* The least of all azimuths, proven from both sides. */
+static void add_of_all_azimuths(tp_text *t, const tp_solid *s) {
+  const tp_solid_wedge *w = &s->wedge;
+  if (w->has_worst && s->has_seismic_azimuth) {
+    add_found(t, "least of all azimuths", w->worst_fos, "", w->worst_azimuth_deg,
+              w->worst_slides_on);
+  }
+  if (w->has_acceleration_ahead) {
+    tp_text_add(t, "  %-22s ", "slides at");
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(t, "%s g towards %.6g°\n", tp_text_significant(n, w->acceleration_ahead_g, DIGITS),
+                s->seismic_azimuth_deg);
+  }
+  if (w->has_acceleration) {
+    add_found(t, "least acceleration", w->acceleration_g, " g", w->acceleration_azimuth_deg,
+              w->acceleration_slides_on);
+  }
 }
 
 void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
@@ -35,15 +80,13 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   add_number(t, "area of A", w->areas_m2[0], " m²");
   add_number(t, "area of B", w->areas_m2[1], " m²");
   if (w->has_crack) add_number(t, "area of the crack", w->crack_area_m2, " m²");
-  if (s->has_seismic) {
-    tp_text_add(t, "  %-22s %.6g of the weight towards %.6g°, %.6g upwards\n", "earthquake",
-                s->seismic_horizontal, s->seismic_azimuth_deg, s->seismic_vertical);
-  }
+  add_earthquake(t, s);
   if (w->has_water) add_number(t, "mean water pressure", w->water_kpa, " kPa");
   add_number(t, "normal force on A", w->normal_n[0], " N");
   add_number(t, "normal force on B", w->normal_n[1], " N");
   add_number(t, "driving force", w->driving_n, " N");
   if (w->has_fos) add_number(t, "factor of safety", w->fos, "");
+  add_of_all_azimuths(t, s);
   tp_text_add(t, "  %-22s %s\n", "verdict", tp_mechanism_name(w->verdict));
   tp_text_solid_required(t, s);
   tp_text_add(t, "  As Hoek and Bray have it: friction and cohesion act against the sliding alone, "

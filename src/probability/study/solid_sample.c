@@ -82,7 +82,9 @@ static void take_wedge(tp_study_row *row, size_t at, const tp_solid *solid) {
   row->at[at] = (tp_study_at){tp_study_outcome_of(own->verdict), fos};
   row->open = row->open || tp_solid_is_undecided(solid);
   if (at > 0) return;
-  row->quantities[TP_STUDY_LIMIT_DEG] = row->quantities[TP_STUDY_ACCELERATION_G] = (double)NAN;
+  row->quantities[TP_STUDY_LIMIT_DEG] = (double)NAN;
+  row->quantities[TP_STUDY_ACCELERATION_G] =
+      own->has_acceleration ? own->acceleration_g.value : (double)NAN;
   row->quantities[TP_STUDY_FOS] = fos;
   if (own->has_fos) {
     row->fos_sliding = fos;

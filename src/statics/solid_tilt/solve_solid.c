@@ -14,6 +14,7 @@
 #include "solid_tilt/on_ground.h"
 #include "solid_tilt/repaired.h"
 #include "solid_tilt/rose.h"
+#include "solid_tilt/wedge_slide.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,7 @@ void tp_solid_free(tp_solid *solid) {
   }
   free(solid->parts);
   tp_solid_contacts_clear(&solid->contacts);
+  tp_solid_wedge_clear(&solid->wedge);
   tp_solid_repair_clear(&solid->repair);
   tp_solid_ground_clear(&solid->ground);
   free(solid);

@@ -57,10 +57,15 @@ static tp_status take_scene(tp_solid *own, const tp_scene *scene, tp_message *me
 static void set_wedge_row(tp_solid *own) {
   const tp_solid_wedge *wedge = &own->wedge;
   own->bands->has_stance = true;
-  own->bands->stance = (tp_solid_stance){.verdict = wedge->verdict,
-                                         .has_fos = wedge->has_fos,
-                                         .fos = wedge->fos,
-                                         .fos_mechanism = TP_SLIDES};
+  own->bands->stance =
+      (tp_solid_stance){.verdict = wedge->verdict,
+                        .has_fos = wedge->has_fos,
+                        .fos = wedge->fos,
+                        .fos_mechanism = TP_SLIDES,
+                        .has_acceleration = wedge->has_acceleration,
+                        .acceleration_g = wedge->acceleration_g,
+                        .acceleration_azimuth_deg = {.value = wedge->acceleration_azimuth_deg},
+                        .acceleration_mechanism = TP_SLIDES};
 }
 
 /* A wedge is its own mesh, of this scene's numbers. */
@@ -70,7 +75,8 @@ static tp_status find_wedge(tp_solid *own, const tp_scene *scene, tp_solid_given
   tp_wedge_shape shape;
   tp_solid_body body;
   tp_mesh mesh = {.file = scene->path};
-  given->azimuths = 0;
+  const size_t azimuths = given->azimuths;
+  given->azimuths = 0; /* of a rock on its base */
   tp_status status = tp_wedge_shape_init(&shape, wedge, message);
   if (status == TP_OK) status = tp_wedge_shape_mesh(&mesh, &shape, scene->path, message);
   if (status == TP_OK) status = tp_solid_body_init(&body, &mesh, -1, NULL, NULL, 0, message);
@@ -80,7 +86,7 @@ static tp_status find_wedge(tp_solid *own, const tp_scene *scene, tp_solid_given
   }
   if (status == TP_OK) {
     own->has_wedge = true;
-    tp_wedge_slide(&own->wedge, &shape, scene);
+    status = tp_wedge_slide(&own->wedge, &shape, scene, azimuths, message);
     set_wedge_row(own);
   }
   tp_mesh_clear(&mesh);
