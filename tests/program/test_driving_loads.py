@@ -202,6 +202,18 @@ class DrivingLoads(GoverningCase):
             values = [float(re.search(r"\s{2,}([\d.]+)", line.strip()).group(1)) for line in (first, second)]
             self.assertLessEqual(values[0], values[1] * (1 + 1e-5), out)
 
+    def test_the_less_safe_direction_is_told_first(self):
+        """A pillar that leans to the right, in an earthquake that acts to either side: 2.0 to the right, 6.0 to the left, which stood first.
+        Moments about its toes: 0.15 and 0.45 of its weight over 1.5 times 0.05 of it. Its mirror, and one that collapses to one side."""
+        for sign, worst in ((1, "right"), (-1, "left")):
+            corners = [(0, 0), (0.6 * sign, 0), (0.9 * sign, 3), (0.3 * sign, 3)]
+            for shaking, words in ((0.05, "factor of safety 2.00000, topples (driving loads)"), (0.2, "it collapses")):
+                text = scene_of([f"{{name: pillar, outline: {[[*corner] for corner in corners]}}}"],
+                                f"loads: {{seismic: {{horizontal: {shaking}}}}}\n", 35)
+                _, out, err = run("solve", self.scene(text))
+                self.assertIn(f"Governs  towards the {worst}: {words}\n", out, err)
+                self.assertLess(out.index("Governs"), out.index("Towards the left"))
+
 
 if __name__ == "__main__":
     main()

@@ -38,6 +38,25 @@ class GoverningReports(GoverningCase):
             self.assertEqual(cells[3:6], ["20.000°", case["mechanism"], f"{case['governing_fos']['fos']['value']:.3f}"])
         self.assertEqual(run("solve", "--table", wrong)[:2], (3, ""))
 
+    def test_the_less_safe_direction_is_told_first(self):
+        """A block that leans to the right, tilted to both sides: who reads the first factor alone read that towards the left, 5.0, of a
+        block with 1.7. Its mirror says the same of the left; of a block that is its own mirror nothing governs."""
+        for sign, worst, apex in ((1, "right", 1), (-1, "left", 1), (1, None, 0)):
+            corners = [(0, 0), (sign * 2, 0), (sign * (2 + apex), 6), (sign * apex, 6)]
+            text = (f"topple: 1\nlength_unit: m\nblock: {{outline: {[[*corner] for corner in corners]}}}\nfriction_angle_deg: 40\n"
+                    f"base: {{profile: [[-9, 0], [9, 0]]}}\ntilt: {{towards: both, angle_deg: 5}}\n")
+            scene = self.scene(text)
+            status, out, err = run("solve", scene)
+            self.assertEqual(status, 0, err)
+            factors = {case["towards"]: case["governing_fos"]["fos"]["value"] for case in json.loads(run("solve", "--json", scene)[1])["cases"]}
+            told = [line for line in out.splitlines() if line.startswith("Governs")]
+            if worst is None:
+                self.assertEqual(told, [])
+                continue
+            self.assertEqual(min(factors, key=factors.get), worst)
+            self.assertEqual(told, [f"Governs  towards the {worst}: FoS {factors[worst]:.3f} against toppling about the toe (moments)"])
+            self.assertLess(out.index("Governs"), out.index("Tilted towards"))
+
     def test_utilisation(self):
         """The share of the resistance that is used: a slab of width b and height h at the tilt α uses h tan α / b of its moment
         (Eq. 2), as a rational at tan α = 3/4, and the bound holds it. Where the factor is an upper bound alone, as without

@@ -76,6 +76,14 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
   }
 }
 
+static void add_factor_of(tp_text *t, const tp_system_case *c, bool driving) {
+  if (driving) {
+    tp_text_system_driving(t, c);
+  } else {
+    tp_text_system_factor(t, c);
+  }
+}
+
 /* The lesser first: it governs. */
 static void add_both_factors(tp_text *t, const tp_system_case *c) {
   const bool by_driving = tp_system_case_factor(c).definition == TP_FOS_BY_DRIVING;
@@ -84,11 +92,7 @@ static void add_both_factors(tp_text *t, const tp_system_case *c) {
     const bool driving = by_driving == (k == 0);
     tp_text_system_label(t, driving ? "factor of safety, driving loads"
                                     : "factor of safety, strength reduction");
-    if (driving) {
-      tp_text_system_driving(t, c);
-    } else {
-      tp_text_system_factor(t, c);
-    }
+    add_factor_of(t, c, driving);
     tp_text_add(t, are_two && k == 0 ? " (governs)\n" : "\n");
   }
 }
@@ -197,12 +201,36 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
   add_forces(t, s, c, width);
 }
 
+/* Of two directions the one that is less safe, before the page of either. */
+static void add_worst(tp_text *t, const tp_block_system *s) {
+  const tp_system_case *worst = tp_system_governing(s);
+  bool differ = false;
+  for (size_t k = 0; k < s->case_count; k++) {
+    differ = differ || tp_system_case_is_worse(worst, s->cases + k);
+  }
+  if (!differ) return;
+  tp_text_add(t, "Governs  towards the %s: ", tp_direction_name(worst->towards));
+  if (worst->verdict == TP_SYSTEM_COLLAPSES) {
+    tp_text_add(t, "it collapses\n");
+  } else if (tp_system_case_factor(worst).fos.state == TP_FOS_NUMBER) {
+    const tp_system_factor factor = tp_system_case_factor(worst);
+    tp_text_add(t, "factor of safety ");
+    add_factor_of(t, worst, factor.definition == TP_FOS_BY_DRIVING);
+    tp_text_add(t, " (%s)\n", tp_fos_definition_name(factor.definition));
+  } else {
+    tp_text_add(t, "held up to ");
+    tp_text_system_limit(t, worst);
+    tp_text_add(t, "\n");
+  }
+}
+
 tp_status tp_report_block_system(char **text, const tp_block_system *system) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, system);
   tp_text t = {0};
   add_head(&t, system);
+  add_worst(&t, system);
   for (size_t k = 0; k < system->case_count; k++) add_case(&t, system, system->cases + k);
   return tp_text_finish(&t, text);
 }

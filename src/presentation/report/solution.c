@@ -18,6 +18,7 @@
 #include "report/sliding.h"
 #include "report/verdict.h"
 #include "report/words.h"
+#include "stability/severity.h"
 #include "terms/names.h"
 
 static void add_teeth(tp_page *p) {
@@ -161,6 +162,21 @@ tp_status tp_report_effects(char **text, const tp_solution *s) {
   return tp_text_finish(&t, text);
 }
 
+/* Of two directions the one that is less safe, before the page of either. */
+static void add_worst(tp_page *p) {
+  const tp_solution *s = p->solution;
+  const tp_case *worst = s->cases + tp_severity_worst(s);
+  bool differ = false;
+  for (size_t k = 0; k < s->case_count; k++) {
+    differ =
+        differ || tp_severity_compare(tp_severity_of(worst), tp_severity_of(s->cases + k)) != 0;
+  }
+  if (!differ || worst->governing_fos.fos.state == TP_FOS_NO_TILT) return;
+  tp_text_add(&p->text, "Governs  towards the %s: ", tp_direction_name(worst->towards));
+  tp_text_governing(&p->text, worst, "\n         ");
+  tp_text_add(&p->text, "\n");
+}
+
 tp_status tp_report_text(char **text, const tp_solution *solution) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
@@ -174,6 +190,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
   tp_text_settings(&p.text, &solution->settings);
   tp_page_add_poses(&p);
   tp_text_notes(&p.text, &solution->notes);
+  add_worst(&p);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
   tp_page_add_digits(&p);
   add_certainty(&p);
