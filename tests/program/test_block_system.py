@@ -7,6 +7,7 @@ import fractions
 import json
 import math
 import random
+import time
 
 from governing_case import GoverningCase
 from harness import main, rounds, run
@@ -302,6 +303,28 @@ jointed_slope:
         status, out, err = run("solve", "--elements", EXAMPLE)
         self.assertEqual(status, 3)
         self.assertIn("--elements", err)
+
+    def test_bad_input(self):
+        """What cannot be solved is told at its line and column, with both names where two blocks are at fault, and before work begins: ten
+        million blocks by a small spacing take no more than a moment."""
+        top = "topple: 1\nlength_unit: m\nfriction_angle_deg: 35\nblock: {unit_weight_kn_m3: 26}\ntilt: {towards: left}\n"
+        ground = "blocks:\n  - {name: g, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
+        slope = ("jointed_slope:\n  face: {dip_deg: 65, height: 20}\n  joints:\n    - {dip_deg: 70, towards: right, spacing: WIDE}\n"
+                 "    - {dip_deg: 20, towards: left, spacing: WIDE}\n  base: {dip_deg: 30}\n")
+        for text, place, told in (
+                (ground + "  - {name: a, slab: {width: 2, height: 1}}\n  - {name: b, slab: {width: 2, height: 1}, at: [1, 0.5]}\n", "9:5",
+                 "blocks 'a' and 'b' overlap"),
+                (ground + "  - {name: a, slab: {width: 2, height: 1}, at: [0, 0.001]}\n", "8:5", "block 'a' touches no other"),
+                (ground, "7:5", "all blocks are ground"),
+                ("jointed_slope: {face: {dip_deg: 65, height: 20}, behind: 20, joints: [{dip_deg: 0, spacing: 4}], base: {dip_deg: 0}}\n", "6:16",
+                 "this slope has no blocks"),
+                (slope.replace("WIDE", "0.0113"), "9:46", "up to 1e+07 pieces, and 100000 are the most")):
+            began = time.monotonic()
+            status, out, err = run("solve", self.scene(top + text))
+            self.assertEqual((status, out), (3, ""), told)
+            self.assertIn(f".yaml:{place}: ", err)
+            self.assertIn(told, err)
+            self.assertLess(time.monotonic() - began, 10)
 
 
 if __name__ == "__main__":
