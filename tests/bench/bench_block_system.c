@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Many blocks: what walls of 106 to 1041 bricks cost (with an argument, of 10051 too), beside the
- * goals of 0.1, 3 and 60 s; and ten slopes of columns: the tan(phi) of all joints that forces need
- * (proven), that Goodman and Bray ask for, and at which Box2D lets them fall, halved to 1e-3. */
+/* Many blocks: what walls of 105 and 1040 bricks cost (with an argument, of 10050 too; with two, of
+ * 100200), beside the goals of 0.1, 3 and 60 s, in processor time, and the most memory so far; and
+ * ten slopes of columns: the tan(phi) of all joints that forces need (proven), that Goodman and
+ * Bray ask for, and at which Box2D lets them fall, halved to 1e-3. */
 
 #include "bench_solve.h"
 #include "box2d.h"
 
 #include <math.h>
 #include <string.h>
+#include <sys/resource.h>
 
-enum { TEXT = 4 << 20, MOST_COLUMNS = 40 };
+enum { TEXT = 8 << 20, MOST_COLUMNS = 40 };
 
 static tp_block_system *solve(const char *text, double *seconds) {
   tp_scene *scene = NULL;
@@ -48,6 +50,12 @@ static void write_wall(char *text, int courses) {
   }
 }
 
+static double most_mebibytes(void) {
+  struct rusage used;
+  return getrusage(RUSAGE_SELF, &used) == 0 ? (double)used.ru_maxrss / 1024 : NAN;
+}
+
+/* `goal` in seconds. */
 static void bench_wall(int courses, double goal) {
   char *text = malloc(TEXT);
   if (text == NULL) exit(BENCH_FAILED);
@@ -55,8 +63,8 @@ static void bench_wall(int courses, double goal) {
   double seconds = 0;
   tp_block_system *system = solve(text, &seconds);
   const tp_system_case *own = system->cases;
-  printf("%6zu  %7.3f  %6.1f  %10.6f  %8.1e\n", system->block_count - 1, seconds, goal,
-         own->fos.value.value, own->fos.value.error);
+  printf("%6zu  %7.3f  %6.1f  %6.0f  %10.6f  %8.1e\n", system->block_count - 1, seconds, goal,
+         most_mebibytes(), own->fos.value.value, own->fos.value.error);
   tp_block_system_free(system);
   free(text);
 }
@@ -137,11 +145,12 @@ static void bench_slope(const slope *s) {
 
 int main(int argc, char **argv) {
   (void)argv;
-  printf("Walls: both limits and the factor of safety\nblocks  seconds  goal s      factor     "
-         "error\n");
+  printf("Walls: both limits and both factors of safety\nblocks  seconds  goal s     MiB      "
+         "factor     error\n");
   bench_wall(10, 0.1);
   bench_wall(32, 3);
   if (argc > 1) bench_wall(100, 60);
+  if (argc > 2) bench_wall(316, INFINITY); /* as memory says */
   printf("\nSlopes of columns: tan(phi) that holds them\n"
          " dip  width  step  rise  fall columns  forces     Goodman    Box2D     s        s Box2D\n"
          "                                       can hold   and Bray\n");

@@ -8,6 +8,7 @@
 
 #include "assemblage/frictionless.h"
 
+#include "assemblage/common_slide.h"
 #include "assemblage/held_forces.h"
 #include "assemblage/interior_point.h"
 
@@ -137,7 +138,8 @@ static tp_status prove(bool *held, balancing *s, tp_force_program *proof, tp_mes
 /* ---- both --------------------------------------------------------------------------------------
  */
 
-static tp_status find(bool *held, balancing *s, tp_force_program *proof, tp_message *message) {
+static tp_status find(bool *held, bool *slides, balancing *s, tp_force_program *proof,
+                      tp_message *message) {
   static const double first = 10; /* weights of a block */
   tp_force_program *p = &s->normals;
   s->forces = calloc((size_t)p->count + 1, sizeof *s->forces);
@@ -147,6 +149,8 @@ static tp_status find(bool *held, balancing *s, tp_force_program *proof, tp_mess
     return tp_fail_memory(message, "a proof");
   }
   keep(s, false);
+  *slides = tp_common_slide(p, s->load.value);
+  if (*slides) return TP_OK;
   for (long k = 0; k < p->count; k++) s->forces[k] = first;
   tp_status status = balance(s, message);
   keep(s, true);
@@ -154,18 +158,18 @@ static tp_status find(bool *held, balancing *s, tp_force_program *proof, tp_mess
   return status == TP_OK ? prove(held, s, proof, message) : status;
 }
 
-tp_status tp_frictionless_hold(bool *held, const tp_assemblage *a, const tp_weight_loads *loads,
-                               tp_near load, tp_message *message) {
+tp_status tp_frictionless_hold(bool *held, bool *slides, const tp_assemblage *a,
+                               const tp_weight_loads *loads, tp_near load, tp_message *message) {
   balancing s = {.a = a, .load = load};
   tp_force_program proof;
-  *held = false;
+  *held = *slides = false;
   tp_contact_strength *none = calloc((size_t)a->contact_count + 1, sizeof *none);
   if (none == NULL) return tp_fail_memory(message, "a proof");
   tp_status status = tp_force_program_init(&s.normals, a, none, loads, message);
   if (status == TP_OK) {
     status = tp_force_program_init(&proof, a, none, loads, message);
     if (status == TP_OK) {
-      status = find(held, &s, &proof, message);
+      status = find(held, slides, &s, &proof, message);
       tp_force_program_clear(&proof);
     }
     tp_force_program_clear(&s.normals);

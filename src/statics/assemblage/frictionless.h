@@ -10,8 +10,9 @@
 
 #include "assemblage/force_program.h"
 
-/* With so much of the live load. Not held: no proof was found. */
-TP_MUST_USE tp_status tp_frictionless_hold(bool *held, const tp_assemblage *assemblage,
+/* With so much of the live load. Not held: no proof was found; `slides`: nor is there one. */
+TP_MUST_USE tp_status tp_frictionless_hold(bool *held, bool *slides,
+                                           const tp_assemblage *assemblage,
                                            const tp_weight_loads *loads, tp_near load,
                                            tp_message *message);
 

@@ -34,7 +34,9 @@ tp_status tp_frictionless_blocks(bool *stand, const tp_resting *resting,
   if (resultant->beyond) return TP_OK;
   tp_weight_loads loads;
   const tp_near live = tp_blocks_loads(&loads, resultant);
-  const tp_status status = tp_frictionless_hold(stand, resting->assemblage, &loads, live, message);
-  if (status != TP_OK || *stand || resting->rows / 3 > FEW) return status;
+  bool slides = false;
+  const tp_status status =
+      tp_frictionless_hold(stand, &slides, resting->assemblage, &loads, live, message);
+  if (status != TP_OK || *stand || slides || resting->rows / 3 > FEW) return status;
   return try_few(stand, resting, resultant, message);
 }
