@@ -94,7 +94,7 @@ class CohesiveMotions(GoverningCase):
                 for divisor in (1, 1 + (most - 1) / 3, 1 + 0.9999 * (most - 1)):
                     self.assertFalse(blocks.can_move(gravity, divisor), (*where, divisor))
                 if "moving_fos" in own:
-                    self.assertTrue(blocks.can_move(gravity, own["moving_fos"] * (1 + 1e-2)), where)
+                    self.assertTrue(blocks.can_move(gravity, own["moving_fos"] * (1 + 1e-3)), where)
                 narrow += "moving_fos" not in own or own["moving_fos"] <= own["standing_fos"] * (1 + 2e-5)
         self.assertGreater(standing, 0)
         self.assertGreaterEqual(2 * narrow, standing)
