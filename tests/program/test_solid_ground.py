@@ -372,6 +372,31 @@ class Invariance(GroundCase):
         got = self.got(self.rock, ground, base="file: ground.obj, unit: mm")
         self.assertEqual(got["ground"]["bands"], self.plain["ground"]["bands"])
 
+    def test_known_length(self):
+        """The ground in steps of 0.4 m, told by a length along an axis; of the root of 2 times that, told aslant; the rock in such steps, too,
+        by one length for both or by two; the scene in feet, where a foot is a whole number of the ground's steps."""
+        def scaled(mesh, by):
+            return [tuple(by * x for x in p) for p in mesh[0]], mesh[1]
+        steps = Fraction(5, 2)
+        one = self.plain["ground"]["bands"][0]
+        got = self.got(self.rock, scaled(self.ground, steps), base="file: ground.obj, scale: {from: [0, 1, 0], to: [5, 1, 0], length: 2}")
+        self.assertEqual(got["ground"]["bands"], self.plain["ground"]["bands"])
+        self.assertAlmostEqual(got["ground"]["metres_per_unit"], 0.4, 15)
+        aslant = "scale: {from: [0, 0, 0], to: [5, 5, 0], length: 2.82842712474619009760337744841939615714}"
+        for rock, unit, base in ((self.rock, "unit: m", f"file: ground.obj, {aslant}"), (scaled(self.rock, steps), aslant, "file: ground.obj"),
+                                 (scaled(self.rock, steps), aslant, f"file: ground.obj, {aslant}")):
+            self.meshes(rock, scaled(self.ground, steps))
+            other = self.told(self.put("scene.yaml", self.text("0.125", self.rest, base=base).replace("unit: m\n  az", unit + "\n  az")))["ground"]["bands"][0]
+            self.assertEqual((one["contacts"], one["verdict"]), (other["contacts"], other["verdict"]))
+            self.assertAlmostEqual(one["widest_m"], other["widest_m"], 12)
+            self.same(one, other)
+        self.meshes(self.rock, scaled(self.ground, 12))
+        feet = self.text("0.125", self.rest, base="file: ground.obj, unit: in").replace("m\nsolid", "ft\nsolid").replace("unit: m\n", "unit: ft\n")
+        other = self.told(self.put("scene.yaml", feet))["ground"]["bands"][0]
+        self.assertEqual((one["contacts"], one["verdict"]), (other["contacts"], other["verdict"]))
+        self.same(one, other)
+        self.assertAlmostEqual(other["widest_m"], 0.3048 * one["widest_m"], 12)
+
     def test_subdivided(self):
         """Corners in faces and on edges are none."""
         for rock, ground in ((divided(*self.rock), self.ground), (self.rock, divided(*self.ground)), (divided(*self.rock), divided(*divided(*self.ground)))):
@@ -436,6 +461,9 @@ class Refusals(GroundCase):
                 (self.text("0", friction, base="file: ground.obj, dip_deg: 3"), ["'dip_deg'", "leave it out"]),
                 (self.text("0", friction, base="unit: mm"), ["'unit'", "'file'"]),
                 (self.text("0", friction, base="file: ground.obj, unit: furlong"), ["unit must be one of"]),
+                (self.text("0", friction, base="file: ground.obj, unit: m, scale: {from: [0, 0, 0], to: [1, 0, 0], length: 2}"), ["'unit'", "'scale'", "not both"]),
+                (self.text("0", friction, base="file: ground.obj, scale: {from: [0, 0, 0], to: [0, 0, 0], length: 2}"), ["one point"]),
+                (self.text("0", friction, base="dip_deg: 3, dip_direction_deg: 4, scale: {from: [0, 0, 0], to: [1, 0, 0], length: 2}"), ["'scale'", "'file'"]),
                 (self.text("0", ""), ["needs friction"]),
                 (self.text("0", friction + "tilt: {angle_deg: 3}\n"), ["'azimuth_deg'"]),
                 (self.text("0", friction + "loads: {seismic: {horizontal: 0.1}}\n"), ["'azimuth_deg'"]),

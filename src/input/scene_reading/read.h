@@ -80,6 +80,9 @@ TP_MUST_USE tp_status tp_read_solid(const tp_reader *reader, const tp_node *root
 TP_MUST_USE tp_status tp_read_solid_repair(const tp_reader *reader, const tp_node *node);
 /* A length; NULL: none. */
 TP_MUST_USE tp_status tp_read_solid_thin(const tp_reader *reader, const tp_node *node);
+/* Metres to a length of a mesh, by 'unit' or 'scale' of a node; by neither those of the scene. */
+TP_MUST_USE tp_status tp_read_mesh_lengths(const tp_reader *reader, fmpq_t metres, bool *given,
+                                           const tp_node *node);
 TP_MUST_USE tp_status tp_read_solid_parts(const tp_reader *reader, const tp_node *solid);
 /* The mesh that a map names, and the object of it. */
 TP_MUST_USE tp_status tp_read_solid_mesh(const tp_reader *reader, const tp_mesh **mesh,

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reads the key solid: a mesh, the length of its unit, which way is up, and what touches the base.
- * A length that is known, between two points of the mesh at a distance of the root of a rational,
- * gives the unit by that root to 2^-200 of itself. */
+/* Reads the key solid: a mesh, which way is up, and what touches the base. */
 
 #include "scene_reading/read.h"
 
@@ -11,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { AXES = 3, MOST_BANDS = TP_SOLID_BANDS, ROOT_BITS = 200 };
+enum { AXES = 3, MOST_BANDS = TP_SOLID_BANDS };
 
 /* ---- points ------------------------------------------------------------------------------------
  */
@@ -30,80 +28,6 @@ static bool is_zero(const fmpq point[AXES]) {
 
 static void subtract(fmpq way[AXES], const fmpq to[AXES], const fmpq from[AXES]) {
   for (int k = 0; k < AXES; k++) fmpq_sub(way + k, to + k, from + k);
-}
-
-/* ---- the unit ----------------------------------------------------------------------------------
- */
-
-static void set_root(fmpq_t root, const fmpq_t square) {
-  fmpz_t top;
-  fmpz_init(top);
-  const slong shift =
-      ROOT_BITS + (slong)fmpz_bits(fmpq_denref(square)); /* so many bits after the point */
-  fmpz_mul_2exp(top, fmpq_numref(square), 2 * (ulong)shift);
-  fmpz_tdiv_q(top, top, fmpq_denref(square));
-  fmpz_sqrt(top, top);
-  fmpq_set_fmpz(root, top);
-  fmpq_div_2exp(root, root, (ulong)shift);
-  fmpz_clear(top);
-}
-
-static tp_status read_known_length(const tp_reader *reader, fmpq from[AXES], fmpq to[AXES],
-                                   fmpq_t length, const tp_node *node) {
-  const tp_node *ends[2] = {NULL}, *known = NULL;
-  tp_status status = tp_read_keys(reader, node, &tp_key_map_solid_scale, "scale");
-  if (status == TP_OK) {
-    status = tp_read_required(reader, ends, node, "from", "from: [0, 0, 0]");
-  }
-  if (status == TP_OK) status = tp_read_required(reader, ends + 1, node, "to", "to: [0, 0, 1]");
-  if (status == TP_OK) status = tp_read_required(reader, &known, node, "length", "length: 1.2");
-  if (status == TP_OK) status = tp_read_triple(reader, from, ends[0], "from");
-  if (status == TP_OK) status = tp_read_triple(reader, to, ends[1], "to");
-  if (status == TP_OK) {
-    status = tp_read_by_rule(reader, length, known, "length", TP_RULE_ABOVE_ZERO);
-  }
-  return status;
-}
-
-static tp_status read_scale(const tp_reader *reader, const tp_node *node) {
-  tp_solid_description *own = &reader->scene->solid;
-  fmpq from[AXES], to[AXES];
-  fmpq_t square;
-  init_point(from);
-  init_point(to);
-  fmpq_init(square);
-  tp_status status = read_known_length(reader, from, to, own->metres_per_unit, node);
-  if (status == TP_OK) {
-    subtract(to, to, from);
-    for (int k = 0; k < AXES; k++) fmpq_addmul(square, to + k, to + k);
-    if (fmpq_is_zero(square)) {
-      status = tp_read_fail(reader, TP_FAULT_RANGE, node,
-                            "'from' and 'to' are one point, which gives no scale");
-    }
-  }
-  if (status == TP_OK) {
-    set_root(square, square);
-    fmpq_div(own->metres_per_unit, own->metres_per_unit, square);
-    fmpq_mul(own->metres_per_unit, own->metres_per_unit, reader->scene->metres_per_unit);
-  }
-  clear_point(from);
-  clear_point(to);
-  fmpq_clear(square);
-  return status;
-}
-
-static tp_status read_lengths(const tp_reader *reader, const tp_node *node) {
-  tp_scene *scene = reader->scene;
-  const tp_node *unit = tp_node_get(node, "unit"), *scale = tp_node_get(node, "scale");
-  if (scale != NULL && unit != NULL) {
-    return tp_read_fail(reader, TP_FAULT_KEY, scale,
-                        "the lengths of a mesh have a 'unit', or a 'scale' by a known length, not "
-                        "both");
-  }
-  if (scale != NULL) return read_scale(reader, scale);
-  tp_status status = tp_read_mesh_unit(reader, scene->solid.metres_per_unit, unit);
-  fmpq_mul(scene->solid.metres_per_unit, scene->solid.metres_per_unit, scene->metres_per_unit);
-  return status == TP_OK ? tp_note_mesh_unit(reader, node, &scene->notes) : status;
 }
 
 /* ---- up ----------------------------------------------------------------------------------------
@@ -264,6 +188,7 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "solid");
   scene->solid.place = scene->block.place = tp_node_place(node, scene->path);
   scene->block.form = TP_OUTLINE_OF_SOLID;
+  bool has_lengths = false;
   tp_status status = check_root(reader, root);
   if (status == TP_OK) status = tp_read_map(reader, scene, node, &tp_key_map_solid, "a solid");
   if (status == TP_OK) status = check_azimuth_count(reader);
@@ -272,7 +197,10 @@ tp_status tp_read_solid(const tp_reader *reader, const tp_node *root) {
     status = tp_read_solid_mesh(reader, &scene->solid.mesh, &scene->solid.object, node);
   }
   if (status == TP_OK) status = tp_read_solid_parts(reader, node);
-  if (status == TP_OK) status = read_lengths(reader, node);
+  if (status == TP_OK) {
+    status = tp_read_mesh_lengths(reader, scene->solid.metres_per_unit, &has_lengths, node);
+  }
+  if (status == TP_OK && !has_lengths) status = tp_note_mesh_unit(reader, node, &scene->notes);
   if (status == TP_OK) status = tp_read_solid_repair(reader, tp_node_get(node, "repair"));
   if (status == TP_OK) status = tp_read_solid_thin(reader, tp_node_get(node, "thin"));
   if (status == TP_OK) status = read_up_vector(reader, tp_node_get(node, "up"));

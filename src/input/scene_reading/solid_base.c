@@ -6,7 +6,7 @@
 #include "scene_reading/read.h"
 
 static tp_status read_dip(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"object", "unit", NULL};
+  static const char *const keys[] = {"object", "unit", "scale", NULL};
   tp_scene *scene = reader->scene;
   const fmpq *up = scene->solid.up;
   const tp_node *other = tp_node_first_of(node, keys);
@@ -24,14 +24,13 @@ static tp_status read_dip(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-/* Of its own unit, or that of the rock's mesh. */
-static tp_status read_unit(const tp_reader *reader, const tp_node *node) {
-  tp_scene *scene = reader->scene;
-  tp_ground_description *ground = &scene->solid.ground;
-  fmpq_set(ground->metres_per_unit, scene->solid.metres_per_unit);
-  if (node == NULL) return TP_OK;
-  const tp_status status = tp_read_mesh_unit(reader, ground->metres_per_unit, node);
-  fmpq_mul(ground->metres_per_unit, ground->metres_per_unit, scene->metres_per_unit);
+/* By its own unit or known length, or as those of the rock's mesh. */
+static tp_status read_lengths(const tp_reader *reader, const tp_node *node) {
+  tp_solid_description *solid = &reader->scene->solid;
+  bool given = false;
+  const tp_status status =
+      tp_read_mesh_lengths(reader, solid->ground.metres_per_unit, &given, node);
+  if (!given) fmpq_set(solid->ground.metres_per_unit, solid->metres_per_unit);
   return status;
 }
 
@@ -50,7 +49,7 @@ static tp_status read_ground(const tp_reader *reader, const tp_node *node) {
     status = tp_read_solid_mesh(reader, &ground->mesh, &ground->object, node);
   }
   ground->place = tp_node_place(node, reader->scene->path);
-  return status == TP_OK ? read_unit(reader, tp_node_get(node, "unit")) : status;
+  return status == TP_OK ? read_lengths(reader, node) : status;
 }
 
 tp_status tp_read_solid_base(const tp_reader *reader, const tp_node *solid) {

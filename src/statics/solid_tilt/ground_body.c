@@ -10,6 +10,24 @@
 
 #include <stdlib.h>
 
+/* Lengths that are roots of rationals are known to 2^-200 of themselves, which coordinates would
+ * have to bear: their quotient is taken to 2^-64 of itself. */
+static void round_factor(fmpq_t factor) {
+  enum { BITS = 64, LEAST = 128 };
+  const slong top = (slong)fmpz_bits(fmpq_numref(factor));
+  const slong bottom = (slong)fmpz_bits(fmpq_denref(factor)), shift = BITS + bottom - top;
+  if (top <= LEAST && bottom <= LEAST) return;
+  fmpz_t whole;
+  fmpz_init(whole);
+  if (shift >= 0) fmpq_mul_2exp(factor, factor, (ulong)shift);
+  if (shift < 0) fmpq_div_2exp(factor, factor, (ulong)-shift);
+  fmpz_fdiv_q(whole, fmpq_numref(factor), fmpq_denref(factor));
+  fmpq_set_fmpz(factor, whole);
+  if (shift >= 0) fmpq_div_2exp(factor, factor, (ulong)shift);
+  if (shift < 0) fmpq_mul_2exp(factor, factor, (ulong)-shift);
+  fmpz_clear(whole);
+}
+
 static tp_status join(tp_ground_body *own, const tp_mesh *rock, long object,
                       const tp_solid_description *solid, tp_message *message) {
   const tp_ground_description *ground = &solid->ground;
@@ -17,6 +35,7 @@ static tp_status join(tp_ground_body *own, const tp_mesh *rock, long object,
   fmpq_t factor;
   fmpq_init(factor);
   fmpq_div(factor, ground->metres_per_unit, solid->metres_per_unit);
+  round_factor(factor);
   tp_status status = tp_mesh_join(&own->joined, rock, object, message);
   if (status == TP_OK) {
     status = tp_mesh_join_scaled(&own->joined, ground->mesh, ground->object, factor, message);
