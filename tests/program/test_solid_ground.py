@@ -468,6 +468,7 @@ class Refusals(GroundCase):
                 (self.text("0", friction + "tilt: {angle_deg: 3}\n"), ["'azimuth_deg'"]),
                 (self.text("0", friction + "loads: {seismic: {horizontal: 0.1}}\n"), ["'azimuth_deg'"]),
                 (self.text("0", friction, more="  below: 0.1\n"), ["'below'"]),
+                (self.text("0", friction, more="  thin: 0.1\n"), ["'thin'", "touches it with its own surface", "beforehand"]),
                 (self.text("0", friction, more="  contacts: [{at: [0, 0, 0]}]\n"), ["'contacts'", "'bands'"])):
             self.wrong(self.put("scene.yaml", scene), *told)
         status, out, err = run("solve", self.on("0", friction, base="file: none.obj"))

@@ -208,6 +208,23 @@ class Repairs(SceneCase):
         self.assertEqual(status, 3)
         self.assertIn("nothing is left of the mesh", err)
 
+    def test_cut_by_a_plane(self):
+        """Mended, then cut: of a box without two of its faces, of one with them twice, and of the sound one what lies above is the same, of scenes too."""
+        points, faces = box((-1, -1, 0), (1, 1, 3))
+        faces = triangles(faces)
+        self.put("rock.obj", exact_obj(points, faces))
+        sound = self.told(self.put("cut.yaml", "topple: 1\nlength_unit: m\nsolid: {file: rock.obj, unit: m, below: 0.5}\n"))
+        self.assertEqual(sound["volume_m3"]["value"], 10)
+        for damaged in (faces[1:], faces + faces[:2], faces[3:] + faces[:3] + [faces[4]]):
+            self.put("rock.obj", exact_obj(points, damaged))
+            got = self.told(self.put("cut.yaml", "topple: 1\nlength_unit: m\nsolid: {file: rock.obj, unit: m, below: 0.5, repair: true}\n"))
+            for one, other in zip([got["volume_m3"], *got["centroid_m"], *got["inertia_m5"]], [sound["volume_m3"], *sound["centroid_m"], *sound["inertia_m5"]]):
+                self.assertAlmostEqual(one["value"], other["value"], 12)
+            self.assertEqual(got["bands"][0]["support"], sound["bands"][0]["support"])
+            self.assertIn("repair", got)
+            status, out, err = run("solid", "--json", "--unit=m", "--repair", "--below=0.5", f"{self.folder}/rock.obj")
+            self.assertEqual((status, json.loads(out)["volume_m3"]), (0, got["volume_m3"]), err)
+
     def test_in_a_scene(self):
         """Solved, swept, drawn and on a sheet, with the caution on each; lengths are the scene's."""
         points, faces = box((-1, -1, 0), (1, 1, 3))
@@ -235,6 +252,13 @@ class Repairs(SceneCase):
                                        [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(faces))]))
         got = self.told(self.put("scene.yaml", "topple: 1\nlength_unit: mm\nsolid: {file: rock.obj, unit: m, bands: [1], repair: {merge_within: 5}}\n"))
         self.assertEqual((got["vertices"], got["triangles"]), (8, 12))
+        both = self.put("scene.yaml", "topple: 1\nlength_unit: mm\nsolid: {file: rock.obj, unit: m, bands: [1], repair: {merge_within: 5, drop_below: 0.001}}\n"
+                        "friction_angle_deg: 40\ntilt: {angle_deg: 5, azimuth_deg: 90}\n")
+        status, out, err = run("sweep", "--x", "solid.repair.merge_within=5,0.001", both)  # of the second no two points are near
+        rows = out.splitlines()
+        self.assertEqual((len(rows), rows[1].split(",")[1], rows[2].split(",")[1]), (3, "done", "the input is wrong"), err)
+        status, out, err = run("sweep", "--x", "solid.repair.drop_below=0.001,0.002", both)
+        self.assertEqual((status, [row.split(",")[1] for row in out.splitlines()[1:]]), (0, ["done", "done"]), err)
         self.wrong(self.scene("repair: {drop_below: 1}"), "a share of the area")
         self.wrong(self.scene("repair: {merge_within: -1}"), "merge_within")
         self.wrong(self.scene("repair: {close: 1}"), "close")

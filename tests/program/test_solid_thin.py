@@ -210,6 +210,16 @@ class Thinned(Model):
         status, out, err = run("sweep", "--x", "tilt.angle_deg=0,1", scene)
         self.assertEqual(status, 0, err)
         self.assertEqual(len(list(csv.DictReader(io.StringIO(out)))), 2)
+        wider = self.put("wider.yaml", "topple: 1\nlength_unit: mm\nsolid: {file: rock.obj, unit: m, thin: 100, bands: [100]}\n"
+                         "friction_angle_deg: 30\ntilt: {angle_deg: 1, azimuth_deg: 20}\n")
+        status, out, err = run("sweep", "--x", "solid.thin=100,300,100", wider)  # each has a surface of its own
+        self.assertEqual(status, 0, err)
+        rows = list(csv.DictReader(io.StringIO(out)))
+        for row in rows:
+            alone = self.told(wider, "--set", f"solid.thin={row['solid.thin']}")
+            self.assertEqual(float(row["fos"]), alone["bands"][0]["stance"]["fos"]["value"])
+        self.assertEqual(rows[0], rows[2])
+        self.assertNotEqual(rows[0]["fos"], rows[1]["fos"])
         for language, words in (("es", "malla adelgazada: "), ("de", "Netz ausgedünnt: ")):
             status, out, err = run("solve", "--report", f"{self.folder}/sheet.html", "--language", language, scene)
             self.assertEqual(status, 0, err)

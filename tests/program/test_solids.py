@@ -197,7 +197,8 @@ class AgainstFractions(Case):
             self.check(points, [tuple(hull.ring(facet)) for facet in hull.facets], 8)
 
     def test_star_shaped(self):
-        """Far from convex: each point of a small ball is moved along its own ray."""
+        """Mostly far from convex: each point of a small ball is moved along its own ray, to between 6 and 20 times its distance, so that all
+        of the surface is seen from the middle of the ball."""
         draw = random.Random(63)
         points, faces = octahedron(level=1)
         for _ in range(rounds(5, 3000)):

@@ -110,6 +110,7 @@ tp_status tp_solid_body_init(tp_solid_body *body, const tp_mesh *mesh, long obje
                              const tp_solid_wish *wish, const tp_solid_part_description *parts,
                              long part_count, tp_message *message) {
   *body = (tp_solid_body){.mesh = mesh, .object = object, .part_count = part_count};
+  if (wish != NULL) body->wish = *wish;
   tp_status status = mend(body, wish, message);
   if (status == TP_OK) status = take_surfaces(body, parts, message);
   if (status == TP_OK) status = pass_all(body, wish, message);
@@ -144,6 +145,29 @@ static void give_back(void *made) {
   free(made);
 }
 
+static tp_solid_wish wish_of(const tp_solid_description *solid) {
+  return (tp_solid_wish){
+      solid->repair, {solid->repair_merge_within, solid->repair_drop_below}, solid->thin};
+}
+
+bool tp_solid_body_is_of(const tp_solid_body *body, const tp_scene *scene) {
+  const tp_solid_wish one = body->wish, other = wish_of(&scene->solid);
+  return one.repair == other.repair && one.mend.merge_within == other.mend.merge_within &&
+         one.mend.drop_below == other.mend.drop_below && one.thin == other.thin;
+}
+
+tp_status tp_solid_body_make(tp_solid_body *body, const tp_scene *scene, tp_message *message) {
+  const tp_solid_description *solid = &scene->solid;
+  const tp_solid_wish wish = wish_of(solid);
+  tp_status status = tp_solid_body_init(body, solid->mesh, solid->object, &wish, solid->parts,
+                                        solid->part_count, message);
+  if (status == TP_OK && solid->ground.place.file != NULL) {
+    status = tp_ground_body_make(&body->ground, body->mesh, body->object, solid, message);
+    if (status != TP_OK) tp_solid_body_clear(body);
+  }
+  return status;
+}
+
 tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *scene,
                                  tp_message *message) {
   tp_scene_file *file = scene->file;
@@ -153,15 +177,7 @@ tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *sce
   if (*body != NULL) return TP_OK;
   tp_solid_body *own = malloc(sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "a solid");
-  const tp_solid_description *solid = &scene->solid;
-  const tp_solid_wish wish = {
-      solid->repair, {solid->repair_merge_within, solid->repair_drop_below}, solid->thin};
-  tp_status status = tp_solid_body_init(own, solid->mesh, solid->object, &wish, solid->parts,
-                                        solid->part_count, message);
-  if (status == TP_OK && solid->ground.place.file != NULL) {
-    status = tp_ground_body_make(&own->ground, own->mesh, own->object, solid, message);
-    if (status != TP_OK) tp_solid_body_clear(own);
-  }
+  const tp_status status = tp_solid_body_make(own, scene, message);
   if (status == TP_OK) {
     *body = tp_scene_file_keep(file, own, give_back);
   } else {

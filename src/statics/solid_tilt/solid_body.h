@@ -15,7 +15,15 @@
 #include "solid_tilt/ground_body.h"
 #include "solid_tilt/solid_moments.h"
 
+/* What is to be done to a mesh. */
+typedef struct tp_solid_wish {
+  bool repair; /* mend it: */
+  tp_mend_wish mend;
+  double thin; /* above 0: thin it by this, in lengths of the mesh */
+} tp_solid_wish;
+
 typedef struct tp_solid_body {
+  tp_solid_wish wish;  /* what was done to the mesh */
   const tp_mesh *mesh; /* borrowed, or that which was mended */
   long object;
   bool is_mended;
@@ -36,13 +44,6 @@ typedef struct tp_solid_body {
   tp_solid_moments *part_moments; /* part_count of them, each of its surface alone, likewise */
 } tp_solid_body;
 
-/* What is to be done to a mesh. */
-typedef struct tp_solid_wish {
-  bool repair; /* mend it: */
-  tp_mend_wish mend;
-  double thin; /* above 0: thin it by this, in lengths of the mesh */
-} tp_solid_wish;
-
 /* Of one object, or of all where it is below zero, with what lies inside; mended and thinned first
  * where that is wished for; refused by triangle. To be cleared where it was made; it stays where it
  * was made. */
@@ -55,5 +56,12 @@ void tp_solid_body_clear(tp_solid_body *body);
 /* Of a scene of a solid, kept by its file; of a wedge, which each scene makes for itself, NULL. */
 TP_MUST_USE tp_status tp_solid_body_of_scene(const tp_solid_body **body, const tp_scene *scene,
                                              tp_message *message);
+
+/* Is it mended and thinned as this scene says, where a sweep or a study varies how? */
+bool tp_solid_body_is_of(const tp_solid_body *body, const tp_scene *scene);
+
+/* One of this scene alone. To be cleared where it was made. */
+TP_MUST_USE tp_status tp_solid_body_make(tp_solid_body *body, const tp_scene *scene,
+                                         tp_message *message);
 
 #endif

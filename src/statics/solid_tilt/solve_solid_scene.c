@@ -94,6 +94,19 @@ static tp_status find_wedge(tp_solid *own, const tp_scene *scene, tp_solid_given
   return status;
 }
 
+/* A row of a table that varies how the mesh is mended or thinned has a surface of its own. */
+static tp_status find_of_mesh(tp_solid *own, const tp_solid_body *body, const tp_scene *scene,
+                              tp_solid_given *given, tp_message *message) {
+  tp_solid_body alone;
+  if (tp_solid_body_is_of(body, scene)) return tp_solid_find(own, body, given, message);
+  tp_status status = tp_solid_body_make(&alone, scene, message);
+  if (status == TP_OK) {
+    status = tp_solid_find(own, &alone, given, message);
+    tp_solid_body_clear(&alone);
+  }
+  return status;
+}
+
 static tp_status find_in_scene(tp_solid *own, const tp_scene *scene, bool whole,
                                tp_message *message) {
   const tp_solid_body *body = NULL;
@@ -105,7 +118,7 @@ static tp_status find_in_scene(tp_solid *own, const tp_scene *scene, bool whole,
   if (!whole) given.azimuths = 0;
   if (status == TP_OK) {
     status = body == NULL ? find_wedge(own, scene, &given, message)
-                          : tp_solid_find(own, body, &given, message);
+                          : find_of_mesh(own, body, scene, &given, message);
   }
   tp_solid_given_clear(&given);
   return status;
