@@ -282,6 +282,16 @@ typedef struct tp_wedge_azimuth {
   const char *acceleration_slides_on; /* a static string: likewise there */
 } tp_wedge_azimuth;
 
+/* A bolt that pulls a wedge. */
+typedef struct tp_wedge_bolt {
+  double azimuth_deg;     /* towards which it pulls */
+  double dip_deg;         /* below the horizontal; above it, below 0 */
+  tp_bounded force_n;     /* its pull, which is active: it counts among what drives the wedge */
+  bool has_capacity;      /* that it can bear is given: */
+  double capacity_kn;     /* if has_capacity: that */
+  tp_bounded utilisation; /* if has_capacity: force over that */
+} tp_wedge_bolt;
+
 /* A wedge between two joints A and B, as Hoek and Bray have it: friction and cohesion act against
  * the sliding alone, along the line of both joints or down one of them; no joint is in tension, and
  * nothing turns. Water fills the joints and the crack: its pressure rises from zero at the surface
@@ -319,8 +329,15 @@ typedef struct tp_solid_wedge {
   const char *acceleration_slides_on; /* a static string: on which joints it slides there */
   bool has_acceleration_ahead;        /* the same where its earthquake has an azimuth: */
   tp_bounded acceleration_ahead_g;    /* if has_acceleration_ahead: towards that */
-  size_t azimuth_count;               /* of the azimuths */
-  tp_wedge_azimuth *azimuths;         /* azimuth_count of them: evenly from 0 on */
+  size_t bolt_count;                  /* of the bolts */
+  tp_wedge_bolt *bolts;               /* bolt_count of them, in the order of the scene */
+  bool has_support; /* its scene requires a factor that it has not, and a further active force gives
+                       it, with both joints pressed: */
+  tp_bounded support_n;           /* if has_support: the least force that does */
+  tp_bounded support_azimuth_deg; /* if has_support: towards which it pulls, */
+  tp_bounded support_dip_deg;     /* if has_support: and how steeply below the horizontal */
+  size_t azimuth_count;           /* of the azimuths */
+  tp_wedge_azimuth *azimuths;     /* azimuth_count of them: evenly from 0 on */
 } tp_solid_wedge;
 
 /* A gap of the surface, a loop of edges with one triangle, that was closed by triangles between its

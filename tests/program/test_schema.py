@@ -353,6 +353,11 @@ class Schema(unittest.TestCase):
             wedge = rock.with_name("wedge.yaml").read_text(encoding="utf-8")
             crack = "    crack: {dip_deg: 70, dip_direction_deg: 165, distance: 40}\nrequired_fos: 1.2\n" \
                     "loads: {seismic: {horizontal: 0.05, azimuth_deg: 30}}"
+            bolted = wedge.replace("required_fos: 1.3", "required_fos: 1.6\nloads: {anchors: [{force_kn: 9, capacity_kn: 10, dip_deg: 3, azimuth_deg: 340}]}")
+            (pathlib.Path(folder) / "bolted.yaml").write_text(bolted, encoding="utf-8")
+            status, out, err = run("solve", "--json", "bolted.yaml", folder=folder)
+            self.assertEqual(status, 1, err)
+            self.fits("solid", out)
             (pathlib.Path(folder) / "wedge.yaml").write_text(wedge.replace("required_fos: 1.3", crack), encoding="utf-8")
             status, out, err = run("solve", "--json", "wedge.yaml", folder=folder)
             self.assertEqual((status, err), (0, ""))

@@ -68,7 +68,12 @@ class Forces:
     def __init__(self, a, b, face, upper, height, strength, unit_weight, water=0, crack=None, *quake):
         assert not any(quake)
         self.set_shape(a, b, face, upper, height, unit_weight, water, crack)
-        self.strength = strength
+        self.strength, self.bolts = strength, [0, 0, 0]
+
+    def pull(self, force, azimuth, dip):
+        """One more bolt."""
+        self.bolts = add(self.bolts, times(force, [math.cos(RAD(dip)) * math.sin(RAD(azimuth)), math.cos(RAD(dip)) * math.cos(RAD(azimuth)), -math.sin(RAD(dip))]))
+        return self
 
     def set_shape(self, a, b, face, upper, height, unit_weight, water, crack):
         na, nb, nf, nu = (normal(*p) for p in (a, b, face, upper))
@@ -93,7 +98,7 @@ class Forces:
             self.water = add(self.water, times(-pressure * area * wet, n))
 
     def push(self, share, towards, up):
-        return add(self.water, times(self.weight, [share * math.sin(RAD(towards)), share * math.cos(RAD(towards)), up - 1]))
+        return add(add(self.water, self.bolts), times(self.weight, [share * math.sin(RAD(towards)), share * math.cos(RAD(towards)), up - 1]))
 
     def factor(self, share, towards, up):
         """(factor, on which)"""
@@ -207,12 +212,16 @@ class Wedges(Case):
         ((52, 130), (48, 228), (75, 178), (5, 181), 22, ((33, 120), (41, 5)), 26, 2, (80, 180, 4)),
     )
 
-    def solved(self, own, quake=""):
+    def solved(self, own, quake="", bolts=(), required=0):
         path = self.scene(*own)
+        loads = [f"seismic: {{{quake}}}"] if quake else []
+        told = ", ".join(f"{{force_kn: {force!r}, azimuth_deg: {azimuth!r}, dip_deg: {dip!r}}}" for force, azimuth, dip in bolts)
+        loads += [f"anchors: [{told}]"] if bolts else []
         with open(path, "a", encoding="utf-8") as out:
-            out.write(f"loads: {{seismic: {{{quake}}}}}\n" if quake else "")
+            out.write(f"loads: {{{', '.join(loads)}}}\n" if loads else "")
+            out.write(f"required_fos: {required}\n" if required else "")
         status, out, err = run("solve", "--json", path)
-        self.assertEqual(status, 0, err)
+        self.assertIn(status, (0, 1) if required else (0,), err)
         return json.loads(out)["wedge"]
 
     def test_worst_azimuth(self):
@@ -298,6 +307,87 @@ class Wedges(Case):
         other = json.loads(run("solve", "--json", self.put("mm.yaml", text))[1])["wedge"]
         self.assertAlmostEqual(other["acceleration_g"]["value"], one["acceleration_g"]["value"], 11)
         self.assertAlmostEqual(other["fos"]["value"], one["fos"]["value"], 11)
+
+    def test_bolts(self):
+        """Active ones are forces: the factor of the closed form with them, also under an earthquake, from the worst azimuth too, and the acceleration that they
+        let the wedge bear; two that pull against each other are none."""
+        draw = random.Random(11)
+        for own in self.WEDGES:
+            bolts = [(draw.randint(500, 9000), draw.randint(300, 380) % 360, draw.randint(-20, 40)) for _ in range(2)]
+            forces = Forces(*own)
+            for bolt in bolts:
+                forces.pull(*bolt)
+            got = self.solved(own, "horizontal: 0.2, azimuth_deg: 170", bolts)
+            factor, on = forces.factor(0.2, 170, 0)
+            self.assertEqual(got["slides_on"], on)
+            self.assertAlmostEqual(got["fos"]["value"], factor, 9)
+            for told, (force, azimuth, dip) in zip(got["bolts"], bolts):
+                self.assertEqual((told["force_n"]["value"], told["azimuth_deg"], told["dip_deg"]), (1000 * force, azimuth, dip))
+            _, least, step = forces.turn(0.2, 0, 720)
+            self.assertTrue(least - step - 1e-12 <= got["worst_fos"]["value"] <= least * (1 + 1e-12))
+            if "acceleration_g" in got:
+                at = got["acceleration_g"]["value"], got["acceleration_azimuth_deg"]
+                self.assertTrue(forces.factor((1 + 1e-9) * at[0], at[1], 0)[0] < 1 < forces.factor((1 - 1e-9) * at[0], at[1], 0)[0])
+            force, azimuth, dip = bolts[0]
+            none = self.solved(own, "", [(force, azimuth, dip), (force, (azimuth + 180) % 360, -dip)])
+            self.assertAlmostEqual(none["fos"]["value"], self.solved(own)["fos"]["value"], 12)
+
+    def test_support(self):
+        """The least further force that gives the required factor: with it as a bolt the factor is that; a force of 0.999 of it along no one of 500
+        directions does, nor the same force a degree beside; of two joints that mirror each other it is at atan(tan φ / F) to their line, as of
+        a slab. None where the factor is met, or where an earthquake may come from anywhere."""
+        draw = random.Random(3)
+        for own, required in ((self.WEDGES[0], 1.6), (self.WEDGES[2], 2.2), (self.WEDGES[3], 3)):
+            got = self.solved(own, "", [(800, 340, 5)], required)
+            force, azimuth, dip = (got[f"support_{key}"]["value"] for key in ("n", "azimuth_deg", "dip_deg"))
+            force /= 1000
+            bolted = lambda *bolt: Forces(*own).pull(800, 340, 5).pull(*bolt).factor(0, 0, 0)
+            self.assertAlmostEqual(bolted(force, azimuth, dip)[0], required, 9)
+            self.assertAlmostEqual(self.solved(own, "", [(800, 340, 5), (force, azimuth, dip)], required)["fos"]["value"], required, 9)
+            for turned in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+                self.assertLess(bolted(force, azimuth + turned[0], dip + turned[1])[0], required)
+            for _ in range(500):
+                factor, on = bolted(0.999 * force, draw.uniform(0, 360), math.degrees(math.asin(draw.uniform(-1, 1))))
+                self.assertTrue(factor < required or on != "a and b")
+            self.assertNotIn("support_n", self.solved(own, "", [(800, 340, 5), (1.01 * force, azimuth, dip)], required))
+            self.assertNotIn("support_n", self.solved(own, "horizontal: 0.1", (), 9))
+        dip, spread, phi = 55, 60, 35
+        own = ((dip, 180 - spread), (dip, 180 + spread), (80, 180), (0, 180), 30, ((phi, 12), (phi, 12)), 25, 0)
+        got = self.solved(own, "", (), 4)
+        plunge = RAD(got["plunge_deg"]["value"])
+        across = dot(normal(dip, 180 - spread), [0, -math.sin(plunge), math.cos(plunge)])
+        self.assertAlmostEqual(got["support_dip_deg"]["value"], math.degrees(math.atan(math.tan(RAD(phi)) / across / 4) - plunge), 9)
+        self.assertAlmostEqual(got["support_azimuth_deg"]["value"] % 360, 0, 9)
+
+    def test_bolts_refused_and_told(self):
+        """Every wrong key of a bolt is refused with what to do; the report and the sheet tell bolts and the force that is missing; a force is varied."""
+        path = self.scene(*self.WEDGES[0])
+        with open(path, encoding="utf-8") as scene:
+            text = scene.read()
+        bolt = "force_kn: 900, azimuth_deg: 340, dip_deg: 5"
+        for wrong, words in ((bolt + ", at: [0, 1]", "leave out 'at'"), (bolt + ", passive: true", "leave out 'passive'"), ("force_kn: 1, dip_deg: 5", "azimuth_deg"),
+                             ("force_kn: 1, azimuth_deg: 5", "dip_deg"), ("azimuth_deg: 5, dip_deg: 5", "'force_kn' is missing"),
+                             (bolt + ", capacity_kn: 800", "more than the capacity"), (bolt.replace("dip_deg: 5", "dip_deg: 95"), "dip_deg")):
+            status, out, err = run("solve", self.put("wrong.yaml", text + f"loads: {{anchors: [{{{wrong}}}]}}\n"))
+            self.assertEqual((status, out), (3, ""))
+            self.assertIn(words, err)
+        block = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 40\ntilt: {towards: left}\n"
+        err = run("solve", self.put("block.yaml", block + "loads: {anchors: [{at: [0, 1], force_kn: 1, dip_deg: 5, azimuth_deg: 3}]}\n"))[2]
+        self.assertIn("'azimuth_deg' is of a bolt in a wedge", err)
+        path = self.put("bolted.yaml", text + f"loads: {{anchors: [{{{bolt}, capacity_kn: 1000}}]}}\nrequired_fos: 1.6\n")
+        status, out, err = run("solve", path)
+        self.assertEqual(status, 1, err)
+        self.assertIn("  bolt                   900000 N towards 340°, 5° below the horizontal, 0.9 of its capacity\n", out)
+        self.assertIn("The least further active force that gives 1.6 is ", out)
+        rows = run("sweep", path, "--x=loads.anchors.1.force_kn=100,900")[1].splitlines()
+        fos = [float(row.split(",")[rows[0].split(",").index("fos")]) for row in rows[1:]]
+        self.assertLess(fos[0], fos[1])
+        for language, words in (("en", "Active bolts"), ("es", "Bulones activos"), ("de", "Aktive Anker")):
+            sheet = f"{path}.{language}.html"
+            status, out, err = run("solve", "--report", sheet, "--language", language, path)
+            self.assertEqual(status, 1, err)
+            with open(sheet, encoding="utf-8") as page:
+                self.assertIn(words, page.read())
 
     def test_all_azimuths_told(self):
         """The report says that an azimuth is the worst, what the least of all is where one is given, and the least acceleration; a sweep has it; so many

@@ -112,6 +112,11 @@ static tp_status check_end(const tp_anchor_description *a, tp_message *message) 
 
 static tp_status check_direction(const tp_scene *scene, const tp_anchor_description *a,
                                  tp_message *message) {
+  if (scene->solid.wedge.place.file != NULL) return TP_OK; /* checked where it is read */
+  if (a->azimuth_deg.given) {
+    return tp_refuse(message, TP_FAULT_KEY, a->azimuth_deg.place,
+                     "'azimuth_deg' is of a bolt in a wedge between two joints: leave it out");
+  }
   if (a->to_x.given) return check_end(a, message);
   if (a->dip_deg.given == a->direction_deg.given) {
     return tp_refuse(message, TP_FAULT_KEY, a->place,

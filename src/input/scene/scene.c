@@ -86,7 +86,7 @@ void tp_anchor_init(tp_anchor_description *anchor) {
   tp_quantity *const own[] = {&anchor->direction_deg, &anchor->dip_deg, &anchor->force_kn,
                               &anchor->capacity_kn,   &anchor->length,  &anchor->spacing,
                               &anchor->rows,          &anchor->step_x,  &anchor->step_y,
-                              &anchor->to_x,          &anchor->to_y};
+                              &anchor->to_x,          &anchor->to_y,    &anchor->azimuth_deg};
   for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) fmpq_init(own[k]->value);
   anchor->block = anchor->into = -1;
 }

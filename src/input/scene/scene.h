@@ -144,6 +144,7 @@ typedef struct tp_anchor_description {
   tp_quantity direction_deg; /* of its pull on the block, from x towards y */
   tp_quantity dip_deg;       /* given: instead, below the horizontal */
   tp_bolt_side side;
+  tp_quantity azimuth_deg;           /* of a wedge, beside dip_deg: towards which it pulls */
   tp_quantity force_kn, capacity_kn; /* of one bolt */
   tp_quantity length, spacing;       /* scene lengths; no spacing: one on the whole thickness */
   tp_quantity rows, step_x, step_y;  /* from the first on; none given: one */

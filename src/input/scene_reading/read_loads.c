@@ -102,7 +102,8 @@ static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anc
   const bool is_force = map == &tp_key_map_loads_forces;
   anchor->place = tp_node_place(node, reader->scene->path);
   tp_status status = tp_read_map(reader, anchor, node, map, is_force ? "a force" : "an anchor");
-  if (status == TP_OK) {
+  /* a wedge does not turn: where it is held is of no account */
+  if (status == TP_OK && reader->scene->solid.wedge.place.file == NULL) {
     status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
   }
   if (status == TP_OK) status = read_side(reader, &anchor->side, tp_node_get(node, "towards"));

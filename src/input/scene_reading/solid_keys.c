@@ -6,6 +6,8 @@
 
 #include "scene_reading/read.h"
 
+#include <string.h>
+
 static tp_status refuse_azimuth(const tp_reader *reader, const tp_quantity *azimuth,
                                 const char *instead) {
   return !azimuth->given
@@ -19,14 +21,54 @@ static tp_status check_loads(const tp_reader *reader, const tp_node *loads) {
   const tp_node *seismic = tp_node_get(loads, "seismic");
   for (const tp_node *n = loads->first; n != NULL; n = n->next) {
     if (n == seismic) continue;
-    return tp_read_fail(reader, TP_FAULT_KEY, n,
-                        "of the loads a solid takes 'seismic' alone: leave out '%s'", n->key);
+    if (reader->scene->solid.wedge.place.file != NULL && strcmp(n->key, "anchors") == 0) continue;
+    return tp_read_fail(
+        reader, TP_FAULT_KEY, n,
+        "of the loads a solid takes 'seismic', and a wedge 'anchors': leave out '%s'", n->key);
   }
   const tp_node *direction = tp_node_get(seismic, "direction");
   return direction == NULL ? TP_OK
                            : tp_read_fail(reader, TP_FAULT_KEY, direction,
                                           "an earthquake on a solid acts towards an 'azimuth_deg', "
                                           "or towards any where none is given");
+}
+
+/* A bolt in a wedge pulls along a line in space, at no point: the wedge does not turn. */
+static tp_status check_bolt(const tp_reader *reader, const tp_node *bolt,
+                            const tp_anchor_description *own) {
+  static const char *const keys[] = {"dip_deg", "azimuth_deg", "force_kn", "capacity_kn",
+                                     "passive"};
+  for (const tp_node *n = bolt->first; n != NULL; n = n->next) {
+    bool known = false;
+    for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+      known = known || strcmp(n->key, keys[k]) == 0;
+    }
+    if (known) continue;
+    return tp_read_fail(reader, TP_FAULT_KEY, n,
+                        "a bolt in a wedge has 'dip_deg', 'azimuth_deg', 'force_kn' and "
+                        "'capacity_kn', and each entry its whole force: leave out '%s'",
+                        n->key);
+  }
+  if (own->passive) {
+    return tp_read_fail(reader, TP_FAULT_KEY, tp_node_get(bolt, "passive"),
+                        "bolts in a wedge are active, and count with the force that they are "
+                        "locked off at: leave out 'passive'");
+  }
+  const tp_node *node = NULL;
+  const tp_status status = tp_read_required(reader, &node, bolt, "dip_deg", "dip_deg: 10");
+  return status == TP_OK ? tp_read_required(reader, &node, bolt, "azimuth_deg", "azimuth_deg: 340")
+                         : status;
+}
+
+static tp_status check_bolts(const tp_reader *reader, const tp_node *loads) {
+  const tp_node *list = loads != NULL ? tp_node_get(loads, "anchors") : NULL;
+  const tp_anchor_description *own = reader->scene->loads.anchors;
+  tp_status status = TP_OK;
+  if (list == NULL) return TP_OK;
+  for (const tp_node *n = list->first; n != NULL && status == TP_OK; n = n->next) {
+    status = check_bolt(reader, n, own++);
+  }
+  return status;
 }
 
 static tp_status check_ways(const tp_reader *reader, const tp_node *root) {
@@ -107,7 +149,8 @@ tp_status tp_check_solid_keys(const tp_reader *reader, const tp_node *root) {
   const tp_node *loads = tp_node_get(root, "loads");
   tp_status status = loads != NULL ? check_loads(reader, loads) : TP_OK;
   if (status == TP_OK && scene->solid.wedge.place.file != NULL) {
-    return check_wedge(reader, root);
+    status = check_wedge(reader, root);
+    return status == TP_OK ? check_bolts(reader, loads) : status;
   }
   if (status == TP_OK) status = check_ways(reader, root);
   return status == TP_OK ? check_contacts(reader) : status;

@@ -128,6 +128,11 @@ static void set_resultant(double sum[3], const tp_solid *solid) {
                           -weight * (1 - solid->seismic_vertical)};
   double normal[3];
   memcpy(sum, down, sizeof down);
+  for (size_t k = 0; k < w->bolt_count; k++) {
+    double pull[3];
+    set_down(pull, w->bolts[k].dip_deg, w->bolts[k].azimuth_deg);
+    combine(sum, 1, sum, w->bolts[k].force_n.value / 1e3, pull);
+  }
   if (!w->has_water) return;
   for (int k = 0; k < 2; k++) {
     set_normal(normal, w->sides + k);

@@ -56,6 +56,33 @@ static void add_least(tp_document *d, const tp_solid_wedge *w) {
   }
 }
 
+static void add_bolts(tp_document *d, const tp_solid_wedge *w) {
+  static const char *const heads[] = {"Bolt", "Force (kN)", "Azimuth (°)",
+                                      "Below the horizontal (°)", "Force / capacity"};
+  if (w->bolt_count == 0) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1f, "Active bolts");
+  tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
+  for (size_t k = 0; k < w->bolt_count; k++) {
+    const tp_wedge_bolt *own = w->bolts + k;
+    tp_document_cell(d, "%zu", k + 1);
+    tp_sheet_add_number(d, kilo(own->force_n), 6);
+    tp_document_cell(d, "%.6g", own->azimuth_deg);
+    tp_document_cell(d, "%.6g", own->dip_deg);
+    tp_sheet_add_number_if(d, own->has_capacity, own->utilisation, 4);
+  }
+}
+
+static void add_support(tp_document *d, const tp_solid_wedge *w) {
+  char n[3][TP_NUMBER_SIZE];
+  if (!w->has_support) return;
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The least further active force that gives the required factor, with both joints "
+                  "pressed: %s kN towards %s°, %s° below the horizontal.",
+                  tp_text_significant(n[0], kilo(w->support_n), 6),
+                  tp_text_fixed(n[1], w->support_azimuth_deg, 2),
+                  tp_text_fixed(n[2], w->support_dip_deg, 2));
+}
+
 static void add_azimuths(tp_document *d, const tp_solid_wedge *w) {
   static const char *const heads[] = {"Azimuth (°)", "FoS", "Slides", "Acceleration (g)", "Slides"};
   const size_t step = (w->azimuth_count + AZIMUTHS - 1) / AZIMUTHS;
@@ -124,6 +151,8 @@ void tp_solid_sheet_add_wedge(tp_solid_sheet *s) {
   tp_document_heading(d, 2, "Account, sliding between two joints");
   add_wedge_table(d, own);
   add_wedge_formula(d, own);
+  add_bolts(d, own);
+  add_support(d, own);
   add_least(d, own);
   add_azimuths(d, own);
 }

@@ -45,6 +45,31 @@ static void add_earthquake(tp_text *t, const tp_solid *s) {
   tp_text_add(t, "\n");
 }
 
+static void add_bolts(tp_text *t, const tp_solid_wedge *w) {
+  for (size_t k = 0; k < w->bolt_count; k++) {
+    const tp_wedge_bolt *own = w->bolts + k;
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(t, "  %-22s %s N towards %.6g°, %.6g° below the horizontal", "bolt",
+                tp_text_significant(n, own->force_n, DIGITS), own->azimuth_deg, own->dip_deg);
+    if (own->has_capacity) {
+      tp_text_add(t, ", %s of its capacity", tp_text_significant(n, own->utilisation, 4));
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_support(tp_text *t, const tp_solid *s) {
+  const tp_solid_wedge *w = &s->wedge;
+  char n[3][TP_NUMBER_SIZE];
+  if (!w->has_support) return;
+  tp_text_add(t,
+              "  The least further active force that gives %.6g is %s N, towards %s°, %s° below "
+              "the horizontal.\n",
+              s->required_fos, tp_text_significant(n[0], w->support_n, DIGITS),
+              tp_text_fixed(n[1], w->support_azimuth_deg, 2),
+              tp_text_fixed(n[2], w->support_dip_deg, 2));
+}
+
 static void add_found(tp_text *t, const char *label, tp_bounded least, const char *unit,
                       double azimuth_deg, const char *slides_on) {
   char n[TP_NUMBER_SIZE];
@@ -81,6 +106,7 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   add_number(t, "area of B", w->areas_m2[1], " m²");
   if (w->has_crack) add_number(t, "area of the crack", w->crack_area_m2, " m²");
   add_earthquake(t, s);
+  add_bolts(t, w);
   if (w->has_water) add_number(t, "mean water pressure", w->water_kpa, " kPa");
   add_number(t, "normal force on A", w->normal_n[0], " N");
   add_number(t, "normal force on B", w->normal_n[1], " N");
@@ -89,6 +115,7 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   add_of_all_azimuths(t, s);
   tp_text_add(t, "  %-22s %s\n", "verdict", tp_mechanism_name(w->verdict));
   tp_text_solid_required(t, s);
+  add_support(t, s);
   tp_text_add(t, "  As Hoek and Bray have it: friction and cohesion act against the sliding alone, "
                  "no joint is in tension,\n  and the wedge does not turn.\n");
 }

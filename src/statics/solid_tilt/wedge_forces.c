@@ -5,6 +5,8 @@
 
 #include "solid_tilt/wedge_forces.h"
 
+#include "number/ball.h"
+
 enum { BITS = TP_WEDGE_BITS, CRACK = 2, SPARES = 2 };
 
 typedef struct work {
@@ -108,8 +110,22 @@ static void set_weight(work *w) {
   arb_mul(w->forces->push + 2, weight, share, BITS);
 }
 
+/* F (cos d sin z, cos d cos z, -sin d) of one that dips by d below the horizontal towards z. */
+static void add_bolt(work *w, const tp_anchor_description *bolt) {
+  arb_struct *const force = w->spares, *const level = w->spares + 1, *const way = w->product;
+  arb_set_fmpq(force, bolt->force_kn.value, BITS);
+  tp_ball_sin_cos_degrees(way + 2, level, bolt->dip_deg.value, BITS);
+  arb_neg(way + 2, way + 2);
+  tp_ball_sin_cos_degrees(way, way + 1, bolt->azimuth_deg.value, BITS);
+  for (int k = 0; k < 2; k++) arb_mul(way + k, way + k, level, BITS);
+  for (int k = 0; k < 3; k++) arb_addmul(w->forces->push + k, force, way + k, BITS);
+}
+
 static void set_push(work *w) {
   set_weight(w);
+  for (long k = 0; k < w->scene->loads.anchor_count; k++) {
+    add_bolt(w, w->scene->loads.anchors + k);
+  }
   add_pressure(w, TP_WEDGE_A, TP_WEDGE_A, 1);
   add_pressure(w, TP_WEDGE_B, TP_WEDGE_B, 1);
   if (!w->shape->has_crack) return;

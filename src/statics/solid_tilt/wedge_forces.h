@@ -3,7 +3,8 @@
 
 /* Areas and volume of a wedge, and what pushes it, in balls: its weight W, less the share of a
  * vertical earthquake, and the water's pressure p times areas, into the wedge along the normals of
- * its joints and across its crack. A horizontal earthquake comes on top (wedge_law.h). */
+ * its joints and across its crack, and what bolts pull it by. A horizontal earthquake comes on top
+ * (wedge_law.h). */
 
 #ifndef TP_SOLID_TILT_WEDGE_FORCES_H
 #define TP_SOLID_TILT_WEDGE_FORCES_H

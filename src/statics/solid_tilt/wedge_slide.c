@@ -10,6 +10,7 @@
 #include "solid/surface.h"
 #include "solid_tilt/wedge_circle.h"
 #include "solid_tilt/wedge_reach.h"
+#include "solid_tilt/wedge_support.h"
 
 #include <stdlib.h>
 
@@ -190,6 +191,39 @@ static tp_status tell_azimuths(work *w, size_t count, tp_message *message) {
   return TP_OK;
 }
 
+/* ---- bolts -------------------------------------------------------------------------------------
+ */
+
+static tp_status tell_bolts(work *w, tp_message *message) {
+  const tp_loads_description *loads = &w->scene->loads;
+  tp_solid_wedge *own = w->result;
+  own->bolts = calloc((size_t)loads->anchor_count + 1, sizeof *own->bolts);
+  if (own->bolts == NULL) return tp_fail_memory(message, "the bolts of a wedge");
+  own->bolt_count = (size_t)loads->anchor_count;
+  for (size_t k = 0; k < own->bolt_count; k++) {
+    const tp_anchor_description *given = loads->anchors + k;
+    tp_wedge_bolt *bolt = own->bolts + k;
+    bolt->azimuth_deg = tp_surface_nearest(given->azimuth_deg.value);
+    bolt->dip_deg = tp_surface_nearest(given->dip_deg.value);
+    arb_set_fmpq(w->n + SECOND, given->force_kn.value, BITS);
+    bolt->force_n = in_newtons(w, w->n + SECOND);
+    bolt->has_capacity = given->capacity_kn.given;
+    if (!bolt->has_capacity) continue;
+    bolt->capacity_kn = tp_surface_nearest(given->capacity_kn.value);
+    arb_set_fmpq(w->n + OWN, given->capacity_kn.value, BITS);
+    arb_div(w->n + OWN, w->n + SECOND, w->n + OWN, BITS);
+    bolt->utilisation = tp_ball_bounded(w->n + OWN);
+  }
+  return TP_OK;
+}
+
+/* Where the earthquake may come from any azimuth, a force against one of them does not do. */
+static void tell_support(work *w) {
+  const tp_quantity *required = &w->scene->required_fos;
+  if (!required->given || (is_shaken(w) && !w->scene->loads.azimuth_deg.given)) return;
+  tp_wedge_support_find(w->result, &w->law, w->shape, w->values, required->value);
+}
+
 /* ---- its shape ---------------------------------------------------------------------------------
  */
 
@@ -254,7 +288,9 @@ tp_status tp_wedge_slide(tp_solid_wedge *result, const tp_wedge_shape *shape, co
   find_worst(&w, &worst);
   tell_way(&w, &worst);
   find_acceleration(&w);
-  const tp_status status = tell_azimuths(&w, azimuths, message);
+  tell_support(&w);
+  tp_status status = tell_bolts(&w, message);
+  if (status == TP_OK) status = tell_azimuths(&w, azimuths, message);
   tp_wedge_law_clear(&w.law);
   tp_wedge_forces_clear(&w.forces);
   tp_wedge_values_clear(w.values);
@@ -264,4 +300,5 @@ tp_status tp_wedge_slide(tp_solid_wedge *result, const tp_wedge_shape *shape, co
 
 void tp_solid_wedge_clear(tp_solid_wedge *wedge) {
   free(wedge->azimuths);
+  free(wedge->bolts);
 }
