@@ -30,6 +30,7 @@ export class HandlesLayer {
     this.handles = [];
     /** The key of the handle that is dragged. @type {string|null} */
     this.dragged = null;
+    addEventListener("pagehide", () => this.#apply()); // what the hand did last is kept with the scene
   }
 
   /** Keys of handles that stay, however many others are nearer: one that is dragged, one that has the focus. */

@@ -86,7 +86,7 @@ async function openFirst(store, menu, messages, embedded) {
 
 /** The scene is no more the one that the address carries: a reload would bring that one back. */
 function forgetLink() {
-  if (carriesScene(location.hash)) history.replaceState(null, "", location.pathname + location.search);
+  if (carriesScene(location.hash)) history.replaceState(history.state, "", location.pathname + location.search);
 }
 
 /** @returns {Promise<boolean>} whether the page's address carried a scene */

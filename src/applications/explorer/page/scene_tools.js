@@ -85,7 +85,7 @@ function hashOf(store, menu) {
 async function copyLink(store, menu, messages) {
   try {
     const hash = await hashOf(store, menu);
-    history.replaceState(null, "", hash);
+    history.replaceState(history.state, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);
       messages.say(say("The link is copied: it carries the whole scene."));

@@ -4,29 +4,38 @@
 /**
  * The scene is kept in the browser's own storage, so that a reload, a crash or another day finds it as it was left: by a
  * tab for itself, and the last one for new tabs. What cannot be kept there is asked about before the page is left.
+ *
+ * A tab knows its own scene by a name in the state of its history. The storage of a session would be simpler; but Chromium,
+ * as it goes over to another process with a reload, now and then gives the page that of before, or none.
  */
 
 import { checked } from "./link.js";
 
-const KEY = "topple.scene";
+const TABS = "topple.scene"; // names of the tabs whose scenes are kept, with blanks between, the last that was changed first
+const OWN = TABS + ".";
 const LATE_MS = 150;
+const LATEST_MS = 1500; // a drag that goes on is kept that often
+const TABS_MAX = 6;
 
-/** @returns {Storage[]} those that this browser gives to this page */
-function storages() {
-  return ["sessionStorage", "localStorage"].flatMap((name) => {
-    try {
-      return [window[name]];
-    } catch {
-      return []; // refused by the reader's settings
-    }
-  });
+/** @returns {Storage|null} */
+function storage() {
+  try {
+    return window.localStorage;
+  } catch {
+    return null; // refused by the reader's settings
+  }
 }
+
+/** @param {Storage} from @returns {string[]} */
+const tabsOf = (from) => (from.getItem(TABS) ?? "").split(" ").filter((tab) => tab !== "");
 
 /** @returns {import("./store.js").State|null} the scene that was left here */
 export function keptScene() {
-  for (const storage of storages()) {
+  const from = storage();
+  if (from === null) return null;
+  for (const tab of [history.state?.tab, tabsOf(from)[0]]) {
     try {
-      const found = storage.getItem(KEY);
+      const found = from.getItem(OWN + tab);
       if (found !== null) return checked(JSON.parse(found));
     } catch {
       // of another version, or cut off: as if there were none
@@ -37,35 +46,53 @@ export function keptScene() {
 
 /** @param {import("./store.js").SceneStore} store */
 export function keepScene(store) {
+  const tab = history.state?.tab ?? crypto.getRandomValues(new Uint32Array(2)).join("-");
+  nameTab(tab);
+  addEventListener("hashchange", () => nameTab(tab)); // a link followed within the page
   let timer = null;
+  let since = 0; // when the first change came that is not kept yet
   let isKept = true;
   const keep = () => {
     clearTimeout(timer);
     timer = null;
-    isKept = put(store);
+    isKept = put(store, tab);
   };
+  const flush = () => timer !== null && keep();
   store.addEventListener("text", () => {
-    timer ??= setTimeout(keep, LATE_MS);
+    if (timer === null) since = performance.now();
+    clearTimeout(timer);
+    timer = setTimeout(keep, Math.min(LATE_MS, Math.max(0, since + LATEST_MS - performance.now())));
   });
-  addEventListener("pagehide", () => timer !== null && keep());
+  addEventListener("pagehide", flush);
+  // a browser of a phone ends hidden pages without a word
+  document.addEventListener("visibilitychange", () => document.hidden && flush());
   addEventListener("beforeunload", (event) => {
-    if (timer !== null) keep();
+    flush();
     if (!isKept && store.canUndo) event.preventDefault();
   });
 }
 
-/** @returns {boolean} whether a reload would find all of it */
-function put(store) {
-  if (Object.values(store.files).some((content) => typeof content !== "string")) return false;
+/** @param {string} tab */
+function nameTab(tab) {
+  if (history.state?.tab !== tab) history.replaceState({ ...history.state, tab }, "");
+}
+
+/** @param {string} tab @returns {boolean} whether a reload would find all of it */
+function put(store, tab) {
+  const into = storage();
+  if (into === null || Object.values(store.files).some((content) => typeof content !== "string")) return false;
   const scene = JSON.stringify({ name: store.name, text: store.text, files: store.files });
-  let kept = false;
-  for (const storage of storages()) {
+  const tabs = [tab, ...tabsOf(into).filter((other) => other !== tab)];
+  const forget = (old) => into.removeItem(OWN + old);
+  tabs.splice(TABS_MAX).forEach(forget);
+  for (;;) {
     try {
-      storage.setItem(KEY, scene);
-      kept = true;
+      into.setItem(TABS, tabs.join(" "));
+      into.setItem(OWN + tab, scene);
+      return true;
     } catch {
-      storage.removeItem(KEY); // too long for it: an older scene would come back instead
+      forget(tabs.pop()); // no room for it: the oldest goes, and at last its own, or an older scene would come back instead
+      if (tabs.length === 0) return false;
     }
   }
-  return kept;
 }
