@@ -21,6 +21,7 @@ import site_markdown
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
+HIDDEN = '<a id="docs" href="explorer.html" hidden>'  # in the page of the explorer, which has no documentation beside it else
 PAGES = {"README.md": "index.md", "docs/README.md": "contents.md", "CONTRIBUTING.md": "contributing.md"}
 
 
@@ -83,7 +84,7 @@ def explorer(build):
     """The page of the explorer, built of the program in a folder; None where what that needs is missing, which is told."""
     missing = [tool for tool in ("emcc", "npm", "dpkg-source", "patch") if shutil.which(tool) is None]
     if missing:
-        print(f"The site is without the explorer, which needs {', '.join(missing)}: ./run --explorer installs them", file=sys.stderr)
+        print(f"The site is without the explorer, which needs {', '.join(missing)}: ./run --site installs them", file=sys.stderr)
         return None
     for step in ("build_core", "bundle"):
         done = subprocess.run([ROOT / "src" / "applications" / "explorer" / step], env={**os.environ, "TOPPLE_BUILD": str(build)}, check=False)
@@ -93,8 +94,11 @@ def explorer(build):
 
 
 def add_explorer(pages, page):
-    """The page itself, and a link to it below the heading of its documentation and of the front."""
-    shutil.copy(page, pages / "topple.html")
+    """The page itself, with its link to its documentation shown, and a link to it below the heading of that and of the front."""
+    text = page.read_text(encoding="utf-8")
+    if text.count(HIDDEN) != 1:
+        sys.exit(f"{page} has no link to its documentation that could be shown")
+    (pages / "topple.html").write_text(text.replace(HIDDEN, HIDDEN.replace(" hidden", "")), encoding="utf-8")
     for name, words in (("explorer.md", "Open the explorer"), ("index.md", "Try it in the browser")):
         text = (pages / name).read_text(encoding="utf-8")
         heading, rest = text.split("\n", 1)
@@ -105,7 +109,7 @@ def main():
     if len(sys.argv) not in (2, 3):
         sys.exit("usage: build_site.py FOLDER [BUILD]")
     if shutil.which("mkdocs") is None:
-        sys.exit("the site is built by MkDocs, which is not installed: apt install mkdocs")
+        sys.exit("the site is built by MkDocs, which is not installed: apt-get install mkdocs, or ./run --site, which installs all that the site needs")
     target = pathlib.Path(sys.argv[1]).resolve()
     program = explorer(pathlib.Path(sys.argv[2]).resolve()) if len(sys.argv) == 3 else None
     with tempfile.TemporaryDirectory() as name:
@@ -120,6 +124,8 @@ def main():
         environment = {**os.environ, "PYTHONPATH": str(stage), "PYTHONDONTWRITEBYTECODE": "1"}
         done = subprocess.run(["mkdocs", "build", "--strict", "--quiet", "--clean", "--site-dir", target], cwd=stage,
                               env=environment, check=False)
+    if done.returncode == 0:
+        print(f"{target / 'index.html'}" + ("" if program is None else f", with the explorer as {target / 'topple.html'}"))
     sys.exit(done.returncode)
 
 

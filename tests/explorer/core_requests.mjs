@@ -7,7 +7,9 @@ import { readFileSync } from "node:fs";
 import { Worker } from "node:worker_threads";
 import { CoreStopped, Requests } from "../../src/applications/explorer/core/requests.js";
 
-const module = await WebAssembly.compile(readFileSync(new URL("../../build-explorer/core_loader.wasm", import.meta.url)));
+const part = (name) => readFileSync(new URL("../../build-explorer/" + name, import.meta.url));
+const module = await WebAssembly.compile(part("core_first.wasm"));
+const rest = { module: await WebAssembly.compile(part("core_rest.wasm")), fonts: part("core_fonts.bin") };
 const slab = readFileSync(new URL("../../examples/slab_left.yaml", import.meta.url), "utf8");
 const solve = ["solve", "--json", "slab.yaml"];
 let started = 0;
@@ -15,7 +17,7 @@ let started = 0;
 function start(heard) {
   started++;
   const worker = new Worker(new URL("./core_thread.mjs", import.meta.url));
-  worker.on("message", heard);
+  worker.on("message", (message) => (message.kind === "lacks" ? worker.postMessage({ kind: "rest", rest }) : heard(message)));
   worker.postMessage({ kind: "begin", module });
   return { post: (message) => worker.postMessage(message), end: () => worker.terminate() };
 }

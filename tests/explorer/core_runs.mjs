@@ -14,7 +14,11 @@ import { Program } from "../../src/applications/explorer/core/program.js";
 
 const build = new URL("../../build-explorer/", import.meta.url);
 const createCore = createRequire(import.meta.url)(new URL("core_loader.js", build).pathname);
-const module = await WebAssembly.compile(readFileSync(new URL("core_loader.wasm", build)));
+const part = (name) => readFileSync(new URL(name, build));
+// as on the page, the rest comes later
+const rest = async () => ({ module: await WebAssembly.compile(part("core_rest.wasm")), fonts: part("core_fonts.bin") });
+const module = await WebAssembly.compile(part("core_first.wasm"));
+const begun = () => Program.create(createCore, { module, rest: rest() }, environment);
 
 const filesOf = (folder) => readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
   entry.isDirectory() ? filesOf(join(folder, entry.name)) : [join(folder, entry.name)]);
@@ -28,16 +32,16 @@ const carried = (folder) => {
 
 const { SOURCE_DATE_EPOCH } = process.env;
 const environment = SOURCE_DATE_EPOCH === undefined ? {} : { SOURCE_DATE_EPOCH };
-let program = await Program.create(createCore, module, environment);
+let program = await begun();
 for await (const line of createInterface({ input: process.stdin })) {
   const { folder, args, collect } = JSON.parse(line);
   let answer;
   try {
-    answer = program.run(args, carried(folder), collect ?? []);
+    answer = await program.run(args, carried(folder), collect ?? []);
     answer.files = Object.fromEntries(Object.entries(answer.files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("latin1")]));
   } catch (error) {
     answer = { status: -1, out: "", err: `broke down: ${error}`, files: {}, seconds: 0 };
-    program = await Program.create(createCore, module, environment);
+    program = await begun();
   }
   process.stdout.write(JSON.stringify({ ...answer, memory: program.size }) + "\n");
 }

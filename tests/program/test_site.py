@@ -55,7 +55,7 @@ class Contents(unittest.TestCase):
         self.assertGreater(len(of_folder), 45)
 
     def test_explorer_in_the_site(self):
-        """The page as it is, and a link to it below both headings."""
+        """The page with its link back shown, and a link to it below both headings."""
         sys.path.insert(0, str(SITE))
         sys.dont_write_bytecode = True
         import build_site
@@ -63,9 +63,11 @@ class Contents(unittest.TestCase):
             folder = pathlib.Path(name)
             for page in ("explorer.md", "index.md"):
                 (folder / page).write_text("# Heading\n\nText\n", encoding="utf-8")
-            (folder / "made").write_text("<!doctype html>", encoding="utf-8")
+            (folder / "made").write_text(f"<!doctype html>{build_site.HIDDEN}Documentation</a>", encoding="utf-8")
             build_site.add_explorer(folder, folder / "made")
-            self.assertEqual((folder / "topple.html").read_text(encoding="utf-8"), "<!doctype html>")
+            self.assertEqual((folder / "topple.html").read_text(encoding="utf-8"), '<!doctype html><a id="docs" href="explorer.html">Documentation</a>')
+            own = (ROOT / "src/applications/explorer/page/index.html").read_text(encoding="utf-8")
+            self.assertEqual(own.count(build_site.HIDDEN), 1)
             self.assertEqual((folder / "explorer.md").read_text(encoding="utf-8"), "# Heading\n\n**[Open the explorer](topple.html)**\n\nText\n")
 
     def test_markdown(self):

@@ -6,6 +6,7 @@ give the same bytes: nothing in them tells when or where they were made.
 Modules that no file is: topple:examples, topple:keys, topple:licence_texts, and those that the caller gives, as the core's bytes."""
 
 import base64
+import functools
 import gzip
 import hashlib
 import json
@@ -24,6 +25,9 @@ COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")  # of Debian's pack
 STYLE = '<link rel="stylesheet" href="style.css">'
 PHRASES = '<script type="application/json" id="phrases"></script>'
 SCRIPT = '<script type="module" src="main.js"></script>'
+CARRY = '<script src="carry.js"></script>'
+CORE = "<core></core>"
+PIECE = 256 * 1024  # letters of a piece of the core, of which four are three bytes
 
 
 def install():
@@ -62,23 +66,41 @@ def packed(content):
     return base64.b64encode(gzip.compress(content, compresslevel=9, mtime=0)).decode()
 
 
-def bundled(folder, modules):
+def in_pieces(core):
+    """The parts of the core as elements at the page's end; those of the first part are each taken up as soon as they have been
+    read (page/carry.js)."""
+    scripts = []
+    for name, content in core.items():
+        letters = packed(content)
+        for at in range(0, len(letters), PIECE):
+            scripts.append(f'<script type="text/plain" data-part="{name}">{letters[at:at + PIECE]}</script>')
+            if name == "first":
+                scripts.append(f'<script>toppleCarry({"true" if at + PIECE >= len(letters) else "false"})</script>')
+    return "\n".join(["<div hidden>", *scripts, "</div>"])
+
+
+def bundled(folder, modules, core):
     """The page's text. `folder`: where files that it is made from may be written; `modules`: names of modules that no
-    file is, and what each is, as JSON."""
+    file is, and what each is, as JSON; `core`: the bytes of each part of the program, the first
+    one first."""
     folder.mkdir(parents=True, exist_ok=True)
     options = []
-    for name, value in {"topple:examples": packed(json.dumps(examples(), ensure_ascii=False).encode()), "topple:keys": keys(), "topple:licence_texts": licence_texts(), **modules}.items():
+    for name, value in {"topple:examples": packed(json.dumps(examples(), ensure_ascii=False).encode()), "topple:keys": keys(), "topple:licence_texts": packed(json.dumps(licence_texts(), ensure_ascii=False).encode()), **modules}.items():
         path = folder / (name.replace(":", "_") + ".json")
         path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
         options.append(f"--alias:{name}={path}")
     script = esbuild("page/main.js", "--format=esm", *options)
+    carry = esbuild("page/carry.js", "--format=iife")
     style = esbuild("page/style.css")
     page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
-    for place in (STYLE, PHRASES, SCRIPT):
+    for place in (STYLE, PHRASES, CARRY, SCRIPT, CORE):
         if page.count(place) != 1:
             raise ValueError(f"page/index.html has not {place} once")
-    # neither may end its element before its end
-    script = script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
+    # none may end its element before its end
+    script, carry = (text.replace("</script", "<\\/script").replace("<!--", "<\\!--") for text in (script, carry))
     style = style.replace("</style", "<\\/style")
     words = PHRASES.replace("></", ">" + json.dumps(phrases(), ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c") + "</")
-    return page.replace(STYLE, f"<style>{style}</style>").replace(PHRASES, words).replace(SCRIPT, f'<script type="module">{script}</script>')
+    # async: the page begins before its core has been read
+    parts = {STYLE: f"<style>{style}</style>", PHRASES: words, CARRY: f"<script>{carry}</script>",
+             SCRIPT: f'<script type="module" async>{script}</script>', CORE: in_pieces(core)}
+    return functools.reduce(lambda text, part: text.replace(*part), parts.items(), page)

@@ -4,33 +4,39 @@
 /** The core of the page: the program topple in WebAssembly, in a worker made of what the page carries. */
 
 import carried from "topple:core";
-import { unpacked } from "./packed.js";
 import { Requests } from "./requests.js";
 
 export { CoreStopped } from "./requests.js";
 
-/** @returns {Promise<WebAssembly.Module>} of the bytes within the page, compiled while they are unpacked */
-function compile() {
-  return WebAssembly.compileStreaming(new Response(unpacked(carried.wasm), { headers: { "Content-Type": "application/wasm" } }));
-}
+const REST_LATE_MS = 300; // behind the first answer, which is drawn meanwhile
 
-/** Compiled once for all cores of the page. @type {Promise<WebAssembly.Module>|null} */
-let compiled = null;
+/** Compiled once for all cores of the page, since before this began (page/carry.js). */
+const compiled = globalThis.toppleCore;
 
 /** @param {(message: object) => void} heard */
 function startWorker(heard) {
-  compiled ??= compile();
   const address = URL.createObjectURL(new Blob([carried.worker], { type: "text/javascript" }));
   const worker = new Worker(address);
-  worker.onmessage = (event) => heard(event.data);
+  const broken = (error) => heard({ kind: "broken", why: String(error) });
+  let restAsked = false;
+  const askRest = () => {
+    if (restAsked) return;
+    restAsked = true;
+    compiled.rest().then((rest) => worker.postMessage({ kind: "rest", rest }), broken);
+  };
+  worker.onmessage = ({ data }) => {
+    if (data.kind === "lacks") {
+      askRest();
+      return;
+    }
+    if (data.kind === "done") setTimeout(askRest, REST_LATE_MS);
+    heard(data);
+  };
   worker.onerror = (event) => {
     event.preventDefault();
     heard({ kind: "broken", why: event.message ?? "its worker did not begin" });
   };
-  compiled.then(
-    (module) => worker.postMessage({ kind: "begin", module }),
-    (error) => heard({ kind: "broken", why: String(error) }),
-  );
+  compiled.module.then((module) => worker.postMessage({ kind: "begin", module }), broken);
   return {
     post: (message) => worker.postMessage(message),
     end: () => {

@@ -9,7 +9,7 @@ export function unpacked(packed) {
 }
 
 /** @param {string} letters in base 64 @returns {Uint8Array} */
-function bytesOf(letters) {
+export function bytesOf(letters) {
   if (typeof Uint8Array.fromBase64 === "function") return Uint8Array.fromBase64(letters);
   return Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
 }

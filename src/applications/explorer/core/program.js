@@ -15,6 +15,13 @@
  * @property {number} seconds
  */
 
+/**
+ * @typedef {object} Rest What the first part of the core lacks (wasm/split.py).
+ * @property {WebAssembly.Module} module its other functions
+ * @property {Uint8Array} fonts
+ */
+
+const PLACEHOLDER = "placeholder"; // where functions of the rest are imported from
 const ROOT = "/files";
 const HOME = ROOT + "/scenes"; // a scene may name a file in a folder beside its own
 const DATA_BEGIN = 1024; // below it nothing is stored, as no pointer is null or near it
@@ -25,6 +32,15 @@ function placeOf(name) {
   const path = new URL(HOME + "/" + name.split("/").map(encodeURIComponent).join("/"), "file:///").pathname;
   if (!path.startsWith(ROOT + "/")) throw new Error(`${name} lies outside of where scenes are`);
   return decodeURIComponent(path);
+}
+
+/** Functions in place of those that are not there yet. @param {WebAssembly.Module} module @param {{lacks: boolean}} first is told that one was called */
+function placeholders(module, first) {
+  const called = () => {
+    first.lacks = true;
+    throw new Error("the rest of the core is not there yet");
+  };
+  return Object.fromEntries(WebAssembly.Module.imports(module).filter((each) => each.module === PLACEHOLDER).map(({ name }) => [name, called]));
 }
 
 /** Thrown by exit(). */
@@ -39,34 +55,53 @@ class Ended extends Error {
 export class Program {
   #core;
   #begun;
+  #first;
+  /** @type {Promise<Rest>|null} null: it is there, or never needed */
+  #rest;
+  #lacks;
 
   /**
    * @param {Function} createCore what emscripten's loader exports
-   * @param {WebAssembly.Module} module
+   * @param {{module: WebAssembly.Module, rest: Promise<Rest>|null, lacks?: () => void}} parts rest: null where the module is the
+   *   whole core; lacks: called where a run waits for the rest
    * @param {Object<string, string>} [environment] variables that the program finds, such as SOURCE_DATE_EPOCH
    * @returns {Promise<Program>}
    */
-  static async create(createCore, module, environment = {}) {
+  static async create(createCore, { module, rest, lacks = () => {} }, environment = {}) {
+    const first = { lacks: false, imports: null, exports: null };
     const core = await createCore({
       preRun: [({ ENV }) => Object.assign(ENV, environment)],
       instantiateWasm(imports, done) {
-        WebAssembly.instantiate(module, imports).then((instance) => done(instance, module));
+        first.imports = { ...imports, [PLACEHOLDER]: placeholders(module, first) };
+        WebAssembly.instantiate(module, first.imports).then((instance) => {
+          first.exports = instance.exports;
+          done(instance, module);
+        });
         return {};
       },
       quit(status) {
         throw new Ended(status);
       },
     });
-    return new Program(core);
+    return new Program(core, first, rest, lacks);
   }
 
-  constructor(core) {
+  constructor(core, first, rest, lacks) {
     this.#core = core;
+    this.#first = first;
+    this.#rest = rest;
+    this.#lacks = lacks;
     core.FS.mkdirTree(HOME);
     core.FS.chdir(HOME);
     // Around the fonts, which nothing writes to.
     const kept = [[DATA_BEGIN, core._core_fonts(0)], [core._core_fonts(1), core._core_data_end()]];
     this.#begun = kept.map(([begin, end]) => ({ begin, bytes: core.HEAPU8.slice(begin, end) }));
+    rest?.then((came) => this.#complete(came), () => {});
+  }
+
+  /** Where the fonts lie in its memory. @returns {Uint8Array} */
+  get fonts() {
+    return this.#core.HEAPU8.subarray(this.#core._core_fonts(0), this.#core._core_fonts(1));
   }
 
   /** Bytes of memory that the instance holds; it never gives any back. */
@@ -75,12 +110,35 @@ export class Program {
   }
 
   /**
+   * A run that needs what is not there yet is given up, and done anew when it is: each begins from the same state.
    * @param {string[]} args as on the command line, without the name of the program
    * @param {Object<string, string|Uint8Array>} files put where the program runs
    * @param {string[]} [collect] names of files to read afterwards
-   * @returns {Written}
+   * @returns {Promise<Written>}
    */
-  run(args, files, collect = []) {
+  async run(args, files, collect = []) {
+    this.#first.lacks = false;
+    try {
+      const written = this.#runOnce(args, files, collect);
+      if (!this.#first.lacks) return written;
+    } catch (error) {
+      if (!this.#first.lacks) throw error;
+    }
+    this.#lacks();
+    this.#complete(await this.#rest);
+    return this.#runOnce(args, files, collect);
+  }
+
+  /** @param {Rest} rest put where the placeholders of its functions are, and its fonts */
+  #complete({ module, fonts }) {
+    if (this.#rest === null) return;
+    this.#rest = null;
+    new WebAssembly.Instance(module, { ...this.#first.imports, primary: this.#first.exports });
+    this.fonts.set(fonts);
+  }
+
+  /** @returns {Written} */
+  #runOnce(args, files, collect) {
     const { FS } = this.#core;
     for (const { begin, bytes } of this.#begun) this.#core.HEAPU8.set(bytes, begin);
     this.#clear(ROOT);

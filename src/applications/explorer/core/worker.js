@@ -15,8 +15,12 @@ export function serve(port, createCore) {
   let module = null;
   /** @type {Promise<Program>} */
   let program = null;
+  /** @type {(rest: import("./program.js").Rest) => void} */
+  let restCame;
+  /** @type {Promise<import("./program.js").Rest>} */
+  const rest = new Promise((resolve) => (restCame = resolve));
   const begin = () => {
-    program = Program.create(createCore, module);
+    program = Program.create(createCore, { module, rest, lacks: () => port.post({ kind: "lacks" }) });
   };
   port.listen(async (message) => {
     if (message.kind === "begin") {
@@ -26,9 +30,13 @@ export function serve(port, createCore) {
       port.post({ kind: "ready" });
       return;
     }
+    if (message.kind === "rest") {
+      restCame(message.rest);
+      return;
+    }
     try {
       const own = await program;
-      const answer = own.run(message.args, message.files, message.collect);
+      const answer = await own.run(message.args, message.files, message.collect);
       port.post({ kind: "done", id: message.id, answer });
       if (own.size > KEPT_MAX) begin();
     } catch (error) {

@@ -6,7 +6,8 @@
 import { element, table } from "./element.js";
 import { Panel } from "./panel.js";
 import licences from "../licences/licences.json";
-import texts from "topple:licence_texts";
+import packed from "topple:licence_texts";
+import { unpacked } from "../core/packed.js";
 import { parts, say } from "../words/language.js";
 
 const VERSION_MAX_MS = 5000;
@@ -18,6 +19,7 @@ export class AboutPanel extends Panel {
 
   constructor(place, context) {
     super(place, context);
+    const texts = element("div", {});
     const version = element("strong", {}, "topple");
     this.body.append(
       element(
@@ -27,13 +29,10 @@ export class AboutPanel extends Panel {
         cells: [name, licence, purpose],
       }))),
       element("p", {}, say("The texts of the licences, and the notices that go with them:")),
-      ...Object.entries(texts).map(([name, text]) =>
-        element("details", {}, element("summary", {}, name), element("pre", { class: "wide", tabindex: 0 }, text)),
-      ),
-      ...licences.notices.map((notice, at) =>
-        element("details", {}, element("summary", {}, named(at)), element("pre", { class: "wide", tabindex: 0 }, notice)),
-      ),
+      texts,
+      ...licences.notices.map((notice, at) => foldedText(named(at), notice)),
     );
+    new Response(unpacked(packed)).json().then((found) => texts.append(...Object.entries(found).map(([name, text]) => foldedText(name, text))));
     this.core.run(["--version"], {}, { timeoutMs: VERSION_MAX_MS }).then(
       (answer) => (version.textContent = answer.out.trim() || "topple"),
       () => {}, // a core that was stopped has no version to tell; the page says so by itself
@@ -41,6 +40,11 @@ export class AboutPanel extends Panel {
   }
 
   draw() {}
+}
+
+/** A text of many lines below its name. */
+function foldedText(name, text) {
+  return element("details", {}, element("summary", {}, name), element("pre", { class: "wide", tabindex: 0 }, text));
 }
 
 function named(notice) {
