@@ -159,8 +159,9 @@ class Files(DrawnCase):
         self.example("wet_columns")
         status, out, err = run("solve", "--json", "examples/blocks/wet_columns.yaml", folder=ROOT)
         self.assertEqual(status, 0, err)
-        fos = json.loads(out)["cases"][0]["fos"]["value"]
-        self.assertAlmostEqual(float(self.value("document.querySelector('#factor-said strong').textContent")), fos, delta=0.0006)
+        case = json.loads(out)["cases"][0]
+        self.assertLess(case["fos_driving"]["value"], case["fos"]["value"])  # and so it governs
+        self.assertAlmostEqual(float(self.value("document.querySelector('#factor-said strong').textContent")), case["fos_driving"]["value"], delta=0.0006)
         self.assertEqual(self.value("['block.slides', 'block:not(.slides)', 'ground', 'mechanism', 'surface'].map(c => document.querySelectorAll('.shape.' + c).length)"),
                          [3, 3, 1, 3, 1])
         self.awaits("document.querySelector('#panel-verdict pre')?.textContent.includes('strength reduction')")

@@ -120,6 +120,40 @@ class Looks(PageCase):
             self.refused()
             self.assertEqual(self.axe(), [], (width, "a complaint"))
 
+    @unittest.skipUnless(AXE.is_file(), f"there is no {AXE}: ./run --explorer installs it")
+    def test_axe_finds_nothing_elsewhere(self):
+        """Nor in the film of a fall and of a shaking, in any step of the tour, beside a kept scene, with menus open, in the dark, and
+        within another page."""
+        rules = AXE.read_text(encoding="utf-8")
+
+        def looked_at(scheme, fragment=""):
+            self.scheme(scheme)
+            self.load(fragment)
+            self.browser.call("Runtime.evaluate", expression=rules)
+        looked_at("dark")
+        for name in ("slab_left", "shaken_boulder"):
+            self.example(name)
+            self.awaits("!document.getElementById('play').disabled")
+            self.click("#play")
+            self.awaits("!document.getElementById('film').hidden", 60)
+            self.click(".film button")
+            self.assertEqual(self.axe(), [], name)
+            self.click("#play")
+        self.value("document.querySelectorAll('.settings, .legend').forEach(d => d.open = true)")
+        self.assertEqual(self.axe(), [], "menus")
+        looked_at("light")
+        self.click("#tab-compare")
+        self.click("#panel-compare button")
+        self.example("block_f")
+        self.assertEqual(self.axe(), [], "two scenes")
+        self.click("#tour-begin button")
+        for step in range(1, 8):
+            self.click(f".tour ol li:nth-child({step}) button")
+            self.answered()
+            self.assertEqual(self.axe(), [], step)
+        looked_at("dark", "#embed=results,pivots&example=slab_left.yaml")
+        self.assertEqual(self.axe(), [], "embedded")
+
     def axe(self):
         """What it has to complain of."""
         told = "axe.run(document).then(r => r.violations.map(v => v.id + ': ' + v.nodes.map(n => n.html.slice(0, 120)).join(' | ')))"

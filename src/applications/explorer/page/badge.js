@@ -5,6 +5,7 @@
 
 import { degreesText, fosText } from "../panels/certain.js";
 import { COLOUR_CLASS, againstText, sentence } from "../panels/words.js";
+import { drives } from "../scene/solution.js";
 import { parts, say } from "../words/language.js";
 
 /** @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store */
@@ -30,7 +31,7 @@ export function verdictWords(kase) {
 /** The number stands out, and what it is against follows. */
 function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fos, fos_driving: driving }) {
   if (governing === undefined) {
-    if (driving && driving.value + driving.error < (fos?.value ?? Infinity)) return parts("FoS %s on driving loads", strong(fosText(driving)));
+    if (drives({ fos, fos_driving: driving })) return parts("FoS %s on driving loads", strong(fosText(driving)));
     return fos ? parts("FoS %s by strength reduction", strong(fosText(fos))) : [];
   }
   if (!tilt && onset?.kind === "angle") return [say("Certain to stand up to %s", degreesText(onset.critical_angle_deg))];

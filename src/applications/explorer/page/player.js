@@ -81,8 +81,9 @@ export class Player {
     const { drawing } = this;
     const kase = cases.find(({ towards }) => towards === drawing.case?.towards) ?? cases[0];
     if ((kase.moments ?? []).length < 2) throw new Error(say("its answer has no moments"));
-    this.#film = new Film(kase, this.store.parsed.keys(["shaking"]) !== null);
-    this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event)));
+    const isShaken = this.store.parsed.keys(["shaking"]) !== null;
+    this.#film = new Film(kase, isShaken);
+    this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event, isShaken)));
     this.strip.show(shaking, this.#film.end);
     this.place.hidden = false;
     this.#named();
@@ -93,8 +94,9 @@ export class Player {
     else this.#run();
   }
 
-  #eventButton(event) {
-    const at = numeral(event.angle_deg.toFixed(2)) + "°";
+  /** An event by where it is: at its tilt, or where the table is level and shaken at its time. */
+  #eventButton(event, isShaken) {
+    const at = isShaken ? numeral(event.time_s.toFixed(2)) + " s" : numeral(event.angle_deg.toFixed(2)) + "°";
     const what = event.facet > 0 ? say("%s at facet %s", say(event.what), event.facet) : say(event.what);
     const go = () => {
       this.#halt();

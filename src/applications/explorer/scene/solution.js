@@ -22,3 +22,13 @@ function casesOfSolid({ bands = [], wedge, contacts, governing_band: governing, 
 function factorOf(fos, mechanism) {
   return fos === undefined || fos === null ? {} : { governing_fos: { fos, mechanism, complete: true } };
 }
+
+/** Whether of many blocks the factor on driving loads is certainly the lesser of the two, and governs. */
+export function drives({ fos, fos_driving: driving }) {
+  return Boolean(driving) && driving.value + driving.error < (fos?.value ?? Infinity);
+}
+
+/** The factor that governs a case, of whatever kind; undefined: there is none. */
+export function governingFactor(kase) {
+  return kase.governing_fos?.fos ?? (drives(kase) ? kase.fos_driving : kase.fos);
+}

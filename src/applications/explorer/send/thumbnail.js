@@ -10,6 +10,7 @@ import { solidSketch } from "../solid/solid_sketch.js";
 import { element, svgElement } from "../panels/element.js";
 import { COLOUR_CLASS, sentence } from "../panels/words.js";
 import { fosText } from "../panels/certain.js";
+import { governingFactor } from "../scene/solution.js";
 import { say } from "../words/language.js";
 
 const MARGIN = 0.06;
@@ -44,6 +45,6 @@ export function shortVerdict(solution) {
   const kase = solution.cases[0];
   const mechanism = kase?.mechanism ?? kase?.verdict ?? kase?.first?.mechanism;
   if (mechanism === undefined) return { words: "", kind: "undecided" };
-  const fos = kase.governing_fos?.fos ?? kase.fos;
+  const fos = governingFactor(kase);
   return { words: sentence(say(mechanism)) + (fos?.value !== undefined ? ", " + say("FoS") + " " + fosText(fos) : ""), kind: COLOUR_CLASS[mechanism] ?? "undecided" };
 }
