@@ -6,14 +6,14 @@ import json
 import pathlib
 import time
 
-from page_case import PageCase
+from page_case import KNOWN, PageCase
 
 KEYS = {"Escape": 27, "End": 35, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}
 
 
 class PanelCase(PageCase):
-    def load(self, fragment="", width=1400, height=1600):
-        super().load(fragment, width, height)
+    def load(self, fragment="", width=1400, height=1600, kept=KNOWN):
+        super().load(fragment, width, height, kept)
 
     def shown(self, name):
         """An example, and the panel of the verdict is of it."""

@@ -92,6 +92,16 @@ class Refusals(unittest.TestCase):
         self.assertGreater(len(said), 100)
         return said
 
+    def test_what_is_quoted_stays(self):
+        """A key of the scene, which is to be typed as it stands, is no word: 'slope' was proposed as 'Böschung'."""
+        rows = phrases.table(phrases.REFUSALS)
+        body = """const known = it.recognisers(given[0]); return given[1].map((message) => it.recognised(message, known));"""
+        for code in ("es", "de"):
+            own = node(EXPLORER / "words" / "refusals.js", body, [[["slope", "WORD"]] + [[row["en"], row[code]] for row in rows],
+                                                                ["unknown key 'oops' in the scene; did you mean 'slope'?", "slope"]])
+            self.assertIn("'slope'", own[0])
+            self.assertEqual(own[1], "WORD")
+
     def test_every_bad_scene_is_refused_in_its_language(self):
         """No message stays English, but for what is quoted; and no row is left that the program does not say."""
         said = self.refused()

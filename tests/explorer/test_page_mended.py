@@ -9,15 +9,15 @@ import tempfile
 import time
 
 from drawn_case import POLYGON
-from page_case import ROOT, main, run
+from page_case import KNOWN, ROOT, main, run
 from panel_case import PanelCase
 
 BOX = "(() => {{ const r = document.querySelector({}).getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; }})()"
 
 
 class Mended(PanelCase):
-    def load(self, fragment="", width=1280, height=900):
-        super().load(fragment, width, height)
+    def load(self, fragment="", width=1280, height=900, kept=KNOWN):
+        super().load(fragment, width, height, kept)
 
     def folder(self):
         return pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -107,6 +107,34 @@ class Mended(PanelCase):
                     self.assertLessEqual(needed, given + 1)
                 self.assertLessEqual(self.box("#panel-pivots table")[2], width)
                 self.assertEqual(self.value("(() => { const w = document.querySelector('#panel-pivots .wide'); return w.offsetHeight - w.clientHeight; })()"), 0)
+
+    def test_pivots_are_whole_in_each_language(self):
+        """On a telephone, where German has its longest words."""
+        for language in ("de", "es"):
+            with self.subTest(language):
+                self.load(width=390, height=844, kept=KNOWN.replace("localStorage.setItem('topple.touched', '1');",
+                          f"localStorage.setItem('topple.touched', '1'); localStorage.setItem('topple.language', '{language}');"))
+                self.tab("pivots")
+                needed, given = self.value("(() => { const w = document.querySelector('#panel-pivots .wide'); return [w.scrollWidth, w.clientWidth]; })()")
+                self.assertLessEqual(needed, given + 1)
+
+    def test_badge_covers_no_block_on_a_telephone(self):
+        """As a scene is opened, also where what it says takes two lines and a choice of directions, and where the sheet is open."""
+        self.load(width=390, height=844)
+        for name in ("block_f", "block_a_valley", "boulder_traced"):
+            for opened in (False, True):
+                with self.subTest(name, opened=opened):
+                    self.example(name)
+                    if opened:
+                        self.click("#grip")
+                    for _ in range(4):  # until it has been fitted to its new size
+                        self.frame()
+                    _, top, _, _ = self.box(".shape.block")
+                    _, _, _, badge = self.box("#badge")
+                    self.assertGreaterEqual(top, badge - 1)
+                    if opened:
+                        self.click("#grip")
+                        self.frame()
 
     def test_vertices_that_crowd_are_small(self):
         """On a telephone the ground of a slope has a vertex below each column: their knobs leave the contacts in sight, and one that has

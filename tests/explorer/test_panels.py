@@ -104,7 +104,7 @@ class Panels(PanelCase):
             self.tab("forces")
             self.awaits(f"document.querySelector('#panel-forces').dataset.scene === '{name}.yaml'")
             for case in solve(scene(name))["cases"]:
-                rows = self.rows(f"#panel-forces [data-towards={case['towards']}] [aria-label='Reactions at the limit']")
+                rows = self.rows(f"#panel-forces [data-towards={case['towards']}] [aria-label^='Reactions at the limit']")
                 reactions = case["limit"]["reactions"]
                 self.assertEqual(len(rows), len(reactions))
                 for row, reaction in zip(rows, reactions):

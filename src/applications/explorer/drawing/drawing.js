@@ -55,6 +55,8 @@ export class Drawing extends EventTarget {
     this.view = new View();
     this.caseIndex = 0;
     this.words = "";
+    /** How far down the badge stands over it, dots: asked when a scene is fitted, not while it is dragged. @type {() => number} */
+    this.above = () => 0;
     this.origin = { x: 0, y: 0 };
     this.context = null;
     this.svg = select(element).append("svg").attr("class", "drawing").attr("role", "group").attr("aria-label", say("Drawing of the block on its base"));
@@ -185,6 +187,7 @@ export class Drawing extends EventTarget {
     this.#box = roomOf(outlines, this.case);
     // many blocks are seldom tilted by much, and need the room
     this.#steady = outlines.blocks === undefined ? null : (this.sign * this.case.tilt_angle_deg.value * Math.PI) / 180;
+    this.view.resize(this.view.width, this.view.height, this.above());
     this.view.fit(this.#box, this.#steady);
     this.#drawn = null;
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
@@ -291,7 +294,7 @@ export class Drawing extends EventTarget {
   #resized(element) {
     const { width, height } = element.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
-    this.view.resize(width, height);
+    this.view.resize(width, height, this.above());
     this.svg.attr("viewBox", "0 0 " + width + " " + height);
     this.refit();
     this.#later();

@@ -11,9 +11,9 @@ const MARGIN = 0.14;
 const NARROW = 700; // dots: a drawing below the badge, in a wider one it stands beside
 const BADGE = 70;
 
-/** How much of the upper edge of a drawing stands below the badge, dots. @param {number} width of the drawing */
-export function belowBadge(width) {
-  return width < NARROW ? BADGE : 0;
+/** How much of the upper edge of a drawing stands below the badge, dots. @param {number} width of the drawing @param {number} [height] @param {number} [badge] its lower edge */
+export function belowBadge(width, height = Infinity, badge = BADGE) {
+  return width < NARROW ? Math.min(Math.max(BADGE, badge), 0.6 * height) : 0;
 }
 
 export class View {
@@ -31,10 +31,10 @@ export class View {
     this.top = 0;
   }
 
-  /** Of the window, dots. @param {number} width @param {number} height */
-  resize(width, height) {
+  /** Of the window, dots. @param {number} width @param {number} height @param {number} badge its lower edge */
+  resize(width, height, badge) {
     [this.width, this.height] = [width, height];
-    this.top = belowBadge(width);
+    this.top = belowBadge(width, height, badge);
   }
 
   /** @param {number[]} box x0, y0, x1, y1 of what is to be seen, whatever the tilt @param {number|null} [turn] or at this one alone */

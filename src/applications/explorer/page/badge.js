@@ -8,6 +8,8 @@ import { COLOUR_CLASS, againstText, sentence } from "../panels/words.js";
 import { drives } from "../scene/solution.js";
 import { parts, say } from "../words/language.js";
 
+const CLEAR = 10; // dots between it and a block, whose handles lie on its edge
+
 /** @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store */
 export function badge(element, drawing, store) {
   const show = () => {
@@ -17,6 +19,7 @@ export function badge(element, drawing, store) {
     element("verdict-said").textContent = kase === null ? "" : verdictWords(kase);
     element("factor-said").replaceChildren(...(kase === null ? [] : factorWords(kase)));
   };
+  drawing.above = () => element("badge").offsetTop + element("badge").offsetHeight + CLEAR;
   for (const event of ["solution", "problem"]) store.addEventListener(event, show);
   drawing.addEventListener("case", show);
 }

@@ -21,6 +21,7 @@ export function readEmbed(hash) {
 /** @param {{tabs: string[]}} wanted @param {import("../panels/tabs.js").Tabs} tabs */
 export function showEmbedded({ tabs: wanted }, tabs) {
   document.body.classList.add("embedded");
+  document.getElementById("scene-title").setAttribute("aria-level", "1"); // without the toolbar, whose heading it is else
   document.body.classList.toggle("drawing-alone", wanted.length === 0);
   if (wanted.length > 0) tabs.keep(wanted);
 }

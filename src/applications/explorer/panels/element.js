@@ -71,7 +71,7 @@ export function table(caption, heads, rows) {
       "table",
       {},
       element("caption", { class: "unseen" }, caption),
-      element("thead", {}, element("tr", {}, heads.map((head) => element("th", { scope: "col" }, head)))),
+      element("thead", {}, element("tr", {}, heads.map((head) => (head === "" ? element("td", {}) : element("th", { scope: "col" }, head))))),
       element(
         "tbody",
         {},

@@ -29,7 +29,7 @@ export class FactorsPanel extends Panel {
       element("h3", {}, directionText(theCase, null)),
       factors.length === 0
         ? element("p", {}, this.terms.word("FoS"), " ", say(theCase.governing_fos?.fos_is ?? "none: no factor is judged"), ".")
-        : table(say("Factors of safety"), [this.terms.word("FoS"), say("against"), say("by")], factors.map((each) => this.#row(each, theCase))),
+        : table(say("Factors of safety") + ", " + directionText(theCase, null), [this.terms.word("FoS"), say("against"), say("by")], factors.map((each) => this.#row(each, theCase))),
     );
   }
 

@@ -35,7 +35,7 @@ export class ForcesPanel extends Panel {
           degreesText(limit.critical_angle_deg), this.terms.word("reactions", "reaction"), degreesText(limit.friction_angle_deg)),
       ),
       found.length === 0 ? null : forcesFigure(theCase, outlines, found),
-      table(say("Reactions at the limit"), this.#heads(), limit.reactions.map((each, index) => this.#row(each, found[index], theCase))),
+      table(say("Reactions at the limit") + ", " + directionText(theCase, null), this.#heads(), limit.reactions.map((each, index) => this.#row(each, found[index], theCase))),
       this.#centre(limit),
       motions(theCase),
     );
@@ -87,7 +87,7 @@ function motions(theCase) {
     "section",
     {},
     element("h4", {}, say("What can begin at %s", degreesText(theCase.tilt_angle_deg))),
-    table(say("Motions"), ["motion", "along (g)", "normal (g)", "turning (g/m)"].map((head) => say(head)), listed.map((motion) => ({
+    table(say("Motions") + ", " + directionText(theCase, null), ["motion", "along (g)", "normal (g)", "turning (g/m)"].map((head) => say(head)), listed.map((motion) => ({
       cells: [
         say(motion.mechanism), certainText(motion.acceleration_x_g, 4), certainText(motion.acceleration_y_g, 4),
         certainDigits(motion.angular_g_per_m, 5),

@@ -33,7 +33,7 @@ export class PivotsPanel extends Panel {
       "section",
       { "data-towards": theCase.towards },
       element("h3", {}, directionText(theCase, null)),
-      table(say("Candidate pivots"), heads, listed.map((pivot) => ({
+      table(say("Candidate pivots") + ", " + directionText(theCase, null), heads, listed.map((pivot) => ({
         marked: pivot.index === governs,
         cells: [
           [pivot.index + 1 + " ", EXPLAINED.has(pivot.kind) ? this.terms.word(pivot.kind) : say(pivot.kind)],

@@ -13,18 +13,21 @@ const ARGUMENT = "%s";
 /** The more of its words are told, the sooner a phrase is tried. */
 const told = ([phrase]) => phrase.replaceAll(ARGUMENT, "").length;
 
-/** @param {[string, string][]} rows a phrase, and what stands for it @returns {{pattern: RegExp, own: string}[]} */
+/** @typedef {{pattern: RegExp, own: string, quotes: boolean[]}} Recogniser quotes: of each part that varies, whether it is quoted */
+
+/** @param {[string, string][]} rows a phrase, and what stands for it @returns {Recogniser[]} */
 export function recognisers(rows) {
   const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   return [...rows].sort((one, other) => told(other) - told(one))
-    .map(([phrase, own]) => ({ pattern: new RegExp("^" + phrase.split(ARGUMENT).map(escaped).join("(.+?)") + "$", "s"), own }));
+    .map(([phrase, own]) => ({ pattern: new RegExp("^" + phrase.split(ARGUMENT).map(escaped).join("(.+?)") + "$", "s"), own,
+      quotes: phrase.split(ARGUMENT).slice(0, -1).map((before) => before.endsWith("'")) }));
 }
 
-/** @param {string} message @param {{pattern: RegExp, own: string}[]} known @returns {string} */
+/** @param {string} message @param {Recogniser[]} known @returns {string} */
 export function recognised(message, known) {
-  for (const { pattern, own } of known) {
+  for (const { pattern, own, quotes } of known) {
     const found = pattern.exec(message);
-    if (found !== null) return filled(own, found.slice(1).map((part) => recognised(part, known))).join("");
+    if (found !== null) return filled(own, found.slice(1).map((part, at) => (quotes[at] ? part : recognised(part, known)))).join("");
   }
   return say(message);
 }
