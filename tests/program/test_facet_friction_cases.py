@@ -297,6 +297,23 @@ class Words(Case):
         self.assertIn("scene.yaml:6:21", notes[0]["place"])
         self.assertIn("which the block does not touch", run("solve", self.path)[1])
 
+    def test_smoother_beyond(self):
+        """A box of 2 by 1 on 30 degrees whose toe is where a smooth facet begins: told to stand up to 30 degrees, it can slide from 14.16 on,
+        when its toe is on that facet (as many blocks it is found). So it is told, from whichever side the facets are given, and of either
+        end; not where what is beyond is as rough, lies under the block too, rises as a notch, or begins farther off."""
+        box = [(0, 0), (2, 0), (2, 1), (0, 1)]
+        level = [(-9, 0), (0, 0), (2, 0), (9, 0)]
+        smooth = "{facet: 1, angle_deg: 0}"
+        for outline, base, entries, told in (
+                (box, level, smooth, [1]), (box, level, "{facet: 2, angle_deg: 40}", [1, 3]), (box, level, "{facet: 3, angle_deg: 20}", [3]),
+                (box, [(-9, -4), (0, 0), (9, 0)], smooth, [1]), (box, level, "{facet: 1, angle_deg: 40}", []),
+                (box, [(-9, 0), (1, 0), (9, 0)], smooth, []), (box, [(-9, 4), (0, 0), (9, 0)], smooth, []),
+                (box, [(-9, 0), (-0.001, 0), (9, 0)], smooth, [])):
+            self.write(outline, base, 30, entries)
+            notes = [note for note in solve(self.path)["notes"] if "is smoother: a slide brings the corner" in note["text"]]
+            self.assertEqual([int(note["text"].split()[1]) for note in notes], told, (base, entries))
+            self.assertTrue(all(note["kind"] == "caution" and "scene.yaml:6:21" in note["place"] for note in notes), notes)
+
     def test_many(self):
         """A page lists ten, JSON all of them."""
         count = 24

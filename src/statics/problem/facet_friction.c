@@ -146,22 +146,26 @@ static const fmpq *angle_of(const search *s, long entry) {
                    : s->scene->friction.facets[entry].angle_deg.value;
 }
 
-/* The other edge of the base at the point, where both bear as one: the point is a vertex of the
- * base and no notch of it. The edge itself where there is none. -1 and the number of edges are the
- * upright faces at which the base ends. */
-static long other_edge(const search *s, const tp_facet *facet) {
+/* The other edge of the base at a point of a facet, which is a vertex of the base and no notch of
+ * it. The facet's edge itself where there is none. -1 and the number of edges are the upright faces
+ * at which the base ends. */
+static long edge_beyond(const search *s, const tp_facet *facet, long point) {
   const tp_lattice *l = s->lattice;
   const long ring = l->start[l->chain_count - 2]; /* tp_problem: the chain before the last */
   const long edge = facet->base_edge, last = s->base->edge_count;
-  if (facet->q0 != facet->q1) return edge;
-  const bool begins = edge >= 0 && tp_lattice_same_point(l, facet->q0, ring + edge);
-  const bool ends = edge < last && tp_lattice_same_point(l, facet->q0, ring + edge + 1);
+  const bool begins = edge >= 0 && tp_lattice_same_point(l, point, ring + edge);
+  const bool ends = edge < last && tp_lattice_same_point(l, point, ring + edge + 1);
   if (!begins && !ends) return edge;
   const long corner = ring + (begins ? edge : edge + 1);
   const long before = corner == ring ? ring + last + 2 : corner - 1; /* the ring has two more */
   const bool notch =
       facet->t0 >= ring && tp_lattice_cross(l, before, corner, corner, corner + 1) > 0;
   return notch ? edge : begins ? edge - 1 : edge + 1;
+}
+
+/* A contact in a point bears on both edges as one. */
+static long other_edge(const search *s, const tp_facet *facet) {
+  return facet->q0 == facet->q1 ? edge_beyond(s, facet, facet->q0) : facet->base_edge;
 }
 
 static void settle_facet(search *s, long k) {
@@ -207,6 +211,44 @@ static tp_status note_untouched(tp_notes *notes, const tp_facet_friction *f, con
   return status;
 }
 
+/* Does the block lie on the edge? Facets of one side of a facet in the list come before it. */
+static bool lies_on(const search *s, long near, long edge) {
+  const tp_contact *c = s->contact;
+  for (long k = near - 1; k <= near + 1; k++) {
+    if (k >= 0 && k < c->facet_count && c->facets[k].base_edge == edge) return true;
+  }
+  return false;
+}
+
+/* Where a facet on which the block lies ends at a vertex of the base, and the next one, on which it
+ * does not lie, is smoother. */
+static tp_status warn_of_smoother(search *s, tp_notes *notes, long k, long point) {
+  const tp_facet *facet = s->contact->facets + k;
+  const long beyond = edge_beyond(s, facet, point), number = beyond - s->counted.first;
+  const long own = tp_facet_friction_entry(s->found, facet->base_edge);
+  const long next = tp_facet_friction_entry(s->found, beyond);
+  if (number < 0 || number >= s->counted.count || lies_on(s, k, beyond)) return TP_OK;
+  if (fmpq_cmp(angle_of(s, next), angle_of(s, own)) >= 0) return TP_OK;
+  return tp_notes_add(
+      notes, s->message, TP_CAUTION, s->scene->friction.facets[next >= 0 ? next : own].place,
+      "facet %ld of the base begins where the contact ends, and is smoother: a "
+      "slide brings the corner of the block onto it, and may begin at a lesser tilt "
+      "than is told here; give the facet on which the block lies its friction too, "
+      "or list both as 'blocks' that are ground",
+      number + 1);
+}
+
+static tp_status warn_of_ends(search *s, tp_notes *notes) {
+  tp_status status = TP_OK;
+  for (long k = 0; k < s->contact->facet_count && status == TP_OK; k++) {
+    const tp_facet *facet = s->contact->facets + k;
+    if (facet->q0 == facet->q1 || facet->rounding != NULL) continue;
+    status = warn_of_smoother(s, notes, k, facet->q0);
+    if (status == TP_OK) status = warn_of_smoother(s, notes, k, facet->q1);
+  }
+  return status;
+}
+
 tp_status tp_facet_friction_init(tp_facet_friction *f, const tp_scene *scene, const tp_base *base,
                                  const tp_lattice *lattice, const tp_contact *contact,
                                  tp_facets_counted counted, tp_solution *solution,
@@ -237,6 +279,7 @@ tp_status tp_facet_friction_init(tp_facet_friction *f, const tp_scene *scene, co
   }
   tp_status status = find(&s);
   if (status == TP_OK) status = note_untouched(&solution->notes, f, scene, message);
+  if (status == TP_OK) status = warn_of_ends(&s, &solution->notes);
   status = tp_effects_entered(
       status, message,
       tp_effects_note(solution, "facets", scene->friction.facets[0].place, "", began));
