@@ -87,6 +87,55 @@ class Parts(unittest.TestCase):
         self.assertTrue(all(section > 10 for _, section, *_ in drawn), drawn)
         self.assertEqual(drawn[4][1:3], drawn[0][1:3])
 
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_repaired_thinned_and_on_a_ground(self):
+        """What the core mends, thins or has as ground is drawn as the core has it, from its model: a box without its lid has the volume
+        of the whole one, a thinned rock the triangles that are left, and the ground under a rock lies where both files say, in lengths of the
+        rock's mesh whatever those of the ground, with heights along y, too. A ground of kilometres is cut about the rock."""
+        lidless = "".join("v {} {} {}\n".format(x, y, z) for z in (0, 2) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        lidless += "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+        rock = (ROOT / "examples" / "solids" / "balanced_rock.obj").read_text(encoding="utf-8")
+        field = (ROOT / "examples" / "solids" / "rock_on_ground.obj").read_text(encoding="utf-8")
+        scaled = lambda text, by: re.sub(r"^v (\S+) (\S+) (\S+)", lambda m: "v {:.9g} {:.9g} {:.9g}".format(*(by * float(v) for v in m.groups())), text, flags=re.M)
+        turned = lambda text: re.sub(r"^v (\S+) (\S+) (\S+)", lambda m: f"v {m[1]} {m[3]} {-float(m[2]):.9g}", text, flags=re.M)
+        wide = "v -3000 -3000 0\nv 3000 -3000 0\nv 3000 3000 0\nv -3000 3000 0\nf 1 2 3 4\n"
+        text = (ROOT / "examples" / "solids" / "rock_on_ground.yaml").read_text(encoding="utf-8")
+        plain = "topple: 1\nlength_unit: m\nsolid: {file: balanced_rock.obj, unit: m, bands: [0.1], "
+        whole = "topple: 1\nlength_unit: m\nsolid: {file: balanced_rock.obj, unit: cm, bands: [0.01], "
+        scenes = [(lidless, "", whole + "repair: true}\n"), (rock, "", plain + "thin: 0.2}\n"), (rock, field, text),
+                  (scaled(rock, 100), field, text.replace("unit: m\n  unit_w", "unit: cm\n  unit_w").replace(".obj}", ".obj, unit: m}", 1)),
+                  (turned(rock), turned(field), text.replace("unit: m\n  unit_w", "unit: m\n  up: [0, 1, 0]\n  unit_w")),
+                  (lidless + "f 5 6 7 8\n", wide, whole.replace("bands", "base: {file: rock_on_ground.obj}, bands").rstrip(", ") + "}\nfriction_angle_deg: 30\n")]
+        body = """const {SceneText} = await import(given.module); const {volumeOf} = await import(given.mesh);
+          return given.each.map(([answer, text, model]) => { const mesh = it.meshOf({...answer, model: Uint8Array.from(model)}, new SceneText(text), {});
+            return [mesh.unit, volumeOf(mesh.near), mesh.near.length / 9, mesh.centroid, [...mesh.ground], mesh.goesOn, mesh.reach]; });"""
+        each = []
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            for mesh, ground, scene in scenes:
+                for name, content in (("balanced_rock.obj", mesh), ("rock_on_ground.obj", ground), ("scene.yaml", scene)):
+                    (place / name).write_text(content, encoding="utf-8")
+                status, out, err = run("solve", "--json", "--figure", "x.glb", "scene.yaml", folder=place)
+                self.assertEqual(status, 0, err)
+                each.append([json.loads(out), scene, list((place / "x.glb").read_bytes())])
+        found = node(SOLID / "solid_mesh.js", body, {"module": (SOLID.parent / "scene" / "scene_text.js").as_uri(),
+                                                     "mesh": (SOLID / "mesh.js").as_uri(), "each": each})
+        for (unit, volume, count, *_), (answer, *_) in zip(found, each):
+            if "thinning" not in answer:
+                self.assertAlmostEqual(volume * unit**3 / answer["volume_m3"]["value"], 1, delta=1e-6)
+            self.assertEqual(count, answer["triangles"])
+        self.assertLess(found[1][2], 500)
+        self.assertEqual([unit for unit, *_ in found], [0.01, 1, 1, 0.01, 1, 0.01])
+        points = lambda text: sorted(tuple(map(float, m.groups())) for m in re.finditer(r"^v (\S+) (\S+) (\S+)", text, flags=re.M))
+        for (unit, _, _, centre, corners, goes_on, _), expected in zip(found[2:5], (points(field), points(scaled(field, 100)), points(turned(field)))):
+            self.assertFalse(goes_on)
+            drawn = sorted({tuple(round((c + at) * unit, 4) + 0.0 for c, at in zip(corners[k:k + 3], centre)) for k in range(0, len(corners), 3)})
+            self.assertEqual(drawn, sorted({tuple(round(v * unit, 4) + 0.0 for v in point) for point in expected}))
+        _, _, _, _, corners, goes_on, reach = found[5]
+        self.assertTrue(goes_on)
+        self.assertAlmostEqual(max(map(abs, corners)), 1.6 * reach, places=5)
+        self.assertEqual({round(z, 5) for z in corners[2::3]}, {-1.0})
+
     def test_turns(self):
         """Up comes upright; what lies towards the azimuth goes down by the tilt, what lies across stays; nothing is stretched."""
         ups = [[0, 0, 1], [0, 0, -2], [0, 1, 0], [0.3, -0.4, 0.5]]
@@ -143,6 +192,20 @@ class Solid(PanelCase):
                 self.assertIn(words, self.said(".solid-words"))
                 self.assertEqual(self.value(f"document.querySelectorAll('.solid-lines:not(.below-mesh) .{kind}').length"), count)
                 self.assertGreater(self.rock(), 5_000)
+
+    def test_on_its_ground(self):
+        """The mesh of the ground in its own colour, in lights of many kinds where a plane has one, instead of a plane."""
+        def greys():
+            return {(r, g, b): count for (r, g, b), count in picture.dots(self.picture())[2].items() if 80 < r < 225 and 0.97 < g / r < 1 and 0.92 < b / r < 0.96}
+        before = greys()
+        self.example("rock_on_ground")
+        time.sleep(0.3)
+        self.assertGreater(self.rock(), 20_000)
+        self.assertGreater(sum(greys().values()), 40_000)
+        many = [sum(count > 100 for count in each.values()) for each in (before, greys())]
+        self.assertGreater(many[1], many[0] + 10)
+        self.assertEqual(self.value("document.querySelectorAll('.solid-lines .disc').length"), 0)
+        self.assertNotIn("farther than it is drawn", self.said(".solid-words"))
 
     def test_cut_from_its_ground(self):
         """What lies above the plane, on its section, with the hull that it rests on; from below nothing of the rock goes on, and whole

@@ -139,6 +139,9 @@ static void write_nodes(tp_json *j, const tp_gltf *m, double lean, double azimut
   tp_json_array(j, "children", TP_JSON_LINE);
   for (long k = 0; k < m->shape_count; k++) tp_json_integer(j, NULL, k + 1);
   tp_json_close(j);
+  tp_json_object(j, "extras", TP_JSON_LINE);
+  tp_json_double(j, "centroid_height_m", m->centroid_height);
+  tp_json_close(j);
   tp_json_close(j);
   for (long k = 0; k < m->shape_count; k++) {
     tp_json_object(j, NULL, TP_JSON_LINE);

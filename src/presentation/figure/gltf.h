@@ -40,7 +40,8 @@ typedef struct tp_gltf {
   tp_gltf_accessor *accessors;
   tp_gltf_shape *shapes;
   long accessor_count, accessor_room, shape_count, shape_room;
-  bool failed; /* memory was exhausted */
+  double centroid_height; /* over the base, metres */
+  bool failed;            /* memory was exhausted */
 } tp_gltf;
 
 void tp_gltf_clear(tp_gltf *model);

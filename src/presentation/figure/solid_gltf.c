@@ -118,7 +118,7 @@ static bool fill(tp_gltf *m, const tp_solid_figure *f) {
 
 tp_status tp_solid_gltf(char **bytes, size_t *length, const tp_solid_figure *f,
                         tp_message *message) {
-  tp_gltf model = {0};
+  tp_gltf model = {.centroid_height = f->mesh.height};
   if (!fill(&model, f)) model.failed = true;
   const tp_status status = tp_gltf_write(bytes, length, &model, f->tilt, radian * f->azimuth_deg,
                                          f->solid->file, message);

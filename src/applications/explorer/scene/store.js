@@ -14,13 +14,15 @@ import { kindOf } from "./kind.js";
 import { solutionOf } from "./solution.js";
 import { SceneText } from "./scene_text.js";
 import { readComplaint } from "./complaint.js";
+import { MODEL, needsModel } from "../solid/model.js";
 
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
 
-/** @param {"block"|"blocks"|"solid"} kind @returns {string[]} how the core is asked */
-export function askedFor(kind) {
-  return ["solve", "--json", ...(kind === "solid" ? [] : ["--outlines"])];
+/** @param {"block"|"blocks"|"solid"} kind @param {SceneText} scene @returns {{words: string[], collect: string[]}} how the core is asked, and what it writes */
+export function askedFor(kind, scene) {
+  if (kind === "solid" && needsModel(scene)) return { words: ["solve", "--json", "--figure", MODEL], collect: [MODEL] };
+  return { words: ["solve", "--json", ...(kind === "solid" ? [] : ["--outlines"])], collect: [] };
 }
 
 /** How long a solve may hold up that of a newer text, milliseconds. */
@@ -159,10 +161,11 @@ export class SceneStore extends EventTarget {
     this.#pending.set(control, now);
     this.#tellBusy();
     try {
+      const { words, collect } = askedFor(kind, this.parsed);
       const answer = await this.core.run(
-        [...askedFor(kind), this.argument],
+        [...words, this.argument],
         { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS, collect, signal: control.signal },
       );
       if (asked === this.#asked) this.#answered(answer, kind);
     } catch (error) {
@@ -176,7 +179,7 @@ export class SceneStore extends EventTarget {
 
   #answered(answer, kind) {
     if (answer.out !== "") {
-      this.solution = solutionOf(kind, answer.out);
+      this.solution = { ...solutionOf(kind, answer.out), model: answer.files[MODEL] };
       this.lastSolution = this.solution;
       this.problem = null;
       this.#tell("solution");

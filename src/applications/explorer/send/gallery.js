@@ -8,6 +8,7 @@ import { kindOf } from "../scene/kind.js";
 import { SceneText } from "../scene/scene_text.js";
 import { solutionOf } from "../scene/solution.js";
 import { askedFor } from "../scene/store.js";
+import { MODEL } from "../solid/model.js";
 import { say } from "../words/language.js";
 import { shortVerdict, thumbnail } from "./thumbnail.js";
 import { refusalOf } from "../scene/complaint.js";
@@ -41,11 +42,13 @@ function cardOf(scene, open) {
 }
 
 async function draw({ scene, place, verdict, card }, core) {
-  const kind = kindOf(new SceneText(scene.text));
+  const parsed = new SceneText(scene.text);
+  const kind = kindOf(parsed);
   try {
-    const answer = await core.run([...askedFor(kind), scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS });
+    const { words: asked, collect } = askedFor(kind, parsed);
+    const answer = await core.run([...asked, scene.name], { ...scene.files, [scene.name]: scene.text }, { timeoutMs: SOLVE_MAX_MS, collect });
     if (answer.out === "") throw refusalOf(answer);
-    const solution = solutionOf(kind, answer.out);
+    const solution = { ...solutionOf(kind, answer.out), model: answer.files[MODEL] };
     place.replaceChildren(thumbnail(solution, scene));
     const { words, kind: colour } = shortVerdict(solution);
     verdict.textContent = words;

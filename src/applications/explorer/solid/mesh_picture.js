@@ -35,9 +35,12 @@ export class MeshPicture {
     return this.gl !== null && this.gl.getProgramParameter(this.program, this.gl.LINK_STATUS);
   }
 
-  /** @param {Float64Array} triangles from an origin near them */
-  set(triangles) {
+  /** @param {Float64Array} rock triangles from an origin near them @param {Float64Array} [ground] likewise, in a colour of its own */
+  set(rock, ground = new Float64Array(0)) {
     const { gl } = this;
+    const triangles = new Float64Array(rock.length + ground.length);
+    triangles.set(rock);
+    triangles.set(ground, rock.length);
     const data = new Float32Array(2 * triangles.length);
     for (let k = 0; k < triangles.length; k += 9) {
       const [ux, uy, uz, vx, vy, vz] = [3, 4, 5, 6, 7, 8].map((j) => triangles[k + j] - triangles[k + (j % 3)]);
@@ -50,7 +53,7 @@ export class MeshPicture {
         }
       }
     }
-    this.count = triangles.length / 3;
+    this.counts = [rock.length / 3, ground.length / 3];
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     for (const [name, offset] of [["at", 0], ["normal", 12]]) {
@@ -60,8 +63,8 @@ export class MeshPicture {
     }
   }
 
-  /** @param {number[]} turn row by row @param {{dots: number, reach: number, x: number, y: number}} view dots a length; how far points lie; the middle, dots from that of the canvas @param {number[]} colour */
-  draw(turn, { dots, reach, x, y }, colour) {
+  /** @param {number[]} turn row by row @param {{dots: number, reach: number, x: number, y: number}} view dots a length; how far points lie; the middle, dots from that of the canvas @param {number[][]} colours of rock and ground */
+  draw(turn, { dots, reach, x, y }, colours) {
     const { gl, canvas } = this;
     const ratio = devicePixelRatio;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
@@ -73,7 +76,9 @@ export class MeshPicture {
     gl.uniformMatrix3fv(at("turn"), false, [0, 3, 6, 1, 4, 7, 2, 5, 8].map((k) => turn[k])); // columns
     gl.uniform3f(at("scale"), (2 * dots) / width, (2 * dots) / height, 1 / (1.1 * reach));
     gl.uniform2f(at("shift"), (2 * x) / width, (-2 * y) / height);
-    gl.uniform3f(at("colour"), ...colour);
-    gl.drawArrays(gl.TRIANGLES, 0, this.count);
+    colours.forEach((colour, part) => {
+      gl.uniform3f(at("colour"), ...colour);
+      gl.drawArrays(gl.TRIANGLES, part === 0 ? 0 : this.counts[0], this.counts[part]);
+    });
   }
 }

@@ -17,13 +17,13 @@ export class SoftwarePicture {
     this.works = this.context !== null;
   }
 
-  /** @param {Float64Array} triangles from an origin near them */
-  set(triangles) {
-    this.triangles = triangles;
+  /** As `MeshPicture.set`. */
+  set(rock, ground = new Float64Array(0)) {
+    this.parts = [rock, ground];
   }
 
   /** As `MeshPicture.draw`. */
-  draw(turn, { dots, x, y }, colour) {
+  draw(turn, { dots, x, y }, colours) {
     const { canvas, context } = this;
     const finer = FINER * Math.min(devicePixelRatio, 1);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((each) => Math.round(each * finer));
@@ -32,23 +32,24 @@ export class SoftwarePicture {
     const picture = context.createImageData(width, height);
     const near = new Float32Array(width * height).fill(-Infinity);
     const paint = new Uint32Array(picture.data.buffer);
-    const seen = this.#seen(turn, dots * finer, width / 2 + x * finer, height / 2 + y * finer);
-    for (let k = 0; k < seen.length; k += 9) fill(seen, k, paint, near, width, height, colour);
+    this.parts.forEach((part, which) => {
+      const seen = seenFrom(part, turn, dots * finer, width / 2 + x * finer, height / 2 + y * finer);
+      for (let k = 0; k < seen.length; k += 9) fill(seen, k, paint, near, width, height, colours[which]);
+    });
     context.putImageData(picture, 0, 0);
   }
+}
 
-  /** Corners on the screen: x to the right, y down, z to the eye, all in dots. */
-  #seen(turn, dots, left, top) {
-    const { triangles } = this;
-    const seen = new Float64Array(triangles.length);
-    for (let k = 0; k < triangles.length; k += 3) {
-      const [x, y, z] = [triangles[k], triangles[k + 1], triangles[k + 2]];
-      seen[k] = left + dots * (turn[0] * x + turn[1] * y + turn[2] * z);
-      seen[k + 1] = top - dots * (turn[3] * x + turn[4] * y + turn[5] * z);
-      seen[k + 2] = dots * (turn[6] * x + turn[7] * y + turn[8] * z);
-    }
-    return seen;
+/** Corners on the screen: x to the right, y down, z to the eye, all in dots. */
+function seenFrom(triangles, turn, dots, left, top) {
+  const seen = new Float64Array(triangles.length);
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [x, y, z] = [triangles[k], triangles[k + 1], triangles[k + 2]];
+    seen[k] = left + dots * (turn[0] * x + turn[1] * y + turn[2] * z);
+    seen[k + 1] = top - dots * (turn[3] * x + turn[4] * y + turn[5] * z);
+    seen[k + 2] = dots * (turn[6] * x + turn[7] * y + turn[8] * z);
   }
+  return seen;
 }
 
 /** The dots of a triangle, row by row, that nothing nearer has. */

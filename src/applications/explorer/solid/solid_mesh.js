@@ -10,8 +10,11 @@ import { cutMesh, lowestOf } from "./cut_mesh.js";
 import { UNITS } from "../scene/length_units.js";
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { trianglesOf, volumeOf } from "./mesh.js";
+import { surfacesOf } from "./model.js";
+import { upright } from "./turning.js";
 
 const AGREES = 1e-6; // of the volume
+const BESIDE = 1.6; // of the rock's reach: what is drawn of a larger ground, from its centroid
 const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 
 /**
@@ -19,10 +22,12 @@ const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
  * @property {Float64Array} near triangles from the centroid, in lengths of the mesh
  * @property {number} unit metres in such a length @property {number[]} centroid @property {number} reach of the farthest corner
  * @property {number[][][]} section where a plane cuts it, pairs of points from the centroid; empty: none does
+ * @property {Float64Array} ground triangles of what it rests on, likewise; empty: it has no mesh @property {boolean} goesOn there is more of it
  */
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
+  if (solution.model !== undefined) return ofModel(solution, scene);
   const content = files[scene.scalar(["solid", "file"]) ?? ""];
   const triangles = content === undefined ? wedgeOf(scene) : trianglesOf(content);
   const unit = content === undefined ? sceneUnit(scene) : meshUnit(scene);
@@ -35,9 +40,31 @@ export function meshOf(solution, scene, files) {
   const volume = volumeOf(near, level === null ? [0, 0, 0] : up.map((each) => each * level)) * unit ** 3;
   // cavities are not seen, but taken off by the core
   if (scene.count(["solid", "holes"]) === null && Math.abs(volume - solution.volume_m3.value) > AGREES * volume) return null;
+  return { near, unit, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
+}
+
+/** As the core has it, with its ground. @returns {SolidMesh|null} */
+function ofModel(solution, scene) {
+  const unit = meshUnit(scene);
+  if (unit === null) return null;
+  const surfaces = surfacesOf(solution.model, solution.up);
+  const [near, whole] = [surfaces.rock, surfaces.ground].map((triangles) => triangles.map((each) => each / unit));
+  const reach = reachOf(near);
+  const ground = groundNear(whole, solution.up, BESIDE * reach);
+  return { near, unit, centroid: solution.centroid_m.map(({ value }) => value / unit), reach, section: [], ground, goesOn: ground !== whole };
+}
+
+function reachOf(points) {
   let reach = 0;
-  for (let k = 0; k < near.length; k += 3) reach = Math.max(reach, Math.hypot(near[k], near[k + 1], near[k + 2]));
-  return { near, unit, centroid, reach, section };
+  for (let k = 0; k < points.length; k += 3) reach = Math.max(reach, Math.hypot(points[k], points[k + 1], points[k + 2]));
+  return reach;
+}
+
+/** What of a ground lies within a box about the centroid, along the map and up; all of it where that is not much more. */
+function groundNear(whole, up, far) {
+  const axes = [0, 1, 2].map((row) => upright(up).slice(3 * row, 3 * row + 3));
+  if (reachOf(whole) <= 2 * far) return whole;
+  return axes.flatMap((axis) => [axis, axis.map((each) => -each)]).reduce((left, axis) => cutMesh(left, axis, -far).above, whole);
 }
 
 /** Metres in a length of the scene. @returns {number|null} */

@@ -3,7 +3,7 @@
 
 /**
  * A solid on its base, tilted as the scene says, to be turned by the hand or by arrow keys: the mesh, the support within the band
- * that governs, the edge that it topples about, its weight, and the way down; of one that a plane cuts what lies above, on its
+ * that governs, the edge that it topples about, its weight, and the way down, or the mesh of the ground; of one that a plane cuts what lies above, on its
  * section. A browser without WebGL draws it by the processor. Where there is no mesh of it, its report stands alone.
  */
 
@@ -61,17 +61,19 @@ export class SolidView {
     const { parsed, files } = this.store;
     // of a mesh in a file nothing but the file counts, and where it is cut; it is read once
     const content = files[parsed.scalar(["solid", "file"]) ?? ""] ?? parsed.text;
-    const of = [content, solution.volume_m3.value, ...solution.up];
+    const of = [content, files[parsed.scalar(["solid", "base", "file"]) ?? ""], solution.ground?.object, solution.ground?.metres_per_unit,
+      solution.volume_m3.value, solution.triangles, ...solution.up];
     if (this.#read !== null && of.every((each, k) => each === this.#read.of[k])) return this.#read.fits;
     const mesh = meshOf(solution, parsed, files);
     const another = content !== this.#read?.of[0];
     this.#read = { of, fits: mesh !== null };
     if (mesh === null) return false;
-    const { near } = Object.assign(this, mesh);
+    const { near, ground } = mesh;
+    for (const key of ["unit", "centroid", "reach", "section", "goesOn"]) this[key] = mesh[key];
     this.up = upright(solution.up);
     this.lowest = Infinity;
     for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
-    this.picture.set(near);
+    this.picture.set(near, ground);
     if (another) this.#eye = { ...FIRST, zoom: 1 };
     return true;
   }
@@ -86,9 +88,8 @@ export class SolidView {
     const top = belowBadge(width);
     this.dots = (zoom * Math.min(width, height - top)) / (2.9 * this.reach);
     const style = getComputedStyle(document.documentElement);
-    const hex = style.getPropertyValue("--solid").trim();
-    const colour = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
-    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3 * this.reach, x: 0, y: top / 2 }, colour);
+    const colours = ["--solid", "--rock"].map((name) => style.getPropertyValue(name).trim()).map((hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255));
+    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3.5 * this.reach, x: 0, y: top / 2 }, colours);
     const project = (turn) => (point) => {
       const [x, y] = turned(turn, point);
       return (width / 2 + this.dots * x).toFixed(2) + " " + ((height + top) / 2 - this.dots * y).toFixed(2);
@@ -130,6 +131,7 @@ export class SolidView {
     return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((azimuth ?? 0) + "") + "°") : null,
       below !== undefined ? say("cut %s over its lowest point: it rests on the section", numeral(below + "") + " " + unit)
         : band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " " + unit),
+      this.goesOn ? say("its ground goes on farther than it is drawn") : null,
       this.picture instanceof SoftwarePicture ? say("drawn without WebGL: a large mesh turns slowly") : null].filter((each) => each !== null);
   }
 
