@@ -118,3 +118,50 @@ void solve_solid(void) {
   }
   tp_solid_free(solid);
 }
+
+static void solve_solid_scene(tp_status status, tp_scene *scene, tp_message *message) {
+  tp_solid *solid = NULL;
+  if (done(status, scene, message)) {
+    status = tp_solve_solid(&solid, scene, message);
+    if (done(status, solid, message)) {
+      char *text = NULL, *json = NULL;
+      status = tp_report_solid(&text, solid);
+      expect_report(status, text);
+      status = tp_report_solid_json(&json, solid);
+      expect_report(status, json);
+    }
+  }
+  tp_solid_free(solid);
+  tp_scene_free(scene);
+}
+
+static void solve_example(const char *path) {
+  tp_scene *scene = NULL;
+  tp_message message = {.text = ""};
+  const tp_status status = tp_scene_read(&scene, path, &message);
+  solve_solid_scene(status, scene, &message);
+}
+
+void solve_cut_solid(void) {
+  solve_example(EXAMPLE("solids/rock_in_the_ground.yaml"));
+}
+
+void solve_solid_on_ground(void) {
+  solve_example(EXAMPLE("solids/rock_on_ground.yaml"));
+}
+
+void solve_wedge(void) {
+  solve_example(EXAMPLE("solids/bolted_wedge.yaml"));
+  solve_example(EXAMPLE("solids/shaken_wedge.yaml"));
+}
+
+void solve_thinned_solid(void) {
+  tp_scene *scene = NULL;
+  tp_message message = {.text = ""};
+  const tp_status status =
+      tp_scene_read_text(&scene,
+                         "topple: 1\nlength_unit: m\nsolid: {file: '" EXAMPLE(
+                             "solids/balanced_rock.obj") "', unit: m, bands: [0.01], thin: 0.02}\n",
+                         "thinned", &message);
+  solve_solid_scene(status, scene, &message);
+}

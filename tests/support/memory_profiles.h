@@ -8,6 +8,10 @@
 
 void measure_profile(void);
 void solve_solid(void);
+void solve_cut_solid(void);
+void solve_thinned_solid(void);
+void solve_solid_on_ground(void);
+void solve_wedge(void);
 void make_profiles(void);
 void build_profiles(void);
 void measure_base(void);
