@@ -60,10 +60,10 @@ static double explain_ground(cairo_t *cr, const tp_solid_figure *f, double x, do
   if (f->ground.triangle_count == 0) return y;
   return explain(cr, f, x, y, width,
                  f->side.is_cut || f->above.is_cut
-                     ? "Like sand: the ground of its mesh about the rock, which goes on farther "
-                       "than it is drawn; where it stands before the rock, that shows through."
-                     : "Like sand: all of the mesh of its ground; where it stands before the rock, "
-                       "that shows through.");
+                     ? "In the colour of sand: the ground near the rock, of a mesh that is larger; "
+                       "where ground hides the rock, the rock shows through."
+                     : "In the colour of sand: the ground, all of its mesh; where it hides the "
+                       "rock, the rock shows through.");
 }
 
 static void say_below(cairo_t *cr, const tp_solid_figure *f, double x, double y, double width) {
@@ -116,16 +116,10 @@ static double draw_wedge(cairo_t *cr, const tp_solid_figure *f, double y) {
   tp_solid_draw_stereonet(cr, f, net);
   return explain(
       cr, f, left, low + 4, TP_SOLID_PAGE_ROOM,
-      f->solid->has_seismic
-          ? "Great circles: joints, face and ground. Circles about the poles of the joints: "
-            "their cones of friction. R: the resultant of weight, water and earthquake; I: the "
-            "line "
-            "of both joints. With friction alone it slides along that line where R is beyond the "
-            "thick line between the cones; cohesion holds more."
-          : "Great circles: joints, face and ground. Circles about the poles of the joints: "
-            "their cones of friction. R: the resultant of weight and water; I: the line of both "
-            "joints. With friction alone it slides along that line where R is beyond the thick "
-            "line between the cones; cohesion holds more.");
+      "Great circles: joints, face and ground. Circles about the poles of the joints: their cones "
+      "of friction. R: the resultant of weight and all other loads; I: the line of both joints. "
+      "With friction alone it slides along that line where R is beyond the thick line between the "
+      "cones; cohesion holds more.");
 }
 
 /* Where the parts of a rock lie: on a sheet beside one another, so that they are not made small. */

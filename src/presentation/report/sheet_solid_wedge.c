@@ -9,6 +9,8 @@
 #include "report/solid_page.h"
 #include "terms/names.h"
 
+#include <math.h>
+
 /* So many azimuths of a table; --json has all. */
 enum { AZIMUTHS = 24 };
 
@@ -75,12 +77,16 @@ static void add_bolts(tp_document *d, const tp_solid_wedge *w) {
 static void add_support(tp_document *d, const tp_solid_wedge *w) {
   char n[3][TP_NUMBER_SIZE];
   if (!w->has_support) return;
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "The least further active force that gives the required factor, with both joints "
-                  "pressed: %s kN towards %s°, %s° below the horizontal.",
-                  tp_text_significant(n[0], kilo(w->support_n), 6),
-                  tp_text_fixed(n[1], w->support_azimuth_deg, 2),
-                  tp_text_fixed(n[2], w->support_dip_deg, 2));
+  const bool above = w->support_dip_deg.value < 0;
+  const tp_bounded steepness = {fabs(w->support_dip_deg.value), w->support_dip_deg.error, NULL};
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      above ? "The least further active force that gives the required factor, with both joints "
+              "pressed: %s kN towards %s°, %s° above the horizontal."
+            : "The least further active force that gives the required factor, with both joints "
+              "pressed: %s kN towards %s°, %s° below the horizontal.",
+      tp_text_significant(n[0], kilo(w->support_n), 6),
+      tp_text_fixed(n[1], w->support_azimuth_deg, 2), tp_text_fixed(n[2], steepness, 2));
 }
 
 static void add_azimuths(tp_document *d, const tp_solid_wedge *w) {

@@ -7,6 +7,7 @@
 #include "report/solid_page.h"
 #include "terms/names.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { DIGITS = TP_SOLID_TILT_DIGITS };
@@ -49,8 +50,9 @@ static void add_bolts(tp_text *t, const tp_solid_wedge *w) {
   for (size_t k = 0; k < w->bolt_count; k++) {
     const tp_wedge_bolt *own = w->bolts + k;
     char n[TP_NUMBER_SIZE];
-    tp_text_add(t, "  %-22s %s N towards %.6g°, %.6g° below the horizontal", "bolt",
-                tp_text_significant(n, own->force_n, DIGITS), own->azimuth_deg, own->dip_deg);
+    tp_text_add(t, "  %-22s %s N towards %.6g°, %.6g° %s the horizontal", "bolt",
+                tp_text_significant(n, own->force_n, DIGITS), own->azimuth_deg, fabs(own->dip_deg),
+                own->dip_deg < 0 ? "above" : "below");
     if (own->has_capacity) {
       tp_text_add(t, ", %s of its capacity", tp_text_significant(n, own->utilisation, 4));
     }
@@ -62,12 +64,14 @@ static void add_support(tp_text *t, const tp_solid *s) {
   const tp_solid_wedge *w = &s->wedge;
   char n[3][TP_NUMBER_SIZE];
   if (!w->has_support) return;
+  const bool above = w->support_dip_deg.value < 0;
+  const tp_bounded steepness = {fabs(w->support_dip_deg.value), w->support_dip_deg.error, NULL};
   tp_text_add(t,
-              "  The least further active force that gives %.6g is %s N, towards %s°, %s° below "
+              "  The least further active force that gives %.6g is %s N, towards %s°, %s° %s "
               "the horizontal.\n",
               s->required_fos, tp_text_significant(n[0], w->support_n, DIGITS),
-              tp_text_fixed(n[1], w->support_azimuth_deg, 2),
-              tp_text_fixed(n[2], w->support_dip_deg, 2));
+              tp_text_fixed(n[1], w->support_azimuth_deg, 2), tp_text_fixed(n[2], steepness, 2),
+              above ? "above" : "below");
 }
 
 static void add_found(tp_text *t, const char *label, tp_bounded least, const char *unit,
