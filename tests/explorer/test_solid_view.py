@@ -136,6 +136,42 @@ class Parts(unittest.TestCase):
         self.assertAlmostEqual(max(map(abs, corners)), 1.6 * reach, places=5)
         self.assertEqual({round(z, 5) for z in corners[2::3]}, {-1.0})
 
+    @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
+    def test_lies_on_the_slope_that_its_mesh_has(self):
+        """On a base by its dip the mesh has heights along z: it is drawn as it lies, not leant over once more. The support of its report, drawn
+        on the base, lies below corners of what is drawn, square to the base and within the band; so of the core's own surface, thinned."""
+        rock = (ROOT / "examples" / "solids" / "balanced_rock.obj").read_text(encoding="utf-8")
+        given = "topple: 1\nlength_unit: m\nsolid: {file: balanced_rock.obj, unit: m, %sbands: [0.05], base: {dip_deg: 20, dip_direction_deg: 135}}\nfriction_angle_deg: 32\n"
+        body = """const {SceneText} = await import(given.module); const {after, tilted, turned, upright} = await import(given.turning);
+          return given.each.map(([answer, text, rock, model]) => { const solution = {...answer, ...(model && {model: Uint8Array.from(model)})};
+            const mesh = it.meshOf(solution, new SceneText(text), {"balanced_rock.obj": rock});
+            const base = tilted(answer.tilt_angle_deg, answer.tilt_azimuth_deg);
+            const support = answer.bands[0].support.map((at) => turned(base, [at.east_m, at.north_m, 0]));
+            return [after(base, upright(mesh.up)), [...mesh.near], support]; });"""
+        each = []
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            (place / "balanced_rock.obj").write_text(rock, encoding="utf-8")
+            for thin in ("", "thin: 0.02, "):
+                (place / "scene.yaml").write_text(given % thin, encoding="utf-8")
+                status, out, err = run("solve", "--json", "--figure", "x.glb", "scene.yaml", folder=place)
+                self.assertEqual(status, 0, err)
+                each.append([json.loads(out), given % thin, rock, list((place / "x.glb").read_bytes()) if thin else None])
+        dip, way = math.radians(20), math.radians(135)
+        normal = (math.sin(dip) * math.sin(way), math.sin(dip) * math.cos(way), math.cos(dip))
+        over = lambda point: sum(a * b for a, b in zip(point, normal))
+        found = node(SOLID / "solid_mesh.js", body, {"module": (SOLID.parent / "scene" / "scene_text.js").as_uri(),
+                                                     "turning": (SOLID / "turning.js").as_uri(), "each": each})
+        for turn, near, support in found:
+            for one, other in zip(turn, (1, 0, 0, 0, 1, 0, 0, 0, 1)):
+                self.assertAlmostEqual(one, other, places=12)
+            corners = {tuple(near[k:k + 3]) for k in range(0, len(near), 3)}
+            lowest = min(map(over, corners))
+            touching = [point for point in corners if over(point) <= lowest + 0.05 + 1e-6]
+            self.assertGreaterEqual(len(support), 3)
+            for at in support:
+                self.assertLess(min(math.dist(at, [c - over(point) * n for c, n in zip(point, normal)]) for point in touching), 1e-6)
+
     def test_turns(self):
         """Up comes upright; what lies towards the azimuth goes down by the tilt, what lies across stays; nothing is stretched."""
         ups = [[0, 0, 1], [0, 0, -2], [0, 1, 0], [0.3, -0.4, 0.5]]

@@ -21,9 +21,20 @@ const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
  * @typedef {object} SolidMesh
  * @property {Float64Array} near triangles from the centroid, in lengths of the mesh
  * @property {number} unit metres in such a length @property {number[]} centroid @property {number} reach of the farthest corner
+ * @property {number[]} up across its base, in axes of the mesh
  * @property {number[][][]} section where a plane cuts it, pairs of points from the centroid; empty: none does
  * @property {Float64Array} ground triangles of what it rests on, likewise; empty: it has no mesh @property {boolean} goesOn there is more of it
  */
+
+/**
+ * The normal of its base in axes of the mesh, which is leant over by the tilt: of a mesh that has heights along z as it lies on a base
+ * that dips, that of the base, so that the turn to a level base and the tilt leave it where it lies.
+ * @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @returns {number[]}
+ */
+export function acrossBase(solution, scene) {
+  const dips = scene.keys(["solid", "base"])?.includes("dip_deg");
+  return dips ? normalOf(solution.tilt_angle_deg, solution.tilt_azimuth_deg) : solution.up;
+}
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
@@ -34,24 +45,26 @@ export function meshOf(solution, scene, files) {
   if (triangles === null || unit === null || triangles.length !== 9 * solution.triangles) return null;
   const centroid = solution.centroid_m.map(({ value }) => value / unit);
   const whole = triangles.map((value, k) => value - centroid[k % 3]);
-  const up = solution.up.map((each) => each / Math.hypot(...solution.up));
+  const across = acrossBase(solution, scene);
+  const up = across.map((each) => each / Math.hypot(...across));
   const level = solution.below === undefined ? null : lowestOf(whole, up) + (solution.below * sceneUnit(scene)) / unit;
   const { above: near, section } = level === null ? { above: whole, section: [] } : cutMesh(whole, up, level);
   const volume = volumeOf(near, level === null ? [0, 0, 0] : up.map((each) => each * level)) * unit ** 3;
   // cavities are not seen, but taken off by the core
   if (scene.count(["solid", "holes"]) === null && Math.abs(volume - solution.volume_m3.value) > AGREES * volume) return null;
-  return { near, unit, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
+  return { near, unit, up, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
 }
 
 /** As the core has it, with its ground. @returns {SolidMesh|null} */
 function ofModel(solution, scene) {
   const unit = meshUnit(scene);
   if (unit === null) return null;
-  const surfaces = surfacesOf(solution.model, solution.up);
+  const up = acrossBase(solution, scene);
+  const surfaces = surfacesOf(solution.model, up);
   const [near, whole] = [surfaces.rock, surfaces.ground].map((triangles) => triangles.map((each) => each / unit));
   const reach = reachOf(near);
-  const ground = groundNear(whole, solution.up, BESIDE * reach);
-  return { near, unit, centroid: solution.centroid_m.map(({ value }) => value / unit), reach, section: [], ground, goesOn: ground !== whole };
+  const ground = groundNear(whole, up, BESIDE * reach);
+  return { near, unit, up, centroid: solution.centroid_m.map(({ value }) => value / unit), reach, section: [], ground, goesOn: ground !== whole };
 }
 
 function reachOf(points) {

@@ -13,7 +13,7 @@ const LIGHT = [0.32, 0.5, 0.8];
 /** @param {any} solution of a solid @param {import("./solid_mesh.js").SolidMesh|null} mesh @returns {Element} empty where there is none */
 export function solidSketch(solution, mesh) {
   if (mesh === null || mesh.near.length + mesh.ground.length > 9 * MOST) return element("div", { class: "thumb" });
-  const turn = after(seenFrom(FIRST.around, FIRST.height), after(tilted(solution.tilt_angle_deg ?? 0, solution.tilt_azimuth_deg ?? 0), upright(solution.up)));
+  const turn = after(seenFrom(FIRST.around, FIRST.height), after(tilted(solution.tilt_angle_deg ?? 0, solution.tilt_azimuth_deg ?? 0), upright(mesh.up)));
   const size = MARGIN * mesh.reach;
   const faces = [...facesOf(mesh.near, turn, "rock"), ...facesOf(mesh.ground, turn, "ground")].sort((one, other) => one.depth - other.depth);
   return svgElement("svg", { class: "thumb solid-sketch", viewBox: [-size, -size, 2 * size, 2 * size].join(" "), "aria-hidden": "true" },

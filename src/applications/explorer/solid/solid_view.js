@@ -13,7 +13,7 @@ import { element, refill, svgElement } from "../panels/element.js";
 import { numeral, say } from "../words/language.js";
 import { MeshPicture } from "./mesh_picture.js";
 import { SoftwarePicture } from "./software_picture.js";
-import { meshOf } from "./solid_mesh.js";
+import { acrossBase, meshOf } from "./solid_mesh.js";
 import { FIRST, after, seenFrom, tilted, turned, upright } from "./turning.js";
 
 const PER_DOT = 0.008; // radians
@@ -62,7 +62,7 @@ export class SolidView {
     // of a mesh in a file nothing but the file counts, and where it is cut; it is read once
     const content = files[parsed.scalar(["solid", "file"]) ?? ""] ?? parsed.text;
     const of = [content, files[parsed.scalar(["solid", "base", "file"]) ?? ""], solution.ground?.object, solution.ground?.metres_per_unit,
-      solution.volume_m3.value, solution.triangles, ...solution.up];
+      solution.volume_m3.value, solution.triangles, ...acrossBase(solution, parsed)];
     if (this.#read !== null && of.every((each, k) => each === this.#read.of[k])) return this.#read.fits;
     const mesh = meshOf(solution, parsed, files);
     const another = content !== this.#read?.of[0];
@@ -70,7 +70,7 @@ export class SolidView {
     if (mesh === null) return false;
     const { near, ground } = mesh;
     for (const key of ["unit", "centroid", "reach", "section", "goesOn"]) this[key] = mesh[key];
-    this.up = upright(solution.up);
+    this.up = upright(mesh.up);
     this.lowest = Infinity;
     for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
     this.picture.set(near, ground);
