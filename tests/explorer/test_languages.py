@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The explorer in English, Spanish and German: whose phrase tables have all that the page says, whose numbers have the
-reader's sign before decimals, and which is chosen by the browser's language or from the menu."""
+"""The explorer in English, Spanish and German: no English is left on it, its numbers have the reader's sign before decimals, and
+which of them is chosen by the browser's language or from the menu. Its tables of phrases: test_phrases.py."""
 
-import html
 import pathlib
 import re
 import sys
@@ -19,53 +18,11 @@ sys.path.insert(0, str(EXPLORER))
 
 from bundling import phrases  # noqa: E402
 
-SAID = re.compile(r'\b(?:say|parts|word)\(\s*"((?:[^"\\]|\\.)*)"')
-NAMED = re.compile(r'\b(?:label|title|what|caption|"aria-label"): "((?:[^"\\]|\\.)*[a-z] [^"]*|[A-Z][a-z]+…?)"')
-SIGNS = {"", "1"}  # said as they are
 # Words that no Spanish and no German has; "at" and "is" are parts of none
 ENGLISH = re.compile(r"\b(?:the|and|of|at|is|it|towards|to|with|from)\b")
 # What the page says by itself: not what the scene or the program says, nor names of examples
 OWN_TEXT = """[...document.querySelectorAll('body *')].filter(e => !e.closest('pre, option, #panel-about td, .cm-editor, script, #scene-title, .note, .bubble, td:nth-child(3)'))
   .flatMap(e => [...[...e.childNodes].filter(n => n.nodeType === 3).map(n => n.data), e.getAttribute('aria-label') ?? '']).filter(t => t.trim())"""
-
-
-def sources():
-    return {path: path.read_text(encoding="utf-8") for path in sorted(EXPLORER.glob("*/*.js"))}
-
-
-def literals():
-    """What modules say by a phrase that stands in them, with the module's name."""
-    for path, text in sources().items():
-        for pattern in (SAID, NAMED):
-            yield from ((path.name, found.replace('\\"', '"')) for found in pattern.findall(text))
-    page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
-    body = page[page.index("<body"):]
-    for found in re.findall(r">([^<>]*[A-Za-z][^<>]*)<", body) + re.findall(r'(?:title|aria-label)="([^"]*)"', body):
-        yield "index.html", html.unescape(found.strip())
-
-
-class Tables(unittest.TestCase):
-    def test_every_phrase_has_its_translations(self):
-        """In the table of the program or in that of the page, and in one of them alone; no row is left that nobody says."""
-        programs, own = ({row["en"] for row in phrases.table(path)} for path in (phrases.PROGRAMS, phrases.OWN))
-        self.assertEqual(own & programs, set())
-        name_of_program = {"Topple"}
-        missing = sorted({(name, said) for name, said in literals() if said not in own | programs | SIGNS | name_of_program
-                          and not said.endswith(" the ") and not re.fullmatch(r"(α_[sw]|scene\.yaml)", said)})
-        self.assertEqual(missing, [])
-        everything = "\n".join([*sources().values(), (EXPLORER / "bundling" / "examples.py").read_text(encoding="utf-8"), html.unescape((EXPLORER / "page" / "index.html").read_text(encoding="utf-8"))])
-        ends = re.compile(r" (left|right|slab|ellipse)$")  # put together with a word that varies
-        words_of_results = {"none: the scene gives no tilt", "note", "caution", "assumption", "refuted", "onset of motion", "critical angle", "critical angle, integer arithmetic"}
-        unused = [row for row in own if row not in everything and ends.sub(" ", row) not in everything and row not in words_of_results
-                  and ends.sub("", row).removesuffix(" of the") not in everything]
-        self.assertEqual(unused, [])
-
-    def test_translations_take_what_the_phrase_takes(self):
-        for row in phrases.table(phrases.OWN) + phrases.table(phrases.REFUSALS):
-            for code in ("es", "de"):
-                with self.subTest(row["en"], code=code):
-                    self.assertTrue(row[code])
-                    self.assertEqual(len(re.findall(r"%(?:\d\$)?s", row[code])), row["en"].count("%s"))
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")

@@ -5,6 +5,7 @@
 
 import carried from "topple:core";
 import { Requests } from "./requests.js";
+import { say } from "../words/language.js";
 
 export { CoreStopped } from "./requests.js";
 
@@ -34,7 +35,7 @@ function startWorker(heard) {
   };
   worker.onerror = (event) => {
     event.preventDefault();
-    heard({ kind: "broken", why: event.message ?? "its worker did not begin" });
+    heard({ kind: "broken", why: event.message ?? say("its worker did not begin") });
   };
   compiled.module.then((module) => worker.postMessage({ kind: "begin", module }), broken);
   return {

@@ -35,6 +35,7 @@ const FIRST = "block_e_valley.yaml";
 const element = (id) => document.getElementById(id);
 
 async function begin() {
+  document.title = say(document.title);
   translate(document.body);
   languageMenu(element("language"));
   themeSwitch(element("theme"));

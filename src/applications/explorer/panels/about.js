@@ -26,7 +26,7 @@ export class AboutPanel extends Panel {
         "p", {}, parts("%s: does a rock block stand, slide or topple on its base? Free software under the GNU General Public License, version 3 or later, without any warranty. This page holds the whole program, works without a network, and sends nothing anywhere.", version),
       ),
       table(say("What is inlined"), ["library", "licence", "for"].map((head) => say(head)), licences.libraries.map(({ name, licence, for: purpose }) => ({
-        cells: [name, licence, purpose],
+        cells: [name, licence, say(purpose)],
       }))),
       element("p", {}, say("The texts of the licences, and the notices that go with them:")),
       texts,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
+import { say } from "../words/language.js";
+
 /**
  * What was clicked in a photograph as a scene: the text that `topple trace --outline` writes for the same points
  * (src/applications/trace), byte by byte, so that either can go on with the other's work.
@@ -79,14 +81,14 @@ function ends(ring, { between }, at) {
   if (between.length < 2) return [];
   const [left, right] = at(between[0]).x <= at(between[1]).x ? between : [between[1], between[0]];
   const found = [nearest(ring, left), nearest(ring, right)];
-  if (found[0] === found[1]) throw new RangeError("both ends of the contact are nearest to one point of the outline; take them farther apart");
+  if (found[0] === found[1]) throw new RangeError(say("both ends of the contact are nearest to one point of the outline; take them farther apart"));
   return found;
 }
 
 /** @param {Traced} traced @returns {string} the scene */
 export function traceScene(traced) {
   const { outline, scale, plumb, between } = traced;
-  if (outline.length < 3 || outline.length > CLICKS_MAX || Math.abs(area(outline)) === 0) throw new RangeError("an outline has from 3 to " + CLICKS_MAX + " points around an area");
+  if (outline.length < 3 || outline.length > CLICKS_MAX || Math.abs(area(outline)) === 0) throw new RangeError(say("an outline has from 3 to %s points around an area", CLICKS_MAX));
   const ring = area(outline) < 0 ? [...outline].reverse() : outline;
   const at = placing(traced);
   const down = downOf(plumb);

@@ -10,6 +10,7 @@ import { isAlias, isMap, isScalar, isSeq } from "yaml";
 import { decimalValue } from "./decimal.js";
 import { formulaValue } from "./formula.js";
 import { parameterValues } from "./quantity.js";
+import { say } from "../words/language.js";
 
 /** Metres in each unit, as quotients of whole numbers, exact by definition. @type {Record<string, [bigint, bigint]>} */
 export const UNITS = { mm: [1n, 1000n], cm: [1n, 100n], m: [1n, 1n], km: [1000n, 1n], in: [254n, 10000n], ft: [3048n, 10000n] };
@@ -25,8 +26,8 @@ const POINTS = ["outline", "profile", "surface", "line"];
  */
 export function inUnit(scene, unit, isLength) {
   const before = scene.scalar(["length_unit"]);
-  if (!Object.hasOwn(UNITS, before ?? "") || scene.root === null) throw new RangeError("the scene has no length_unit that is known");
-  if (["drawing", "solid"].some((key) => scene.node([key]) !== null)) throw new RangeError("its lengths stand in a file with a unit of its own");
+  if (!Object.hasOwn(UNITS, before ?? "") || scene.root === null) throw new RangeError(say("the scene has no length_unit that is known"));
+  if (["drawing", "solid"].some((key) => scene.node([key]) !== null)) throw new RangeError(say("its lengths stand in a file with a unit of its own"));
   const factor = quotient(UNITS[before], UNITS[unit]);
   const lengths = lengthsIn(scene, isLength);
   const edits = [{ path: ["length_unit"], text: unit }, ...lengths.map(({ path, text }) => ({ path, text: times(text, factor) }))];
@@ -56,16 +57,16 @@ function lengthsIn(scene, isLength) {
     if (!isLength(key)) others.push(text);
     else if (decimalValue(text) !== null) found.push({ path, text });
     else if (NAME.test(text) && decimalValue(scene.scalar(["parameters", text]) ?? "") !== null) parameters.add(text);
-    else if (formulaValue(text, values) !== null) throw new RangeError(path.join(".") + " is the formula " + text + ": change its numbers in the text");
-    else if (POINTS.includes(path[path.length - 1]) && !NAME.test(text)) throw new RangeError(path.join(".") + " stands in the file " + text + ", whose numbers would have to change, too");
+    else if (formulaValue(text, values) !== null) throw new RangeError(say("%s is the formula %s: change its numbers in the text", path.join("."), text));
+    else if (POINTS.includes(path[path.length - 1]) && !NAME.test(text)) throw new RangeError(say("%s stands in the file %s, whose numbers would have to change, too", path.join("."), text));
   });
   for (const name of parameters) {
-    if (others.some((text) => new RegExp("(?<!\\w)" + name + "(?!\\w)").test(text))) throw new RangeError("the parameter " + name + " is a length and another number, too: change them in the text");
+    if (others.some((text) => new RegExp("(?<!\\w)" + name + "(?!\\w)").test(text))) throw new RangeError(say("the parameter %s is a length and another number, too: change them in the text", name));
     found.push({ path: ["parameters", name], text: scene.scalar(["parameters", name]) });
   }
   for (const name of scene.keys(["parameters"]) ?? []) {
     const text = scene.scalar(["parameters", name]) ?? "";
-    if (decimalValue(text) === null) throw new RangeError("parameters." + name + " is the formula " + text + ": change its numbers in the text");
+    if (decimalValue(text) === null) throw new RangeError(say("%s is the formula %s: change its numbers in the text", "parameters." + name, text));
   }
   return found;
 }
@@ -78,7 +79,7 @@ function walk(node, path, key, see) {
       walk(pair.value, [...path, name], key.endsWith(".set") ? name.replace(/\[\d+\]/g, "[]") : key === "" ? name : key + "." + name, see);
     }
   } else if (isSeq(node)) node.items.forEach((item, at) => walk(item, [...path, at], key + "[]", see));
-  else if (isAlias(node)) throw new RangeError(path.join(".") + " is the alias *" + node.source + ": change what it stands for in the text");
+  else if (isAlias(node)) throw new RangeError(say("%s is the alias *%s: change what it stands for in the text", path.join("."), node.source));
   else if (isScalar(node)) see(node, path, key);
 }
 

@@ -4,6 +4,7 @@
 /** Items of a list of the scene's text come and go, as vertices do; what stands around them, comments and layout, stays. */
 
 import { isSeq } from "yaml";
+import { say } from "../words/language.js";
 
 /**
  * @param {import("./scene_text.js").SceneText} scene @param {(string|number)[]} path of a list @param {number} after which of its
@@ -36,7 +37,7 @@ export function withoutItem(scene, path, index) {
 
 function listAt(scene, path) {
   const list = scene.node(path);
-  if (!isSeq(list)) throw new RangeError(path.join(".") + " is no list in the text");
+  if (!isSeq(list)) throw new RangeError(say("%s is no list in the text", path.join(".")));
   return list;
 }
 

@@ -8,6 +8,7 @@
 
 import { decimalValue } from "./decimal.js";
 import { formulaValue } from "./formula.js";
+import { say } from "../words/language.js";
 
 const NAME = /^[A-Za-z_][A-Za-z_0-9]*$/;
 
@@ -48,7 +49,7 @@ export function quantity(scene, path, parameters) {
     found.parameter = text.trim();
     found.path = ["parameters", found.parameter];
   } else {
-    found.fixed = "is the formula " + text.trim() + "; change it, or its parameters, in the text";
+    found.fixed = say("is the formula %s; change it, or its parameters, in the text", text.trim());
   }
   return found;
 }

@@ -8,6 +8,7 @@
 
 import { decimalValue } from "./decimal.js";
 import { parseDocument, isAlias, isMap, isSeq, isScalar } from "yaml";
+import { say } from "../words/language.js";
 
 /** Longer texts are the core's alone: to parse them here would hold up the page. */
 export const PARSED_MAX = 200_000;
@@ -16,9 +17,9 @@ export const PARSED_MAX = 200_000;
 
 /** The core's reader takes brackets that end at the margin; the one that finds the numbers to be dragged does not. */
 function whyUnread(error) {
-  if (error.code !== "BAD_INDENT") return "The text is not valid YAML yet; see its message";
+  if (error.code !== "BAD_INDENT") return say("The text is not valid YAML yet; see its message");
   const line = error.linePos?.[0]?.line ?? 1;
-  return "Brackets go on at the margin at line " + line + "; indent that line, and the scene can be dragged";
+  return say("Brackets go on at the margin at line %s; indent that line, and the scene can be dragged", line);
 }
 
 /** @param {string} text @param {{from: number, to: number, text: string}[]} edits from the last one to the first */
@@ -45,7 +46,7 @@ export class SceneText {
     this.root = root;
     if (root !== null) return;
     if (text.length > PARSED_MAX) {
-      this.unread = "The scene is too long to be dragged; edit its text";
+      this.unread = say("The scene is too long to be dragged; edit its text");
       return;
     }
     try {
@@ -53,7 +54,7 @@ export class SceneText {
       if (document.errors.length > 0) this.unread = whyUnread(document.errors[0]);
       else this.root = document.contents;
     } catch (error) {
-      this.unread = "The text is not valid YAML yet: " + error.message;
+      this.unread = say("The text is not valid YAML yet: %s", error.message);
     }
   }
 
@@ -80,11 +81,11 @@ export class SceneText {
     for (let depth = path.length; depth > 0; depth--) {
       const node = this.node(path.slice(0, depth));
       if (node === null) continue;
-      if (isAlias(node)) return "is the alias *" + node.source + "; change what it stands for in the text";
-      if (depth === path.length) return isScalar(node) ? null : "is a list or a map; change it in the text";
-      return isMap(node) ? null : "has no place: " + path.slice(0, depth).join(".") + " is no map of keys; change it in the text";
+      if (isAlias(node)) return say("is the alias *%s; change what it stands for in the text", node.source);
+      if (depth === path.length) return isScalar(node) ? null : say("is a list or a map; change it in the text");
+      return isMap(node) ? null : say("has no place: %s is no map of keys; change it in the text", path.slice(0, depth).join("."));
     }
-    return isMap(this.root) ? null : "has no place in this text";
+    return isMap(this.root) ? null : say("has no place in this text");
   }
 
   /** @param {Path} path @returns {number|null} how many items the list there has; null: no list */
@@ -139,7 +140,7 @@ export class SceneText {
   #edit(path, text) {
     const node = this.node(path);
     if (isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], text, scalar: node };
-    if (node !== null) throw new RangeError(path.join(".") + " is not a number but a list or a map");
+    if (node !== null) throw new RangeError(say("%s is not a number but a list or a map", path.join(".")));
     return this.#insertion(path, text);
   }
 
@@ -147,7 +148,7 @@ export class SceneText {
     let depth = path.length - 1;
     while (depth > 0 && this.node(path.slice(0, depth)) === null) depth--;
     const map = depth === 0 ? this.root : this.node(path.slice(0, depth));
-    if (!isMap(map)) throw new RangeError(path.slice(0, depth).join(".") + " is not a map that could take another key");
+    if (!isMap(map)) throw new RangeError(say("%s is not a map that could take another key", path.slice(0, depth).join(".")));
     const inner = path.slice(depth + 1).reduceRight((value, key) => "{" + key + ": " + value + "}", text);
     const pair = path[depth] + ": " + inner;
     const last = map.items[map.items.length - 1];
