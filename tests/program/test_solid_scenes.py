@@ -13,6 +13,7 @@ import math
 import pathlib
 import random
 import re
+import struct
 import unittest
 from fractions import Fraction
 
@@ -161,6 +162,120 @@ class Stances(SceneCase):
         self.assertEqual(slanted["tilt_angle_deg"], dip)
 
 
+def root(number):
+    """Exact where it is a whole number, else to 60 digits."""
+    whole = math.isqrt(number)
+    return Fraction(whole) if whole * whole == number else Fraction(math.isqrt(number * 10 ** 120), 10 ** 60)
+
+
+def laid(points, up):
+    """Points of a mesh with z upwards, in the axes of one that the least turn of `up` makes it of: p_x east + p_y north + p_z u. Upside
+    down the turn is that about x. Written with 40 digits where they are no decimals."""
+    x, y, z = up
+    if (x, y) == (0, 0):
+        return [(a, b, c) if z > 0 else (a, -b, -c) for a, b, c in points]
+    length = root(x * x + y * y + z * z)
+    x, y, z = x / length, y / length, z / length
+    rise = (x * x + y * y) / (1 - z)  # 1 + z
+    axes = (1 - x * x / rise, -x * y / rise, -x), (-x * y / rise, 1 - y * y / rise, -y), (x, y, z)
+    turned = [tuple(sum(p[n] * axes[n][k] for n in range(3)) for k in range(3)) for p in points]
+    return [tuple(c if (c * 10 ** 12).denominator == 1 else Fraction(round(c * 10 ** 40), 10 ** 40) for c in p) for p in turned]
+
+
+class Slopes(SceneCase):
+    """A base that dips, below a mesh of which any direction is up: azimuths are those of the frame that the least turn brings upright, so
+    that the mesh brought upright, by fractions here, has the same answers with z upwards."""
+
+    LOADS = "friction_angle_deg: 40\nloads: {seismic: {horizontal: 0.03, azimuth_deg: 200}}\n"
+
+    def lies(self, points, up, dip, direction, bands="[2]", faces=PRISM[1]):
+        self.put("rock.obj", exact_obj(points, faces))
+        with open(self.scene(f"azimuths: 24, up: {up}, base: {{dip_deg: {dip}, dip_direction_deg: {direction}}}", self.LOADS),
+                  encoding="utf-8") as text:
+            return self.told(self.put("scene.yaml", text.read().replace("bands: [0]", f"bands: {bands}")))
+
+    def same(self, one, other, path=""):
+        """Numbers by their own bounds: both have the truth within them. Points of the support are doubles of a rock of size 10."""
+        self.assertEqual(type(one), type(other), path)
+        if isinstance(one, dict) and "error" in one:
+            apart = abs(one["value"] - other["value"])
+            if "azimuth" in path:
+                apart = min(apart, 360 - apart)
+            self.assertLessEqual(apart, 1.01 * (one["error"] + other["error"]) + 1e-15, path)  # bounds are printed in doubles, too
+            self.assertLess(other["error"], 1e-9, path)
+        elif isinstance(one, dict):
+            self.assertEqual(one.keys(), other.keys(), path)
+            for key in one.keys() - {"edge_from", "edge_to"}:  # these are in the axes of the mesh
+                self.same(one[key], other[key], f"{path}.{key}")
+        elif isinstance(one, list):
+            self.assertEqual(len(one), len(other), path)
+            for k, (p, q) in enumerate(zip(one, other)):
+                self.same(p, q, f"{path}.{k}")
+        elif isinstance(one, float):
+            self.assertAlmostEqual(one, other, 13, path)
+        else:
+            self.assertEqual(one, other, path)
+
+    def support(self, got):
+        """From the corner that is farthest to the north: which comes first depends on the axes of the mesh."""
+        band = got["bands"][0]
+        corners = band["support"]
+        first = max(range(len(corners)), key=lambda k: round(corners[k]["north_m"], 9) + 1e-6 * round(corners[k]["east_m"], 9))
+        band["support"] = corners[first:] + corners[:first]
+        return band
+
+    def test_any_up(self):
+        """Rational turns, of which all decisions are the same, and roots; almost and wholly upside down; and three points of a level."""
+        plain = self.support(self.lies(PRISM[0], [0, 0, 1], 20, 130))
+        self.assertEqual((len(plain["support"]), plain["stance"]["verdict"]), (3, "stands"))
+        for up in ([0, 1, 0], [-1, 0, 0], [0, 0, -1], [12, 16, 15], [20, 12, -9], [1, 1, 1], [-3, 1, -2], [1, 2, -10 ** 9]):
+            with self.subTest(up=up):
+                self.same(plain, self.support(self.lies(laid(PRISM[0], up), up, 20, 130)))
+        level = [[float(c) for c in p] for p in laid([(5, 1, 0), (-2, 3, 0), (1, -4, 0)], [4, 0, 3])]
+        self.same(plain, self.support(self.lies(laid(PRISM[0], [4, 0, 3]), {"points": level}, 20, 130)))
+
+    def test_exactly(self):
+        """On a base that stands on end its side touches without a band, of four corners that a hair would part: a rational turn keeps that.
+        A base without a dip is across `up`, of any length: the corner of a cube on its three neighbours."""
+        plain = self.support(self.lies(PRISM[0], [0, 0, 1], 90, 90, "[0]"))
+        self.assertEqual(plain["touching"], 4)
+        for up in ([0, 1, 0], [0, 0, -7], [12, 16, 15], [20, 12, -9]):
+            with self.subTest(up=up):
+                self.same(plain, self.support(self.lies(laid(PRISM[0], up), up, 90, 90, "[0]")))
+        corner = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        got = self.lies(corner[0], [-1, -1, -1], 0, 77, "[0]", corner[1])
+        self.assertEqual((got["bands"][0]["touching"], got["bands"][0]["stands"]), (3, True))
+
+    def test_mirrored(self):
+        """In a mirror across x every azimuth is its opposite, the earthquake's too, and factors stay."""
+        points, up = laid(PRISM[0], [20, 12, -9]), [20, 12, -9]
+        one = self.lies(points, up, 20, 130)["bands"][0]
+        self.LOADS = self.LOADS.replace("200", "160")
+        other = self.lies([(-x, y, z) for x, y, z in points], [-20, 12, -9], 20, 230, faces=[f[::-1] for f in PRISM[1]])["bands"][0]
+        other["rose"] = [dict(way, azimuth_deg=(360 - way["azimuth_deg"]) % 360) for way in other["rose"][:1] + other["rose"][:0:-1]]
+        for key in ("rose", "critical_deg", "height_m", "touching"):
+            self.same(one[key], other[key], key)
+        for key in ("fos", "critical_deg", "acceleration_g", "verdict"):
+            self.same(one["stance"][key], other["stance"][key], key)
+
+    def test_drawn(self):
+        """The model of glTF has the rock on its base, east, up and south of the foot of its centroid: the same for every direction of up."""
+        models = []
+        for up in ([0, 0, 1], [20, 12, -9]):
+            self.lies(laid(PRISM[0], up), up, 20, 130)
+            status, out, err = run("solve", "--figure", f"{self.folder}/a.glb", f"{self.folder}/scene.yaml")
+            self.assertEqual((status, err), (0, ""))
+            models.append(pathlib.Path(f"{self.folder}/a.glb").read_bytes())
+        length = struct.unpack_from("<I", models[0], 12)[0]
+        (view,) = [v for v in json.loads(models[0][20:20 + length])["bufferViews"][:1]]
+        rocks = []
+        for model in models:
+            own = struct.unpack_from("<I", model, 12)[0]
+            rocks.append(struct.unpack_from(f"<{view['byteLength'] // 4}f", model, 28 + own + view.get("byteOffset", 0)))
+        for one, other in zip(*rocks):
+            self.assertAlmostEqual(one, other, 5)
+
+
 class Lengths(SceneCase):
     def test_scale_and_three_points(self):
         """By a known length, and lying on three points in either order: as the same in its unit and upright."""
@@ -307,11 +422,10 @@ class Refused(SceneCase):
                                   ("scale: {from: [0, 0, 0], to: [0, 0, 1], length: 1}", "", "not both"),
                                   ("object: roof", "", "no object"), ("azimuths: 99999", "", "36000"),
                                   ("base: {dip_deg: 5}", "", "dip_direction_deg"),
-                                  ("up: [0, 1, 0], base: {dip_deg: 5, dip_direction_deg: 4}", "", "z upwards"),
                                   ("base: {dip_deg: 5, dip_direction_deg: 4}", "tilt: {angle_deg: 5}", "scene.yaml:4:7"),
                                   ("", "base: {mated: true}", "scene.yaml:4:7: 'base' is of a scene of a block"),
                                   ("", "tilt: {towards: left}", "azimuth_deg"),
-                                  ("", "loads: {bond_kpa: 3}", "'seismic' alone"),
+                                  ("", "loads: {bond_kpa: 3}", "a solid takes 'seismic'"),
                                   ("", "loads: {seismic: {horizontal: 1, direction: both}}", "azimuth_deg"),
                                   ("", "tilt: {angle_deg: 3}\nloads: {seismic: {horizontal: 1, azimuth_deg: 3}}", "tilt.azimuth_deg")):
             with self.subTest(told=told):

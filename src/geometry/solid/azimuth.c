@@ -41,6 +41,21 @@ void tp_map_frame_init(tp_map_frame *frame, const tp_near up[3]) {
   frame->north[2] = tp_near_neg(b);
 }
 
+void tp_map_frame_down(tp_map_frame *frame, const tp_near up[3], const tp_near normal[3]) {
+  tp_map_frame level, own;
+  tp_map_frame_init(&own, normal);
+  *frame = own;
+  if (tp_near_is_zero(up[0]) && tp_near_is_zero(up[1]) && up[2].value > 0) return;
+  tp_map_frame_init(&level, up);
+  const tp_near length = tp_near_sqrt(dot(up, up));
+  for (int k = 0; k < 3; k++) {
+    const tp_near rise = tp_near_is_zero(up[k]) ? up[k] : tp_near_div(up[k], length);
+    const tp_near axis[3] = {level.east[k], level.north[k], rise};
+    frame->east[k] = dot(own.east, axis);
+    frame->north[k] = dot(own.north, axis);
+  }
+}
+
 void tp_map_components(tp_near *east, tp_near *north, const tp_map_frame *frame,
                        const tp_near vector[3]) {
   *east = dot(frame->east, vector);

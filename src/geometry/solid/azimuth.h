@@ -19,6 +19,11 @@ typedef struct tp_map_frame {
 /* `up` is not zero, of any length. */
 void tp_map_frame_init(tp_map_frame *frame, const tp_near up[3]);
 
+/* On a base that dips, whose normal is given by its components towards east, north and up in the
+ * frame of `up`: there the least turn, brought back. Where `up` is not z that is another frame than
+ * the one of the normal by itself. */
+void tp_map_frame_down(tp_map_frame *frame, const tp_near up[3], const tp_near normal[3]);
+
 /* The components of a vector. */
 void tp_map_components(tp_near *east, tp_near *north, const tp_map_frame *frame,
                        const tp_near vector[3]);

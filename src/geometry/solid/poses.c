@@ -149,6 +149,7 @@ static void measure_shares(search *s) {
 static void describe(tp_solid_pose *pose, search *s, long facet, double metres_per_step) {
   const long count = set_edges(s, facet);
   tp_rest_plane plane;
+  tp_map_frame frame;
   set_plane(&plane, s, facet);
   bool told = true;
   const tp_near length = tp_near_norm(plane.near_up);
@@ -160,7 +161,8 @@ static void describe(tp_solid_pose *pose, search *s, long facet, double metres_p
   pose->height_m = tp_near_bounded(tp_near_mul(height, scale));
   pose->facet_share = tp_near_bounded(s->places[facet].own);
   pose->share = tp_near_bounded(s->places[facet].share);
-  tp_tilt_least(&pose->least, s->centre, &plane, s->edges, count, &told);
+  tp_map_frame_init(&frame, plane.near_up);
+  tp_tilt_least(&pose->least, s->centre, &plane, &frame, s->edges, count, &told);
   pose->has_persistence = s->persistences[facet].is_left;
   if (pose->has_persistence) {
     pose->persistence_m = tp_near_bounded(tp_near_mul(s->persistences[facet].rise, scale));

@@ -17,7 +17,8 @@ tp_near tp_tilt_tangent(const tp_centre *centre, const tp_rest_plane *plane, tp_
 }
 
 void tp_tilt_least(tp_solid_tilt *least, const tp_centre *centre, const tp_rest_plane *plane,
-                   const tp_support_edge *edges, long count, bool *told) {
+                   const tp_map_frame *frame, const tp_support_edge *edges, long count,
+                   bool *told) {
   const tp_near height = tp_centre_height(centre, plane, tp_solid_accuracy);
   tp_near tangent = {0, 0}, bound = tangent;
   long found = 0;
@@ -31,10 +32,8 @@ void tp_tilt_least(tp_solid_tilt *least, const tp_centre *centre, const tp_rest_
   }
   const tp_support_edge edge = edges[found];
   tp_near outward[3], east, north;
-  tp_map_frame frame;
   tp_rest_plane_outward(outward, centre->surface, plane, edge.from, edge.to);
-  tp_map_frame_init(&frame, plane->near_up);
-  tp_map_components(&east, &north, &frame, outward);
+  tp_map_components(&east, &north, frame, outward);
   const tp_near angle = tp_near_arctangent(bound);
   least->tilt_deg = tp_near_bounded(angle);
   least->azimuth_deg = tp_azimuth_of(east, north);

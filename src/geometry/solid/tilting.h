@@ -26,10 +26,10 @@ static inline bool tp_tilt_is_told(tp_near angle) {
 tp_near tp_tilt_tangent(const tp_centre *centre, const tp_rest_plane *plane, tp_support_edge edge,
                         tp_near height);
 
-/* The least of all edges, which all have the foot within; `*told` stays where its numbers are
- * certain to tp_solid_accuracy, else it becomes false. */
+/* The least of all edges, which all have the foot within, its azimuth in a frame of the plane;
+ * `*told` stays where its numbers are certain to tp_solid_accuracy, else it becomes false. */
 void tp_tilt_least(tp_solid_tilt *least, const tp_centre *centre, const tp_rest_plane *plane,
-                   const tp_support_edge *edges, long count, bool *told);
+                   const tp_map_frame *frame, const tp_support_edge *edges, long count, bool *told);
 
 /* 1: the foot of the centroid lies within the support, 0: on its border, -1: outside, 2: the level
  * does not tell. */

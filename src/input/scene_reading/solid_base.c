@@ -1,27 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The key solid.base: a plane that dips, or a mesh of the ground in the axes of the rock's. */
+/* The key solid.base: a plane that dips from the level across `up`, or a mesh of the ground in the
+ * axes of the rock's. */
 
 #include "scene_reading/read.h"
 
 static tp_status read_dip(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"object", "unit", "scale", NULL};
-  tp_scene *scene = reader->scene;
-  const fmpq *up = scene->solid.up;
   const tp_node *other = tp_node_first_of(node, keys);
   if (other != NULL) {
     return tp_read_fail(reader, TP_FAULT_KEY, other,
                         "'%s' is of a mesh of the ground: name its 'file', or leave this out",
                         other->key);
   }
-  tp_status status = tp_read_map(reader, scene, node, &tp_key_map_solid_base, "the base");
-  if (status == TP_OK && !(fmpq_is_zero(up) && fmpq_is_zero(up + 1) && fmpq_sgn(up + 2) > 0)) {
-    status = tp_read_fail(reader, TP_FAULT_KEY, node,
-                          "a base has its dip where the mesh has z upwards: leave out 'up', or "
-                          "say by it which way is across the base instead of its dip");
-  }
-  return status;
+  return tp_read_map(reader, reader->scene, node, &tp_key_map_solid_base, "the base");
 }
 
 /* By its own unit or known length, or as those of the rock's mesh. */

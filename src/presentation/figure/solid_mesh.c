@@ -9,7 +9,6 @@
 
 #include "common/message.h"
 #include "number/ratio.h"
-#include "solid/azimuth.h"
 #include "solid/sides.h"
 #include "solid/solid_sums.h"
 
@@ -19,20 +18,6 @@
 
 /* ---- the frame of the base ---------------------------------------------------------------------
  */
-
-static void set_axes(tp_solid_mesh *mesh, const tp_solid *solid) {
-  tp_near up[3];
-  tp_map_frame frame;
-  tp_solid_base_normal(up, solid);
-  tp_map_frame_init(&frame, up);
-  const double length =
-      sqrt(up[0].value * up[0].value + up[1].value * up[1].value + up[2].value * up[2].value);
-  for (int k = 0; k < 3; k++) {
-    mesh->axes[0][k] = frame.east[k].value;
-    mesh->axes[1][k] = frame.north[k].value;
-    mesh->axes[2][k] = up[k].value / length;
-  }
-}
 
 void tp_solid_mesh_turn(double turned[3], const tp_solid_mesh *mesh, const double vector[3]) {
   for (int k = 0; k < 3; k++) {
@@ -134,7 +119,7 @@ static bool fill(tp_solid_mesh *mesh, const tp_surface *surface, const tp_solid 
   double centre[3];
   const double step = step_of(surface, solid->metres_per_unit);
   if (!make_room(mesh, surface)) return false;
-  set_axes(mesh, solid);
+  tp_solid_base_axes(mesh->axes, solid);
   set_centre(centre, surface, solid, step);
   set_points(mesh, surface, centre, step);
   return set_edges(mesh);

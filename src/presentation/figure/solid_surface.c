@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "number/ratio.h"
 #include "scene/scene.h"
+#include "solid/azimuth.h"
 #include "solid/cut.h"
 #include "solid/gate.h"
 #include "solid/mend.h"
@@ -19,12 +20,31 @@
 
 static const double radian = 3.14159265358979323846 / 180;
 
-void tp_solid_base_normal(tp_near normal[3], const tp_solid *solid) {
-  const double dip = radian * solid->tilt_angle_deg, way = radian * solid->tilt_azimuth_deg;
-  const double dipping[3] = {sin(dip) * sin(way), sin(dip) * cos(way), cos(dip)};
+static void take_values(double axis[3], const tp_near vector[3]) {
+  for (int k = 0; k < 3; k++) axis[k] = vector[k].value;
+}
+
+static void set_normal(double normal[3], const double east[3], const double north[3]) {
   for (int k = 0; k < 3; k++) {
-    normal[k] = (tp_near){solid->is_on_slope ? dipping[k] : solid->up[k], 0};
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    normal[k] = east[i] * north[j] - east[j] * north[i];
   }
+}
+
+void tp_solid_base_axes(double axes[3][3], const tp_solid *solid) {
+  const double dip = radian * solid->tilt_angle_deg, way = radian * solid->tilt_azimuth_deg;
+  const tp_near dipping[3] = {{sin(dip) * sin(way), 0}, {sin(dip) * cos(way), 0}, {cos(dip), 0}};
+  tp_near up[3];
+  tp_map_frame frame;
+  for (int k = 0; k < 3; k++) up[k] = (tp_near){solid->up[k], 0};
+  if (solid->is_on_slope) {
+    tp_map_frame_down(&frame, up, dipping);
+  } else {
+    tp_map_frame_init(&frame, up);
+  }
+  take_values(axes[0], frame.east);
+  take_values(axes[1], frame.north);
+  set_normal(axes[2], axes[0], axes[1]);
 }
 
 static tp_status refuse_other(const char *file, tp_message *message) {
@@ -107,15 +127,14 @@ static tp_status cut_surface(tp_surface *surface, const tp_solid *solid, tp_mess
   enum { BITS = 60 };
   tp_surface whole = *surface;
   tp_cut_plane plane;
-  tp_near normal[3];
+  double axes[3][3];
   fmpz up[3];
   fmpq_t height;
   fmpq_init(height);
-  tp_solid_base_normal(normal, solid);
-  const double length = hypot(hypot(normal[0].value, normal[1].value), normal[2].value);
+  tp_solid_base_axes(axes, solid);
   for (int k = 0; k < 3; k++) {
     fmpz_init(up + k);
-    fmpz_set_d_2exp(up + k, normal[k].value / length, BITS);
+    fmpz_set_d_2exp(up + k, axes[2][k], BITS);
   }
   (void)tp_ratio_read_double(height, below_in_file(solid));
   tp_cut_plane_init(&plane, &whole, up, height);

@@ -9,8 +9,9 @@
 #include "solid/surface.h"
 #include "topple_solid.h"
 
-/* Across the base, of any length: up, or the normal of a base that dips. */
-void tp_solid_base_normal(tp_near normal[3], const tp_solid *solid);
+/* East and north of its azimuths on the base, and the unit vector across it: up, or the normal of a
+ * base that dips. */
+void tp_solid_base_axes(double axes[3][3], const tp_solid *solid);
 
 /* The surface of a solid as it was solved: mended, thinned, cut by its plane. Both are to be
  * cleared, the surface first; on failure they are empty. Refused: a file that has changed. */

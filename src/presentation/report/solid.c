@@ -156,12 +156,10 @@ static void add_range(tp_text *t, const tp_solid *s) {
 
 static void add_bands(tp_text *t, const tp_solid *s) {
   char band[TP_SOLID_BAND_SIZE];
-  if (s->is_on_slope) {
-    tp_text_add(t, "\nAs it lies, tilted from where its base, which dips, would be level");
-  } else {
-    tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), on %s", s->up[0], s->up[1], s->up[2],
-                s->has_below ? "the section" : "a plane base");
-  }
+  tp_text_add(t, "\nAs it lies, up (%.6g, %.6g, %.6g), %s", s->up[0], s->up[1], s->up[2],
+              s->is_on_slope ? "tilted from where its base, which dips, would be level"
+              : s->has_below ? "on the section"
+                             : "on a plane base");
   if (s->has_friction) tp_text_add(t, ", friction angle %.6g°", s->friction_angle_deg);
   tp_text_add(t, "\n  %10s %9s %9s  %12s %10s%s\n", tp_text_solid_band(band, s), "touching",
               "corners", "least tilt", "azimuth", s->has_friction ? "         moves" : "");

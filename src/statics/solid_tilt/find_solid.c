@@ -204,7 +204,8 @@ tp_status tp_solid_find_body(tp_solid *solid, const tp_solid_body *body, tp_soli
   if (status == TP_OK) status = add_notes(&w);
   if (status != TP_OK) return status;
   if (given->scene != NULL) tp_stance_loads_of(&w.loads, given->scene);
-  if (!tp_heights_above_init(&w.above, &body->surface, given->up)) {
+  if (!tp_heights_above_init(&w.above, &body->surface, given->up,
+                             given->is_on_slope ? &given->frame : NULL)) {
     return tp_fail_memory(message, "the heights of a solid");
   }
   if (given->bands == NULL && given->scene == NULL) {

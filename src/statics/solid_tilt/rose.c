@@ -46,12 +46,10 @@ static void set_reaches(reach *reaches, const tp_rose_question *q, const tp_supp
   const tp_rest_plane *plane = &q->above->plane;
   const tp_near height = tp_centre_height(q->centre, plane, tp_solid_accuracy);
   const tp_near rise = tp_near_div(height, tp_near_norm(plane->near_up));
-  tp_map_frame frame;
-  tp_map_frame_init(&frame, plane->near_up);
   for (long k = 0; k < count; k++) {
     tp_near outward[3], east, north;
     tp_rest_plane_outward(outward, q->centre->surface, plane, edges[k].from, edges[k].to);
-    tp_map_components(&east, &north, &frame, outward);
+    tp_map_components(&east, &north, &q->above->frame, outward);
     const tp_near arm =
         tp_centre_arm(q->centre, plane, edges[k].from, edges[k].to, tp_solid_accuracy);
     const tp_near factor = tp_near_div(rise, arm);
@@ -119,13 +117,11 @@ static tp_status set_stance(tp_solid_band *result, const tp_rose_question *q,
                                    tp_near_norm(plane->near_up));
   tp_stance_edge *own = malloc(count * sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the support of a solid");
-  tp_map_frame frame;
-  tp_map_frame_init(&frame, plane->near_up);
   for (size_t k = 0; k < count; k++) {
     tp_near outward[3], east, north;
     const int from = edges[k].from, to = edges[k].to;
     tp_rest_plane_outward(outward, q->centre->surface, plane, from, to);
-    tp_map_components(&east, &north, &frame, outward);
+    tp_map_components(&east, &north, &q->above->frame, outward);
     own[k] = (tp_stance_edge){tp_centre_arm(q->centre, plane, from, to, tp_solid_accuracy),
                               tp_near_times(east, rise), tp_near_times(north, rise)};
     if (!tp_near_tells(own[k].arm, tp_solid_accuracy)) *told = false;
@@ -144,15 +140,13 @@ static tp_status set_corners(tp_solid_band *result, const tp_rose_question *q,
   result->corner_count = (size_t)support->count;
   result->support = calloc(result->corner_count + 1, sizeof *result->support);
   if (result->support == NULL) return tp_fail_memory(message, "the support of a solid");
-  tp_map_frame frame;
-  tp_map_frame_init(&frame, q->above->plane.near_up);
   for (size_t k = 0; k < result->corner_count; k++) {
     tp_near way[3], east, north;
     for (int axis = 0; axis < 3; axis++) {
       way[axis] = tp_near_sub(tp_surface_near(q->centre->surface, support->corners[k], axis),
                               q->centre->near[axis]);
     }
-    tp_map_components(&east, &north, &frame, way);
+    tp_map_components(&east, &north, &q->above->frame, way);
     result->support[k] =
         (tp_solid_corner){east.value * q->metres_per_step, north.value * q->metres_per_step};
   }
@@ -181,7 +175,8 @@ static tp_status set_tilts(tp_solid_band *result, const tp_rose_question *q,
   if (side == 2) *told = false;
   result->stands = side == 1;
   if (result->stands) {
-    tp_tilt_least(&result->least, q->centre, &q->above->plane, edges, count, told);
+    tp_tilt_least(&result->least, q->centre, &q->above->plane, &q->above->frame, edges, count,
+                  told);
     result->mechanism = choose(&result->critical_deg, q, result->least.tilt_deg);
     status = set_rose(result, q, edges, told, message);
   }

@@ -2,20 +2,19 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Defaults of the options of a solid, and their doubles as the shortest decimals that name them;
- * and a scene. A base that dips has the normal (sin d sin a, sin d cos a, cos d), of whole numbers
- * to 2^-100. */
+ * and a scene. */
 
 #include "solid_tilt/solid_given.h"
 
 #include "common/options.h"
 #include "number/ratio.h"
+#include "solid/dipping.h"
 
-#include <arb.h>
 #include <stdlib.h>
 
 TP_OPTIONS_END(tp_solid_options, thin);
 
-enum { AZIMUTHS = 72, OWN_BANDS = 4, NORMAL_BITS = 100 };
+enum { AZIMUTHS = 72, OWN_BANDS = 4 };
 
 void tp_solid_options_init(tp_solid_options *options, size_t size) {
   const tp_solid_options defaults = {.size = sizeof defaults,
@@ -169,40 +168,17 @@ tp_status tp_solid_given_init(tp_solid_given *given, const tp_solid_options *opt
 /* ---- a scene -----------------------------------------------------------------------------------
  */
 
-static void set_sine_cosine(arb_t sine, arb_t cosine, const fmpq_t degrees) {
-  fmpq_t half_turns;
-  fmpq_init(half_turns);
-  fmpq_div_fmpz(half_turns, degrees, (fmpz[]){180});
-  arb_sin_cos_pi_fmpq(sine, cosine, half_turns, 2 * NORMAL_BITS);
-  fmpq_clear(half_turns);
-}
-
-/* The nearest whole number to 2^NORMAL_BITS times a ball. */
-static void set_rounded(fmpz_t whole, const arb_t number) {
-  arf_t middle;
-  arf_init(middle);
-  arf_mul_2exp_si(middle, arb_midref(number), NORMAL_BITS);
-  arf_get_fmpz(whole, middle, ARF_RND_NEAR);
-  arf_clear(middle);
-}
-
-static void set_normal(tp_solid_given *given, const fmpq_t dip, const fmpq_t direction) {
-  arb_t sine, cosine, east, north;
-  arb_init(sine);
-  arb_init(cosine);
-  arb_init(east);
-  arb_init(north);
-  set_sine_cosine(sine, cosine, dip);
-  set_sine_cosine(east, north, direction);
-  arb_mul(east, east, sine, 2 * NORMAL_BITS);
-  arb_mul(north, north, sine, 2 * NORMAL_BITS);
-  set_rounded(given->up, east);
-  set_rounded(given->up + 1, north);
-  set_rounded(given->up + 2, cosine);
-  arb_clear(sine);
-  arb_clear(cosine);
-  arb_clear(east);
-  arb_clear(north);
+/* From the vertical to across the base. */
+static void lay_on_slope(tp_solid_given *given, const tp_solid_description *own) {
+  fmpz normal[3];
+  for (int k = 0; k < 3; k++) fmpz_init(normal + k);
+  tp_dipping_base_set(normal, &given->frame, given->up, own->dip_deg.value,
+                      own->dip_direction_deg.value);
+  for (int k = 0; k < 3; k++) {
+    fmpz_swap(given->up + k, normal + k);
+    fmpz_clear(normal + k);
+  }
+  given->is_on_slope = true;
 }
 
 /* Its bands are over the ground, not over a plane. */
@@ -230,7 +206,7 @@ tp_status tp_solid_given_of_scene(tp_solid_given *given, const tp_scene *scene,
   given->azimuths =
       own->azimuths.given ? (size_t)fmpz_get_ui(fmpq_numref(own->azimuths.value)) : AZIMUTHS;
   set_up(given, own->up);
-  if (own->dip_deg.given) set_normal(given, own->dip_deg.value, own->dip_direction_deg.value);
+  if (own->dip_deg.given) lay_on_slope(given, own);
   if (own->below.given) {
     fmpq_mul(given->below, own->below.value, given->band_lengths);
     return take_cut(given, message);

@@ -7,13 +7,16 @@
 #define TP_SOLID_TILT_SOLID_GIVEN_H
 
 #include "scene/scene.h"
+#include "solid/azimuth.h"
 #include "solid/surface.h"
 
 typedef struct tp_solid_given {
   const char *length_unit; /* static */
   bool has_unit;           /* else it is taken for metres */
   fmpq_t metres_per_unit, unit_weight;
-  fmpz up[3];
+  fmpz up[3];         /* across the base */
+  bool is_on_slope;   /* it dips, and `up` is not the vertical: */
+  tp_map_frame frame; /* if is_on_slope: its east and north */
   size_t band_count;
   fmpq *bands;         /* in lengths of the mesh; NULL where none are given */
   bool has_below;      /* a plane cuts the rock, which rests on the section: */

@@ -17,7 +17,8 @@ static void dot(fmpz_t product, const fmpz *a, const fmpz *b) {
   fmpz_addmul(product, a + 2, b + 2);
 }
 
-bool tp_heights_above_init(tp_heights_above *above, const tp_surface *surface, const fmpz up[3]) {
+bool tp_heights_above_init(tp_heights_above *above, const tp_surface *surface, const fmpz up[3],
+                           const tp_map_frame *frame) {
   *above = (tp_heights_above){.surface = surface};
   above->heights = calloc((size_t)surface->vertex_count, sizeof *above->heights);
   if (above->heights == NULL) return false;
@@ -35,6 +36,8 @@ bool tp_heights_above_init(tp_heights_above *above, const tp_surface *surface, c
   fmpz_init(above->square);
   dot(above->square, up, up);
   tp_rest_plane_across(&above->plane, up, lowest);
+  tp_map_frame_init(&above->frame, above->plane.near_up);
+  if (frame != NULL) above->frame = *frame;
   return true;
 }
 

@@ -16,12 +16,15 @@
 typedef struct tp_heights_above {
   const tp_surface *surface;
   tp_rest_plane plane; /* through the lowest vertex, the first of several */
+  tp_map_frame frame;  /* of the azimuths on it */
   fmpz *heights;
   fmpz_t square; /* of |up| */
 } tp_heights_above;
 
-/* `up` is not zero; to be cleared where it is true. False when memory is exhausted. */
-bool tp_heights_above_init(tp_heights_above *above, const tp_surface *surface, const fmpz up[3]);
+/* `up` is not zero, and the frame that of the least turn where it is NULL; to be cleared where it
+ * is true. False when memory is exhausted. */
+bool tp_heights_above_init(tp_heights_above *above, const tp_surface *surface, const fmpz up[3],
+                           const tp_map_frame *frame);
 void tp_heights_above_clear(tp_heights_above *above);
 
 /* The height of the highest vertex, in lengths of the mesh, rounded. */

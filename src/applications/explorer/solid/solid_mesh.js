@@ -38,6 +38,7 @@ export function acrossBase(solution, scene) {
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
+  if (leansFromAnotherUp(solution, scene)) return null;
   if (solution.model !== undefined) return ofModel(solution, scene);
   const content = files[scene.scalar(["solid", "file"]) ?? ""];
   const triangles = content === undefined ? wedgeOf(scene) : trianglesOf(content);
@@ -53,6 +54,13 @@ export function meshOf(solution, scene, files) {
   // cavities are not seen, but taken off by the core
   if (scene.count(["solid", "holes"]) === null && Math.abs(volume - solution.volume_m3.value) > AGREES * volume) return null;
   return { near, unit, up, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
+}
+
+/** A base that dips is known here by azimuths of a mesh with z upwards; below another up it is told, and drawn by figures, but not here. */
+function leansFromAnotherUp(solution, scene) {
+  const [x, y, z] = solution.up;
+  const isUpright = x === 0 && y === 0 && z > 0;
+  return !isUpright && scene.keys(["solid", "base"])?.includes("dip_deg") === true;
 }
 
 /** As the core has it, with its ground. @returns {SolidMesh|null} */
