@@ -196,8 +196,8 @@ class Hand(DrawnCase):
         self.assertEqual(self.value("document.querySelector('#numbers input[type=range]').getAttribute('aria-valuetext')"), "none")
 
     def test_vertices_by_hand(self):
-        """A double click on an edge puts a vertex there; Delete takes the one with the focus away; Insert adds one; each is
-        one step of undo."""
+        """A double click on an edge puts a vertex there; Delete takes the one with the focus away; Insert adds one, as Enter does; each
+        is one step of undo."""
         self.type_scene(POLYGON)
         self.answered()
         before = self.text()
@@ -216,7 +216,12 @@ class Hand(DrawnCase):
         self.press("Insert")
         self.answered()
         self.assertIn("[[0, 0], [50, 0], [100, 0],", self.text())
-        for _ in range(3):
+        self.value("""document.querySelector('[data-handle="block.outline.0"]').focus()""")
+        self.assertIn("Enter puts a vertex behind it", self.value("document.activeElement.getAttribute('aria-label')"))
+        self.press("Enter")
+        self.answered()
+        self.assertIn("[[0, 0], [25, 0], [50, 0],", self.text())
+        for _ in range(4):
             self.click("#undo")
         self.assertEqual(self.text(), before)
 

@@ -124,6 +124,7 @@ class Panels(PanelCase):
                         " menu.dispatchEvent(new Event('change')) } 0")
         self.awaits("/friction/.test(document.querySelector('#panel-curves .u-legend')?.textContent ?? '') &&"
                        " document.querySelector('#panel-curves .told').textContent.startsWith('241')")
+        self.read_by_keys()
         saved = self.saved(self.folder(), lambda: self.click("#panel-curves .told a"), "curve.csv")
         status, out, err = run("sweep", scene("block_e_valley"), "--x", "friction_angle_deg=5:60:(60-(5))/240")
         self.assertEqual((status, err), (0, ""))
@@ -135,6 +136,16 @@ class Panels(PanelCase):
                     self.assertAlmostEqual(float(row[key]), float(value), delta=1e-6 * float(value))
                 else:
                     self.assertEqual(row[key], value)
+
+    def read_by_keys(self):
+        """The legend, which is read out, tells what is at one number after another."""
+        self.value("document.querySelector('#panel-curves .uplot').focus()")
+        told = "document.querySelector('#panel-curves .u-legend .u-value').textContent"
+        for keys, expected in ((("Home",), "5"), (("ArrowRight",) * 4, "5.9167"), (("ArrowLeft",), "5.6875"), (("End",), "60")):
+            for key in keys:
+                self.press(key)
+            self.awaits(f"{told} === '{expected}'")
+        self.assertEqual(self.value("document.querySelector('#panel-curves .u-legend').getAttribute('aria-live')"), "polite")
 
     def test_map(self):
         """Of 200 by 200 points, told from few that are solved, 441 are asked of the native program one by one; lines are

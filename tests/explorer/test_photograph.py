@@ -157,6 +157,27 @@ class Traced(PanelCase):
         self.press("Delete")
         self.assertEqual(self.value("document.querySelectorAll('.photo-point.scale').length"), 1)
 
+    def test_closer_and_farther_with_keys(self):
+        """Closer about the cross, which stays where it is seen; taken beyond the window it takes the photograph along; 0 fits again."""
+        scale = "document.querySelector('.photo g').getScreenCTM().a"
+        cross = "(() => { const r = document.querySelector('.photo .cross').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()"
+        self.value("document.querySelector('svg.photo').focus()")
+        self.press("ArrowRight")
+        first, there = self.value(scale), self.value(cross)
+        for _ in range(4):
+            self.press("+", text="+")
+        self.assertAlmostEqual(self.value(scale) / first, 1.25 ** 4, places=3)
+        for one, other in zip(self.value(cross), there):
+            self.assertAlmostEqual(one, other, delta=1)
+        self.press("-", text="-")
+        self.assertAlmostEqual(self.value(scale) / first, 1.25 ** 3, places=3)
+        for _ in range(90):
+            self.press("ArrowRight")
+        left, right = self.value("(() => { const r = document.querySelector('svg.photo').getBoundingClientRect(); return [r.left, r.right]; })()")
+        self.assertTrue(left < self.value(cross)[0] < right)
+        self.press("0", text="0")
+        self.assertAlmostEqual(self.value(scale), first, places=6)
+
     def test_what_lacks_is_said(self):
         self.button("Make the scene")
         self.assertIn("two points", self.message())

@@ -216,6 +216,20 @@ class Solid(PanelCase):
         self.assertIn("1.641", self.said("#factor-said"))
         self.assertIn("tilted by 5° towards 120°", self.said(".solid-words"))
 
+    def test_words_do_not_lie_over_it(self):
+        """On a telephone, with the sheet of results open, in the longest of the languages."""
+        for language in ("en", "de"):
+            kept = KNOWN.replace("'1');", f"'1'); localStorage.setItem('topple.language', '{language}');", 1)
+            PageCase.load(self, width=390, height=844, kept=kept)
+            self.example("balanced_rock")
+            self.click("#grip")
+            self.frame()
+            words, canvas = (self.value(f"(() => {{ const r = document.querySelector('{name}').getBoundingClientRect(); return [r.left, r.right, r.top, r.bottom, r.width]; }})()")
+                             for name in (".solid-words", ".solid-stage canvas"))
+            self.assertGreaterEqual(words[2], canvas[3])
+            self.assertTrue(0 <= words[0] < words[1] <= 390 and words[4] > 150)
+            self.assertGreater(canvas[3] - canvas[2], 170)
+
     def test_wedge_and_contacts(self):
         """A wedge, which no file has, between its planes, with the line that it would slide along; points that a rock lies on."""
         for name, said, factor, words, kind, count in (

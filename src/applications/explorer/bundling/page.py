@@ -3,7 +3,7 @@
 """The page as one file: its modules and style sheets bundled by esbuild, and put into index.html. The same sources
 give the same bytes: nothing in them tells when or where they were made.
 
-Modules that no file is: topple:examples, topple:keys, topple:licence_texts, and those that the caller gives, as the core's bytes."""
+Modules that no file is: topple:examples, topple:keys, topple:libraries, topple:licence_texts, and those that the caller gives, as the core's bytes."""
 
 import base64
 import functools
@@ -22,6 +22,7 @@ EXPLORER = pathlib.Path(__file__).resolve().parents[1]
 MODULES = EXPLORER / "node_modules"
 STAMP = MODULES / ".installed"
 COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")  # of Debian's package base-files
+LICENCES = json.loads((EXPLORER / "licences" / "licences.json").read_text(encoding="utf-8"))
 STYLE = '<link rel="stylesheet" href="style.css">'
 PHRASES = '<script type="application/json" id="phrases"></script>'
 SCRIPT = '<script type="module" src="main.js"></script>'
@@ -52,13 +53,13 @@ def esbuild(entry, *options):
 
 
 def licence_texts():
-    """Of the GNU licences and the one that part of Emscripten has: who gets the page gets them with it."""
+    """Of the GNU licences and the one that part of Emscripten has, and the notices of all libraries: who gets the page gets them with it."""
     texts = {"GNU General Public License, version 3": (EXPLORER.parents[2] / "LICENSE").read_text(encoding="utf-8")}
     for name, title in (("LGPL-3", "GNU Lesser General Public License, version 3"),
                         ("LGPL-2.1", "GNU Lesser General Public License, version 2.1"),
                         ("GPL-2", "GNU General Public License, version 2"), ("Apache-2.0", "Apache License, version 2.0")):
         texts[title] = (COMMON_LICENCES / name).read_text(encoding="utf-8")
-    return texts
+    return {"licences": texts, "notices": LICENCES["notices"]}
 
 
 def packed(content):
@@ -85,7 +86,8 @@ def bundled(folder, modules, core):
     one first."""
     folder.mkdir(parents=True, exist_ok=True)
     options = []
-    for name, value in {"topple:examples": packed(json.dumps(examples(), ensure_ascii=False).encode()), "topple:keys": keys(), "topple:licence_texts": packed(json.dumps(licence_texts(), ensure_ascii=False).encode()), **modules}.items():
+    for name, value in {"topple:examples": packed(json.dumps(examples(), ensure_ascii=False).encode()), "topple:keys": keys(), "topple:libraries": LICENCES["libraries"],
+                        "topple:licence_texts": packed(json.dumps(licence_texts(), ensure_ascii=False).encode()), **modules}.items():
         path = folder / (name.replace(":", "_") + ".json")
         path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
         options.append(f"--alias:{name}={path}")

@@ -65,7 +65,7 @@ export class Drawing extends EventTarget {
     this.zooming = zoom().scaleExtent([0.05, ZOOM_MAX]).filter((event) => this.#zooms(event)).on("zoom", (event) => this.#zoomed(event.transform));
     this.svg.call(this.zooming).on("dblclick.zoom", null);
     this.handles = new HandlesLayer(this.layers.handles, this.view, {
-      change: (key, handle) => this.#change(key, handle.key),
+      change: (key, handle) => this.#change(key, handle),
       edit: (handle, edits) => this.#edit(handle, edits),
       ended: () => store.endGesture(),
       exponent: () => this.exponent,
@@ -266,8 +266,9 @@ export class Drawing extends EventTarget {
 
   /** By keys: the vertex that has the focus goes, or one comes behind it. @returns {boolean} whether the key means that */
   #change(key, handle) {
-    if (this.context === null || !["Delete", "Backspace", "Insert"].includes(key)) return false;
-    this.#put(key === "Insert" ? withVertexAfter(this.context, handle, this.exponent) : withoutVertex(this.context, handle));
+    if (this.context === null || !["Delete", "Backspace", "Insert", "Enter"].includes(key)) return false;
+    if (key === "Enter" && handle.kind !== "vertex") return false; // keyboards without Insert have Enter, which means nothing else at a vertex
+    this.#put(["Delete", "Backspace"].includes(key) ? withoutVertex(this.context, handle.key) : withVertexAfter(this.context, handle.key, this.exponent));
     return true;
   }
 

@@ -79,7 +79,7 @@ export class HandlesLayer {
         if (this.words === words) return;
         this.words = words;
         this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed") + (close ? " close" : ""));
-        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". " + say("Arrow keys move it."));
+        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". " + say("Arrow keys move it.") + (handle.kind === "vertex" ? " " + say("Enter puts a vertex behind it, Delete takes it away.") : ""));
         this.querySelector("title").textContent = words;
       });
   }

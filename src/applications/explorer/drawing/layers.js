@@ -30,9 +30,21 @@ export function layersOf(svg) {
   return layers;
 }
 
+const NOTE_LETTER = 8; // dots of a letter, at most of most
+const NOTE_LINE = 18;
+
 /** At the upper edge: beside the badge, or below it. @param note a d3 selection @param {import("./view.js").View} view @param {string} words */
 export function putNote(note, view, words) {
-  note.attr("x", view.width - 10).attr("y", view.top > 0 ? view.top + 38 : 20).text(words);
+  note.attr("y", view.top > 0 ? view.top + 38 : 20).selectAll("tspan").data(broken(words, Math.floor((view.width - 20) / NOTE_LETTER))).join("tspan")
+    .attr("x", view.width - 10).attr("dy", (line, at) => (at === 0 ? 0 : NOTE_LINE)).text((line) => line);
+}
+
+/** Lines of so many letters at most, but for a longer word. @param {string} words @param {number} letters @returns {string[]} */
+export function broken(words, letters) {
+  return words.split(" ").filter((word) => word !== "").reduce((lines, word) => {
+    const longer = lines.length === 0 ? word : lines[lines.length - 1] + " " + word;
+    return lines.length > 0 && longer.length <= letters ? [...lines.slice(0, -1), longer] : [...lines, word];
+  }, []);
 }
 
 /** What no shape is, taken away. @param {Record<string, object>} layers */

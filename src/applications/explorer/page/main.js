@@ -51,7 +51,7 @@ async function begin() {
   };
   const messages = new Messages(element("message"), { store, show });
   text.messages = messages;
-  new SolidView(element("solid-stage"), store);
+  new SolidView(element("solid-stage"), element("solid-words"), store);
   drawingTools(element, drawing, store);
   badge(element, drawing, store);
   addMenu(element("add"), drawing, store, messages);

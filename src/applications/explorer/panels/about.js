@@ -5,7 +5,7 @@
 
 import { element, table } from "./element.js";
 import { Panel } from "./panel.js";
-import licences from "../licences/licences.json";
+import libraries from "topple:libraries";
 import packed from "topple:licence_texts";
 import { unpacked } from "../core/packed.js";
 import { parts, say } from "../words/language.js";
@@ -25,14 +25,14 @@ export class AboutPanel extends Panel {
       element(
         "p", {}, parts("%s: does a rock block stand, slide or topple on its base? Free software under the GNU General Public License, version 3 or later, without any warranty. This page holds the whole program, works without a network, and sends nothing anywhere.", version),
       ),
-      table(say("What is inlined"), ["library", "licence", "for"].map((head) => say(head)), licences.libraries.map(({ name, licence, for: purpose }) => ({
+      table(say("What is inlined"), ["library", "licence", "for"].map((head) => say(head)), libraries.map(({ name, licence, for: purpose }) => ({
         cells: [name, licence, say(purpose)],
       }))),
       element("p", {}, say("The texts of the licences, and the notices that go with them:")),
       texts,
-      ...licences.notices.map((notice, at) => foldedText(named(at), notice)),
     );
-    new Response(unpacked(packed)).json().then((found) => texts.append(...Object.entries(found).map(([name, text]) => foldedText(name, text))));
+    new Response(unpacked(packed)).json().then((found) => texts.append(...Object.entries(found.licences).map(([name, text]) => foldedText(name, text)),
+      ...found.notices.map((notice, at) => foldedText(named(at), notice))));
     this.core.run(["--version"], {}, { timeoutMs: VERSION_MAX_MS }).then(
       (answer) => (version.textContent = answer.out.trim() || "topple"),
       () => {}, // a core that was stopped has no version to tell; the page says so by itself
@@ -48,5 +48,5 @@ function foldedText(name, text) {
 }
 
 function named(notice) {
-  return licences.libraries.filter((each) => each.notice === notice).map(({ name }) => name).join(", ");
+  return libraries.filter((each) => each.notice === notice).map(({ name }) => name).join(", ");
 }

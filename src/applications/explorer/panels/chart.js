@@ -8,6 +8,7 @@ import { element } from "./element.js";
 import { numeral, say } from "../words/language.js";
 
 const HEIGHT = 300;
+const MANY = 10; // numbers of x that a key passes with Shift
 /** Of each place its chart, which follows the place's width. */
 const drawnIn = new WeakMap();
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 4], [12, 4]];
@@ -58,13 +59,27 @@ export function drawChart(place, drawn) {
     },
     [drawn.x, ...drawn.curves.map((curve) => curve.values)],
   );
-  chart.root.setAttribute("role", "img");
-  chart.root.setAttribute("aria-label", say("%s over %s", drawn.yLabel, drawn.xLabel));
+  chart.root.setAttribute("role", "group");
+  chart.root.setAttribute("aria-label", say("%s over %s: arrow keys read it", drawn.yLabel, drawn.xLabel));
+  chart.root.tabIndex = 0;
+  chart.root.addEventListener("keydown", (event) => readByKey(event, chart));
   place.replaceChildren(chart.root);
   if (!drawnIn.has(place)) new ResizeObserver(() => drawnIn.get(place).setSize(sizeOf(place))).observe(place);
   drawnIn.get(place)?.destroy();
   drawnIn.set(place, chart);
   return chart;
+}
+
+/** From one number of x to the next, in larger steps with Shift; the legend, which tells what is there, is read out. @param {KeyboardEvent} event @param {uPlot} chart */
+function readByKey(event, chart) {
+  const [x] = chart.data;
+  const many = event.shiftKey ? MANY : 1;
+  const at = chart.cursor.idx ?? -1;
+  const wanted = { ArrowLeft: at < 0 ? x.length - 1 : at - many, ArrowRight: at + many, Home: 0, End: x.length - 1 }[event.key];
+  if (wanted === undefined) return;
+  event.preventDefault();
+  chart.root.querySelector(".u-legend").setAttribute("aria-live", "polite");
+  chart.setCursor({ left: chart.valToPos(x[Math.max(0, Math.min(x.length - 1, wanted))], "x"), top: chart.over.clientHeight / 2 });
 }
 
 function sizeOf(place) {

@@ -53,5 +53,9 @@ function goesOn(line, next) {
 /** As a page of its own, in which no script runs. */
 function sheetOf(bytes) {
   const address = URL.createObjectURL(new Blob([bytes], { type: "text/html" }));
-  return element("iframe", { class: "sheet-of-scene", sandbox: "", title: say("Report"), src: address, onload: () => URL.revokeObjectURL(address) });
+  const loaded = ({ target }) => {
+    URL.revokeObjectURL(address);
+    target.classList.remove("loading");
+  };
+  return element("iframe", { class: "sheet-of-scene loading", sandbox: "", title: say("Report"), src: address, onload: loaded });
 }

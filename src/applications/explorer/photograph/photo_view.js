@@ -14,6 +14,7 @@ import { say } from "../words/language.js";
 const RADIUS = 6;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const CROSS_STEP = 10; // dots; with Shift 1
+const CLOSER = { "+": 1.25, "=": 1.25, "-": 0.8 };
 const MARGIN = 0.04;
 const EXACT = 100; // of a pixel: what a scene writes of a click
 
@@ -30,7 +31,7 @@ export class PhotoView {
     this.told = told;
     this.place = place;
     this.svg = select(place).append("svg").attr("class", "photo").attr("role", "application").attr("tabindex", 0)
-      .attr("aria-label", say("Photograph: arrow keys move the cross, Enter puts a point, Tab leads to the points"));
+      .attr("aria-label", say("Photograph: arrow keys move the cross, Enter puts a point, + and - zoom, 0 fits, Tab leads to the points"));
     this.frame = this.svg.append("g");
     this.image = this.frame.append("image").attr("preserveAspectRatio", "none");
     this.lines = this.frame.append("path").attr("class", "outline-line");
@@ -116,9 +117,24 @@ export class PhotoView {
       const at = this.#cross ?? { x: this.picture.width / 2, y: this.picture.height / 2 };
       this.#cross = { x: Math.max(0, Math.min(this.picture.width, at.x + step * way[0])), y: Math.max(0, Math.min(this.picture.height, at.y + step * way[1])) };
       this.#showCross();
-    } else if (event.key === "Enter" && this.#cross !== null) this.told.put({ x: rounded(this.#cross.x, this.picture.width), y: rounded(this.#cross.y, this.picture.height) });
+      this.#follow();
+    } else if (event.key in CLOSER) this.svg.call(this.zooming.scaleBy, CLOSER[event.key], this.#seen() ?? undefined);
+    else if (event.key === "0") this.svg.call(this.zooming.transform, zoomIdentity);
+    else if (event.key === "Enter" && this.#cross !== null) this.told.put({ x: rounded(this.#cross.x, this.picture.width), y: rounded(this.#cross.y, this.picture.height) });
     else return;
     event.preventDefault();
+  }
+
+  /** Where the cross is on the screen. @returns {[number, number]|null} */
+  #seen() {
+    return this.#cross === null ? null : this.#zoom.apply([this.#offset.x + this.#scale * this.#cross.x, this.#offset.y + this.#scale * this.#cross.y]);
+  }
+
+  /** A cross that leaves the window takes the photograph with it. */
+  #follow() {
+    const { width, height } = this.place.getBoundingClientRect();
+    const [x, y] = this.#seen();
+    if (x < 0 || y < 0 || x > width || y > height) this.svg.call(this.zooming.translateTo, ...this.#zoom.invert([x, y]));
   }
 
   #pointKey(event, list, at, point) {

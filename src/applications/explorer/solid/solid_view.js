@@ -29,15 +29,14 @@ export class SolidView {
   #eye = { ...FIRST, zoom: 1 };
   #read = null; // what the mesh is of, and whether there is one
 
-  /** @param {HTMLElement} place @param {import("../scene/store.js").SceneStore} store */
-  constructor(place, store) {
-    Object.assign(this, { place, store });
+  /** @param {HTMLElement} place @param {HTMLElement} words where it is told how it lies, not over it @param {import("../scene/store.js").SceneStore} store */
+  constructor(place, words, store) {
+    Object.assign(this, { place, words, store });
     this.ground = svgElement("svg", { class: "solid-lines below-mesh", "aria-hidden": "true" });
     this.canvas = element("canvas", { tabindex: 0, role: "img", onkeydown: (event) => this.#key(event), onwheel: (event) => this.#wheel(event),
       onpointerdown: (event) => this.canvas.setPointerCapture(event.pointerId), onpointermove: (event) => event.buttons === 1 && this.#drag(event) });
     this.lines = svgElement("svg", { class: "solid-lines", "aria-hidden": "true" });
-    this.words = element("p", { class: "solid-words" });
-    place.append(this.ground, this.canvas, this.lines, this.words);
+    place.append(this.ground, this.canvas, this.lines);
     this.picture = null; // made for the first solid: most pages need none
     store.addEventListener("solution", () => this.#solved());
     new ResizeObserver(() => this.#draw()).observe(place);
@@ -120,10 +119,10 @@ export class SolidView {
       contacts.map((d) => svgElement("path", { class: "touching", d })),
       solution.wedge === undefined ? null : svgElement("path", { class: "way", d: path([at([0, 0, 0]), at(alongLine(solution.wedge, reach))]) }), svgElement("path", { class: "support", d: path(support, "Z") }), svgElement("path", { class: "edge", d: path(edge) }),
       svgElement("path", { class: "weight", d: path([free([0, 0, 0]), free([0, 0, -WEIGHT * reach])]) }));
-    refill(this.words, this.#words(band).map((words) => element("span", {}, words)));
+    this.words.textContent = this.#words(band).join(" · ");
   }
 
-  /** Line by line. @returns {string[]} */
+  /** @returns {string[]} */
   #words(band) {
     const { wedge } = this.solution;
     if (wedge !== undefined) return [say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)))];
