@@ -23,6 +23,7 @@ typedef struct branching {
   tp_exclusion *of;
   tp_modes_node *waiting;
   long count, room;
+  bool is_open; /* a part was left that is not excluded */
 } branching;
 
 static void clear_node(tp_modes_node *n) {
@@ -141,7 +142,8 @@ static tp_status probe(division *best, branching *b, tp_modes_node *n, candidate
   int fewest = MANY;
   long fewest_modes = 0;
   for (long k = 0; k < r->contact_count && status == TP_OK && fewest > 1; k++) {
-    if (!is_asked(n, r, k) || (fewest < MANY && b->of->work > b->of->most_work)) continue;
+    if (!is_asked(n, r, k)) continue;
+    if (b->of->work > b->of->most_work) break;
     division own;
     status = divide(&own, b, n, k, fewest, message);
     const long modes = count_modes(&own, r);
@@ -180,10 +182,11 @@ static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
     d.count = 0;
     status = probe(&d, b, &own, asked[k], message);
   }
-  if (status == TP_OK && d.count < 0) { /* all have one mode */
-    b->of->has_left = true;
-    leave(b->of, &own, b->q->resting);
+  if (status == TP_OK && d.count < 0) {
+    b->is_open = true;
     *goes_on = false;
+    b->of->has_left = b->of->work <= b->of->most_work; /* all have one mode */
+    if (b->of->has_left) leave(b->of, &own, b->q->resting);
   }
   for (int k = 0; k < d.count && status == TP_OK; k++) {
     narrow(d.parts + k, &own, b->q->resting);
@@ -244,7 +247,7 @@ static tp_status exclude_group(bool *proven, tp_exclusion *e, const tp_modes_que
   if (status == TP_OK && !refuted) status = wait(&b, &root, message);
   clear_node(&root);
   while (status == TP_OK && goes_on && b.count > 0) status = take_one(&goes_on, &b, message);
-  *proven = status == TP_OK && b.count == 0 && !e->has_left;
+  *proven = status == TP_OK && b.count == 0 && !b.is_open;
   for (long k = 0; k < b.count; k++) clear_node(b.waiting + k);
   free(b.waiting);
   return status;
