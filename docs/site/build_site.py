@@ -82,7 +82,7 @@ class Site:
 
 def explorer(build):
     """The page of the explorer, built of the program in a folder; None where what that needs is missing, which is told."""
-    missing = [tool for tool in ("emcc", "npm", "dpkg-source", "patch") if shutil.which(tool) is None]
+    missing = [tool for tool in ("emcc", "npm", "libdeflate-gzip", "dpkg-source", "patch") if shutil.which(tool) is None]
     if missing:
         print(f"The site is without the explorer, which needs {', '.join(missing)}: ./run --site installs them", file=sys.stderr)
         return None

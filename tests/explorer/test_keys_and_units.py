@@ -208,7 +208,7 @@ class Page(PanelCase):
         self.answered()
         self.assertRegex(self.text(), r"result_units: \{force: lbf\}")
         self.tab("report")
-        self.awaits("document.querySelector('#panel-report pre').textContent.includes('lbf')")
+        self.awaits("document.querySelector('#panel-report pre')?.textContent.includes('lbf')")
         self.assertTrue(self.chosen("1 m"))
         self.answered()
         self.assertIn("{a: 30, b: 120, c: 5}", self.text())
