@@ -7,11 +7,12 @@
  *
  * Measured: a rough profile with four-decimal coordinates in mm is written to a temporary CSV file
  * with a scene that names it; then each part of the way is timed on it, in turn, medians of 5.
- * Times are of computing (this thread), which other programs on the machine disturb less. To be read: `read and solve` is the whole way. What it takes beyond the parts above it goes into
- * the pivots, the sliding and the higher rungs of the ladder; exact moments and the triangulation
- * are parts that this scene does not call for. The lattice holds the vertices of the outline and
- * again those of the mated base; all times are per vertex of the outline. The peak memory is that
- * of one reading and solving, before anything else has run. */
+ * Times are of computing (this thread), which other programs on the machine disturb less. To be
+ * read: `read and solve` is the whole way. What it takes beyond the parts above it goes into the
+ * pivots, the sliding and the higher rungs of the ladder; exact moments and the triangulation are
+ * parts that this scene does not call for. The lattice holds the vertices of the outline and again
+ * those of the mated base; all times are per vertex of the outline. The peak memory is that of one
+ * reading and solving, before anything else has run. */
 
 #include "bench.h"
 
