@@ -5,8 +5,9 @@
  * The scene is kept in the browser's own storage, so that a reload, a crash or another day finds it as it was left: by a
  * tab for itself, and the last one for new tabs. What cannot be kept there is asked about before the page is left.
  *
- * A tab knows its own scene by a name in the state of its history. The storage of a session would be simpler; but Chromium,
- * as it goes over to another process with a reload, now and then gives the page that of before, or none.
+ * A tab knows its own scene by a name in the state of its history, where the scene itself is too if it is short. The storage
+ * of a session would be simpler; but Chromium, as it goes over to another process with a reload, now and then gives the page
+ * that of before, or none, and under load no storage of either kind.
  */
 
 import { checked } from "./link.js";
@@ -16,6 +17,7 @@ const OWN = TABS + ".";
 const LATE_MS = 150;
 const LATEST_MS = 1500; // a drag that goes on is kept that often
 const TABS_MAX = 6;
+const SHORT = 100_000; // letters of a scene that goes into the history's state
 
 /** @returns {Storage|null} */
 function storage() {
@@ -32,10 +34,10 @@ const tabsOf = (from) => (from.getItem(TABS) ?? "").split(" ").filter((tab) => t
 /** @returns {import("./store.js").State|null} the scene that was left here */
 export function keptScene() {
   const from = storage();
-  if (from === null) return null;
-  for (const tab of [history.state?.tab, tabsOf(from)[0]]) {
+  const stored = (tab) => from?.getItem(OWN + tab) ?? null;
+  for (const find of [() => history.state?.scene ?? null, () => stored(history.state?.tab), () => stored(tabsOf(from)[0])]) {
     try {
-      const found = from.getItem(OWN + tab);
+      const found = find();
       if (found !== null) return checked(JSON.parse(found));
     } catch {
       // of another version, or cut off: as if there were none
@@ -47,15 +49,17 @@ export function keptScene() {
 /** @param {import("./store.js").SceneStore} store */
 export function keepScene(store) {
   const tab = history.state?.tab ?? crypto.getRandomValues(new Uint32Array(2)).join("-");
-  nameTab(tab);
-  addEventListener("hashchange", () => nameTab(tab)); // a link followed within the page
+  noteTab(tab, history.state?.scene);
+  addEventListener("hashchange", () => keep()); // a link followed within the page
   let timer = null;
   let since = 0; // when the first change came that is not kept yet
   let isKept = true;
   const keep = () => {
     clearTimeout(timer);
     timer = null;
-    isKept = put(store, tab);
+    const scene = written(store);
+    noteTab(tab, scene !== null && scene.length <= SHORT ? scene : undefined);
+    isKept = scene !== null && put(scene, tab);
   };
   const flush = () => timer !== null && keep();
   store.addEventListener("text", () => {
@@ -72,16 +76,20 @@ export function keepScene(store) {
   });
 }
 
-/** @param {string} tab */
-function nameTab(tab) {
-  if (history.state?.tab !== tab) history.replaceState({ ...history.state, tab }, "");
+/** @param {import("./store.js").SceneStore} store @returns {string|null} null: files of it are no text */
+function written({ name, text, files }) {
+  return Object.values(files).some((content) => typeof content !== "string") ? null : JSON.stringify({ name, text, files });
 }
 
-/** @param {string} tab @returns {boolean} whether a reload would find all of it */
-function put(store, tab) {
+/** @param {string} tab @param {string|undefined} scene */
+function noteTab(tab, scene) {
+  if (history.state?.tab !== tab || history.state.scene !== scene) history.replaceState({ ...history.state, tab, scene }, "");
+}
+
+/** @param {string} scene @param {string} tab @returns {boolean} whether a reload would find all of it */
+function put(scene, tab) {
   const into = storage();
-  if (into === null || Object.values(store.files).some((content) => typeof content !== "string")) return false;
-  const scene = JSON.stringify({ name: store.name, text: store.text, files: store.files });
+  if (into === null) return false;
   const tabs = [tab, ...tabsOf(into).filter((other) => other !== tab)];
   const forget = (old) => into.removeItem(OWN + old);
   tabs.splice(TABS_MAX).forEach(forget);
