@@ -168,7 +168,7 @@ class BlockStudies(StudyCase):
 
     def test_same_bytes(self):
         """By threads, by shards, and where a study goes on, all of it is read back."""
-        name = self.of_row(VARY)
+        name = self.of_row(VARY.replace("samples: 12", "samples: 6"))
         whole = self.summary(name, "--rows", "one.csv", "--threads", "1"), (self.folder / "one.csv").read_bytes()
         self.assertEqual((self.summary(name, "--rows", "three.csv", "--threads", "3"), (self.folder / "three.csv").read_bytes()), whole)
         for part in "12":

@@ -82,6 +82,16 @@ def properties_of(schema, place=""):
             yield from properties_of(part, f"{place}/{key}")
 
 
+def shortened(value):
+    """The same with the middle of long lists left out, whose entries are printed by the same code: it would take most of the time."""
+    ends = 12
+    if isinstance(value, dict):
+        return {key: shortened(own) for key, own in value.items()}
+    if isinstance(value, list):
+        return [shortened(own) for own in (value if len(value) <= 2 * ends else value[:ends] + value[-ends:])]
+    return value
+
+
 class Schema(unittest.TestCase):
     seen = set()
 
@@ -100,7 +110,7 @@ class Schema(unittest.TestCase):
     def fits(self, name, out):
         document = json.loads(out)
         wrong = [f"{'/'.join(map(str, error.absolute_path))}: {error.message[:300]}"
-                 for error in self.validators[name].iter_errors(document)]
+                 for error in self.validators[name].iter_errors(shortened(document))]
         self.assertEqual(wrong[:5], [])
         return document
 
