@@ -109,8 +109,8 @@ static void add_edges(tp_text *t, const tp_solid *s) {
                       is_same_point(own->edge_to, last->edge_to);
     last = own;
     if (same) continue;
-    tp_text_add(t, "  %s %.6g %s: about the edge of the mesh from ",
-                s->has_below ? "below" : "band", b->band, s->length_unit);
+    tp_text_add(t, "  %s %.6g %s: about the edge of the mesh from ", tp_text_solid_band_word(s),
+                b->band, s->length_unit);
     add_point(t, own->edge_from);
     tp_text_add(t, " to ");
     add_point(t, own->edge_to);

@@ -27,6 +27,9 @@ void tp_text_solid_thinning(tp_text *t, const tp_solid *solid);
  * it. */
 enum { TP_SOLID_BAND_SIZE = 16 };
 const char *tp_text_solid_band(char text[TP_SOLID_BAND_SIZE], const tp_solid *solid);
+static inline const char *tp_text_solid_band_word(const tp_solid *solid) {
+  return solid->has_below ? "below" : "band";
+}
 
 /* Of a scene: what the solid does at its tilt; else nothing. */
 void tp_text_solid_stances(tp_text *t, const tp_solid *solid);

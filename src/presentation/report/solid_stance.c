@@ -61,8 +61,7 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
 }
 
 const char *tp_text_solid_band(char text[TP_SOLID_BAND_SIZE], const tp_solid *solid) {
-  snprintf(text, TP_SOLID_BAND_SIZE, "%s (%s)", solid->has_below ? "below" : "band",
-           solid->length_unit);
+  snprintf(text, TP_SOLID_BAND_SIZE, "%s (%s)", tp_text_solid_band_word(solid), solid->length_unit);
   return text;
 }
 
