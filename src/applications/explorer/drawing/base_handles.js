@@ -31,10 +31,10 @@ function hasProfile(context) {
   return (context.scene.keys(["base"]) ?? []).includes("profile");
 }
 
-/** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} points of the profile */
-export function baseVertices(context) {
+/** @param {import("./handle.js").Context} context @param {Set<string>|null} only as `listHandles` takes it @returns {import("./nearest.js").Candidate[]} points of the profile */
+export function baseVertices(context, only) {
   if (!hasProfile(context) || context.base === null) return [];
-  return listHandles(context, context.base, ["base", "profile"], say("the profile")).map(({ key, at, made }) => {
+  return listHandles(context, context.base, ["base", "profile"], say("the profile"), { only }).map(({ key, at, made }) => {
     return { key, at, made: () => ({ ...made(), kind: "base" }) };
   });
 }

@@ -7,10 +7,10 @@ import { lengthHandle, vertexHandle } from "./handle.js";
 import { pointsOf } from "./points.js";
 import { say } from "../words/language.js";
 
-/** @param {import("./handle.js").Context} context @returns {import("./nearest.js").Candidate[]} vertices */
-export function blockVertices(context) {
+/** @param {import("./handle.js").Context} context @param {Set<string>|null} only as `listHandles` takes it @returns {import("./nearest.js").Candidate[]} vertices */
+export function blockVertices(context, only) {
   const isOutline = context.block !== null && (context.scene.keys(["block"]) ?? []).includes("outline");
-  return isOutline ? outlineHandles(context) : [];
+  return isOutline ? outlineHandles(context, only) : [];
 }
 
 /** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} of the sizes that a block is made from */
@@ -33,9 +33,9 @@ export function ringsOf(context, of = ["block"]) {
   return rings;
 }
 
-function outlineHandles(context) {
+function outlineHandles(context, only) {
   const places = namedVertices(context.scene);
-  return ringsOf(context).flatMap(([path, name]) => listHandles(context, context.block, path, name, (own, label) => vertexHandle(context, context.block, own, label, places)));
+  return ringsOf(context).flatMap(([path, name]) => listHandles(context, context.block, path, name, { only, made: (own, label) => vertexHandle(context, context.block, own, label, places) }));
 }
 
 /** Where a scene names vertices of the outline by their coordinates. @returns {(string|number)[][]} */
@@ -52,15 +52,20 @@ function namedVertices(scene) {
 
 /**
  * @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points
- * @param {(path: (string|number)[], label: string) => import("./handle.js").Handle|null} [made]
+ * @param {{only?: Set<string>|null, made?: (path: (string|number)[], label: string) => import("./handle.js").Handle|null}} [how]
+ *   only: keys of those that are wanted; null: all
  * @returns {import("./nearest.js").Candidate[]}
  */
-export function listHandles(context, placement, path, name, made = (own, label) => vertexHandle(context, placement, own, label)) {
-  return pointsOf(context, path).map((point, i) => (point === null ? null : {
-    key: path.join(".") + "." + i,
-    at: placement.toFrame(point.x, point.y),
+export function listHandles(context, placement, path, name, { only = null, made = (own, label) => vertexHandle(context, placement, own, label) } = {}) {
+  const list = path.join(".") + ".";
+  const points = pointsOf(context, path);
+  const candidate = (i) => ({
+    key: list + i,
+    at: placement.toFrame(points[i].x, points[i].y),
     made: () => made([...path, i], say("vertex %s of %s", i + 1, name)),
-  })).filter((candidate) => candidate !== null);
+  });
+  const wanted = only === null ? points.keys() : [...only].filter((key) => key.startsWith(list)).map((key) => Number(key.slice(list.length)));
+  return [...wanted].filter((i) => (points[i] ?? null) !== null).map(candidate);
 }
 
 /** A size of a block that is made from numbers; at and value in the scene's own coordinates. */

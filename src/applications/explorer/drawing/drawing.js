@@ -46,7 +46,7 @@ export class Drawing extends EventTarget {
   #handWaits = false;
   #photograph = null;
   #crowded = false; // some handles come with the hand: there are too many, or those of a block's sizes
-  #touched = new Set(); // of many blocks those that were dragged since the last answer
+  #touched = []; // paths of the numbers that were dragged since the last answer; null: the text was changed otherwise
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
@@ -67,7 +67,10 @@ export class Drawing extends EventTarget {
     this.handles = new HandlesLayer(this.layers.handles, this.view, {
       change: (key, handle) => this.#change(key, handle),
       edit: (handle, edits) => this.#edit(handle, edits),
-      ended: () => store.endGesture(),
+      ended: () => {
+        store.endGesture();
+        this.#later();
+      },
       exponent: () => this.exponent,
       told: (words) => this.#tell(words),
       focused: () => this.#follow(),
@@ -76,10 +79,11 @@ export class Drawing extends EventTarget {
     this.svg.on("pointermove", (event) => this.#follow(pointer(event, this.svg.node())));
     store.addEventListener("text", () => {
       this.#byHand = this.#editing;
+      if (!this.#editing && !this.context?.many) this.#touched = null;
       this.#later();
     });
     store.addEventListener("solution", () => {
-      this.#touched.clear();
+      this.#touched = [];
       this.#later();
     });
     store.addEventListener("problem", () => this.#later());
@@ -233,9 +237,11 @@ export class Drawing extends EventTarget {
   /** Of many vertices those near the hand have handles, which it brings along. */
   #placeHandles() {
     if (this.context === null) return;
-    const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept: this.handles.kept, byKeys: this.handles.byKeys });
-    this.#crowded = hidden > 0 || this.context.many;
+    const { kept, byKeys, only } = this.handles;
+    const { handles, hidden } = handlesOf(this.context, this.view, this.sign, { hand: this.#hand, kept, byKeys, only });
     this.handles.set(handles);
+    if (hidden === null) return;
+    this.#crowded = hidden > 0 || this.context.many;
     putNote(this.layers.note, this.view, hidden > 0 ? say("%s more vertices: their handles come with the pointer, or closer", hidden) : "");
   }
 
@@ -252,7 +258,7 @@ export class Drawing extends EventTarget {
 
   #edit(handle, edits) {
     this.#editing = true;
-    for (const { path } of edits) if (path[0] === "blocks") this.#touched.add(path[1]);
+    this.#touched?.push(...edits.map(({ path }) => path));
     this.store.setNumbers(edits, { mergeWith: "drag " + handle.key });
     this.#editing = false;
     // the next key press or report of the hand counts from what is drawn now

@@ -100,7 +100,9 @@ export function vertexHandle(context, placement, path, label, places = []) {
     sameOnce([[x, y], ...same].flatMap((point) => [...free(point[0], across, exponent), ...free(point[1], up, exponent)]));
   return {
     key: path.join("."), kind: "vertex", moves: "xy", fixed: whyFixed(label, x, y),
-    label: say("%s at %s", label, numeral(x.value + "") + between + numeral(y.value + "") + " " + context.unit),
+    get label() {
+      return say("%s at %s", label, numeral(x.value + "") + between + numeral(y.value + "") + " " + context.unit);
+    },
     at: placement.toFrame(x.value, y.value),
     drag: (hand, exponent) => {
       const scene = placement.toScene(hand.x, hand.y);

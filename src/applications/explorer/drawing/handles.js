@@ -14,13 +14,15 @@ import { tiltHandle } from "./tilt_handle.js";
 /**
  * @param {import("./handle.js").Context} context @param {import("./view.js").View} view
  * @param {number} sign 1 where the tilt turns counter-clockwise on the screen
- * @param {{hand: import("./handle.js").Point|null, kept: Set<string>, byKeys: string[]}} near the hand on the screen; keys of handles that stay, and of one that keys led to
- * @returns {{handles: import("./handle.js").Handle[], hidden: number}} hidden: how many vertices in the window have none
+ * @param {{hand: import("./handle.js").Point|null, kept: Set<string>, byKeys: string[], only: Set<string>|null}} near the hand on the screen; keys of
+ *   handles that stay, of one that keys led to, and of those alone that have them while one is dragged
+ * @returns {{handles: import("./handle.js").Handle[], hidden: number|null}} hidden: how many vertices in the window have none; null: as before
  */
 export function handlesOf(context, view, sign, near) {
   if (context.scene.unread !== null) return { handles: [], hidden: 0 };
-  const candidates = [...baseVertices(context), ...blockVertices(context), ...listedCandidates(context, view, near)];
-  const { chosen, hidden } = nearestOf(candidates, view, { ...near, contact: contactEnds(context) });
+  const only = context.many ? null : near.only;
+  const candidates = [...baseVertices(context, only), ...blockVertices(context, only), ...listedCandidates(context, view, near)];
+  const { chosen, hidden } = only === null ? nearestOf(candidates, view, { ...near, contact: contactEnds(context) }) : { chosen: candidates, hidden: null };
   const made = chosen.map((candidate) => candidate.made()).filter((handle) => handle !== null);
   const [wholes, vertices] = [true, false].map((whole) => made.filter(({ kind }) => (kind === "whole") === whole));
   // whole blocks below all else, which lies on them

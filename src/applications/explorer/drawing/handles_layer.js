@@ -39,6 +39,11 @@ export class HandlesLayer {
     return new Set([this.dragged, focused].filter((key) => key !== null));
   }
 
+  /** Keys of those that there are while one is dragged: which of many are chosen does not change under the hand. @returns {Set<string>|null} null: none is dragged */
+  get only() {
+    return this.dragged === null ? null : new Set(this.handles.map(({ key }) => key));
+  }
+
   /** Whether the hand has moved one since the last frame: what it does is drawn in the next. */
   get moves() {
     return this.#waiting !== null;
@@ -59,6 +64,7 @@ export class HandlesLayer {
   /** Put them where they are now; those outside of the window are not drawn. */
   place() {
     const { width, height } = this.view;
+    const still = this.dragged; // the words of the others come up to date when the hand lets go
     const dotsOf = (metres) => String(Math.max(REACH, metres * this.view.dotsPerMetre));
     const seen = apart(this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
       .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < width + 20 && y < height + 20)),
@@ -75,6 +81,7 @@ export class HandlesLayer {
         }
         if (handle.reach !== undefined) this.querySelector(".reach").setAttribute("r", dotsOf(handle.reach));
         if (this.close !== close) this.classList.toggle("close", (this.close = close));
+        if (still !== null && still !== handle.key && this.words !== undefined) return;
         const words = handle.fixed ?? handle.label;
         if (this.words === words) return;
         this.words = words;
@@ -170,11 +177,12 @@ function alongAxis(from, hand) {
  * One that is dragged stays as it was taken. Vertices that crowd are small, so that one sees what they lie on.
  */
 function apart(seen, down, grip) {
+  const vertices = seen.filter(({ handle }) => handle.kind === "vertex");
   const others = seen.filter(({ handle }) => handle.kind !== "base");
   return seen.map((one) => {
     const covered = one.handle.kind === "base" && others.some(({ x, y }) => Math.hypot(x - one.x, y - one.y) < 2 * RADIUS);
     const away = grip?.key === one.handle.key ? grip.away : covered ? { x: APART * down.x, y: APART * down.y } : { x: 0, y: 0 };
-    const crowds = one.handle.kind === "vertex" && seen.some((other) => other !== one && other.handle.kind === "vertex" && Math.hypot(other.x - one.x, other.y - one.y) < CLOSE);
+    const crowds = one.handle.kind === "vertex" && vertices.some((other) => other !== one && (other.x - one.x) ** 2 + (other.y - one.y) ** 2 < CLOSE ** 2);
     return { ...one, away, close: crowds };
   });
 }

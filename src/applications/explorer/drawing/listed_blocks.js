@@ -85,7 +85,7 @@ function sizes(context, { path, placement, name }) {
 /** Corners of all blocks, where they lie in the scene; key: of the handle of a vertex. */
 function cornersOf(context, blocks) {
   return blocks.flatMap(({ path, at }, block) => {
-    const key = context.scene.node([...path, "outline"]) === null ? () => null : (i) => [...path, "outline", i].join(".");
+    const key = context.scene.has([...path, "outline"]) ? (i) => [...path, "outline", i].join(".") : () => null;
     return (ringOf(context, path) ?? []).map((point, i) => ({ x: point.x + (at.x.value ?? 0), y: point.y + (at.y.value ?? 0), block, key: key(i) }));
   });
 }
@@ -118,7 +118,7 @@ const middle = (values) => (Math.min(...values) + Math.max(...values)) / 2;
 function wholeHandle(context, block, { ring, own, at }, alignment) {
   const { x, y } = block.at;
   const named = say("block %s", block.name);
-  const stands = context.scene.node([...block.path, "at"]) !== null;
+  const stands = context.scene.has([...block.path, "at"]);
   const put = (across, up, exponent) => {
     if (stands) return [...(x.fixed === null ? [edit(x, across, exponent)] : []), ...(y.fixed === null ? [edit(y, up, exponent)] : [])];
     return [{ path: [...block.path, "at"], text: "[" + edit(x, across, exponent).text + ", " + edit(y, up, exponent).text + "]" }];
@@ -139,8 +139,9 @@ function wholeHandle(context, block, { ring, own, at }, alignment) {
 
 /** Vertices of holes and parts go alone, as no other block has them. */
 function vertices(context, block, together, alignment) {
-  return ringsOf(context, block.path).flatMap(([path, name]) => listHandles(context, block.placement, path, say("%s of block %s", name, block.name),
-    (own, label) => alignedVertex(context, block, vertexHandle(context, block.placement, own, label, others(own, together)), together, alignment)));
+  return ringsOf(context, block.path).flatMap(([path, name]) => listHandles(context, block.placement, path, say("%s of block %s", name, block.name), {
+    made: (own, label) => alignedVertex(context, block, vertexHandle(context, block.placement, own, label, others(own, together)), together, alignment),
+  }));
 }
 
 /** @returns {(string|number)[][]} where the other vertices stand that lie in the place of one */

@@ -39,8 +39,11 @@ export function nearestOf(candidates, view, { hand, contact, kept }) {
 
 /** The nearest ones, until there are so many. */
 function take(seen, distance, most, chosen) {
-  const far = seen.map((one) => ({ one, distance: distance(one) })).sort((one, other) => one.distance - other.distance);
-  for (const { one } of far) {
+  const far = Float64Array.from(seen, distance);
+  // none of those that are taken lies farther off: thousands of numbers are sorted sooner than what they belong to
+  const farthest = Float64Array.from(far).sort()[Math.min(most, far.length) - 1];
+  const near = seen.flatMap((one, i) => (far[i] <= farthest ? [{ one, distance: far[i] }] : []));
+  for (const { one } of near.sort((one, other) => one.distance - other.distance)) {
     if (chosen.size >= most) return;
     chosen.add(one);
   }

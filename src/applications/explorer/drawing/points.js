@@ -11,6 +11,8 @@ import { formulaValue } from "../scene/formula.js";
  * @returns {(import("./handle.js").Point|null)[]} null: a point whose numbers cannot be told here
  */
 export function pointsOf(context, path) {
+  const plain = context.scene.decimals(path);
+  if (plain !== null) return plain;
   const value = (text) => (text === null ? null : (decimalValue(text) ?? formulaValue(text, context.parameters)));
   return context.scene.points(path).map(([across, up]) => {
     const [x, y] = [value(across), value(up)];

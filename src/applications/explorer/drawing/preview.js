@@ -9,13 +9,34 @@ import { ringOf } from "./rings.js";
 /**
  * @param {import("./handle.js").Context} context
  * @param {number} dot the length of a dot of the screen: of vertices that lie within one of each other the first is drawn
- * @param {Set<number>} touched of many blocks those that were dragged
+ * @param {(string|number)[][]|null} touched paths of the numbers that were dragged since the last answer; null: the text was changed otherwise
  * @returns {string} a path in the frame of the drawing
  */
 export function previewPath(context, dot, touched) {
   if (context.block === null) return "";
-  if (!context.many) return ringPath(ringOf(context), context.block, dot);
-  return listedBlocks(context).filter(({ path }) => touched.has(path[1])).map(({ path, placement }) => ringPath(ringOf(context, path), placement, dot)).join("");
+  if (context.many) {
+    const blocks = new Set(touched?.map((path) => path[1]));
+    return listedBlocks(context).filter(({ path }) => blocks.has(path[1])).map(({ path, placement }) => ringPath(ringOf(context, path), placement, dot)).join("");
+  }
+  const ring = ringOf(context);
+  const vertices = ring === null ? null : verticesOf(touched);
+  return vertices === null ? ringPath(ring, context.block, dot) : edgesPath(ring, context.block, vertices);
+}
+
+/** Those of the outline, where no other number was dragged. @returns {number[]|null} */
+function verticesOf(touched) {
+  const isVertex = (path) => path.length === 4 && path[0] === "block" && path[1] === "outline";
+  return touched !== null && touched.length > 0 && touched.every(isVertex) ? [...new Set(touched.map((path) => path[2]))] : null;
+}
+
+/** The edges at some vertices: of thousands the others lie where they are drawn. */
+function edgesPath(ring, placement, vertices) {
+  const at = (i) => {
+    const { x, y } = ring[(i + ring.length) % ring.length];
+    const { x: across, y: up } = placement.toFrame(x, y);
+    return across + " " + up;
+  };
+  return vertices.map((i) => "M" + at(i - 1) + "L" + at(i) + "L" + at(i + 1)).join("");
 }
 
 function ringPath(ring, placement, dot) {

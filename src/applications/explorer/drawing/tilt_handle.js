@@ -30,7 +30,7 @@ export function tiltHandle(context, view, sign) {
 
 /** Where the angle stands at which all lies: of many blocks on a slope its dip. @param {import("./handle.js").Context} context */
 export function tiltPath(context) {
-  return context.many && context.scene.node(["slope", "dip_deg"]) !== null ? ["slope", "dip_deg"] : ["tilt", "angle_deg"];
+  return context.many && context.scene.has(["slope", "dip_deg"]) ? ["slope", "dip_deg"] : ["tilt", "angle_deg"];
 }
 
 /** The arc, its two arms, and the angle between them. @param layer a d3 selection with a path and a text */

@@ -20,6 +20,7 @@ const FOLLOW_MS = 150;
 
 export class Editor {
   #changed = -Infinity; // when the text did so elsewhere
+  #shown = false;
   #timer = null;
   #marked = 0; // lines with a complaint
 
@@ -32,6 +33,14 @@ export class Editor {
     store.addEventListener("text", () => this.#follow());
     store.addEventListener("solution", () => this.#mark(null));
     store.addEventListener("problem", () => this.#mark(store.problem));
+  }
+
+  /** What is not seen follows once it is: until then a drag is not held up by it. @param {boolean} shown */
+  set shown(shown) {
+    this.#shown = shown;
+    if (!shown) return;
+    this.#catchUp();
+    this.#mark(this.store.problem);
   }
 
   /** Put the cursor where a complaint is. */
@@ -74,6 +83,7 @@ export class Editor {
    * cost the drawing its frames: then the editor follows some times a second, unless it has the focus itself.
    */
   #follow() {
+    if (!this.#shown) return;
     const now = performance.now();
     const quick = now - this.#changed < OFTEN_MS && !this.view.hasFocus;
     this.#changed = now;
@@ -91,7 +101,7 @@ export class Editor {
 
   /** @param {import("../scene/complaint.js").Complaint|null} problem */
   #mark(problem) {
-    if (problem === null && this.#marked === 0) return;
+    if (!this.#shown || (problem === null && this.#marked === 0)) return;
     if (this.#timer !== null) this.#catchUp();
     const found = problem === null || problem.line === null || problem.file !== this.store.name ? [] : [this.#diagnostic(problem)];
     this.#marked = found.length;

@@ -11,7 +11,7 @@ import { keyHelp } from "../editor/key_help.js";
 import { element } from "../panels/element.js";
 import { pointsButtons } from "./points_into_scene.js";
 
-/** It is no panel of results: it follows the text by itself, shown or not. */
+/** It is no panel of results: it follows the text by itself. */
 export class TextPanel {
   /** @param {HTMLElement} place @param {{store: import("../scene/store.js").SceneStore, terms: import("../panels/terms.js").Terms}} context */
   constructor(place, { store, terms }) {
@@ -31,7 +31,11 @@ export class TextPanel {
     });
   }
 
-  show() {}
+  show() {
+    this.editor.shown = true;
+  }
 
-  hide() {}
+  hide() {
+    this.editor.shown = false;
+  }
 }

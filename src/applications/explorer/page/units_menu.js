@@ -48,7 +48,7 @@ export function unitsMenu(select, store, messages, isLength) {
     }
   });
   const update = () => {
-    const known = store.parsed.unread === null && store.parsed.root !== null;
+    const known = store.parsed.unread === null && store.parsed.has([]);
     for (const { option, group, unit } of options) option.disabled = !known || group.has() === unit;
   };
   for (const event of ["pointerdown", "focus", "keydown"]) select.addEventListener(event, update);

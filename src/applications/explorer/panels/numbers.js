@@ -77,7 +77,7 @@ function rounded(value) {
  */
 export function sweepable(scene, towards) {
   if (scene.root === null) return scene.text;
-  if (scene.node(["tilt"]) === null) {
+  if (!scene.has(["tilt"])) {
     return scene.withNumbers([{ path: ["tilt"], text: "{towards: " + (towards ?? "both") + ", angle_deg: 0}" }]);
   }
   const edits = [];

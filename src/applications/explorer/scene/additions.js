@@ -29,7 +29,7 @@ function rough(value) {
 export const ADDITIONS = {
   water: {
     label: "Water behind it",
-    has: (scene) => scene.node(["loads", "water"]) !== null,
+    has: (scene) => scene.has(["loads", "water"]),
     text: (scene, { height }) => put(scene, ["loads", "water", "height"], rough(SHARES.water * height)),
   },
   anchor: {
@@ -39,12 +39,12 @@ export const ADDITIONS = {
   },
   earthquake: {
     label: "An earthquake",
-    has: (scene) => scene.node(["loads", "seismic"]) !== null,
+    has: (scene) => scene.has(["loads", "seismic"]),
     text: (scene) => put(scene, ["loads", "seismic", "horizontal"], "0.1"),
   },
   cohesion: {
     label: "Cohesion of its joint",
-    has: (scene) => scene.node(["loads", "cohesion_kpa"]) !== null,
+    has: (scene) => scene.has(["loads", "cohesion_kpa"]),
     text: (scene) => put(scene, ["loads", "cohesion_kpa"], "5"),
   },
   outline: {
@@ -57,7 +57,7 @@ export const ADDITIONS = {
 /** Loads are weighed against the block: one without a unit weight gets that of common rock, which the scene then shows. */
 function put(scene, path, text) {
   const weight = ["block", "unit_weight_kn_m3"];
-  return scene.withNumbers(scene.node(weight) !== null ? [{ path, text }] : [{ path, text }, { path: weight, text: ROCK_KN_M3 }]);
+  return scene.withNumbers(scene.has(weight) ? [{ path, text }] : [{ path, text }, { path: weight, text: ROCK_KN_M3 }]);
 }
 
 function withAnchor(scene, { centroid, weightKn, height }) {

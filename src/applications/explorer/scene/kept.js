@@ -18,6 +18,7 @@ const LATE_MS = 150;
 const LATEST_MS = 1500; // a drag that goes on is kept that often
 const TABS_MAX = 6;
 const SHORT = 100_000; // letters of a scene that goes into the history's state
+const LONG = 5_000_000; // letters that no browser's storage has room for: to try it would hold up the page by half a second
 
 /** @returns {Storage|null} */
 function storage() {
@@ -60,6 +61,7 @@ export function keepScene(store) {
     const scene = written(store);
     noteTab(tab, scene !== null && scene.length <= SHORT ? scene : undefined);
     isKept = scene !== null && put(scene, tab);
+    if (scene === null) storage()?.removeItem(OWN + tab); // or an older one would come back instead
   };
   const flush = () => timer !== null && keep();
   store.addEventListener("text", () => {
@@ -76,9 +78,11 @@ export function keepScene(store) {
   });
 }
 
-/** @param {import("./store.js").SceneStore} store @returns {string|null} null: files of it are no text */
+/** @param {import("./store.js").SceneStore} store @returns {string|null} null: files of it are no text, or it is too long */
 function written({ name, text, files }) {
-  return Object.values(files).some((content) => typeof content !== "string") ? null : JSON.stringify({ name, text, files });
+  const contents = [text, ...Object.values(files)];
+  if (contents.some((content) => typeof content !== "string") || contents.reduce((sum, { length }) => sum + length, 0) > LONG) return null;
+  return JSON.stringify({ name, text, files });
 }
 
 /** @param {string} tab @param {string|undefined} scene */

@@ -27,7 +27,7 @@ const POINTS = ["outline", "profile", "surface", "line"];
 export function inUnit(scene, unit, isLength) {
   const before = scene.scalar(["length_unit"]);
   if (!Object.hasOwn(UNITS, before ?? "") || scene.root === null) throw new RangeError(say("the scene has no length_unit that is known"));
-  if (["drawing", "solid"].some((key) => scene.node([key]) !== null)) throw new RangeError(say("its lengths stand in a file with a unit of its own"));
+  if (["drawing", "solid"].some((key) => scene.has([key]))) throw new RangeError(say("its lengths stand in a file with a unit of its own"));
   const factor = quotient(UNITS[before], UNITS[unit]);
   const lengths = lengthsIn(scene, isLength);
   const edits = [{ path: ["length_unit"], text: unit }, ...lengths.map(({ path, text }) => ({ path, text: times(text, factor) }))];

@@ -27,24 +27,56 @@ function applied(text, edits) {
   return edits.reduce((whole, edit) => whole.slice(0, edit.from) + edit.text + whole.slice(edit.to), text);
 }
 
-/** Where nodes stand once the edits are made. */
-function shiftRanges(node, edits) {
+/**
+ * Where nodes stand once scalars have other lengths.
+ * @param {Map<object, number>} grown scalars of the tree, and by how many letters each is longer
+ */
+function shiftRanges(node, grown) {
   if (isMap(node)) {
-    for (const { key, value } of node.items) for (const each of [key, value]) shiftRanges(each, edits);
+    for (const { key, value } of node.items) for (const each of [key, value]) shiftRanges(each, grown);
   } else if (isSeq(node)) {
-    for (const each of node.items) shiftRanges(each, edits);
+    for (const each of node.items) shiftRanges(each, grown);
   }
-  if (node?.range) node.range = node.range.map((at) => edits.reduce((sum, { from, to, text }) => (to <= at ? sum + text.length - (to - from) : sum), at));
+  if (node?.range) node.range = node.range.map((at) => shifted(at, grown));
 }
 
+/** @param {number} at a place of the text that was read, at the edge of a node */
+function shifted(at, grown) {
+  let sum = at;
+  for (const [{ range }, letters] of grown) if (range[1] <= at) sum += letters;
+  return sum;
+}
+
+/** Lists of points with other numbers in them. @param {Map<string, {x: number, y: number}[]|null>} lists @param {{path: Path, text: string}[]} numbers */
+function movedPoints(lists, numbers) {
+  for (const { path, text } of numbers) {
+    const list = path.slice(0, -2).join(".");
+    const points = lists.get(list) ?? null;
+    const [index, axis] = path.slice(-2);
+    if (points !== null) lists.set(list, points.map((point, i) => (i === index ? { ...point, ["xy"[axis]]: decimalValue(text) } : point)));
+  }
+  return lists;
+}
+
+/** So many scalars grow before the tree is gone through for all that stands behind them. */
+const GROWN_MAX = 32;
+
 export class SceneText {
-  /** @param {string} text @param {object|null} [root] its tree, where that is known */
-  constructor(text, root = null) {
+  #root;
+  /** Scalars that have grown since the tree's ranges were true, and by how many letters. @type {Map<object, number>} */
+  #grown;
+  /** Lists of points that were asked for, their numbers as doubles, by their path. @type {Map<string, {x: number, y: number}[]|null>} */
+  #decimals;
+
+  /** @param {string} text @param {{root: object, grown: Map, decimals: Map}|null} [known] its tree, and what was found in it */
+  constructor(text, known = null) {
     this.text = text;
     /** Why there is no tree; null where there is one. @type {string|null} */
     this.unread = null;
-    this.root = root;
-    if (root !== null) return;
+    this.#root = known?.root ?? null;
+    this.#grown = known?.grown ?? new Map();
+    this.#decimals = known?.decimals ?? new Map();
+    if (known !== null) return;
     if (text.length > PARSED_MAX) {
       this.unread = say("The scene is too long to be dragged; edit its text");
       return;
@@ -52,15 +84,38 @@ export class SceneText {
     try {
       const document = parseDocument(text, { schema: "failsafe", logLevel: "silent", uniqueKeys: false });
       if (document.errors.length > 0) this.unread = whyUnread(document.errors[0]);
-      else this.root = document.contents;
+      else this.#root = document.contents;
     } catch (error) {
       this.unread = say("The text is not valid YAML yet: %s", error.message);
     }
   }
 
-  /** @param {Path} path @returns the node there, or null */
+  /** The tree, whose nodes know where they stand. */
+  get root() {
+    this.#settle();
+    return this.#root;
+  }
+
+  #settle() {
+    if (this.#grown.size === 0) return;
+    // their ranges of before, as each node gets a new one
+    shiftRanges(this.#root, new Map([...this.#grown].map(([{ range }, letters]) => [{ range }, letters])));
+    this.#grown.clear();
+  }
+
+  /** @param {Path} path whether something stands there */
+  has(path) {
+    return this.#at(path) !== null;
+  }
+
+  /** @param {Path} path @returns the node there, which knows where it stands, or null */
   node(path) {
-    let node = this.root;
+    return this.root === null ? null : this.#at(path);
+  }
+
+  /** The same, where its place is not asked for. */
+  #at(path) {
+    let node = this.#root;
     for (const key of path) {
       if (isMap(node)) node = node.items.find((pair) => isScalar(pair.key) && pair.key.value === String(key))?.value;
       else if (isSeq(node) && typeof key === "number") node = node.items[key];
@@ -72,40 +127,54 @@ export class SceneText {
 
   /** @param {Path} path @returns {string|null} the text of the scalar there */
   scalar(path) {
-    const node = this.node(path);
+    const node = this.#at(path);
     return isScalar(node) && typeof node.value === "string" ? node.value : null;
   }
 
   /** @param {Path} path @returns {string|null} why no number can be put there; null: one can */
   whyNoNumber(path) {
     for (let depth = path.length; depth > 0; depth--) {
-      const node = this.node(path.slice(0, depth));
+      const node = this.#at(path.slice(0, depth));
       if (node === null) continue;
       if (isAlias(node)) return say("is the alias *%s; change what it stands for in the text", node.source);
       if (depth === path.length) return isScalar(node) ? null : say("is a list or a map; change it in the text");
       return isMap(node) ? null : say("has no place: %s is no map of keys; change it in the text", path.slice(0, depth).join("."));
     }
-    return isMap(this.root) ? null : say("has no place in this text");
+    return isMap(this.#root) ? null : say("has no place in this text");
   }
 
   /** @param {Path} path @returns {number|null} how many items the list there has; null: no list */
   count(path) {
-    const node = this.node(path);
+    const node = this.#at(path);
     return isSeq(node) ? node.items.length : null;
   }
 
   /** @param {Path} path @returns {string[]|null} the keys of the map there; null: no map */
   keys(path) {
-    const node = this.node(path);
+    const node = this.#at(path);
     return isMap(node) ? node.items.filter((pair) => isScalar(pair.key)).map((pair) => String(pair.key.value)) : null;
   }
 
   /** @param {Path} path of a list of points @returns {[string|null, string|null][]} the texts of their two numbers */
   points(path) {
-    const node = this.node(path);
+    const node = this.#at(path);
     if (!isSeq(node)) return [];
     const textOf = (scalar) => (isScalar(scalar) && typeof scalar.value === "string" ? scalar.value : null);
     return node.items.map((point) => (isSeq(point) ? [textOf(point.items[0]), textOf(point.items[1])] : [null, null]));
+  }
+
+  /**
+   * The points of a list whose numbers are all plain decimals: thousands of them, in each frame of a drag.
+   * @param {Path} path @returns {{x: number, y: number}[]|null} null: some are not, or it is no list
+   */
+  decimals(path) {
+    const key = path.join(".");
+    if (!this.#decimals.has(key)) {
+      const read = (text) => (text === null ? null : decimalValue(text));
+      const points = this.points(path).map(([x, y]) => ({ x: read(x), y: read(y) }));
+      this.#decimals.set(key, points.length === 0 || points.some(({ x, y }) => x === null || y === null) ? null : points);
+    }
+    return this.#decimals.get(key);
   }
 
   /**
@@ -125,10 +194,15 @@ export class SceneText {
   movedTo(numbers) {
     const edits = this.#edits(numbers);
     const text = applied(this.text, edits);
-    if (this.root === null || edits.some((edit) => edit.scalar === null || decimalValue(edit.text) === null) || text.length > PARSED_MAX) return new SceneText(text);
-    for (const edit of edits) edit.scalar.value = edit.text;
-    shiftRanges(this.root, edits);
-    return new SceneText(text, this.root);
+    const isMove = edits.every(({ from, to, scalar, text: number }) => scalar !== null && from < to && decimalValue(number) !== null);
+    if (this.#root === null || !isMove || text.length > PARSED_MAX) return new SceneText(text);
+    for (const { from, to, scalar, text: number } of edits) {
+      this.#grown.set(scalar, (this.#grown.get(scalar) ?? 0) + number.length - (to - from));
+      scalar.value = number;
+    }
+    const moved = new SceneText(text, { root: this.#root, grown: this.#grown, decimals: movedPoints(this.#decimals, numbers) });
+    if (this.#grown.size > GROWN_MAX) moved.#settle();
+    return moved;
   }
 
   /** From the last one in the text to the first. */
@@ -138,16 +212,20 @@ export class SceneText {
 
   /** Where a scalar stands, or where one that is not there yet would. */
   #edit(path, text) {
-    const node = this.node(path);
-    if (isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], text, scalar: node };
+    const node = this.#at(path);
+    if (isScalar(node) && node.range) {
+      const [from, to] = node.range.map((at) => shifted(at, this.#grown));
+      return { from, to, text, scalar: node };
+    }
     if (node !== null) throw new RangeError(say("%s is not a number but a list or a map", path.join(".")));
     return this.#insertion(path, text);
   }
 
   #insertion(path, text) {
+    this.#settle();
     let depth = path.length - 1;
-    while (depth > 0 && this.node(path.slice(0, depth)) === null) depth--;
-    const map = depth === 0 ? this.root : this.node(path.slice(0, depth));
+    while (depth > 0 && this.#at(path.slice(0, depth)) === null) depth--;
+    const map = depth === 0 ? this.root : this.#at(path.slice(0, depth));
     if (!isMap(map)) throw new RangeError(say("%s is not a map that could take another key", path.slice(0, depth).join(".")));
     const inner = path.slice(depth + 1).reduceRight((value, key) => "{" + key + ": " + value + "}", text);
     const pair = path[depth] + ": " + inner;

@@ -27,7 +27,7 @@ export function shakingOf(scene, files, way) {
   }
   const file = scene.scalar(["shaking", way, "record"]) ?? scene.scalar(["shaking", way, "record", "file"]);
   const content = files[file ?? ""];
-  const scale = scene.node(["shaking", way, "record", "scale"]) === null ? 1 : number("record", "scale");
+  const scale = scene.has(["shaking", way, "record", "scale"]) ? number("record", "scale") : 1;
   const read = typeof content === "string" && scale !== null ? recordOf(content) : null;
   return read === null ? null : { t: read.t, g: read.g.map((each) => scale * each) };
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The core in three parts: what the first answers need, a fifth of it, with which the page begins; the rest of its functions;
-and the fonts of figures. A browser reads, unpacks and compiles a part of 1.3 MB in a fraction of the time of the whole.
+"""The core in three parts: what the first answers need, a quarter of it, with which the page begins; the rest of its functions;
+and the fonts of figures. A browser reads, unpacks and compiles a part of 1.2 MB in a fraction of the time of the whole.
 
 Binaryen's wasm-split does it, which comes with Emscripten. A function that is not in the first part is imported there from a
 placeholder, by which core/program.js knows that the rest is needed."""
