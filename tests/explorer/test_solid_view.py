@@ -138,39 +138,53 @@ class Parts(unittest.TestCase):
 
     @unittest.skipUnless(YAML.is_dir(), f"there is no {YAML}: ./run --explorer installs it")
     def test_lies_on_the_slope_that_its_mesh_has(self):
-        """On a base by its dip the mesh has heights along z: it is drawn as it lies, not leant over once more. The support of its report, drawn
-        on the base, lies below corners of what is drawn, square to the base and within the band; so of the core's own surface, thinned."""
+        """On a base by its dip the mesh is drawn as it lies, its vertical upright, not leant over once more: along z, along y, aslant and upside
+        down. The support of its report, drawn on the base, lies below corners of what is drawn, square to the base and within the band; so of the
+        core's own surface, thinned. Upright is here by Rodrigues' formula for the turn about up times z, the page has it by matrices of turns."""
         rock = (ROOT / "examples" / "solids" / "balanced_rock.obj").read_text(encoding="utf-8")
         given = "topple: 1\nlength_unit: m\nsolid: {file: balanced_rock.obj, unit: m, %sbands: [0.05], base: {dip_deg: 20, dip_direction_deg: 135}}\nfriction_angle_deg: 32\n"
-        body = """const {SceneText} = await import(given.module); const {after, tilted, turned, upright} = await import(given.turning);
+        body = """const {SceneText} = await import(given.module); const {after, tilted, turned} = await import(given.turning);
           return given.each.map(([answer, text, rock, model]) => { const solution = {...answer, ...(model && {model: Uint8Array.from(model)})};
             const mesh = it.meshOf(solution, new SceneText(text), {"balanced_rock.obj": rock});
             const base = tilted(answer.tilt_angle_deg, answer.tilt_azimuth_deg);
             const support = answer.bands[0].support.map((at) => turned(base, [at.east_m, at.north_m, 0]));
-            return [after(base, upright(mesh.up)), [...mesh.near], support]; });"""
-        each = []
+            return [after(base, mesh.level), [...mesh.near], support]; });"""
+        each, ups = [], ([0, 0, 1], [0, 1, 0], [2, -1, 2], [0, 0, -3])
         with tempfile.TemporaryDirectory() as folder:
             place = pathlib.Path(folder)
             (place / "balanced_rock.obj").write_text(rock, encoding="utf-8")
-            for thin in ("", "thin: 0.02, "):
-                (place / "scene.yaml").write_text(given % thin, encoding="utf-8")
+            for thin, up in [(thin, up) for up in ups for thin in ("", "thin: 0.02, ")]:
+                more = thin + f"up: {up}, "
+                (place / "scene.yaml").write_text(given % more, encoding="utf-8")
                 status, out, err = run("solve", "--json", "--figure", "x.glb", "scene.yaml", folder=place)
                 self.assertEqual(status, 0, err)
-                each.append([json.loads(out), given % thin, rock, list((place / "x.glb").read_bytes()) if thin else None])
+                each.append([json.loads(out), given % more, rock, list((place / "x.glb").read_bytes()) if thin else None])
         dip, way = math.radians(20), math.radians(135)
         normal = (math.sin(dip) * math.sin(way), math.sin(dip) * math.cos(way), math.cos(dip))
         over = lambda point: sum(a * b for a, b in zip(point, normal))
         found = node(SOLID / "solid_mesh.js", body, {"module": (SOLID.parent / "scene" / "scene_text.js").as_uri(),
                                                      "turning": (SOLID / "turning.js").as_uri(), "each": each})
-        for turn, near, support in found:
-            for one, other in zip(turn, (1, 0, 0, 0, 1, 0, 0, 0, 1)):
-                self.assertAlmostEqual(one, other, places=12)
-            corners = {tuple(near[k:k + 3]) for k in range(0, len(near), 3)}
+        for (turn, near, support), up in zip(found, [up for up in ups for _ in range(2)]):
+            upright = self.upright(up)
+            for row in range(3):
+                for one, other in zip(turn[3 * row:], upright[row]):
+                    self.assertAlmostEqual(one, other, places=12)
+            corners = {tuple(sum(a * b for a, b in zip(row, near[k:k + 3])) for row in upright) for k in range(0, len(near), 3)}
             lowest = min(map(over, corners))
             touching = [point for point in corners if over(point) <= lowest + 0.05 + 1e-6]
             self.assertGreaterEqual(len(support), 3)
             for at in support:
                 self.assertLess(min(math.dist(at, [c - over(point) * n for c, n in zip(point, normal)]) for point in touching), 1e-6)
+
+    @staticmethod
+    def upright(up):
+        """I + [v] + [v]^2 / (1 + c), v = up x z, c = up . z; upside down about x."""
+        long = math.hypot(*up)
+        x, y, c = (each / long for each in up)
+        if c == -1:
+            return (1, 0, 0), (0, -1, 0), (0, 0, -1)
+        cross = ((0, 0, -x), (0, 0, -y), (x, y, 0))
+        return tuple(tuple((i == j) + cross[i][j] + sum(cross[i][k] * cross[k][j] for k in range(3)) / (1 + c) for j in range(3)) for i in range(3))
 
     def test_turns(self):
         """Up comes upright; what lies towards the azimuth goes down by the tilt, what lies across stays; nothing is stretched."""
@@ -215,6 +229,14 @@ class Solid(PanelCase):
         self.assertEqual(self.said("#verdict-said"), "Stands at 5°")
         self.assertIn("1.641", self.said("#factor-said"))
         self.assertIn("tilted by 5° towards 120°", self.said(".solid-words"))
+
+    def test_on_a_slope_below_another_up(self):
+        """A survey with heights along y, on a base by its dip: it is drawn, and told of its base that it dips."""
+        self.type_scene("topple: 1\nlength_unit: m\nsolid: {file: balanced_rock.obj, unit: m, up: [0, 1, 0], bands: [0.05], "
+                        "base: {dip_deg: 12, dip_direction_deg: 135}}\nfriction_angle_deg: 32\n")
+        self.answered()
+        self.assertGreater(self.rock(), 20_000)
+        self.assertIn("its base dips by 12° towards 135°", self.said(".solid-words"))
 
     def test_words_do_not_lie_over_it(self):
         """On a telephone, with the sheet of results open, in the longest of the languages."""

@@ -6,7 +6,7 @@
  * (Khronos Group, glTF 2.0 Specification, 2021): one buffer, a mesh a node, points of three floats, corners of 32 bits.
  */
 
-import { turned, upright } from "./turning.js";
+import { inverse, turned } from "./turning.js";
 
 const HEAD = 20; // bytes of the file before its JSON
 const CHUNK = 8; // before the buffer
@@ -20,16 +20,16 @@ export function needsModel(scene) {
 }
 
 /**
- * @param {Uint8Array} bytes @param {number[]} normal across the base, in the axes of the mesh
+ * @param {Uint8Array} bytes @param {import("./turning.js").Turn} level that which makes the base level
  * @returns {{rock: Float64Array, ground: Float64Array}} nine numbers a triangle, metres from the centroid in the axes of the mesh; without a ground none
  */
-export function surfacesOf(bytes, normal) {
+export function surfacesOf(bytes, level) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const size = view.getUint32(12, true);
   const head = JSON.parse(new TextDecoder().decode(bytes.subarray(HEAD, HEAD + size)));
   const buffer = HEAD + size + CHUNK;
   const height = head.nodes[0].extras.centroid_height_m;
-  const turn = inverse(upright(normal));
+  const turn = inverse(level);
   const made = (name) => {
     const node = head.nodes.find((own) => own.mesh !== undefined && head.materials[head.meshes[own.mesh].primitives[0].material].name === name);
     if (node === undefined) return new Float64Array(0);
@@ -45,8 +45,4 @@ export function surfacesOf(bytes, normal) {
     return triangles;
   };
   return { rock: made("rock"), ground: made("ground") };
-}
-
-function inverse(turn) {
-  return turn.map((_, k) => turn[3 * (k % 3) + Math.floor(k / 3)]);
 }

@@ -11,7 +11,7 @@ import { UNITS } from "../scene/length_units.js";
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { trianglesOf, volumeOf } from "./mesh.js";
 import { surfacesOf } from "./model.js";
-import { upright } from "./turning.js";
+import { after, inverse, tilted, upright } from "./turning.js";
 
 const AGREES = 1e-6; // of the volume
 const BESIDE = 1.6; // of the rock's reach: what is drawn of a larger ground, from its centroid
@@ -21,24 +21,31 @@ const FACES = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
  * @typedef {object} SolidMesh
  * @property {Float64Array} near triangles from the centroid, in lengths of the mesh
  * @property {number} unit metres in such a length @property {number[]} centroid @property {number} reach of the farthest corner
- * @property {number[]} up across its base, in axes of the mesh
+ * @property {import("./turning.js").Turn} level from axes of the mesh to its base, as if that were level
  * @property {number[][][]} section where a plane cuts it, pairs of points from the centroid; empty: none does
  * @property {Float64Array} ground triangles of what it rests on, likewise; empty: it has no mesh @property {boolean} goesOn there is more of it
  */
 
-/**
- * The normal of its base in axes of the mesh, which is leant over by the tilt: of a mesh that has heights along z as it lies on a base
- * that dips, that of the base, so that the turn to a level base and the tilt leave it where it lies.
- * @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @returns {number[]}
- */
-export function acrossBase(solution, scene) {
-  const dips = scene.keys(["solid", "base"])?.includes("dip_deg");
-  return dips ? normalOf(solution.tilt_angle_deg, solution.tilt_azimuth_deg) : solution.up;
+/** Whether its base dips: the mesh then has the vertical that it says, and lies on the slope. @param {import("../scene/scene_text.js").SceneText} scene */
+export function isOnSlope(scene) {
+  return scene.keys(["solid", "base"])?.includes("dip_deg") ?? false;
 }
+
+/**
+ * From axes of the mesh to its base, as if that were level, which is leant over by the tilt: on a base that dips so that both turns
+ * together bring the mesh upright, and leave it where it lies.
+ * @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @returns {import("./turning.js").Turn}
+ */
+export function levelled(solution, scene) {
+  const up = upright(solution.up);
+  return isOnSlope(scene) ? after(inverse(tilted(solution.tilt_angle_deg, solution.tilt_azimuth_deg)), up) : up;
+}
+
+/** Across the base, of length 1. @param {import("./turning.js").Turn} level */
+const normalOn = (level) => level.slice(6);
 
 /** @param {any} solution of a solid @param {import("../scene/scene_text.js").SceneText} scene @param {Record<string, string|Uint8Array>} files @returns {SolidMesh|null} */
 export function meshOf(solution, scene, files) {
-  if (leansFromAnotherUp(solution, scene)) return null;
   if (solution.model !== undefined) return ofModel(solution, scene);
   const content = files[scene.scalar(["solid", "file"]) ?? ""];
   const triangles = content === undefined ? wedgeOf(scene) : trianglesOf(content);
@@ -46,33 +53,26 @@ export function meshOf(solution, scene, files) {
   if (triangles === null || unit === null || triangles.length !== 9 * solution.triangles) return null;
   const centroid = solution.centroid_m.map(({ value }) => value / unit);
   const whole = triangles.map((value, k) => value - centroid[k % 3]);
-  const across = acrossBase(solution, scene);
-  const up = across.map((each) => each / Math.hypot(...across));
-  const level = solution.below === undefined ? null : lowestOf(whole, up) + (solution.below * sceneUnit(scene)) / unit;
-  const { above: near, section } = level === null ? { above: whole, section: [] } : cutMesh(whole, up, level);
-  const volume = volumeOf(near, level === null ? [0, 0, 0] : up.map((each) => each * level)) * unit ** 3;
+  const level = levelled(solution, scene);
+  const up = normalOn(level);
+  const cut = solution.below === undefined ? null : lowestOf(whole, up) + (solution.below * sceneUnit(scene)) / unit;
+  const { above: near, section } = cut === null ? { above: whole, section: [] } : cutMesh(whole, up, cut);
+  const volume = volumeOf(near, cut === null ? [0, 0, 0] : up.map((each) => each * cut)) * unit ** 3;
   // cavities are not seen, but taken off by the core
   if (scene.count(["solid", "holes"]) === null && Math.abs(volume - solution.volume_m3.value) > AGREES * volume) return null;
-  return { near, unit, up, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
-}
-
-/** A base that dips is known here by azimuths of a mesh with z upwards; below another up it is told, and drawn by figures, but not here. */
-function leansFromAnotherUp(solution, scene) {
-  const [x, y, z] = solution.up;
-  const isUpright = x === 0 && y === 0 && z > 0;
-  return !isUpright && scene.keys(["solid", "base"])?.includes("dip_deg") === true;
+  return { near, unit, level, centroid, reach: reachOf(near), section, ground: new Float64Array(0), goesOn: false };
 }
 
 /** As the core has it, with its ground. @returns {SolidMesh|null} */
 function ofModel(solution, scene) {
   const unit = meshUnit(scene);
   if (unit === null) return null;
-  const up = acrossBase(solution, scene);
-  const surfaces = surfacesOf(solution.model, up);
+  const level = levelled(solution, scene);
+  const surfaces = surfacesOf(solution.model, level);
   const [near, whole] = [surfaces.rock, surfaces.ground].map((triangles) => triangles.map((each) => each / unit));
   const reach = reachOf(near);
-  const ground = groundNear(whole, up, BESIDE * reach);
-  return { near, unit, up, centroid: solution.centroid_m.map(({ value }) => value / unit), reach, section: [], ground, goesOn: ground !== whole };
+  const ground = groundNear(whole, level, BESIDE * reach);
+  return { near, unit, level, centroid: solution.centroid_m.map(({ value }) => value / unit), reach, section: [], ground, goesOn: ground !== whole };
 }
 
 function reachOf(points) {
@@ -82,8 +82,8 @@ function reachOf(points) {
 }
 
 /** What of a ground lies within a box about the centroid, along the map and up; all of it where that is not much more. */
-function groundNear(whole, up, far) {
-  const axes = [0, 1, 2].map((row) => upright(up).slice(3 * row, 3 * row + 3));
+function groundNear(whole, level, far) {
+  const axes = [0, 1, 2].map((row) => level.slice(3 * row, 3 * row + 3));
   if (reachOf(whole) <= 2 * far) return whole;
   return axes.flatMap((axis) => [axis, axis.map((each) => -each)]).reduce((left, axis) => cutMesh(left, axis, -far).above, whole);
 }

@@ -13,8 +13,8 @@ import { element, refill, svgElement } from "../panels/element.js";
 import { numeral, say } from "../words/language.js";
 import { MeshPicture } from "./mesh_picture.js";
 import { SoftwarePicture } from "./software_picture.js";
-import { acrossBase, meshOf } from "./solid_mesh.js";
-import { FIRST, after, seenFrom, tilted, turned, upright } from "./turning.js";
+import { isOnSlope, levelled, meshOf } from "./solid_mesh.js";
+import { FIRST, after, seenFrom, tilted, turned } from "./turning.js";
 
 const PER_DOT = 0.008; // radians
 const STEP = Math.PI / 36;
@@ -58,20 +58,20 @@ export class SolidView {
   /** @returns {boolean} whether there is one */
   #mesh(solution) {
     const { parsed, files } = this.store;
+    this.isOnSlope = isOnSlope(parsed);
     // of a mesh in a file nothing but the file counts, and where it is cut; it is read once
     const content = files[parsed.scalar(["solid", "file"]) ?? ""] ?? parsed.text;
     const of = [content, files[parsed.scalar(["solid", "base", "file"]) ?? ""], solution.ground?.object, solution.ground?.metres_per_unit,
-      solution.volume_m3.value, solution.triangles, ...acrossBase(solution, parsed)];
+      solution.volume_m3.value, solution.triangles, ...levelled(solution, parsed)];
     if (this.#read !== null && of.every((each, k) => each === this.#read.of[k])) return this.#read.fits;
     const mesh = meshOf(solution, parsed, files);
     const another = content !== this.#read?.of[0];
     this.#read = { of, fits: mesh !== null };
     if (mesh === null) return false;
     const { near, ground } = mesh;
-    for (const key of ["unit", "centroid", "reach", "section", "goesOn"]) this[key] = mesh[key];
-    this.up = upright(mesh.up);
+    for (const key of ["unit", "centroid", "reach", "section", "level", "goesOn"]) this[key] = mesh[key];
     this.lowest = Infinity;
-    for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.up, [near[k], near[k + 1], near[k + 2]])[2]);
+    for (let k = 0; k < near.length; k += 3) this.lowest = Math.min(this.lowest, turned(this.level, [near[k], near[k + 1], near[k + 2]])[2]);
     this.picture.set(near, ground);
     if (another) this.#eye = { ...FIRST, zoom: 1 };
     return true;
@@ -88,13 +88,13 @@ export class SolidView {
     this.dots = (zoom * Math.min(width, height - top)) / (2.9 * this.reach);
     const style = getComputedStyle(document.documentElement);
     const colours = ["--solid", "--rock"].map((name) => style.getPropertyValue(name).trim()).map((hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255));
-    this.picture.draw(after(eye, after(base, this.up)), { dots: this.dots, reach: 3.5 * this.reach, x: 0, y: top / 2 }, colours);
+    this.picture.draw(after(eye, after(base, this.level)), { dots: this.dots, reach: 3.5 * this.reach, x: 0, y: top / 2 }, colours);
     const project = (turn) => (point) => {
       const [x, y] = turned(turn, point);
       return (width / 2 + this.dots * x).toFixed(2) + " " + ((height + top) / 2 - this.dots * y).toFixed(2);
     };
     for (const svg of [this.ground, this.lines]) svg.setAttribute("viewBox", "0 0 " + width + " " + height);
-    this.#lines(project(after(eye, base)), project(eye), project(after(eye, after(base, this.up))));
+    this.#lines(project(after(eye, base)), project(eye), project(after(eye, after(base, this.level))));
   }
 
   /** @param of points of the base @param free points of the world @param own points of the mesh, all from the centroid */
@@ -127,7 +127,8 @@ export class SolidView {
     const { wedge } = this.solution;
     if (wedge !== undefined) return [say("The joints' line plunges by %s towards %s", ...[wedge.plunge_deg, wedge.trend_deg].map((each) => degreesText(each)))];
     const { tilt_angle_deg: tilt, tilt_azimuth_deg: azimuth, below, length_unit: unit } = this.solution;
-    return [tilt > 0 ? say("tilted by %s towards %s", numeral(tilt + "") + "°", numeral((azimuth ?? 0) + "") + "°") : null,
+    const lies = this.isOnSlope ? "its base dips by %s towards %s" : "tilted by %s towards %s";
+    return [tilt > 0 ? say(lies, numeral(tilt + "") + "°", numeral((azimuth ?? 0) + "") + "°") : null,
       below !== undefined ? say("cut %s over its lowest point: it rests on the section", numeral(below + "") + " " + unit)
         : band === undefined ? null : say("what lies within %s of its lowest point touches", numeral(band.band + "") + " " + unit),
       this.goesOn ? say("its ground goes on farther than it is drawn") : null,

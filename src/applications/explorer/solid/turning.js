@@ -38,6 +38,11 @@ export function tilted(degrees, azimuth) {
   return about([-Math.cos(way), Math.sin(way), 0].map((each) => (Object.is(each, -0) ? 0 : each)), (degrees * Math.PI) / 180);
 }
 
+/** @param {Turn} turn @returns {Turn} */
+export function inverse(turn) {
+  return turn.map((_, k) => turn[3 * (k % 3) + Math.floor(k / 3)]);
+}
+
 /** As it is seen: from an azimuth, and from so high, both in radians. @returns {Turn} x to the right, y up, z to the eye */
 export function seenFrom(around, height) {
   return after(about([1, 0, 0], -Math.PI / 2 + height), about([0, 0, 1], around));
