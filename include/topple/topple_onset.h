@@ -63,7 +63,7 @@ typedef enum tp_contact_state {
 /* An end of a facet in a motion, and the force on the block there as a share of its weight. */
 typedef struct tp_motion_contact {
   size_t facet;           /* from left to right along the contact, those in a point included */
-  bool of_facet;          /* false: of a base that extends past the toe, where the scene's ends */
+  bool of_facet;          /* false: on a facet of the base of another friction that begins there */
   bool at_right_end;      /* of that facet */
   tp_contact_state state; /* sticks, or slips */
   bool has_pivot;         /* it is one of the contact's points, */

@@ -66,6 +66,28 @@ def rough_contacts(outline, profile, tangents):
     return sorted(found | {own for own in single_points(outline, profile, tangents) if own[:2] not in ends})
 
 
+def besides(outline, profile, tangents):
+    """((x, y), t, tan(phi), sense) where a facet ends at a vertex of the base, other than a notch, beyond which the friction is
+    another: what slips towards that, or however it slips where the block's edge goes on, may have either."""
+    found = []
+    facets = spans(outline, profile, tangents)
+    for p, q, t, own in facets:
+        for end, sense in ((p, -1), (q, 1)):
+            at = profile.index(end) if end in profile else 0
+            turn = corner(profile, at, False)
+            if turn is None or turn > 0:
+                continue
+            if turn == 0 and sum(end in facet[:2] for facet in facets) > 1:
+                continue
+            k = outline.index(end) if end in outline else None
+            if k is None or corner(outline, k, True) == 0:
+                sense = 0
+            beyond = tangents[at + (1 if end == q else 0)]
+            if beyond != own:
+                found.append((end, t, beyond, sense))
+    return found
+
+
 def pieces():
     """A block on one slope that is written in several pieces, or on steps of that slope."""
     count, rise = random.randint(2, 4), Fraction(random.choice([0, 0, 1, -2]), 10)

@@ -104,10 +104,12 @@ def maximise(cost, rows, free):
 
 class Onset:
     """Windows of t for contact points ((x, y), (t_x, t_y)), the centroid, k^2 and tan(phi), one or a list of one
-    for each point."""
+    for each point. `senses`, by point: 1, it bears as it slips up or sticks alone; -1, down or sticks; 0."""
 
-    def __init__(self, points, centroid, gyration, tangent):
-        self.gyration, self.tangent = gyration, tangent
+    senses = None
+
+    def __init__(self, points, centroid, gyration, tangent, senses=None):
+        self.gyration, self.tangent, self.senses = gyration, tangent, senses
         self.contacts = []
         for (x, y), (tx, ty) in points:
             x, y = x - centroid[0], y - centroid[1]
@@ -122,6 +124,9 @@ class Onset:
 
     def tangent_at(self, k):
         return self.tangent[k] if isinstance(self.tangent, list) else self.tangent
+
+    def bears(self, k, state):
+        return self.senses is None or self.senses[k] * {UP: 1, DOWN: -1}.get(state, 0) >= 0
 
     def modes(self):
         """The states of all contacts in every motion that the base admits; and the twist where every
@@ -155,7 +160,7 @@ class Onset:
         """(least, most) t of the mode, None for no end; None where it is not possible."""
         forces = []
         for k, (((x, y), (tx, ty), _, _), state) in enumerate(zip(self.contacts, states)):
-            for side in {PARTS: (), STICKS: (1, -1), UP: (-1,), DOWN: (1,)}[state]:
+            for side in {PARTS: (), STICKS: (1, -1), UP: (-1,), DOWN: (1,)}[state] if self.bears(k, state) else ():
                 fx, fy = -ty + side * self.tangent_at(k) * tx, tx + side * self.tangent_at(k) * ty
                 forces.append((fx, fy, (x * fy - y * fx) / self.gyration))
         count = len(forces)

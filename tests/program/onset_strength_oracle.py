@@ -77,7 +77,7 @@ class StrongOnset(Onset):
     def friction(self, states):
         found = []
         for k, (((x, y), (tx, ty), _, _), state) in enumerate(zip(self.contacts, states)):
-            for side in {STICKS: (1, -1), UP: (-1,), DOWN: (1,)}.get(state, ()):
+            for side in {STICKS: (1, -1), UP: (-1,), DOWN: (1,)}.get(state, ()) if self.bears(k, state) else ():
                 tan = self.tangent_at(k)
                 found.append(self.column((x, y), (-ty + side * tan * tx, tx + side * tan * ty)))
         return found

@@ -11,7 +11,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from facet_scenes import angle_text, draw_tangents, friction_text, pieces, rough_contacts, whole_tangent
+from facet_scenes import angle_text, besides, draw_tangents, friction_text, pieces, rough_contacts, whole_tangent
 from harness import ROUNDS, main, rounds
 from limit_oracle import Limit, dot
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
@@ -50,6 +50,7 @@ class Drawn:
             self.scene, self.tangents, self.entries = draw_tangents(self.block, self.base, self.profile, make,
                                                                     rough_tangent)
             self.count = len(rough_contacts(self.outline, self.profile, self.tangents))
+            self.has_beside = False
             if self.entries and 0 < self.count <= MOST_POINTS:
                 return
 
@@ -58,16 +59,19 @@ class Drawn:
         if side == "right":
             outline, profile, tangents = mirrored(outline), mirrored(profile), tangents[::-1]
         own = rough_contacts(outline, profile, tangents)
-        centroid = exact.centroid(exact.block_moments(outline))
-        return outline, centroid, [(p, t) for p, t, _ in own], [tangent for _, _, tangent in own]
+        beside = besides(outline, profile, tangents)
+        return outline, exact.centroid(exact.block_moments(outline)), own, beside
 
     def limit(self, side, factor=1):
-        _, centroid, points, tangents = self.contact(side)
-        return OwnLimit(points, centroid, [whole_tangent(tangent / factor) for tangent in tangents])
+        _, centroid, own, _ = self.contact(side)
+        return OwnLimit([(p, t) for p, t, _ in own], centroid, [whole_tangent(tangent / factor) for _, _, tangent in own])
 
     def onset(self, side):
-        outline, centroid, points, tangents = self.contact(side)
-        return Onset(points, centroid, gyration(outline, centroid), tangents)
+        outline, centroid, own, beside = self.contact(side)
+        every = [(*contact, 0) for contact in own] + beside
+        self.has_beside = self.has_beside or len(beside) > 0
+        return Onset([(p, t) for p, t, _, _ in every], centroid, gyration(outline, centroid),
+                     [tangent for _, _, tangent, _ in every], [sense for _, _, _, sense in every])
 
 
 class Random(unittest.TestCase):
@@ -127,14 +131,15 @@ class Random(unittest.TestCase):
                     if drawn.count <= MOST_OF_ONSET:
                         self.compare_onset(cases[side]["onset"], drawn.onset(side))
                         self.seen["onset"] = self.seen.get("onset", 0) + 1
+                        self.seen["beside"] = self.seen.get("beside", 0) + drawn.has_beside
         for name, expected in least.items():
             self.assertGreaterEqual(self.seen.get(name.replace("_", " "), 0), expected // part, self.seen)
 
     def test_teeth(self):
-        self.run_random(mated_teeth, 25, 171, topples=5, slides_and_topples=5, factor=5, onset=5)
+        self.run_random(mated_teeth, 25, 171, topples=5, slides_and_topples=5, factor=5, onset=5, beside=3)
 
     def test_polygons(self):
-        self.run_random(mated_polygon, 25, 172, slides=5, slides_and_topples=3, factor=5, onset=5)
+        self.run_random(mated_polygon, 25, 172, slides=5, slides_and_topples=3, factor=5, onset=5, beside=3)
 
     def test_worn_profiles(self):
         self.run_random(worn_profile, 25, 173, topples=3, slides_and_topples=5, factor=3, onset=5)

@@ -10,7 +10,7 @@ import unittest
 from fractions import Fraction
 
 import exact
-from facet_scenes import angle_text, draw_tangents, friction_text, pieces, rough_contacts, spans
+from facet_scenes import angle_text, besides, draw_tangents, friction_text, pieces, rough_contacts, spans
 from harness import ROUNDS, main
 from limit_forces import Base, wrench
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
@@ -23,12 +23,13 @@ GAMMA = 26
 
 
 class OwnOnset(StrongOnset):
-    """`rough`: ((x, y), t, tan(phi)); `ends`: (p, q, t, tan(phi)) of facets. A contact point is told
-    from another at its place by its friction too."""
+    """`rough`: ((x, y), t, tan(phi)), `beside` with its sense; `ends`: (p, q, t, tan(phi)) of facets. A contact
+    point is told from another at its place by its friction too."""
 
-    def __init__(self, rough, centroid, gyration_square, ends, sheared, bonded):
-        places = [(p, t) for p, t, _ in rough]
-        super().__init__(places, centroid, gyration_square, [own for _, _, own in rough],
+    def __init__(self, rough, beside, centroid, gyration_square, ends, sheared, bonded):
+        places = [(p, t) for p, t, _ in rough] + [(p, t) for p, t, _, _ in beside]
+        self.senses = [0] * len(rough) + [sense for _, _, _, sense in beside]
+        super().__init__(places, centroid, gyration_square, [own for _, _, own in rough] + [own for _, _, own, _ in beside],
                          [(p, q, t) for p, q, t, _ in ends], sheared, bonded)
         for index, (p, q, t, own) in enumerate(ends):
             facet = self.facets[index]
@@ -48,7 +49,8 @@ class Strength(unittest.TestCase):
             block, base, outline, profile = make()
             scene, tangents, entries = draw_tangents(block, base, profile, make, rough_tangent)
             ends = spans(outline, profile, tangents)
-            if entries and ends and len(rough_contacts(outline, profile, tangents)) <= MOST_POINTS:
+            points = len(rough_contacts(outline, profile, tangents)) + len(besides(outline, profile, tangents))
+            if entries and ends and points <= MOST_POINTS:
                 break
         area = exact.ring_moments(outline)[0]
         stress = GAMMA * area / sum(abs(q[0] - p[0]) + abs(q[1] - p[1]) for p, q, _, _ in ends)
@@ -61,8 +63,8 @@ class Strength(unittest.TestCase):
             own, under, rough = (outline, profile, tangents) if side == "left" else (
                 mirrored(outline), mirrored(profile), tangents[::-1])
             centroid = exact.centroid(exact.block_moments(own))
-            yield side, case, OwnOnset(rough_contacts(own, under, rough), centroid, gyration(own, centroid),
-                                       spans(own, under, rough), shear / (GAMMA * area), bond / (GAMMA * area))
+            yield side, case, OwnOnset(rough_contacts(own, under, rough), besides(own, under, rough), centroid,
+                                       gyration(own, centroid), spans(own, under, rough), shear / (GAMMA * area), bond / (GAMMA * area))
 
     def compare(self, case, trial):
         """No mode can begin below the onset; just above some mode can, or the onset is the limit."""

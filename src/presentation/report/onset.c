@@ -195,7 +195,8 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
       tp_text_add(&p->text, "      facet %zu, %s end: %s", own->facet + 1,
                   own->at_right_end ? "right" : "left", tp_contact_state_name(own->state));
     } else {
-      tp_text_add(&p->text, "      the base past the toe: %s", tp_contact_state_name(own->state));
+      tp_text_add(&p->text, "      pivot %zu, on the facet beside it: %s", own->pivot + 1,
+                  tp_contact_state_name(own->state));
     }
     if (own->has_force) {
       tp_text_add(&p->text, ", force (%s, %s) W", tp_text_significant(n[0], own->share_x, 4),

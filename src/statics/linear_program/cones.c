@@ -50,6 +50,15 @@ bool tp_cones_take_lines(tp_cones *cones) {
   return cones->lines != NULL;
 }
 
+bool tp_cones_take_senses(tp_cones *cones) {
+  cones->senses = calloc((size_t)cones->count + 1, sizeof *cones->senses);
+  return cones->senses != NULL;
+}
+
+bool tp_cones_bears(const tp_cones *cones, long point, int slip) {
+  return cones->senses == NULL || slip == 0 || cones->senses[point] != -slip;
+}
+
 bool tp_cones_allow(tp_cones *cones, long capacity_count) {
   cones->capacities = calloc((size_t)capacity_count + 1, sizeof *cones->capacities);
   if (cones->capacities == NULL) return false;
@@ -79,6 +88,7 @@ void tp_cones_clear(tp_cones *cones) {
   free(cones->whole_x);
   free(cones->whole_y);
   free(cones->owns);
+  free(cones->senses);
   free(cones->lines);
   free(cones->capacities);
   memset(cones, 0, sizeof *cones);

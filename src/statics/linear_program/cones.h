@@ -47,7 +47,10 @@ typedef struct tp_cones {
   arb_t friction;            /* tan(phi) */
   long own_count;            /* no two of these are the same, nor the same as `friction` */
   arb_ptr own_friction;
-  int32_t *owns;  /* by point: 0, `friction`; else the one before this of `own_friction`; NULL: 0 */
+  int32_t *owns; /* by point: 0, `friction`; else the one before this of `own_friction`; NULL: 0 */
+  signed char *senses; /* by point: 1 or -1: it bears while it sticks, or slips along t or against
+                          it, alone; NULL, 0: however it slips */
+  long beside_count;   /* the last of the points are of no facet, but beside one */
   int32_t *lines; /* by point: the straight line of its facet, the same for all on it; NULL: each
                      facet's own; needed for capacities */
   long capacity_count;
@@ -59,6 +62,7 @@ typedef struct tp_cones {
 bool tp_cones_init(tp_cones *cones, long count);
 TP_MUST_USE bool tp_cones_take_own(tp_cones *cones, long own_count);
 TP_MUST_USE bool tp_cones_take_lines(tp_cones *cones);
+TP_MUST_USE bool tp_cones_take_senses(tp_cones *cones);
 bool tp_cones_allow(tp_cones *cones, long capacity_count);
 void tp_cones_clear(tp_cones *cones);
 
@@ -85,6 +89,9 @@ bool tp_cones_is_shear(const tp_cones *cones, long column);
 long tp_cones_own(const tp_cones *cones, long point);
 arb_srcptr tp_cones_friction(const tp_cones *cones, long point);
 bool tp_cones_are_exact(const tp_cones *cones);
+
+/* Does it bear while it slips so: 1 along t, -1 against it, 0 not at all? */
+bool tp_cones_bears(const tp_cones *cones, long point, int slip);
 
 /* The middle of a point and the next, the ends of a facet. */
 void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits);

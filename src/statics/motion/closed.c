@@ -28,6 +28,7 @@ static bool add_edge(tp_closed *closed, long point, bool against) {
 /* Friction acts against the slip; without friction both edges are one. */
 static tp_motion_outcome add_contact(tp_closed *closed, const tp_normals *n, long point, int slip) {
   if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
+  if (!tp_cones_bears(n->cones, point, slip)) return TP_MOTION_PROVEN;
   const bool rough = !arb_is_zero(tp_cones_friction(n->cones, point));
   if (slip == 0) closed->sticks = true;
   bool done = true;
@@ -103,21 +104,29 @@ static tp_motion_outcome widen(moment_ends *ends, const tp_normals *n, long poin
   return TP_MOTION_PROVEN;
 }
 
+/* Those of a friction; those beside facets, which lie elsewhere, by themselves: which of both kinds
+ * has the largest moment may change with the strength of all. */
+static moment_ends *ends_of(moment_ends *ends, const tp_cones *cones, long point) {
+  const bool is_beside = point >= cones->count - cones->beside_count;
+  return ends + tp_cones_own(cones, point) + (is_beside ? cones->own_count + 1 : 0);
+}
+
 /* Of a family that slips, all forces of one friction have one direction: the two with the least and
- * the largest moment. `ends`: for each friction. */
+ * the largest moment. `ends`: for each friction, and for each beside facets. */
 static tp_motion_outcome add_ends(tp_closed *closed, const tp_normals *n,
                                   const tp_contact_family *family, int slip, moment_ends *ends) {
   const tp_normal *last = n->items + family->first + family->count - 1;
   const long frictions = n->cones->own_count + 1;
-  for (long own = 0; own < frictions; own++) ends[own].of[0] = -1;
+  const long kinds = n->cones->beside_count > 0 ? 2 * frictions : frictions;
+  for (long own = 0; own < kinds; own++) ends[own].of[0] = -1;
   for (long k = n->items[family->first].first; k < last->first + last->count; k++) {
     const long point = n->order[k];
-    if (n->same[point] != point) continue;
+    if (n->same[point] != point || !tp_cones_bears(n->cones, point, slip)) continue;
     const tp_motion_outcome done =
-        widen(ends + tp_cones_own(n->cones, point), n, point, slips_against(n, point, slip));
+        widen(ends_of(ends, n->cones, point), n, point, slips_against(n, point, slip));
     if (done != TP_MOTION_PROVEN) return done;
   }
-  for (long own = 0; own < frictions; own++) {
+  for (long own = 0; own < kinds; own++) {
     const long *of = ends[own].of;
     if (of[0] < 0) continue;
     const bool against = slips_against(n, of[0], slip);
@@ -133,7 +142,7 @@ static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
                                      const tp_contact_family *family, int slip) {
   moment_ends one;
   if (n->cones->own_count == 0) return add_ends(closed, n, family, slip, &one);
-  moment_ends *ends = calloc((size_t)n->cones->own_count + 1, sizeof *ends);
+  moment_ends *ends = calloc(2 * ((size_t)n->cones->own_count + 1), sizeof *ends);
   if (ends == NULL) return TP_MOTION_OUT_OF_MEMORY;
   const tp_motion_outcome done = add_ends(closed, n, family, slip, ends);
   free(ends);

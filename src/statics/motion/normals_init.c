@@ -28,6 +28,10 @@ static bool is_new_family(const tp_normals_order *order, long k) {
              tp_normal_entry_is_against(order->entries + k - 1);
 }
 
+static int sense_of(const tp_cones *cones, long point) {
+  return cones->senses == NULL ? 0 : cones->senses[point];
+}
+
 /* Of the entries before one on its line, with its site, the first with its friction; else its own
  * point. */
 static long first_alike(const tp_normals *n, const tp_normals_order *order, long k) {
@@ -36,7 +40,10 @@ static long first_alike(const tp_normals *n, const tp_normals_order *order, long
   for (long j = k - 1; j >= n->items[n->count - 1].first; j--) {
     const long other = tp_normal_entry_point(order->entries + j);
     if (points[other].site != points[own].site) break;
-    if (tp_cones_own(n->cones, other) == tp_cones_own(n->cones, own)) return n->same[other];
+    if (tp_cones_own(n->cones, other) == tp_cones_own(n->cones, own) &&
+        sense_of(n->cones, other) == sense_of(n->cones, own)) {
+      return n->same[other];
+    }
   }
   return own;
 }

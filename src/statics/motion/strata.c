@@ -86,13 +86,22 @@ static tp_motion_outcome sense_between(int *sense, const visiting *v, const tp_t
   return told ? TP_MOTION_PROVEN : TP_MOTION_OPEN;
 }
 
-/* The twists on a face about a point that would stick, strictly within it. */
+static bool is_cut(const visiting *v, const long *cuts, long count, long point) {
+  const long site = v->n->cones->points[point].site;
+  for (long k = 0; k < count; k++) {
+    if (v->twists->rays[cuts[k]].site == site) return true;
+  }
+  return false;
+}
+
+/* The twists on a face about a point that would stick, strictly within it; about one of several
+ * frictions once. */
 static tp_motion_outcome find_cuts(long *cuts, long *count, visiting *v,
                                    const tp_twist_face *face) {
   const tp_normal *own = v->n->items + face->normal;
   for (long k = own->first; k < own->first + own->count; k++) {
     const long point = v->n->order[k];
-    if (v->n->same[point] != point) continue;
+    if (v->n->same[point] != point || is_cut(v, cuts, *count, point)) continue;
     if (!v->bonded && arb_is_zero(tp_cones_friction(v->n->cones, point))) continue;
     const int from = tp_closed_slip(v->n, point, v->twists->rays + face->from);
     const int to = tp_closed_slip(v->n, point, v->twists->rays + face->to);

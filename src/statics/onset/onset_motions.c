@@ -98,11 +98,16 @@ static int is_closed(const tp_motions *m, const tp_motion_mode *mode, long point
   return mode->ray_count > 0;
 }
 
-static tp_contact_state state_of(const tp_motions *m, const tp_motion_mode *mode, long point) {
+static int slip_of(const tp_motions *m, const tp_motion_mode *mode, long point) {
   int slip = 0;
   for (int k = 0; k < mode->ray_count && slip == 0; k++) {
     slip = tp_closed_slip(&m->normals, point, m->twists.rays + mode->rays[k]);
   }
+  return slip;
+}
+
+static tp_contact_state state_of(const tp_motions *m, const tp_motion_mode *mode, long point) {
+  const int slip = slip_of(m, mode, point);
   return slip == 0  ? TP_CONTACT_STICKS
          : slip > 0 ? TP_CONTACT_SLIPS_UP_DIP
                     : TP_CONTACT_SLIPS_DOWN_DIP;
@@ -174,7 +179,9 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
   for (long k = 0; k < cones->count && done == TP_MOTION_PROVEN; k++) {
     const int closed = is_closed(t->motions, mode, k);
     if (closed == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
-    if (closed == 1) points[motion->contact_count++] = k;
+    if (closed != 1) continue;
+    const bool bears = tp_cones_bears(cones, k, slip_of(t->motions, mode, k));
+    if (bears) points[motion->contact_count++] = k;
   }
   if (done == TP_MOTION_PROVEN) {
     motion->contacts = calloc(motion->contact_count + 1, sizeof *motion->contacts);

@@ -100,9 +100,9 @@ bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direc
   tp_motion_question *q = &asked->question;
   tp_evaluation bare = *e; /* whole numbers, and friction alone */
   bare.loaded = NULL;
-  if (!tp_limit_cones_init(&asked->cones, &bare, towards, false)) return false;
+  if (!tp_limit_cones_init_beside(&asked->cones, &bare, towards)) return false;
   const bool strong = tp_onset_has_strength(e);
-  if (strong && !tp_limit_cones_init(&asked->strong, e, towards, false)) {
+  if (strong && !tp_limit_cones_init_beside(&asked->strong, e, towards)) {
     tp_cones_clear(&asked->cones);
     return false;
   }

@@ -6,7 +6,6 @@
 
 #include "problem/facet_friction.h"
 
-#include "common/notes.h"
 #include "number/ratio.h"
 #include "problem/effects.h"
 
@@ -20,6 +19,8 @@ void tp_facet_friction_clear(tp_facet_friction *f) {
   free(f->lasts);
   free(f->touching);
   free(f->entry_of);
+  free(f->beside);
+  free(f->besides);
   memset(f, 0, sizeof *f);
 }
 
@@ -146,11 +147,13 @@ static const fmpq *angle_of(const search *s, long entry) {
                    : s->scene->friction.facets[entry].angle_deg.value;
 }
 
-/* The other edge of the base at a point of a facet, which is a vertex of the base and no notch of
- * it. The facet's edge itself where there is none. -1 and the number of edges are the upright faces
- * at which the base ends. */
-static long edge_beyond(const search *s, const tp_facet *facet, long point) {
+/* A contact in a point bears on both edges as one: the other edge of the base at it, which is a
+ * vertex of the base and no notch of it. The facet's edge itself where there is none. -1 and the
+ * number of edges are the upright faces at which the base ends. */
+static long other_edge(const search *s, const tp_facet *facet) {
   const tp_lattice *l = s->lattice;
+  if (facet->q0 != facet->q1) return facet->base_edge;
+  const long point = facet->q0;
   const long ring = l->start[l->chain_count - 2]; /* tp_problem: the chain before the last */
   const long edge = facet->base_edge, last = s->base->edge_count;
   const bool begins = edge >= 0 && tp_lattice_same_point(l, point, ring + edge);
@@ -163,9 +166,10 @@ static long edge_beyond(const search *s, const tp_facet *facet, long point) {
   return notch ? edge : begins ? edge - 1 : edge + 1;
 }
 
-/* A contact in a point bears on both edges as one. */
-static long other_edge(const search *s, const tp_facet *facet) {
-  return facet->q0 == facet->q1 ? edge_beyond(s, facet, facet->q0) : facet->base_edge;
+long tp_facet_friction_index(const tp_facet_friction *f, const tp_scene *scene, long edge) {
+  const long entry = tp_facet_friction_entry(f, edge);
+  return index_of(f, entry < 0 ? scene->friction_angle_deg.value
+                               : scene->friction.facets[entry].angle_deg.value);
 }
 
 static void settle_facet(search *s, long k) {
@@ -199,56 +203,6 @@ static tp_status find(search *s) {
   return TP_OK;
 }
 
-static tp_status note_untouched(tp_notes *notes, const tp_facet_friction *f, const tp_scene *scene,
-                                tp_message *message) {
-  tp_status status = TP_OK;
-  for (long k = 0; k < f->entry_count && status == TP_OK; k++) {
-    if (f->touching[k] > 0) continue;
-    status = tp_notes_add(notes, message, TP_NOTE, scene->friction.facets[k].place,
-                          "the block touches none of these facets of the base; their friction is "
-                          "not used");
-  }
-  return status;
-}
-
-/* Does the block lie on the edge? Facets of one side of a facet in the list come before it. */
-static bool lies_on(const search *s, long near, long edge) {
-  const tp_contact *c = s->contact;
-  for (long k = near - 1; k <= near + 1; k++) {
-    if (k >= 0 && k < c->facet_count && c->facets[k].base_edge == edge) return true;
-  }
-  return false;
-}
-
-/* Where a facet on which the block lies ends at a vertex of the base, and the next one, on which it
- * does not lie, is smoother. */
-static tp_status warn_of_smoother(search *s, tp_notes *notes, long k, long point) {
-  const tp_facet *facet = s->contact->facets + k;
-  const long beyond = edge_beyond(s, facet, point), number = beyond - s->counted.first;
-  const long own = tp_facet_friction_entry(s->found, facet->base_edge);
-  const long next = tp_facet_friction_entry(s->found, beyond);
-  if (number < 0 || number >= s->counted.count || lies_on(s, k, beyond)) return TP_OK;
-  if (fmpq_cmp(angle_of(s, next), angle_of(s, own)) >= 0) return TP_OK;
-  return tp_notes_add(
-      notes, s->message, TP_CAUTION, s->scene->friction.facets[next >= 0 ? next : own].place,
-      "facet %ld of the base begins where the contact ends, and is smoother: a "
-      "slide brings the corner of the block onto it, and may begin at a lesser tilt "
-      "than is told here; give the facet on which the block lies its friction too, "
-      "or list both as 'blocks' that are ground",
-      number + 1);
-}
-
-static tp_status warn_of_ends(search *s, tp_notes *notes) {
-  tp_status status = TP_OK;
-  for (long k = 0; k < s->contact->facet_count && status == TP_OK; k++) {
-    const tp_facet *facet = s->contact->facets + k;
-    if (facet->q0 == facet->q1 || facet->rounding != NULL) continue;
-    status = warn_of_smoother(s, notes, k, facet->q0);
-    if (status == TP_OK) status = warn_of_smoother(s, notes, k, facet->q1);
-  }
-  return status;
-}
-
 tp_status tp_facet_friction_init(tp_facet_friction *f, const tp_scene *scene, const tp_base *base,
                                  const tp_lattice *lattice, const tp_contact *contact,
                                  tp_facets_counted counted, tp_solution *solution,
@@ -269,17 +223,17 @@ tp_status tp_facet_friction_init(tp_facet_friction *f, const tp_scene *scene, co
   f->lasts = calloc(entries, sizeof *f->lasts);
   f->touching = calloc(entries, sizeof *f->touching);
   f->of_facet = calloc((size_t)contact->facet_count + 1, sizeof *f->of_facet);
+  f->beside = calloc(entries, sizeof *f->beside);
   f->counted = counted;
   f->entry_of = calloc((size_t)counted.count + 1, sizeof *f->entry_of);
   const bool room = f->angles != NULL && f->firsts != NULL && f->lasts != NULL &&
-                    f->touching != NULL && f->of_facet != NULL && f->entry_of != NULL;
+                    f->touching != NULL && f->of_facet != NULL && f->beside != NULL &&
+                    f->entry_of != NULL;
   if (!room) {
     tp_facet_friction_clear(f);
     return tp_fail_memory(message, "the friction of facets");
   }
   tp_status status = find(&s);
-  if (status == TP_OK) status = note_untouched(&solution->notes, f, scene, message);
-  if (status == TP_OK) status = warn_of_ends(&s, &solution->notes);
   status = tp_effects_entered(
       status, message,
       tp_effects_note(solution, "facets", scene->friction.facets[0].place, "", began));

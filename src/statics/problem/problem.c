@@ -13,6 +13,7 @@
 #include "problem/admissible.h"
 #include "problem/contact_width.h"
 #include "problem/effects.h"
+#include "problem/facet_besides.h"
 #include "problem/water_site.h"
 #include "scene/check.h"
 #include "scene/partial_factors.h"
@@ -322,6 +323,10 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_facet_friction_init(&problem->friction, scene, &problem->base, &problem->lattice,
                                     &problem->contact, counted_facets(problem), solution, message);
+    if (status == TP_OK) {
+      status = tp_facet_besides_find(&problem->friction, scene, &problem->base, &problem->lattice,
+                                     &problem->contact, &solution->notes, message);
+    }
   }
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);

@@ -279,29 +279,56 @@ static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
   return true;
 }
 
-/* The facets of the contact, less those that a base that ends at the toe has not, and what one that
- * goes on adds. */
+/* x mirrored towards the right, t is turned round as well. */
+static void add_besides(filling *f) {
+  const tp_problem *problem = f->e->problem;
+  const tp_facet_friction *own = &problem->friction;
+  const int along = f->towards == TP_TOWARDS_LEFT ? 1 : -1;
+  for (long k = 0; k < own->beside_count; k++) {
+    const tp_facet_beside *beside = own->besides + k;
+    const tp_facet *facet = problem->contact.facets + beside->facet;
+    const tp_outline_point at = beside->at_end ? tp_facet_end(facet) : tp_facet_begin(facet);
+    const long point = add_point(f, at, contact_point_of(f, at), -1);
+    set_direction(f, point, facet);
+    f->cones->owns[point] = (int32_t)beside->friction;
+    f->cones->senses[point] = (signed char)(beside->goes_on ? 0 : beside->at_end ? along : -along);
+  }
+}
+
+/* What is put in behind the facets of the contact. */
+typedef struct behind {
+  const tp_limit_beyond *beyond; /* what a base that goes on adds, or NULL */
+  bool besides;
+} behind;
+
+/* The facets of the contact, less those that a base that ends at the toe has not. */
 static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, bool ends,
-                 const tp_limit_beyond *beyond) {
+                 behind more) {
   const tp_problem *problem = e->problem;
   const tp_contact *contact = &problem->contact;
+  const long besides = more.besides ? problem->friction.beside_count : 0;
   tp_outline_point at[2];
-  long count = beyond != NULL ? count_beyond(beyond) : 0;
+  long count = besides + (more.beyond != NULL ? count_beyond(more.beyond) : 0);
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
     if (!(ends && lies_beyond(problem, f, towards))) count += tp_facet_contacts(at, f);
   }
   if (!tp_cones_init(cones, count)) return false;
-  if (!tp_friction_take_own(cones, e)) {
+  if (!tp_friction_take_own(cones, e) || (besides > 0 && !tp_cones_take_senses(cones))) {
     tp_cones_clear(cones);
     return false;
   }
+  cones->beside_count = besides;
   filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
     if (!(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
   }
-  if (beyond != NULL) add_beyond(&f, beyond);
+  if (more.beyond != NULL) add_beyond(&f, more.beyond);
+  if (besides > 0) {
+    f.cursor = 0;
+    add_besides(&f);
+  }
   const bool done = add_strength(cones, e);
   if (!done) tp_cones_clear(cones);
   return done;
@@ -310,12 +337,16 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
 bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
                          bool otherwise) {
   const bool goes_on = tp_limit_base_beyond_toe(e->problem, towards);
-  if (!otherwise || goes_on) return fill(cones, e, towards, otherwise, NULL);
+  if (!otherwise || goes_on) return fill(cones, e, towards, otherwise, (behind){NULL, false});
   tp_limit_beyond beyond;
   if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
-  const bool done = fill(cones, e, towards, false, &beyond);
+  const bool done = fill(cones, e, towards, false, (behind){&beyond, false});
   tp_limit_beyond_clear(&beyond);
   return done;
+}
+
+bool tp_limit_cones_init_beside(tp_cones *cones, const tp_evaluation *e, tp_direction towards) {
+  return fill(cones, e, towards, false, (behind){NULL, true});
 }
 
 static void copy_point(tp_cones *cones, long to, const tp_cones *from, long point) {

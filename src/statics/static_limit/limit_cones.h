@@ -23,6 +23,11 @@ TP_MUST_USE bool tp_limit_base_matters(bool *matters, const tp_problem *problem,
 TP_MUST_USE bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *evaluation,
                                      tp_direction towards, bool otherwise);
 
+/* As the onset asks: with the contact that the scene has, and behind its points those with the
+ * friction of facets beside (problem/facet_friction.h), which are of no facet. */
+TP_MUST_USE bool tp_limit_cones_init_beside(tp_cones *cones, const tp_evaluation *evaluation,
+                                            tp_direction towards);
+
 /* Of a base that ends at the toe, two of its points and behind them what it would have more if it
  * went on. False when memory is exhausted. */
 TP_MUST_USE bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *evaluation,
