@@ -274,12 +274,56 @@ START_TEST(doubles_against_exact) {
 }
 END_TEST
 
+/* Of many columns the simplex method looks at a share of them at a step. A program of few columns,
+ * each of them at one place among thousands and its multiples at more, has the same answer,
+ * wherever the columns that the answer rests on lie. */
+START_TEST(many_columns_as_few) {
+  enum { MANY = 5000 };
+  static double columns[MANY][3];
+  state = random_numbers_from(43);
+  int seen[3] = {0};
+  for (int round = 0; round < 400; round++) {
+    program p;
+    tp_geom_maximum maximum = {.basis_count = 0};
+    fmpq_t value;
+    fmpq_init(value);
+    program_init(&p, 1 + draw_below(&state, MOST), false);
+    const tp_geom_outcome outcome = solve_exactly(value, &maximum, &p);
+    const long rare = draw_below(&state, p.count), place = draw_below(&state, MANY);
+    for (long k = 0; k < MANY; k++) { /* one of them at a single place */
+      const long often = p.count > 1 ? (rare + 1 + draw_below(&state, p.count - 1)) % p.count : 0;
+      const double factor = (double)(1 + draw_below(&state, 2));
+      for (int row = 0; row < 3; row++) columns[k][row] = factor * p.columns[often][row];
+    }
+    memcpy(columns[place], p.columns[rare], sizeof columns[place]);
+    tp_simplex_program given = {.count = MANY, .columns = (const double(*)[3])columns};
+    memcpy(given.direction, p.direction, sizeof given.direction);
+    memcpy(given.target, p.target, sizeof given.target);
+    const tp_simplex_answer answer = tp_simplex_solve(&given, NULL);
+    const tp_simplex_outcome expected = outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
+                                        : outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
+                                                                       : TP_SIMPLEX_INFEASIBLE;
+    ck_assert_msg(answer.outcome == expected, "round %d: %d, not %d", round, answer.outcome,
+                  expected);
+    if (outcome == TP_GEOM_OPTIMAL) {
+      const double truth = fmpq_get_d(value);
+      ck_assert_double_le(fabs(answer.t - truth), 1e-10 * (1 + fabs(truth))); /* as above */
+    }
+    seen[outcome]++;
+    program_clear(&p);
+    fmpq_clear(value);
+  }
+  for (int k = 0; k < 3; k++) ck_assert_int_gt(seen[k], 20);
+}
+END_TEST
+
 SUITE(program) {
   Suite *suite = suite_create("program");
   TCase *cases = tcase_create("program");
   tcase_set_timeout(cases, 120);
   tcase_add_test(cases, exact_against_all_bases);
   tcase_add_test(cases, doubles_against_exact);
+  tcase_add_test(cases, many_columns_as_few);
   suite_add_tcase(suite, cases);
   return suite;
 }

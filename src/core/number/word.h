@@ -78,6 +78,16 @@ static inline void tp_word_set(fmpz *number, int64_t word) {
 #endif
 }
 
+/* The greatest common divisor, of small numbers: a few steps, without a call. */
+static inline int64_t tp_word_gcd(int64_t a, int64_t b) {
+  while (b != 0) {
+    const int64_t rest = a % b;
+    a = b;
+    b = rest;
+  }
+  return a < 0 ? -a : a;
+}
+
 /* The top 64 bits of a mantissa of one limb or more, the first of which is set; what else there is
  * lies in limbs beyond TP_WORD_LIMBS. */
 static inline uint64_t tp_word_top(mp_srcptr limbs, mp_size_t count) {
@@ -86,6 +96,24 @@ static inline uint64_t tp_word_top(mp_srcptr limbs, mp_size_t count) {
 #else
   return (uint64_t)limbs[count - 1] << 32 | (count > 1 ? limbs[count - 2] : 0);
 #endif
+}
+
+/* As fmpq_cmp, by products of two words where all numbers are small. */
+static inline int tp_word_order(const fmpq *a, const fmpq *b) {
+  int64_t p, q, r, s;
+  if (!tp_word_small(&p, fmpq_numref(a)) || !tp_word_small(&q, fmpq_denref(a)) ||
+      !tp_word_small(&r, fmpq_numref(b)) || !tp_word_small(&s, fmpq_denref(b))) {
+    return fmpq_cmp(a, b);
+  }
+  const __int128 one = (__int128)p * s, other = (__int128)r * q;
+  return (one > other) - (one < other);
+}
+
+/* Of two whole numbers. */
+static inline bool tp_word_equal(const fmpz *a, const fmpz *b) {
+  int64_t one, other;
+  const bool known = tp_word_small(&one, a), other_known = tp_word_small(&other, b);
+  return known && other_known ? one == other : fmpz_equal(a, b) != 0;
 }
 
 /* to - from, off by 3 u of its size at most, of fractions whose parts have 31 bits, as decimals of

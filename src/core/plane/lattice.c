@@ -259,6 +259,6 @@ int tp_lattice_dot(const tp_lattice *lattice, long a, long b, long c, long d) {
 }
 
 bool tp_lattice_same_point(const tp_lattice *lattice, long a, long b) {
-  return a == b ||
-         (fmpz_equal(lattice->x + a, lattice->x + b) && fmpz_equal(lattice->y + a, lattice->y + b));
+  return a == b || (tp_word_equal(lattice->x + a, lattice->x + b) &&
+                    tp_word_equal(lattice->y + a, lattice->y + b));
 }

@@ -6,6 +6,8 @@
 
 #include "plane/polyline.h"
 
+#include "number/word.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -110,22 +112,12 @@ tp_polyline tp_polyline_share(const tp_polyline *line) {
   return *line;
 }
 
-/* As fmpq_cmp, by products of two words where all numbers are of one word. */
-static int compare(const fmpq *a, const fmpq *b) {
-  if (COEFF_IS_MPZ(a->num) || COEFF_IS_MPZ(a->den) || COEFF_IS_MPZ(b->num) ||
-      COEFF_IS_MPZ(b->den)) {
-    return fmpq_cmp(a, b);
-  }
-  const __int128 one = (__int128)a->num * b->den, other = (__int128)b->num * a->den;
-  return (one > other) - (one < other);
-}
-
 static void spread(fmpq_t size, const fmpq *values, long count) {
   long least = 0, most = 0;
   fmpq_zero(size);
   for (long k = 0; k < count; k++) {
-    if (compare(values + k, values + least) < 0) least = k;
-    if (compare(values + k, values + most) > 0) most = k;
+    if (tp_word_order(values + k, values + least) < 0) least = k;
+    if (tp_word_order(values + k, values + most) > 0) most = k;
   }
   if (count > 0) fmpq_sub(size, values + most, values + least);
 }
@@ -169,8 +161,8 @@ tp_place tp_polyline_place(const tp_polyline *line, long index) {
 long tp_polyline_leftmost(const tp_polyline *line) {
   long best = 0;
   for (long k = 1; k < line->count; k++) {
-    const int side = fmpq_cmp(line->x + k, line->x + best);
-    if (side < 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
+    const int side = tp_word_order(line->x + k, line->x + best);
+    if (side < 0 || (side == 0 && tp_word_order(line->y + k, line->y + best) < 0)) best = k;
   }
   return best;
 }

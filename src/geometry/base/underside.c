@@ -6,12 +6,14 @@
 
 #include "base/underside.h"
 
+#include "number/word.h"
+
 /* The rightmost vertex, the lowest of them. */
 static long rightmost(const tp_polyline *line) {
   long best = 0;
   for (long k = 1; k < line->count; k++) {
-    const int side = fmpq_cmp(line->x + k, line->x + best);
-    if (side > 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
+    const int side = tp_word_order(line->x + k, line->x + best);
+    if (side > 0 || (side == 0 && tp_word_order(line->y + k, line->y + best) < 0)) best = k;
   }
   return best;
 }
@@ -38,11 +40,11 @@ static long support(const tp_polyline *line, long first, long last, bool right) 
       fmpq_add(own, line->x + k, line->y + k);
       fmpq_neg(own, own);
     }
-    const int side = seen == 0 ? 1 : fmpq_cmp(own, most);
+    const int side = seen == 0 ? 1 : tp_word_order(own, most);
     if (side >= 0) { /* of those alike, the one furthest out: on a line at 45 degrees, the later */
-      const int out = side > 0 ? 1 : fmpq_cmp(line->x + k, line->x + best);
+      const int out = side > 0 ? 1 : tp_word_order(line->x + k, line->x + best);
       if (side > 0 || (right ? out > 0 : out < 0)) best = k;
-      fmpq_set(most, own);
+      if (side > 0) fmpq_swap(most, own);
     }
     if (k == end) break;
     k = right ? next_vertex(line, k) : vertex_before(line, k);
@@ -57,8 +59,8 @@ static long lowest(const tp_polyline *line, long first, long last, bool right) {
   long best = first;
   for (long k = first; k != last;) {
     k = next_vertex(line, k);
-    const int side = fmpq_cmp(line->y + k, line->y + best);
-    const int out = side == 0 ? fmpq_cmp(line->x + k, line->x + best) : 0;
+    const int side = tp_word_order(line->y + k, line->y + best);
+    const int out = side == 0 ? tp_word_order(line->x + k, line->x + best) : 0;
     if (side < 0 || (right ? out > 0 : out < 0)) best = k;
   }
   return best;
@@ -68,9 +70,9 @@ static long lowest(const tp_polyline *line, long first, long last, bool right) {
  * upright end face would cut it; NULL where it does not. */
 static const fmpq *blocks(const tp_polyline *line, long from, long to, long under, bool right) {
   const fmpq *x = line->x + under, *x0 = line->x + from, *x1 = line->x + to;
-  const bool upwards = fmpq_cmp(x0, x1) < 0;
+  const bool upwards = tp_word_order(x0, x1) < 0;
   const fmpq *low = upwards ? x0 : x1, *high = upwards ? x1 : x0;
-  if (fmpq_cmp(low, x) > 0 || fmpq_cmp(high, x) < 0 || fmpq_equal(low, high)) return NULL;
+  if (tp_word_order(low, x) > 0 || tp_word_order(high, x) < 0 || fmpq_equal(low, high)) return NULL;
   const int side = tp_polyline_turn(line, from, to, under);
   if (upwards ? side <= 0 : side >= 0) return NULL;
   return right ? low : high;
@@ -85,7 +87,7 @@ static long outwards(const tp_polyline *line, long k, bool right) {
 static long corner_before(const tp_polyline *line, long k, long from, const fmpq *reach,
                           bool right) {
   while (k != from) {
-    const int out = fmpq_cmp(line->x + k, reach);
+    const int out = tp_word_order(line->x + k, reach);
     const bool clear = right ? out < 0 : out > 0;
     if (clear && tp_polyline_turn(line, vertex_before(line, k), k, next_vertex(line, k)) != 0)
       break;
@@ -101,7 +103,7 @@ static long corner_before(const tp_polyline *line, long k, long from, const fmpq
 static long before_overhang(const tp_polyline *line, long from, long end, bool right) {
   long k = from;
   while (k != end) {
-    const int side = fmpq_cmp(line->x + outwards(line, k, right), line->x + k);
+    const int side = tp_word_order(line->x + outwards(line, k, right), line->x + k);
     if (right ? side < 0 : side > 0) break;
     k = outwards(line, k, right);
   }
@@ -144,9 +146,9 @@ tp_status tp_underside_fail(const char *none, const tp_scene *scene, tp_message 
 }
 
 static bool allowed(const tp_base_description *base, const tp_polyline *line, long k) {
-  return !((base->below.given && fmpq_cmp(line->y + k, base->below.value) > 0) ||
-           (base->left_of.given && fmpq_cmp(line->x + k, base->left_of.value) > 0) ||
-           (base->right_of.given && fmpq_cmp(line->x + k, base->right_of.value) < 0));
+  return !((base->below.given && tp_word_order(line->y + k, base->below.value) > 0) ||
+           (base->left_of.given && tp_word_order(line->x + k, base->left_of.value) > 0) ||
+           (base->right_of.given && tp_word_order(line->x + k, base->right_of.value) < 0));
 }
 
 /* The stretch of the underside about its lowest vertex that the scene's limits allow; on a side
@@ -161,7 +163,8 @@ static tp_status limit(tp_underside *u, const tp_base_description *base, const t
   if (right) u->last = whole.last;
   long from = -1;
   for (long k = u->first;; k = next_vertex(line, k)) {
-    if (allowed(base, line, k) && (from < 0 || fmpq_cmp(line->y + k, line->y + from) < 0)) from = k;
+    if (allowed(base, line, k) && (from < 0 || tp_word_order(line->y + k, line->y + from) < 0))
+      from = k;
     if (k == u->last) break;
   }
   long first = from, last = from;
@@ -206,7 +209,7 @@ static tp_status find_named(tp_underside *u, const tp_polyline *line, const tp_p
     status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(between, 1),
                        "the contact begins and ends in the same vertex");
   }
-  if (status == TP_OK && fmpq_cmp(line->x + u->first, line->x + u->last) > 0) {
+  if (status == TP_OK && tp_word_order(line->x + u->first, line->x + u->last) > 0) {
     status = tp_refuse(message, TP_FAULT_GEOMETRY, tp_polyline_place(between, 0),
                        "'between' names the left end of the contact first");
   }

@@ -7,6 +7,7 @@
 #include "block/tangents.h"
 
 #include "number/surd.h"
+#include "number/word.h"
 
 /* The tangent point as v + (own |e| + other |f|) e, e its edge and f the corner's other one. */
 typedef struct tangent {
@@ -76,8 +77,8 @@ static void add_share(tp_surd *sum, const tangent *t, const fmpz_t factor) {
 bool tp_outline_point_is_same(const tp_lattice *l, tp_outline_point a, tp_outline_point b) {
   if (a.cut != b.cut) return false;
   if (a.cut != NULL) return a.after == b.after;
-  return a.point == b.point ||
-         (fmpz_equal(l->x + a.point, l->x + b.point) && fmpz_equal(l->y + a.point, l->y + b.point));
+  return a.point == b.point || (tp_word_equal(l->x + a.point, l->x + b.point) &&
+                                tp_word_equal(l->y + a.point, l->y + b.point));
 }
 
 /* sum += sign (p . t): of the lattice point or the vertex as a whole number, of a tangent point

@@ -57,6 +57,7 @@ typedef struct doubles {
   long own;
   double x, y, friction;
   double log2_friction;
+  double length; /* 2^-length_exponent */
 } doubles;
 
 /* Log2 of tan(phi). */
@@ -180,15 +181,15 @@ static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point,
   if (!d->friction_known) return false;
   if (!tp_word_is_small(x) || llabs(tp_word_get(x)) > most) return false;
   if (!tp_word_is_small(y) || llabs(tp_word_get(y)) > most) return false;
-  const double unit = ldexp(1, (int)-edge_exponent(cones, point, d->log2_friction));
-  const double length = ldexp(1, (int)-s->length_exponent);
+  const long exponent = -edge_exponent(cones, point, d->log2_friction);
+  const double unit = exponent > -1000 ? tp_two_to(exponent) : ldexp(1, (int)exponent);
   const double tx = (double)tp_word_get(x) * unit, ty = (double)tp_word_get(y) * unit;
   for (int against = 0; against < 2; against++) {
     const double friction = against ? -d->friction : d->friction;
     double *own = s->columns[2 * point + against];
     own[0] = friction * tx - ty;
     own[1] = friction * ty + tx;
-    own[2] = dx * length * own[1] - dy * length * own[0];
+    own[2] = dx * d->length * own[1] - dy * d->length * own[0];
     for (int row = 0; row < 3; row++) s->largest[row] = tp_larger(s->largest[row], fabs(own[row]));
     if (s->most != NULL) s->most[2 * point + against] = INFINITY;
   }
@@ -230,6 +231,7 @@ bool tp_scaled_init(tp_scaled *scaled, const tp_cones *cones, const tp_vector *s
   scaled->force_exponent = exponent_of(force);
   doubles d = doubles_of(scaled, cones);
   scaled->length_exponent = length_exponent(scaled, cones, &d, tp_mag_log2_above(moment) - force);
+  d.length = ldexp(1, (int)-scaled->length_exponent);
   mag_clear(moment);
   for (long point = 0; point < cones->count; point++) {
     if (set_edges_in_double(scaled, cones, point, &d)) continue;

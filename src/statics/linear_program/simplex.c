@@ -17,6 +17,10 @@
  * proven or refuted afterwards (certificate/). */
 enum { ARTIFICIAL = TP_SIMPLEX_NONE, MOST_STEPS = 1000 };
 
+/* Columns lie in the order of the contact, and those that enter one after the other mostly near one
+ * end of it: of many, most steps look at the share of them where the last one was. */
+enum { MANY_COLUMNS = 4096, SHARES_OF_MANY = 64 };
+
 typedef struct tableau {
   const tp_simplex_program *program;
   bool *at_most;
@@ -27,7 +31,8 @@ typedef struct tableau {
   long basis[3];        /* ARTIFICIAL - r: the artificial variable of row r */
   double inverse[3][3]; /* of the basis matrix */
   double values[3];
-  double size; /* of what the values are sums of */
+  double size;             /* of what the values are sums of */
+  long share_count, share; /* of columns without bound: find_column */
 } tableau;
 
 static bool is_artificial(long variable) {
@@ -58,22 +63,41 @@ static bool in_basis(const tableau *s, long variable) {
   return s->basis[0] == variable || s->basis[1] == variable || s->basis[2] == variable;
 }
 
-/* Of columns without bound the one of the largest gain above `best`. */
-static long find_column(const tableau *s, const double y[3], double best) {
+/* Of a share of the columns, none of them bounded, the one of the largest gain above `best`, which
+ * is raised to it. */
+static long find_in_share(const tableau *s, const double y[3], long share, double *best) {
   const tp_simplex_program *p = s->program;
+  const long from = p->count * share / s->share_count;
+  const long before = p->count * (share + 1) / s->share_count;
   long entering = ARTIFICIAL;
-  for (long k = 0; k < p->count; k++) {
+  for (long k = from; k < before; k++) {
     const double gain = tp_double_dot(y, p->columns[k]);
-    if (gain <= best || in_basis(s, k)) continue;
-    best = gain;
+    if (gain <= *best || in_basis(s, k)) continue;
+    *best = gain;
     entering = k;
+  }
+  return entering;
+}
+
+/* Of columns without bound the one of the largest gain above `least`: of the share that the last
+ * one came from, or where that has none, of all. */
+static long find_column(tableau *s, const double y[3], double least) {
+  double best = least;
+  long entering = find_in_share(s, y, s->share, &best);
+  if (entering != ARTIFICIAL) return entering;
+  const long known = s->share;
+  for (long share = 0; share < s->share_count; share++) {
+    const long own = share != known ? find_in_share(s, y, share, &best) : ARTIFICIAL;
+    if (own == ARTIFICIAL) continue;
+    entering = own;
+    s->share = share;
   }
   return entering;
 }
 
 /* The variable that lowers the cost most as it moves off its bound, and the way it moves. Costs
  * below rounding, relative to columns and prices of size one, count as nothing. */
-static long find_entering(const tableau *s, const double y[3], double *way) {
+static long find_entering(tableau *s, const double y[3], double *way) {
   static const double rounding = 1e-13;
   const tp_simplex_program *p = s->program;
   const double size = fabs(y[0]) + fabs(y[1]) + fabs(y[2]);
@@ -87,6 +111,7 @@ static long find_entering(const tableau *s, const double y[3], double *way) {
       *way = reduced < 0 ? 1 : -1;
     }
   }
+  if (size == 0) return entering; /* no artificial variable is left: nothing gains */
   if (s->at_most == NULL) {
     if (entering == TP_SIMPLEX_T) return entering;
     *way = 1;
@@ -252,6 +277,7 @@ tp_simplex_answer tp_simplex_solve(const tp_simplex_program *program, bool *at_m
   tableau s = {.program = program,
                .at_most = program->most != NULL ? at_most : NULL,
                .first_phase = true,
+               .share_count = program->count < MANY_COLUMNS ? 1 : SHARES_OF_MANY,
                .has_t = tp_double_dot(program->direction, program->direction) > 0};
   tp_simplex_answer answer = {.outcome = TP_SIMPLEX_STUCK};
   begin(&s);

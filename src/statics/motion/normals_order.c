@@ -8,6 +8,8 @@
 #include "motion/normals_order.h"
 
 #include "number/ball.h"
+#include "number/binary.h"
+#include "number/word.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,6 +67,13 @@ static bool is_short(const fmpz *number) {
 }
 
 void tp_normals_order_direction(fmpz *tx, fmpz *ty, const tp_cones *cones, long point) {
+  int64_t x, y;
+  if (tp_word_small(&x, cones->tx + point) && tp_word_small(&y, cones->ty + point)) {
+    const int64_t divisor = tp_word_gcd(x, y);
+    tp_word_set(tx, x / divisor);
+    tp_word_set(ty, y / divisor);
+    return;
+  }
   fmpz_t common;
   fmpz_init(common);
   fmpz_gcd(common, cones->tx + point, cones->ty + point);
@@ -82,8 +91,8 @@ typedef struct points {
 static void points_init(points *p, const tp_cones *cones) {
   *p = (points){cones, _fmpz_vec_init(cones->count), _fmpz_vec_init(cones->count)};
   for (long k = 0; k < cones->count; k++) {
-    if (k > 0 && fmpz_equal(cones->tx + k, cones->tx + k - 1) &&
-        fmpz_equal(cones->ty + k, cones->ty + k - 1)) { /* both ends of a facet */
+    if (k > 0 && tp_word_equal(cones->tx + k, cones->tx + k - 1) &&
+        tp_word_equal(cones->ty + k, cones->ty + k - 1)) { /* both ends of a facet */
       fmpz_set(p->tx + k, p->tx + k - 1);
       fmpz_set(p->ty + k, p->ty + k - 1);
     } else {
@@ -223,7 +232,7 @@ int tp_normals_order_same_line(const tp_normals_order *order, long k, long other
 static void set_near(double near[3], const int64_t h[3]) {
   uint64_t all = 0;
   for (int k = 0; k < 3; k++) all |= (uint64_t)llabs(h[k]);
-  const double unit = ldexp(1, all == 0 ? 0 : __builtin_clzll(all) - 64);
+  const double unit = tp_two_to(all == 0 ? 0 : __builtin_clzll(all) - 64);
   for (int k = 0; k < 3; k++) near[k] = (double)h[k] * unit;
 }
 
