@@ -125,7 +125,7 @@ class Languages(PanelCase):
                 with self.subTest(language, step=step):
                     self.assertEqual(self.english(), [])
                 self.value("[...document.querySelectorAll('.tour .steps > button')][1].click()")
-            self.value("[...document.querySelectorAll('.tour .steps > button')][2].click()")
+            self.click("#tour-begin button:not([hidden])")
             self.example("slab_left")
             self.awaits("!document.getElementById('play').disabled")
             self.click("#play")

@@ -104,7 +104,7 @@ export class Drawing extends EventTarget {
   /** Which of the cases is drawn, where the scene tilts both ways. @param {number} index */
   showCase(index) {
     this.caseIndex = index;
-    this.draw();
+    this.#later(); // where the badge, beside which it is fitted, has the words of this answer
     this.dispatchEvent(new Event("case"));
   }
 

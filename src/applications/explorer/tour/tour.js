@@ -35,9 +35,10 @@ export class Tour {
     this.found = element("p", { class: "found", role: "status", "aria-live": "polite", hidden: true });
     this.shown = element(
       "div", { hidden: true },
-      element("p", { class: "steps" }, this.steps, this.back, this.next, this.end), this.heading, this.said, this.found,
+      element("p", { class: "steps" }, this.steps, this.back, this.next), this.heading, this.said, this.found,
     );
-    beginPlace.append(this.begin);
+    this.end.hidden = true;
+    beginPlace.append(this.begin, this.end);
     place.append(this.shown);
     store.addEventListener("solution", () => this.#find());
     store.addEventListener("problem", () => (this.found.hidden = true));
@@ -48,6 +49,7 @@ export class Tour {
     const step = STEPS[at];
     this.#at = at;
     this.begin.hidden = true;
+    this.end.hidden = false;
     this.shown.hidden = false;
     document.body.classList.add("touring");
     this.back.disabled = at === 0;
@@ -75,6 +77,7 @@ export class Tour {
     this.shown.hidden = true;
     document.body.classList.remove("touring");
     this.begin.hidden = false;
+    this.end.hidden = true;
     this.begin.focus();
   }
 
