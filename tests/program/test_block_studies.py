@@ -18,6 +18,7 @@ COLUMNS = "columns: {width: 2, step: 0.2, rise: 1, fall: 1, below_crest: 3, abov
 ROW = ("topple: 1\nlength_unit: m\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 36\nrequired_fos: 1\n"
        "block: {unit_weight_kn_m3: 25}\n" + COLUMNS + "joints: [{between: [column 1, column 2], friction_angle_deg: 20}]\n"
        "loads: {seismic: {horizontal: 0.02}}\n")
+ROW_ALONE = ROW.replace("required_fos: 1\n", "")  # no factor is required: motions with less strength are not looked for
 SLAB = ("topple: 1\nlength_unit: m\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 35\nrequired_fos: 1.2\n"
         "block: {unit_weight_kn_m3: 25}\nblocks:\n"
         "  - {name: ground, ground: true, outline: [[-20, -1], [20, -1], [20, 0], [-20, 0]]}\n"
@@ -82,7 +83,7 @@ class BlockStudies(StudyCase):
         self.assertEqual(summary["below_required"]["samples"], below)
         # where no factor is required, motions with less strength are not looked for, which changes no row
         rows = [{key: own for key, own in row.items() if key != "meets_required"} for row in self.rows()]
-        (self.folder / "row.yaml").write_text(ROW.replace("required_fos: 1\n", ""))
+        (self.folder / "row.yaml").write_text(ROW_ALONE)
         self.summary("study.yaml", "--rows", "rows.csv", "--restart")
         self.assertEqual(self.rows(), rows)
 
@@ -94,7 +95,7 @@ class BlockStudies(StudyCase):
     def test_what_does_not_matter(self):
         """By their unit weight columns have the same limits and factors, but for digits beyond those that are certain: it orders
         none of them."""
-        (self.folder / "row.yaml").write_text(ROW.replace("loads: {seismic: {horizontal: 0.02}}\n", ""))
+        (self.folder / "row.yaml").write_text(ROW_ALONE.replace("loads: {seismic: {horizontal: 0.02}}\n", ""))
         summary = self.summary(self.of_row("samples: 20\nvary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n"))
         self.assertEqual(summary["variables"][0]["rank_correlations"], [])
 
@@ -168,6 +169,7 @@ class BlockStudies(StudyCase):
 
     def test_same_bytes(self):
         """By threads, by shards, and where a study goes on, all of it is read back."""
+        (self.folder / "row.yaml").write_text(ROW_ALONE)
         name = self.of_row(VARY.replace("samples: 12", "samples: 6"))
         whole = self.summary(name, "--rows", "one.csv", "--threads", "1"), (self.folder / "one.csv").read_bytes()
         self.assertEqual((self.summary(name, "--rows", "three.csv", "--threads", "3"), (self.folder / "three.csv").read_bytes()), whole)
