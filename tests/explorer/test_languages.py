@@ -20,8 +20,8 @@ from bundling import phrases  # noqa: E402
 
 # Words that no Spanish and no German has; "at" and "is" are parts of none
 ENGLISH = re.compile(r"\b(?:the|and|of|at|is|it|towards|to|with|from)\b")
-# What the page says by itself: not what the scene or the program says, nor names of examples
-OWN_TEXT = """[...document.querySelectorAll('body *')].filter(e => !e.closest('pre, option, #panel-about td, .cm-editor, script, #scene-title, .note, .bubble, td:nth-child(3)'))
+# What the page says by itself and titles of examples: not what else the scene or the program says
+OWN_TEXT = """[...document.querySelectorAll('body *')].filter(e => !e.closest('pre, option, #panel-about td, .cm-editor, script, .note, .bubble, td:nth-child(3)'))
   .flatMap(e => [...[...e.childNodes].filter(n => n.nodeType === 3).map(n => n.data), e.getAttribute('aria-label') ?? '']).filter(t => t.trim())"""
 
 

@@ -14,7 +14,7 @@ from page_case import ROOT, main
 EXPLORER = ROOT / "src" / "applications" / "explorer"
 sys.path.insert(0, str(EXPLORER))
 
-from bundling import phrases  # noqa: E402
+from bundling import examples, phrases  # noqa: E402
 
 PAGE = EXPLORER / "page" / "index.html"
 SAID = re.compile(r'\b(?:say|parts|word)\(\s*"((?:[^"\\]|\\.)*)"')
@@ -109,6 +109,11 @@ class Tables(unittest.TestCase):
                   and ends.sub("", row).removesuffix(" of the") not in everything]
         self.assertEqual(unused, [])
 
+    def test_every_title_has_its_translations(self):
+        """Of the examples, in one table, and none of an example that is gone."""
+        own, titles = ([row["en"] for row in phrases.table(path)] for path in (phrases.OWN, phrases.TITLES))
+        self.assertEqual(set(titles), {each["title"] for each in examples.examples()} - set(own))
+
     def test_no_text_without_a_phrase(self):
         """A text that stands anywhere in a module, also in an error or as a part of a longer one, is a phrase or an exception; and each
         exception is still there."""
@@ -131,7 +136,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(NAMED.findall('{ class: "tour", "aria-label": "Guided tour" }'), ["Guided tour"])
 
     def test_translations_take_what_the_phrase_takes(self):
-        for row in phrases.table(phrases.OWN) + phrases.table(phrases.REFUSALS):
+        for row in phrases.table(phrases.OWN) + phrases.table(phrases.TITLES) + phrases.table(phrases.REFUSALS):
             for code in ("es", "de"):
                 with self.subTest(row["en"], code=code):
                     self.assertTrue(row[code])
@@ -139,7 +144,7 @@ class Tables(unittest.TestCase):
 
     def test_each_row_once(self):
         """A second row of one phrase would silently replace the first."""
-        for path in (phrases.OWN, phrases.REFUSALS):
+        for path in (phrases.OWN, phrases.TITLES, phrases.REFUSALS):
             rows = [row["en"] for row in phrases.table(path)]
             self.assertEqual([row for row in set(rows) if rows.count(row) > 1], [])
 

@@ -11,7 +11,7 @@ const LATE_MS = 250;
 export function sceneWords(element, store) {
   let timer = null;
   const words = () => {
-    element("scene-title").textContent = store.parsed.scalar(["title"]) ?? say("A scene without a title");
+    element("scene-title").textContent = say(store.parsed.scalar(["title"]) ?? "A scene without a title"); // those of examples have translations
     element("scene-title").title = store.name;
   };
   const state = (name) => (document.body.dataset.answer = name);

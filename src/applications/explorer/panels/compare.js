@@ -73,7 +73,7 @@ export class ComparePanel extends Panel {
   #side({ solution, state }, heading) {
     const { words, kind } = shortVerdict(solution);
     const title = /^title: *["']?(.*?)["']?$/m.exec(state.text)?.[1] ?? state.name;
-    return element("figure", { "data-kind": kind }, element("figcaption", {}, element("strong", {}, heading), ": " + title), thumbnail(solution, state), element("p", { class: "card-verdict" }, words));
+    return element("figure", { "data-kind": kind }, element("figcaption", {}, element("strong", {}, heading), ": " + say(title)), thumbnail(solution, state), element("p", { class: "card-verdict" }, words));
   }
 
   #lines(before, after) {
