@@ -22,6 +22,8 @@ import site_markdown
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
 HIDDEN = '<a id="docs" href="explorer.html" hidden>'  # in the page of the explorer, which has no documentation beside it else
+# before anything is loaded: what a server shows for sources/x/y.html is of the folder above
+ROOT_SCRIPT = 'const base = document.createElement("base"); base.href = location.pathname.replace(/(?:sources\\/.*|[^/]*)$/, ""); document.head.prepend(base);'
 PAGES = {"README.md": "index.md", "docs/README.md": "contents.md", "CONTRIBUTING.md": "contributing.md"}
 
 
@@ -105,6 +107,15 @@ def add_explorer(pages, page):
         (pages / name).write_text(f"{heading}\n\n**[{words}](topple.html)**\n{rest}", encoding="utf-8")
 
 
+def loosen(page):
+    """The page of what is not found, which MkDocs ties to the server's root: it is shown for any address, and finds what it loads from
+    the folder of that, or the one that has `sources`, so that the site may lie in any folder of a server."""
+    text = re.sub(r'((?:href|src)=")/', r"\1", page.read_text(encoding="utf-8")).replace('base_url = "/"', 'base_url = "."')
+    if text.count("<head>") != 1:
+        sys.exit(f"{page} has not one head")
+    page.write_text(text.replace("<head>", f"<head>\n<script>{ROOT_SCRIPT}</script>"), encoding="utf-8")
+
+
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit("usage: build_site.py FOLDER [BUILD]")
@@ -125,6 +136,7 @@ def main():
         done = subprocess.run(["mkdocs", "build", "--strict", "--quiet", "--clean", "--site-dir", target], cwd=stage,
                               env=environment, check=False)
     if done.returncode == 0:
+        loosen(target / "404.html")
         print(f"{target / 'index.html'}" + ("" if program is None else f", with the explorer as {target / 'topple.html'}"))
     sys.exit(done.returncode)
 

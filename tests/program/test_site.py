@@ -91,7 +91,7 @@ class Built(unittest.TestCase):
                               check=False)
         if done.returncode != 0:
             raise AssertionError(done.stderr + done.stdout)
-        cls.pages = {path: Page(path) for path in cls.folder.rglob("*.html") if path.name != "404.html"}
+        cls.pages = {path: Page(path) for path in cls.folder.rglob("*.html")}
 
     def target(self, path, link):
         """(file, anchor) of a link that stays within the site."""
@@ -128,6 +128,13 @@ class Built(unittest.TestCase):
                 self.assertTrue(found[0].exists(), f"{path.name}: {link}")
                 count += 1
         self.assertGreater(count, 200)
+
+    def test_what_is_not_found_lies_in_any_folder(self):
+        """The page that a server shows for any address leads to the server's root nowhere: links and what it loads, which the tests above look
+        at, are from the folder of the address."""
+        text = (self.folder / "404.html").read_text(encoding="utf-8")
+        self.assertNotRegex(text, r'(?:href|src)="/|base_url = "/')
+        self.assertLess(text.index('createElement("base")'), text.index("<link"))
 
     def test_pages_are_whole(self):
         """A table, a figure and the front page came through; a scene of the examples lies beside them."""
