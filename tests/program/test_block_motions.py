@@ -11,7 +11,7 @@ from fractions import Fraction
 from beginning_oracle import Beginning
 from governing_case import GoverningCase
 from harness import main, rounds, run
-from pile_case import EXAMPLE, Pile, box, text_of, turned, wall
+from pile_case import EXAMPLE, Pile, arch, box, text_of, turned, wall
 
 
 def tilted(angle, side="left"):
@@ -70,6 +70,21 @@ class BlockMotions(GoverningCase):
                 self.assertEqual(own["verdict"], "stands")
                 self.assertGreaterEqual(own["standing_fos"], share * own["fos"]["value"])
                 self.assertLessEqual(own["standing_fos"], own["fos"]["value"] + own["fos"]["error"])
+
+    def test_work_is_shared_out(self):
+        """An arch of which the proof as it lies takes more than half of all work: the try up to the limit, which cannot succeed, took the
+        rest, so that it was certain to stand with its strength divided by 1 alone. Now some is proven beyond, of its mirror image too."""
+        own = arch(7, 0.3).moved(lambda x, y: (round(float(x), 6), round(float(y), 6)))
+        image = Pile()
+        for name, points, ground in own.blocks:
+            image.add(name, [(-x, y) for x, y in points[::-1]], ground)
+        for pile, side in ((own, "left"), (image, "right")):
+            case = self.case(pile, 35, f"tilt: {{towards: {side}}}")
+            self.assertEqual(case["verdict"], "stands")
+            self.assertGreater(case["standing_fos"], 1.05)
+            self.assertLess(case["standing_fos"], case["fos"]["value"])
+        page = run("solve", self.scene(own.scene(35, "tilt: {towards: left}")))[1]
+        self.assertIn("certain to stand at tilts             of 0° alone; above that nothing is proven\n", page)
 
     def test_slopes(self):
         """One box, and two on each other: it stands up to tan φ / tan α, and to φ where it does not topple before. The required factor is

@@ -23,8 +23,10 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
     tp_text_system_label(t, "certain to stand, strength divided by");
     if (c->standing_fos_is_least) {
       tp_text_add(t, "up to %.0f, and more\n", c->standing_fos);
-    } else {
+    } else if (c->standing_fos > 1) {
       tp_text_add(t, "up to %.5f\n", down(c->standing_fos, fifth));
+    } else {
+      tp_text_add(t, "1 alone; above that nothing is proven\n");
     }
   }
   /* beyond the limit of forces that is no news */
@@ -56,7 +58,12 @@ static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case
   if (c->has_standing_angle) {
     tp_text_system_label(t, s->lies_in_place ? "certain to stand at dips"
                                              : "certain to stand at tilts");
-    tp_text_add(t, "up to %.4f°\n", down(c->standing_angle_deg, fourth));
+    const double most = down(c->standing_angle_deg, fourth);
+    if (most > c->tilt_angle_deg.value) {
+      tp_text_add(t, "up to %.4f°\n", most);
+    } else {
+      tp_text_add(t, "of %.4g° alone; above that nothing is proven\n", c->tilt_angle_deg.value);
+    }
   }
   const bool is_sooner =
       c->limit != TP_SYSTEM_LIMIT_NUMBER ||

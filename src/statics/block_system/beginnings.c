@@ -23,6 +23,7 @@ typedef struct beginnings {
   tp_resting resting;
   tp_moving_search moving;     /* along the logarithm of the divisor */
   tp_standing_search standing; /* likewise */
+  long proof_work;             /* of the proof that none begins as they lie */
   bool frictionless;           /* blocks are in equilibrium without friction */
 } beginnings;
 
@@ -57,6 +58,7 @@ static tp_status state_at_driving(bool *exists, tp_blocks_at *at, const void *co
 static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *message) {
   *excluded = false;
   const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
+  b->proof_work = b->standing.proof_work;
   if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
   return tp_moving_prove_modes(&b->moving, 0, b->standing.left, message);
 }
@@ -234,6 +236,7 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
     if (status != TP_OK) return status;
     s.loads_vary = true;
     s.most_work = b->standing.most_work;
+    s.proof_work = b->proof_work;
     status = stand_to_limit(&standing, m, &s, &r, message);
     own->has_standing_angle = true;
     own->standing_angle_deg = standing;
@@ -262,6 +265,7 @@ static tp_status search_driving(beginnings *b, tp_message *message) {
   if (status != TP_OK) return status;
   s.loads_vary = true;
   s.most_work = b->standing.most_work;
+  s.proof_work = b->proof_work;
   status = tp_standing_extend(&own->standing_fos_driving, &s, 1, fmin(limit, TP_MOST_FACTOR), width,
                               message);
   own->has_standing_fos_driving = status == TP_OK;

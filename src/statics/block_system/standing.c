@@ -2,10 +2,14 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* An interval is tried as a whole, and halved towards its lower end until it is proven; then as
- * much again is tried beyond. */
+ * much again is tried beyond. Where one proof takes much of all work, a little of the interval is
+ * tried first, and no try may take more than half of what is left: one that cannot succeed took all
+ * of it, so that a wall was not proven beyond the point that it lies at, and its mirror image was.
+ */
 
 #include "block_system/standing.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,11 +30,22 @@ tp_status tp_standing_init(tp_standing_search *s, const tp_resting *r, tp_moving
   return tp_fail_memory(message, "the motions");
 }
 
-/* An interval that takes far more than the last one that was proven is too wide. */
-static long most_work(const tp_standing_search *s) {
+/* An interval that takes far more than the last one that was proven is too wide. No try takes more
+ * than half of what is left, but for one or two like the last proof. */
+static long most_work(const tp_standing_search *s, bool is_wide) {
   enum { TIMES = 6 };
-  const long enough = s->work + TIMES * s->proof_work;
-  return s->proof_work > 0 && enough < s->most_work ? enough : s->most_work;
+  const long rest = s->most_work - s->work, last = s->proof_work;
+  if (!is_wide || rest <= 0) return s->most_work;
+  long most = rest / 2;
+  if (last > 0 && TIMES * last < most) most = TIMES * last;
+  if (most < 2 * last) most = 2 * last < rest ? 2 * last : rest;
+  return s->work + most;
+}
+
+/* Of an interval: all of it where what is left is enough for many proofs like the last one. */
+static double first_step(const tp_standing_search *s, double all) {
+  enum { MANY = 16, PARTS = 32 };
+  return s->proof_work > (s->most_work - s->work) / MANY ? all / PARTS : all;
 }
 
 /* Strength is greatest where x, of a divisor, is least. */
@@ -50,7 +65,7 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
                                .loads = {s->ends[0].loads, s->ends[1].loads},
                                .load_count = s->loads_vary && to > from ? 2 : 1};
   const long before = s->work;
-  tp_exclusion e = {.most_work = most_work(s), .work = before, .left = s->left};
+  tp_exclusion e = {.most_work = most_work(s, to > from), .work = before, .left = s->left};
   status = tp_exclusion_find(&e, &q, message);
   s->work = e.work;
   *proven = status == TP_OK && e.is_proven;
@@ -62,15 +77,19 @@ tp_status tp_standing_extend(double *x, tp_standing_search *s, double from, doub
                              double width, tp_message *message) {
   tp_status status = TP_OK;
   *x = from;
-  double to = limit;
+  const double first = first_step(s, limit - from), growth = first < limit - from ? 2 : 1;
+  double to = fmin(limit, from + fmax(first, 2 * width));
+  bool can_move = false; /* at the limit, by what was left of the try to reach it */
   while (status == TP_OK && to - *x > width && s->work <= s->most_work) {
     bool proven = false;
     status = tp_standing_prove(&proven, s, *x, to, message);
     if (proven) {
       const double step = to - *x;
       *x = to;
-      to = to + step < limit ? to + step : limit;
+      to = fmin(limit, to + growth * step);
+      if (can_move && to >= limit) to = *x + (limit - *x) / 2;
     } else {
+      can_move = can_move || (to >= limit && s->left[0] != 0);
       to = *x + (to - *x) / 2;
     }
   }
