@@ -12,6 +12,7 @@ const MANY = 10; // numbers of x that a key passes with Shift
 /** Of each place its chart, which follows the place's width. */
 const drawnIn = new WeakMap();
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 4], [12, 4]];
+const LONG = 1e5; // what a tick of a logarithmic axis has no room for in full
 
 /**
  * @typedef {object} Curve
@@ -38,7 +39,7 @@ export function drawChart(place, drawn) {
   const colour = (name) => style.getPropertyValue(name).trim() || "gray";
   const axis = (label) => ({
     label, stroke: colour("--ink"), labelFont: "13px system-ui", font: "12px system-ui",
-    values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : shortNumber(tick))),
+    values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : drawn.logarithmic && tick >= LONG ? powerOfTen(tick) : shortNumber(tick))),
     grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line"), width: 1 },
   });
   const scale = drawn.logarithmic ? { distr: 3 } : {};
@@ -107,6 +108,11 @@ function drawMark(plot, mark, colour) {
 /** For an eye on a curve: the numbers with their bounds are in the table. @param {number|null} value */
 export function shortNumber(value) {
   return value === null || value === undefined ? "—" : numeral(String(Number(value.toPrecision(5))));
+}
+
+/** @param {number} tick of a logarithmic axis @returns {string} 10⁶ */
+function powerOfTen(tick) {
+  return "10" + [...String(Math.round(Math.log10(tick)))].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("");
 }
 
 /** A text as a file that can be saved. @param {string} name @param {string|Uint8Array} content @param {string} label */

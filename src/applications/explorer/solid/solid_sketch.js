@@ -4,7 +4,7 @@
 /** A solid in small, as lines of SVG: its triangles from the back to the front, each in the light that it has. */
 
 import { element, svgElement } from "../panels/element.js";
-import { FIRST, after, seenFrom, tilted, turned, upright } from "./turning.js";
+import { FIRST, after, seenFrom, tilted, turned } from "./turning.js";
 
 const MOST = 20_000; // triangles; more are not drawn in small
 const MARGIN = 1.08;
@@ -13,7 +13,7 @@ const LIGHT = [0.32, 0.5, 0.8];
 /** @param {any} solution of a solid @param {import("./solid_mesh.js").SolidMesh|null} mesh @returns {Element} empty where there is none */
 export function solidSketch(solution, mesh) {
   if (mesh === null || mesh.near.length + mesh.ground.length > 9 * MOST) return element("div", { class: "thumb" });
-  const turn = after(seenFrom(FIRST.around, FIRST.height), after(tilted(solution.tilt_angle_deg ?? 0, solution.tilt_azimuth_deg ?? 0), upright(mesh.up)));
+  const turn = after(seenFrom(FIRST.around, FIRST.height), after(tilted(solution.tilt_angle_deg ?? 0, solution.tilt_azimuth_deg ?? 0), mesh.level));
   const size = MARGIN * mesh.reach;
   const faces = [...facesOf(mesh.near, turn, "rock"), ...facesOf(mesh.ground, turn, "ground")].sort((one, other) => one.depth - other.depth);
   return svgElement("svg", { class: "thumb solid-sketch", viewBox: [-size, -size, 2 * size, 2 * size].join(" "), "aria-hidden": "true" },
