@@ -233,6 +233,22 @@ class Texts(unittest.TestCase):
     def changed(self, text, numbers):
         return node(SCENE / "scene_text.js", "return new it.SceneText(given.text).withNumbers(given.numbers);", {"text": text, "numbers": numbers})
 
+    def test_colours_of_a_text_nested_too_deeply(self):
+        """The parser of the editor's colours runs out of stack on brackets in brackets; taken with care it leaves the text without
+        colours, and of any other text it has the same tree."""
+        parse = """const { yamlLanguage } = await import(`${given.modules}/@codemirror/lang-yaml/dist/index.js`);
+                   const careful = new it.CarefulParser(yamlLanguage.parser);
+                   const { parser } = yamlLanguage, deep = "topple: " + "[".repeat(50000);
+                   let thrown = "";
+                   try { parser.parse(deep); } catch (error) { thrown = error.name; }
+                   return [thrown, careful.parse(deep).length, String(careful.parse(given.text)), String(parser.parse(given.text))];"""
+        thrown, length, with_care, without = node(SCENE / "../editor/careful_parser.js", parse,
+                                                  {"modules": (SCENE / "../node_modules").resolve().as_uri(),
+                                                   "text": "topple: 1\nblock: {outline: [[0, 0], [1, 0], [1, 2]]} # a comment\n"})
+        self.assertEqual((thrown, length), ("RangeError", len("topple: ") + 50_000))
+        self.assertEqual(with_care, without)
+        self.assertIn("Comment", with_care)
+
     def test_numbers_change_and_nothing_else(self):
         """In each layout the text is the layout with other numbers in it, byte by byte. Quotes around a number go: it is
         the number that was changed."""

@@ -7,13 +7,15 @@ import { EditorState, Annotation } from "@codemirror/state";
 import { EditorView, keymap, lineNumbers, highlightActiveLine, drawSelection } from "@codemirror/view";
 import { defaultKeymap } from "@codemirror/commands";
 import { searchKeymap, highlightSelectionMatches } from "@codemirror/search";
-import { yaml } from "@codemirror/lang-yaml";
-import { bracketMatching, indentOnInput, syntaxHighlighting } from "@codemirror/language";
+import { yamlLanguage } from "@codemirror/lang-yaml";
+import { bracketMatching, indentOnInput, Language, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
+import { CarefulParser } from "./careful_parser.js";
 import { colours } from "./colours.js";
 import { difference } from "./difference.js";
 import { plainEnds, withTyped } from "./line_ends.js";
 
+const language = new Language(yamlLanguage.data, new CarefulParser(yamlLanguage.parser), [], yamlLanguage.name);
 const fromStore = Annotation.define();
 const OFTEN_MS = 60;
 const FOLLOW_MS = 150;
@@ -54,7 +56,7 @@ export class Editor {
   #extensions() {
     return [
       lineNumbers(), drawSelection(), highlightActiveLine(), bracketMatching(), indentOnInput(), highlightSelectionMatches(),
-      ...this.help, lintGutter(), yaml(), syntaxHighlighting(colours),
+      ...this.help, lintGutter(), language, syntaxHighlighting(colours),
       // Tab leads on to what comes next on the page: Ctrl+] and Ctrl+[ indent
       keymap.of([...this.#historyKeys(), ...searchKeymap, ...defaultKeymap]),
       EditorView.contentAttributes.of({ "aria-label": "The scene as text, in YAML" }),
