@@ -89,7 +89,7 @@ static void find_onset(work *w) {
   tp_onset_asked asked;
   tp_motions motions;
   tp_motion_windows windows;
-  if (!tp_onset_asked_init(&asked, &w->evaluation, TP_TOWARDS_LEFT)) fail("out of memory");
+  if (!tp_onset_asked_init(&asked, &w->evaluation, TP_TOWARDS_LEFT, NULL)) fail("out of memory");
   arb_set(asked.cones.friction, w->cones.friction);
   asked.question.judge = w->question.judge;
   if (tp_motions_init(&motions, &asked.question) != TP_MOTION_PROVEN ||

@@ -239,7 +239,7 @@ tp_status tp_contact_plan_init(tp_contact_plan *plan, bool *fits, const tp_evalu
   tp_onset_asked asked;
   *plan = (tp_contact_plan){.point_count = 0};
   *fits = false;
-  if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
+  if (!tp_onset_asked_init(&asked, e, towards, NULL)) return tp_fail_memory(message, "the contact");
   planning p = {.plan = plan, .outcome = TP_MOTION_OPEN};
   if (asked.cones.count >= 2 && asked.cones.count <= TP_PLAN_POINTS) {
     tp_normals normals;

@@ -154,7 +154,7 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
   tp_status status = tp_contact_plan_init(&f->plan, fits, e, towards, message);
   if (status != TP_OK || !*fits) return status;
   tp_onset_asked asked;
-  if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
+  if (!tp_onset_asked_init(&asked, e, towards, NULL)) return tp_fail_memory(message, "the contact");
   const slong unit = unit_of(&asked.cones);
   set_shape(&f->shape, &asked, unit);
   f->varies = count > 0;

@@ -10,6 +10,7 @@
 
 #include "evaluation/direction_ball.h"
 #include "evaluation/further.h"
+#include "linear_program/cones.h"
 
 /* What the coordinates lie along; once for all rungs. */
 void tp_describe_frame(tp_solution *solution, const tp_problem *problem);
@@ -68,10 +69,12 @@ void tp_evaluate_toe(const tp_evaluation *evaluation, tp_case *result,
 
 /* The static limit of one direction, with the scene's base and otherwise, and that of tilting back;
  * the angles are left in `limit` and `back` where there are any; the same limits at further tilts,
- * with the factor of safety there. False when memory is exhausted. */
+ * with the factor of safety there. The contact is left in `cones`, which is empty, where the onset
+ * has the same. False when memory is exhausted. */
 TP_MUST_USE bool tp_evaluate_limit(const tp_evaluation *evaluation, tp_case *result,
                                    tp_direction_ball *limit, tp_direction_ball *back,
-                                   const tp_further_tilts *tilts, tp_certainty *certainty);
+                                   const tp_further_tilts *tilts, tp_cones *cones,
+                                   tp_certainty *certainty);
 
 /* The onset of motion: onset/onset.h. */
 

@@ -270,10 +270,10 @@ static void look_at_tilts(asking *a, const tp_further_tilts *tilts, const tp_wor
 }
 
 bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *found,
-                       const tp_further_tilts *tilts, tp_certainty *certainty) {
+                       const tp_further_tilts *tilts, tp_cones *cones, tp_certainty *certainty) {
   tp_onset_clear(&result->onset);
   asking a = {.e = e, .certainty = certainty, .result = result, .found = found};
-  if (!tp_onset_asked_init(&a.asked, e, result->towards)) return false;
+  if (!tp_onset_asked_init(&a.asked, e, result->towards, cones)) return false;
   found->at_tilt = TP_NO;
   a.asked.question.keeps_all = tp_onset_asks_strength(e);
   tp_work_begin(e->work, tp_cones_column_count(&a.asked.cones));

@@ -9,6 +9,7 @@
 
 #include "evaluation/direction_ball.h"
 #include "evaluation/further.h"
+#include "linear_program/cones.h"
 #include "number/judge.h"
 
 /* What the verdict takes from it. */
@@ -20,10 +21,11 @@ typedef struct tp_onset_found {
 void tp_onset_found_init(tp_onset_found *found);
 void tp_onset_found_clear(tp_onset_found *found);
 
-/* Fills in the onset of the case, and the same at further tilts. False when memory is exhausted. */
+/* Fills in the onset of the case, and the same at further tilts; takes the contact that the limit
+ * left in `cones`, if any. False when memory is exhausted. */
 TP_MUST_USE bool tp_evaluate_onset(const tp_evaluation *evaluation, tp_case *result,
                                    tp_onset_found *found, const tp_further_tilts *tilts,
-                                   tp_certainty *certainty);
+                                   tp_cones *cones, tp_certainty *certainty);
 void tp_onset_clear(tp_onset *onset);
 
 /* Where the onset lies beside the limit, once both are certain; it never lies above it. */

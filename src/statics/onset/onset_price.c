@@ -32,7 +32,7 @@ tp_status tp_evaluate_onset_at_price(arb_t degrees, bool *found, const tp_evalua
   *found = false;
   if (tp_friction_is_load_dependent(e) || tp_onset_has_strength(e)) return TP_OK;
   tp_onset_asked asked;
-  if (!tp_onset_asked_init(&asked, e, towards)) return TP_OUT_OF_MEMORY;
+  if (!tp_onset_asked_init(&asked, e, towards, NULL)) return TP_OUT_OF_MEMORY;
   tp_work work = {.spent = 0};
   tp_work_begin(&work, tp_cones_column_count(&asked.cones));
   asked.question.work = &work;

@@ -95,12 +95,24 @@ bool tp_onset_has_strength(const tp_evaluation *e) {
          !(fmpq_is_zero(loads->cohesion_kpa.value) && fmpq_is_zero(loads->bond_kpa.value));
 }
 
-bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direction towards) {
+/* In whole numbers, with friction alone. */
+static bool find_cones(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
+                       tp_cones *known) {
+  if (known != NULL && known->count > 0) {
+    *cones = *known;
+    *known = (tp_cones){.count = 0};
+    return true;
+  }
+  tp_evaluation bare = *e;
+  bare.loaded = NULL;
+  return tp_limit_cones_init_beside(cones, &bare, towards);
+}
+
+bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direction towards,
+                         tp_cones *known) {
   memset(asked, 0, sizeof *asked);
   tp_motion_question *q = &asked->question;
-  tp_evaluation bare = *e; /* whole numbers, and friction alone */
-  bare.loaded = NULL;
-  if (!tp_limit_cones_init_beside(&asked->cones, &bare, towards)) return false;
+  if (!find_cones(&asked->cones, e, towards, known)) return false;
   const bool strong = tp_onset_has_strength(e);
   if (strong && !tp_limit_cones_init_beside(&asked->strong, e, towards)) {
     tp_cones_clear(&asked->cones);

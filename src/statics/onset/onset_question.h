@@ -17,9 +17,10 @@ typedef struct tp_onset_asked {
   bool took_zero;  /* by its judge */
 } tp_onset_asked;
 
-/* False when memory is exhausted. */
+/* With the cones of `known`, which are taken from there, or where it has none, or is NULL, with new
+ * ones. False when memory is exhausted. */
 TP_MUST_USE bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *evaluation,
-                                     tp_direction towards);
+                                     tp_direction towards, tp_cones *known);
 void tp_onset_asked_clear(tp_onset_asked *asked);
 
 /* Does cohesion or a bond act? */

@@ -10,6 +10,7 @@
 #include "evaluation/friction.h"
 #include "evaluation/loaded.h"
 #include "evaluation/stages.h"
+#include "linear_program/cones.h"
 #include "problem/effects.h"
 #include "stability/climbing.h"
 
@@ -22,17 +23,20 @@ static bool evaluate_statics(const tp_evaluation *e, tp_case *own, tp_climbing *
   const tp_place place = c->problem->scene->friction_angle_deg.place;
   tp_direction_settled *kept = c->settled + own->towards;
   tp_certainty limit = {0}, onset = {0};
+  tp_cones cones = {.count = 0};
   bool done = true;
   if (!kept->limit) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
-    done = tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &c->tilts, &limit);
+    done =
+        tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &c->tilts, &cones, &limit);
     done = tp_effects_note(c->solution, "limit", place, "", began) && done;
   }
   if (done && !kept->onset) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
-    done = tp_evaluate_onset(e, own, &kept->onset_found, &c->tilts, &onset);
+    done = tp_evaluate_onset(e, own, &kept->onset_found, &c->tilts, &cones, &onset);
     done = tp_effects_note(c->solution, "onset", place, "", began) && done;
   }
+  tp_cones_clear(&cones);
   if (done && !limit.open && !onset.open) {
     tp_onset_meet_limit(own, e, &kept->onset_found, &kept->limit_angle, &onset);
   }

@@ -209,7 +209,7 @@ static void contact_forces_clear(contact_forces *c) {
 
 static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
                      const tp_evaluation *e, const tp_further_tilts *tilts, bool *serves,
-                     tp_certainty *certainty) {
+                     tp_cones *cones, tp_certainty *certainty) {
   const tp_direction towards = result->towards;
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
@@ -221,6 +221,10 @@ static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_bal
   const bool done =
       ask(&result->limit, limit, e, &c, towards, forward, certainty) &&
       ask(&result->limit_holds_from, back, e, &c, towards, (variant){.back = true}, certainty);
+  if (done && e->loaded == NULL && e->problem->friction.beside_count == 0) {
+    *cones = c.cones;
+    c.cones = (tp_cones){.count = 0};
+  }
   contact_forces_clear(&c);
   return done;
 }
@@ -278,11 +282,11 @@ static void share_limits(const tp_further_tilts *tilts, const tp_case *result, b
 }
 
 bool tp_evaluate_limit(const tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
-                       tp_direction_ball *back, const tp_further_tilts *tilts,
+                       tp_direction_ball *back, const tp_further_tilts *tilts, tp_cones *cones,
                        tp_certainty *certainty) {
   bool matters = false, serves = false;
   bool done = tp_limit_base_matters(&matters, e->problem, result->towards) &&
-              find_own(result, limit, back, e, tilts, matters ? &serves : NULL, certainty);
+              find_own(result, limit, back, e, tilts, matters ? &serves : NULL, cones, certainty);
   const bool otherwise = matters && !serves;
   take_otherwise(result);
   if (done && otherwise) done = find_otherwise(result, e, certainty);
