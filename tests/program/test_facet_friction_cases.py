@@ -140,6 +140,23 @@ class ClosedForms(Case):
                               ([(0, 0), (2, 0), (3, 0)], "{facet: 2, angle_deg: 0}")):
             self.holds(self.solve(BOX, base, 30, entries)["left"]["onset"]["critical_angle_deg"], 30)
 
+    def test_beside_and_rounded(self):
+        """The same with the corner at the other end rounded by r, which moves that end of the contact, and takes (1 - pi/4) r^2 off
+        the area at (10 - 3 pi) / (12 - 3 pi) r from both sides. With x1 = 2 - r and the centroid g the corner over the vertex bears
+        n = (x1 - g_x + g_y tan(tilt)) / x1, and tan(tilt) = mu - (mu - mu') n."""
+        r, profile = 0.4, [(-9, 0), (0, 0), (2, 0), (9, 0)]
+        gone, d = (1 - math.pi / 4) * r * r, (10 - 3 * math.pi) / (12 - 3 * math.pi) * r
+        x, y, end = ((2 * 1 - gone * (2 - d)) / (2 - gone), (2 * 0.5 - gone * d) / (2 - gone), 2 - r)
+        less = tan(30) - tan(10)
+        own = math.degrees(math.atan((tan(30) - less * (end - x) / end) / (1 + less * y / end)))
+        for facet, corner, side in ((1, 2, "left"), (3, 0, "right")):
+            self.write(BOX, profile, 30, f"{{facet: {facet}, angle_deg: 10}}")
+            text = self.path.read_text().replace("]]}\nbase", f"]], rounded: {{corners: [{{at: [{corner}, 0], radius: {r}}}]}}}}\nbase")
+            self.path.write_text(text)
+            cases = {case["towards"]: case for case in solve(self.path)["cases"]}
+            self.holds(cases[side]["onset"]["critical_angle_deg"], own)
+            self.holds(cases["right" if side == "left" else "left"]["onset"]["critical_angle_deg"], 30)
+
     def test_beside_under_the_block(self):
         """Where the base falls off below the sole its crest has either friction, however the block slips: it bears the share n =
         (1 + tan(tilt) / 2) / 1.5 of what presses the box on it towards the left, and (1 - tan(tilt) / 2) / 1.5 towards the

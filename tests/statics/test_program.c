@@ -230,6 +230,12 @@ static tp_simplex_outcome solve_precisely(double *t, const tp_simplex_program *g
   return outcome;
 }
 
+static tp_simplex_outcome simplex_outcome(tp_geom_outcome outcome) {
+  return outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
+         : outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
+                                        : TP_SIMPLEX_INFEASIBLE;
+}
+
 START_TEST(doubles_against_exact) {
   state = random_numbers_from(42);
   int seen[3] = {0};
@@ -254,9 +260,7 @@ START_TEST(doubles_against_exact) {
     double precise = 0;
     const tp_simplex_outcome precisely = solve_precisely(&precise, &given, flags);
     const tp_simplex_answer answer = tp_simplex_solve(&given, at_most);
-    const tp_simplex_outcome expected = outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
-                                        : outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
-                                                                       : TP_SIMPLEX_INFEASIBLE;
+    const tp_simplex_outcome expected = simplex_outcome(outcome);
     ck_assert_msg(answer.outcome == expected, "round %d: %d, not %d", round, answer.outcome,
                   expected);
     ck_assert_msg(precisely == expected, "round %d: %d, not %d", round, precisely, expected);
@@ -300,9 +304,7 @@ START_TEST(many_columns_as_few) {
     memcpy(given.direction, p.direction, sizeof given.direction);
     memcpy(given.target, p.target, sizeof given.target);
     const tp_simplex_answer answer = tp_simplex_solve(&given, NULL);
-    const tp_simplex_outcome expected = outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
-                                        : outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
-                                                                       : TP_SIMPLEX_INFEASIBLE;
+    const tp_simplex_outcome expected = simplex_outcome(outcome);
     ck_assert_msg(answer.outcome == expected, "round %d: %d, not %d", round, answer.outcome,
                   expected);
     if (outcome == TP_GEOM_OPTIMAL) {

@@ -62,7 +62,7 @@ static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case
     if (most > c->tilt_angle_deg.value) {
       tp_text_add(t, "up to %.4f°\n", most);
     } else {
-      tp_text_add(t, "of %.4g° alone; above that nothing is proven\n", c->tilt_angle_deg.value);
+      tp_text_add(t, "of %.10g° alone; above that nothing is proven\n", c->tilt_angle_deg.value);
     }
   }
   const bool is_sooner =

@@ -51,7 +51,8 @@ static tp_status look_at(looking *s, long k, bool at_end, tp_message *message) {
   const long vertex = facet->base_edge + (at_end ? 1 : 0), own = s->ring + vertex;
   const long beside = facet->base_edge + (at_end ? 1 : -1);
   if (beside < 0 || beside >= s->base->edge_count) return TP_OK; /* an upright end of the base */
-  if (!tp_lattice_same_point(s->l, at_end ? facet->q1 : facet->q0, own)) return TP_OK;
+  const tp_outline_point end = at_end ? tp_facet_end(facet) : tp_facet_begin(facet);
+  if (end.cut != NULL || !tp_lattice_same_point(s->l, end.point, own)) return TP_OK;
   const long friction = tp_facet_friction_index(s->f, s->scene, beside);
   if (friction == s->f->of_facet[k]) return TP_OK;
   const int turn = tp_lattice_cross(s->l, own - 1, own, own, own + 1);
@@ -90,7 +91,7 @@ tp_status tp_facet_besides_find(tp_facet_friction *f, const tp_scene *scene, con
   tp_status status = TP_OK;
   for (long k = 0; k < contact->facet_count && status == TP_OK; k++) {
     const tp_facet *facet = contact->facets + k;
-    if (facet->q0 == facet->q1 || facet->t0 == facet->t1 || facet->rounding != NULL) continue;
+    if (facet->q0 == facet->q1 || facet->t0 == facet->t1) continue;
     if (facet->base_edge < 0 || facet->base_edge >= base->edge_count) continue;
     for (int end = 0; end < 2 && status == TP_OK; end++) {
       status = look_at(&s, k, end == 1, message);
