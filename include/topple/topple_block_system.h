@@ -110,8 +110,8 @@ typedef struct tp_system_start {
 /* Were motions looked for that begin though forces can hold the blocks? */
 typedef enum tp_system_sought {
   TP_SYSTEM_SOUGHT,         /* and their exclusion */
-  TP_SYSTEM_SOUGHT_TOO_MANY /* neither, of so many blocks: that none begins was tried by equilibrium
-                               without any friction alone */
+  TP_SYSTEM_SOUGHT_TOO_MANY /* neither, of more than 48 free blocks: that none begins was tried by
+                               equilibrium without any friction alone */
 } tp_system_sought;
 
 /* The force in a contact at the limit. */

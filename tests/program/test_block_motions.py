@@ -52,11 +52,16 @@ class BlockMotions(GoverningCase):
 
     def test_many_without_friction(self):
         """177 bricks in a wall need none, wherever it lies; nor a block in a notch, that pushes aside. Tilted by a hair they need some, and
-        then so many are not decided."""
+        then so many are not decided; page and sheet say that motions were not looked for."""
         own = wall(13, 13)
         for pile in (own, own.moved(lambda x, y: (Fraction(x) / 8 - 10**6, Fraction(y) / 8 + 999)), own.moved(lambda x, y: (x, 3 * y))):
             self.assertEqual(self.case(decimals(pile), 0)["standing_fos_is"], "at least this")
         self.assertEqual(self.case(own, 30, tilted(1e-9))["verdict"], "can be held")
+        text = self.scene(own.scene(30, tilted(1e-9)))
+        self.assertIn("not examined: that is done for up to\n  48 free blocks.", run("solve", "--report", self.folder / "sheet.md", text)[1])
+        sheet = (self.folder / "sheet.md").read_text()
+        self.assertIn("| not examined |", sheet)
+        self.assertIn("Whether a motion can begin was not examined: that is done for up to 48 free blocks.", sheet)
         notch = Pile().add("g", [(-9, -5), (9, -5), (9, 2), (2, 2), (0, 0), (-1, 2), (-9, 2)], True).add("wedge", [(0, 0), (2, 2), (0.5, 4), (-1, 2)])
         self.assertEqual(self.case(notch, 0)["verdict"], "stands")
 

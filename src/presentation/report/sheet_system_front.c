@@ -144,7 +144,7 @@ static void add_beginning(tp_document *d, const tp_system_case *c) {
   if (c->has_moving_fos) {
     tp_document_cell(d, "%.5f", ceil(c->moving_fos * fifth) / fifth);
   } else {
-    tp_document_word(d, "none proven");
+    tp_document_word(d, tp_system_case_is_unexamined(c) ? "not examined" : "none proven");
   }
 }
 
@@ -223,6 +223,15 @@ static void add_limit(tp_text *t, const tp_system_sheet *s, const tp_system_case
   }
 }
 
+static void add_unexamined(tp_text *t, const tp_system_sheet *s, const tp_system_case *c) {
+  if (!tp_system_case_is_unexamined(c) || c->verdict == TP_SYSTEM_COLLAPSES) return;
+  tp_text_add(t, " ");
+  tp_text_add(t,
+              tp_document_say(&s->document, "Whether a motion can begin was not examined: that is "
+                                            "done for up to %d free blocks."),
+              TP_MOST_MOVING_BLOCKS);
+}
+
 void tp_system_sheet_add_conclusion(tp_system_sheet *s, const tp_system_case *c) {
   tp_document *d = &s->document;
   const tp_mechanism collapse = tp_system_case_mechanism(c);
@@ -233,6 +242,7 @@ void tp_system_sheet_add_conclusion(tp_system_sheet *s, const tp_system_case *c)
                 tp_document_say(d, tp_direction_name(c->towards)));
   }
   add_sentence(&t, tp_document_say(d, verdict_words(c->verdict)));
+  add_unexamined(&t, s, c);
   add_limit(&t, s, c);
   if (collapse != TP_STANDS) {
     tp_text_add(&t, " ");

@@ -79,11 +79,11 @@ void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_sy
   add_factors(t, c);
   add_driving(t, c);
   add_tilts(t, s, c);
-  if (c->sought == TP_SYSTEM_SOUGHT || c->verdict == TP_SYSTEM_COLLAPSES) return;
-  if (c->verdict == TP_SYSTEM_STANDS) return; /* without friction */
-  tp_text_add(
-      t,
-      "  Whether a motion can begin all the same was not examined: there are too many blocks.\n");
+  if (!tp_system_case_is_unexamined(c) || c->verdict == TP_SYSTEM_COLLAPSES) return;
+  tp_text_add(t,
+              "  Whether a motion can begin all the same was not examined: that is done for up to\n"
+              "  %d free blocks.\n",
+              TP_MOST_MOVING_BLOCKS);
 }
 
 void tp_text_system_start(tp_text *t, const tp_system_case *c) {

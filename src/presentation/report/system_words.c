@@ -27,10 +27,22 @@ const char *tp_text_system_limit_name(const tp_block_system *s) {
                           : "greatest tilt that forces can hold";
 }
 
+/* Where proofs leave more open than the fourth digit, both ends, rounded outwards. */
+static bool add_bracket(tp_text *t, tp_bounded number, double scale, const char *unit) {
+  static const double close = 1e-4;
+  if (!(number.error > close * fabs(number.value) && number.error * scale >= 1)) return false;
+  tp_text_add(t, "between %.12g%s and %.12g%s",
+              floor((number.value - number.error) * scale) / scale, unit,
+              ceil((number.value + number.error) * scale) / scale, unit);
+  return true;
+}
+
 void tp_text_system_limit(tp_text *t, const tp_system_case *c) {
+  static const double fourth = 1e4;
   char n[TP_NUMBER_SIZE];
   switch (c->limit) {
   case TP_SYSTEM_LIMIT_NUMBER:
+    if (add_bracket(t, c->critical_angle_deg, fourth, "°")) break;
     tp_text_add(t, "%s°", tp_text_fixed(n, c->critical_angle_deg, 4));
     break;
   case TP_SYSTEM_INTERLOCKED:
@@ -44,7 +56,9 @@ void tp_text_system_limit(tp_text *t, const tp_system_case *c) {
 
 static void add_number(tp_text *t, tp_bounded number, bool is_least) {
   static const double whole = 100; /* from where on digits behind the point tell nothing */
+  static const double fifth = 1e5;
   char n[TP_NUMBER_SIZE];
+  if (!is_least && add_bracket(t, number, fifth, "")) return;
   tp_text_add(t, "%s%s", is_least ? "above " : "",
               tp_text_fixed(n, number, is_least && number.value >= whole ? 0 : 5));
 }

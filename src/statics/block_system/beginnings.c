@@ -10,12 +10,11 @@
 #include "block_system/collapse.h"
 #include "block_system/frictionless_blocks.h"
 #include "block_system/from_limit.h"
+#include "block_system/governing_case.h"
 #include "block_system/standing.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-enum { MOST_BLOCKS = 48 }; /* free ones, for motions */
 
 typedef struct beginnings {
   const tp_beginnings_task *task;
@@ -309,7 +308,8 @@ static tp_status search(beginnings *b, tp_message *message) {
 }
 
 static tp_system_sought how_far(const tp_built_system *s) {
-  return s->assemblage.free_count > MOST_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY : TP_SYSTEM_SOUGHT;
+  return s->assemblage.free_count > TP_MOST_MOVING_BLOCKS ? TP_SYSTEM_SOUGHT_TOO_MANY
+                                                          : TP_SYSTEM_SOUGHT;
 }
 
 /* Whatever friction there is. */

@@ -55,3 +55,7 @@ tp_mechanism tp_system_case_mechanism(const tp_system_case *c) {
          : topples         ? TP_TOPPLES
                            : TP_STANDS;
 }
+
+bool tp_system_case_is_unexamined(const tp_system_case *own) {
+  return own->sought == TP_SYSTEM_SOUGHT_TOO_MANY && own->verdict != TP_SYSTEM_STANDS;
+}

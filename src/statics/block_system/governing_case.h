@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Of the cases of many blocks the one that governs, and how its blocks begin to move. */
+/* Of the cases of many blocks the one that governs, how its blocks begin to move, and among how
+ * many motions are looked for. */
 
 #ifndef TP_BLOCK_SYSTEM_GOVERNING_CASE_H
 #define TP_BLOCK_SYSTEM_GOVERNING_CASE_H
 
 #include "topple_block_system.h"
+
+enum { TP_MOST_MOVING_BLOCKS = 48 }; /* free ones, among which motions are looked for */
 
 /* The factor of safety of a case: the lesser of that by strength reduction and that on what drives.
  */
@@ -26,5 +29,8 @@ const tp_system_case *tp_system_governing(const tp_block_system *system);
 
 /* How the blocks begin to move in the collapse: slide, topple, both; stands: none is known. */
 tp_mechanism tp_system_case_mechanism(const tp_system_case *own);
+
+/* Were there too many blocks to look for motions, and do they not stand without friction? */
+bool tp_system_case_is_unexamined(const tp_system_case *own);
 
 #endif

@@ -197,7 +197,7 @@ static void prove(tp_threshold *own, searching *x, double zero, double farthest)
 
 /* Where the zero that was found in haste does not do, with care. */
 static tp_status search(tp_threshold *own, searching *x) {
-  static const double farthest = 1e-2;
+  static const double farthest = 0.5;
   double zero = x->of->from;
   search_end end = find_zero(&zero, x, true);
   if (end == SEARCH_FOUND) {
