@@ -74,6 +74,29 @@ class FiguresOfBlocks(GoverningCase):
             self.assertLess(abs(turned - complex(math.cos(math.pi / 6), math.sin(math.pi / 6))), 1e-3)
         self.magnified(drawing, every, free, width / 10)
 
+    def test_line_of_thrust(self):
+        """One line goes through all columns, from the force of the toe's base by way of those between columns, where the report says that
+        they act, to that of the last one's base. The verdict below says from which divisor on a motion can begin."""
+        drawing, told = self.slope()
+        case = told["cases"][0]
+        (lines,) = [stroke for stroke in drawing.strokes[BLUE] if len(stroke) == 16]
+        lines = sorted((sorted(corners(line), key=lambda p: p.real) for line in lines), key=lambda line: line[0].real)
+        for one, other in zip(lines, lines[1:]):
+            self.assertLess(abs(one[1] - other[0]), 2 * ROUNDED)
+        between = [complex(f["x_m"], f["y_m"]) for c, f in zip(told["contacts"], case["forces"])
+                   if "ground" not in (c["first"], c["second"])]
+        drawn = [line[1] for line in lines[:-1]]
+        self.assertEqual(len(between), 15)
+        scale = (drawn[-1] - drawn[0]) / (between[-1] - between[0])  # turned by the dip
+        self.assertAlmostEqual(math.degrees(math.atan2(scale.imag, scale.real)), 30, delta=0.02)
+        for own, truth in zip(drawn, between):
+            self.assertLess(abs(own - drawn[0] - scale * (truth - between[0])), 4 * ROUNDED)
+        words = run("solve", "--figure", self.folder / "figure.dxf", EXAMPLE)[1]
+        self.assertIn("motion can begin, strength divided by 0.82198", words)
+        if reads("dxf"):
+            text = (self.folder / "figure.dxf").read_text(encoding="utf-8").replace("\n", " ")
+            self.assertIn("A motion can begin with strength divided by 0.82198", text)
+
     def magnified(self, drawing, every, free, scale):
         """`scale`: points of a metre. The columns stand in no order of the list but that of x."""
         every = sorted(every, key=lambda own: own[0].real)

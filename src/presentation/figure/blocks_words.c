@@ -66,13 +66,9 @@ bool tp_blocks_heading(double *y, cairo_t *cr, const tp_blocks_figure *f, double
 /* ---- below the drawing -------------------------------------------------------------------------
  */
 
-static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
-  const tp_system_case *c = f->own;
-  char n[TP_NUMBER_SIZE];
-  tp_text_add(t, "%s.", tp_system_verdict_name(c->verdict));
-  if (!t->failed) t->data[0] = (char)toupper((unsigned char)t->data[0]);
+void tp_blocks_factors(tp_text *t, const tp_system_case *c) {
   if (c->fos.state != TP_FOS_NOT_ASKED) {
-    tp_text_add(t, " Factor of safety by strength reduction: ");
+    tp_text_add(t, "Factor of safety by strength reduction: ");
     tp_text_system_factor(t, c);
     if (c->fos_driving.state != TP_FOS_NO_OVERTURNING) {
       tp_text_add(t, "; on driving loads: ");
@@ -84,6 +80,23 @@ static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
       tp_text_add(t, ".");
     }
   }
+  if (tp_system_case_moves_sooner(c)) {
+    tp_text_add(t, "%sA motion can begin with strength divided by ", t->length > 0 ? " " : "");
+    tp_text_system_moving(t, c);
+    tp_text_add(t, ".");
+  }
+}
+
+static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
+  const tp_system_case *c = f->own;
+  char n[TP_NUMBER_SIZE];
+  tp_text factors = {0};
+  tp_blocks_factors(&factors, c);
+  tp_text_add(t, "%s.", tp_system_verdict_name(c->verdict));
+  if (!t->failed) t->data[0] = (char)toupper((unsigned char)t->data[0]);
+  if (factors.data != NULL) tp_text_add(t, " %s", factors.data);
+  t->failed = t->failed || factors.failed;
+  tp_text_drop(&factors);
   const char *limit = tp_text_system_limit_name(f->system);
   tp_text_add(t, " %c%s: ", toupper((unsigned char)limit[0]), limit + 1);
   tp_text_system_limit(t, c);

@@ -12,7 +12,6 @@
 #include "common/message.h"
 #include "figure/dxf.h"
 #include "output/encode.h"
-#include "report/column_page.h"
 #include "report/system_words.h"
 #include "report/words.h"
 #include "terms/names.h"
@@ -190,14 +189,7 @@ static void add_words(cad *d) {
   if (d->figure->system->title != NULL) tp_encode_plain(lines, d->figure->system->title);
   tp_text_system_stance(lines + 1, d->figure->system, c);
   tp_text_add(lines + 1, ": %s", tp_system_verdict_name(c->verdict));
-  if (c->fos.state != TP_FOS_NOT_ASKED) {
-    tp_text_add(lines + 2, "Factor of safety by strength reduction: ");
-    tp_text_system_factor(lines + 2, c);
-    if (c->goodman_bray.applies) {
-      tp_text_add(lines + 2, "; by Goodman and Bray: ");
-      tp_text_goodman_bray_factor(lines + 2, &c->goodman_bray);
-    }
-  }
+  tp_blocks_factors(lines + 2, c);
   tp_text_add(lines + 3,
               "Lengths in %s; forces and the mechanism are not to scale. topple " TP_VERSION,
               d->scene->length_unit);

@@ -18,6 +18,11 @@ static double up(double number, double scale) {
 
 static const double fifth = 1e5;
 
+void tp_text_system_moving(tp_text *t, const tp_system_case *c) {
+  tp_text_add(t, "%.5f%s", up(c->moving_fos, fifth),
+              c->moving_fos_is_most ? ", and less: more friction does not help" : "");
+}
+
 static void add_factors(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos) {
     tp_text_system_label(t, "certain to stand, strength divided by");
@@ -29,13 +34,10 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
       tp_text_add(t, "1 alone; above that nothing is proven\n");
     }
   }
-  /* beyond the limit of forces that is no news */
-  const bool is_sooner = c->fos.state != TP_FOS_NUMBER || c->fos_is_least ||
-                         c->moving_fos < c->fos.value.value - c->fos.value.error;
-  if (c->has_moving_fos && is_sooner) {
+  if (tp_system_case_moves_sooner(c)) {
     tp_text_system_label(t, "motion can begin, strength divided by");
-    tp_text_add(t, "%.5f%s\n", up(c->moving_fos, fifth),
-                c->moving_fos_is_most ? ", and less: more friction does not help" : "");
+    tp_text_system_moving(t, c);
+    tp_text_add(t, "\n");
   }
 }
 

@@ -37,6 +37,9 @@ const char *tp_text_system_collapse(const tp_block_system *system, const tp_syst
 void tp_text_system_beginnings(tp_text *text, const tp_block_system *system,
                                const tp_system_case *of);
 
+/* What strength is divided by where a motion is proven to begin. */
+void tp_text_system_moving(tp_text *text, const tp_system_case *of);
+
 /* The heading of the motion that is proven, with what strength is divided by there. */
 void tp_text_system_start(tp_text *text, const tp_system_case *of);
 

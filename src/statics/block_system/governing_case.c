@@ -59,3 +59,9 @@ tp_mechanism tp_system_case_mechanism(const tp_system_case *c) {
 bool tp_system_case_is_unexamined(const tp_system_case *own) {
   return own->sought == TP_SYSTEM_SOUGHT_TOO_MANY && own->verdict != TP_SYSTEM_STANDS;
 }
+
+bool tp_system_case_moves_sooner(const tp_system_case *own) {
+  const bool is_known = own->fos.state == TP_FOS_NUMBER && !own->fos_is_least;
+  return own->has_moving_fos &&
+         (!is_known || own->moving_fos < own->fos.value.value - own->fos.value.error);
+}

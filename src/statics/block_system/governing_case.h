@@ -30,6 +30,10 @@ const tp_system_case *tp_system_governing(const tp_block_system *system);
 /* How the blocks begin to move in the collapse: slide, topple, both; stands: none is known. */
 tp_mechanism tp_system_case_mechanism(const tp_system_case *own);
 
+/* Is a motion proven to begin at less than the factor by strength reduction, beyond which
+ * that is no news? */
+bool tp_system_case_moves_sooner(const tp_system_case *own);
+
 /* Were there too many blocks to look for motions, and do they not stand without friction? */
 bool tp_system_case_is_unexamined(const tp_system_case *own);
 
