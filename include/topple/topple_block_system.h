@@ -231,7 +231,8 @@ typedef struct tp_system_case {
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt */
   tp_fos fos;         /* by strength reduction: the number by which the strength of all joints
-                         can be divided until no forces hold the blocks as they lie */
+                         can be divided until no forces hold the blocks as they lie;
+                         TP_FOS_UNDEFINED: not 1000 times as much holds them */
   bool fos_is_least;  /* that is only proven to be exceeded: the search ended there */
   tp_fos fos_driving; /* by what drives: the number by which the loads that drive the blocks to
                          this side can be multiplied until no forces hold them, those that rest

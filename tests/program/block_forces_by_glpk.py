@@ -9,7 +9,7 @@ import fractions
 
 _LIBRARY = ctypes.util.find_library("glpk")
 IS_THERE = _LIBRARY is not None
-_MAX, _FREE, _LOWER, _FIXED, _OFF, _OPTIMAL, _UNBOUNDED = 2, 1, 2, 5, 0, 5, 6
+_MIN, _MAX, _FREE, _LOWER, _FIXED, _OFF, _OPTIMAL, _UNBOUNDED = 1, 2, 1, 2, 5, 0, 5, 6
 
 
 def _library():
@@ -61,42 +61,60 @@ def contacts(blocks):
                         yield i, j, (b[0] - a[0], b[1] - a[1]), ends
 
 
+class _Forces:
+    """The columns of all forces in contacts, behind one of what is sought, and rows of equilibrium by free block."""
+
+    def __init__(self, blocks, tangent_of):
+        free = [k for k, (_, _, ground) in enumerate(blocks) if not ground]
+        self.row = {k: 3 * n + 1 for n, k in enumerate(free)}
+        self.places = {k: area_and_centroid(blocks[k][1]) for k in free}
+        self.entries, self.columns = [], 1
+        for i, j, (ux, uy), ends in contacts(blocks):
+            slope = fractions.Fraction(tangent_of(i, j))
+            for point in ends:
+                for side in (slope, -slope) if slope else (0,):
+                    self.columns += 1
+                    force = (-uy + side * ux, ux + side * uy)
+                    self.push(i, self.columns, force, point)
+                    self.push(j, self.columns, (-force[0], -force[1]), point)
+
+    def push(self, k, column, force, point):
+        if k in self.row:
+            _, x, y = self.places[k]
+            values = (force[0], force[1], (point[0] - x) * force[1] - (point[1] - y) * force[0])
+            self.entries.extend((self.row[k] + e, column, float(v)) for e, v in enumerate(values) if v != 0)
+
+
 def greatest_load(blocks, tangent_of, towards_left):
     """s, by which weights act towards a side with s times themselves, or a word: `none` where no s can be held, `any`. `tangent_of` gives
     tan(phi) by the numbers of two blocks. The inside of a block is on the left of its edges, and pushes from there."""
-    free = [k for k, (_, _, ground) in enumerate(blocks) if not ground]
-    row = {k: 3 * n + 1 for n, k in enumerate(free)}
-    places = {k: area_and_centroid(blocks[k][1]) for k in free}
-    entries, columns = [], 1
-
-    def push(k, column, force, point):
-        if k in row:
-            _, x, y = places[k]
-            values = (force[0], force[1], (point[0] - x) * force[1] - (point[1] - y) * force[0])
-            entries.extend((row[k] + e, column, float(v)) for e, v in enumerate(values) if v != 0)
-
-    for k in free:  # per unit of s
-        entries.append((row[k], 1, float(places[k][0]) * (-1 if towards_left else 1)))
-    for i, j, (ux, uy), ends in contacts(blocks):
-        slope = fractions.Fraction(tangent_of(i, j))
-        for point in ends:
-            for side in (slope, -slope) if slope else (0,):
-                columns += 1
-                force = (-uy + side * ux, ux + side * uy)
-                push(i, columns, force, point)
-                push(j, columns, (-force[0], -force[1]), point)
-    return _maximise(entries, columns, 3 * len(free), {row[k] + 1: float(places[k][0]) for k in free})
+    own = _Forces(blocks, tangent_of)
+    for k, row in own.row.items():  # per unit of s
+        own.entries.append((row, 1, float(own.places[k][0]) * (-1 if towards_left else 1)))
+    return _optimise(own, {row + 1: float(own.places[k][0]) for k, row in own.row.items()}, _MAX, _FREE)
 
 
-def _maximise(entries, columns, rows, weights):
+def least_support(blocks, tangent_of, side, on, point, way):
+    """The least force at a point of a block along `way`, in areas of unit weight, by which forces hold all while weights act by
+    `side` times themselves along x besides; or `none`."""
+    own = _Forces(blocks, tangent_of)
+    own.push(on, 1, way, point)
+    weights = {}
+    for k, row in own.row.items():
+        weights[row], weights[row + 1] = -side * float(own.places[k][0]), float(own.places[k][0])
+    return _optimise(own, weights, _MIN, _LOWER)
+
+
+def _optimise(own, weights, direction, bounds):
+    entries, columns, rows = own.entries, own.columns, 3 * len(own.row)
     glpk = _library()
     program = glpk.glp_create_prob()
-    glpk.glp_set_obj_dir(program, _MAX)
+    glpk.glp_set_obj_dir(program, direction)
     glpk.glp_add_rows(program, rows)
     glpk.glp_add_cols(program, columns)
     for r in range(1, rows + 1):
         glpk.glp_set_row_bnds(program, r, _FIXED, weights.get(r, 0.0), 0.0)
-    glpk.glp_set_col_bnds(program, 1, _FREE, 0.0, 0.0)
+    glpk.glp_set_col_bnds(program, 1, bounds, 0.0, 0.0)
     for c in range(2, columns + 1):
         glpk.glp_set_col_bnds(program, c, _LOWER, 0.0, 0.0)
     glpk.glp_set_obj_coef(program, 1, 1.0)

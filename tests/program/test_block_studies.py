@@ -123,7 +123,8 @@ class BlockStudies(StudyCase):
         self.assertAlmostEqual(summary["design_values"][0]["value"], 26, delta=16 / 64)
 
     def test_column_at_tilts(self):
-        """A column tips at atan(width/height) before it slides; on the table, and at other tilts."""
+        """A column tips at atan(width/height) before it slides; on the table, and at other tilts. One that no strength holds is certain
+        too, by the factor on what drives: it was undecided."""
         (self.folder / "slab.yaml").write_text(SLAB.replace("slope: {dip_deg: 30, towards: left}", "tilt: {towards: right, angle_deg: 10}")
                                                .replace("width: 4, height: 1", "width: 1, height: 4"))
         self.write("vary: {blocks.2.slab.width: {list: [0.5, 1, 2, -1]}}\ntilts_deg: [5, 20]\n")
@@ -134,6 +135,9 @@ class BlockStudies(StudyCase):
             self.assertAlmostEqual(float(row["limit_deg"]), critical, delta=1e-4)
             for column, tilt in (("outcome", 10), ("outcome_at_5_deg", 5), ("outcome_at_20_deg", 20)):
                 self.assertEqual(row[column], "topples" if critical < tilt else "stands")
+            self.assertEqual(row["status"], "certain")
+            factor = math.tan(math.radians(critical)) / math.tan(math.radians(10))  # on what drives: strength alone holds none or all
+            self.assertAlmostEqual(float(row["fos"]), factor, delta=2e-6 * factor)
         self.assertEqual((bad["outcome"], bad["status"]), ("invalid", "invalid"))
         self.assertIn("width must be above zero", bad["why"])
 

@@ -16,6 +16,7 @@ from harness import main, rounds, run
 from pile_case import Pile, box
 
 Q = fractions.Fraction
+ROUNDED = 1e-8  # glp_exact takes the numbers of a program to some 1e-9
 
 
 def random_wall(draw, blocks):
@@ -97,6 +98,57 @@ class BlocksByGlpk(GoverningCase):
         draw = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "20")))
         for k in range(rounds(6, 10000)):
             self.held_against(draw, draw.randint(60, 200) if k % 50 == 49 else draw.randint(20, 40))
+
+    def told(self, pile, phi, tilt, more=""):
+        text = decimals(pile).scene(phi, f"tilt: {{towards: left, angle_deg: {tilt}}}\n{more}")
+        status, out, err = run("solve", "--json", self.scene(text))
+        self.assertIn(status, (0, 1, 4), (err, text))
+        return json.loads(out)["cases"][0], text
+
+    def limit(self, pile, tangent, left):
+        own = glpk.greatest_load(pile.blocks, lambda i, j: tangent, left)
+        return {"any": math.inf, "none": -math.inf}.get(own, own)
+
+    def test_strength(self):
+        """With strength divided by the factor less its bound the exact program holds the tilt, which is no more than its limit to the side,
+        nor than that to the other, as walls lean; by the factor and its bound, it does not."""
+        draw, numbers = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "41"))), 0
+        for _ in range(rounds(5, 2000)):
+            pile, phi, tilt = random_wall(draw, draw.randint(6, 20)), draw.choice((15, 25, 33)), draw.choice((4, 12, 20))
+            case, text = self.told(pile, phi, tilt)
+            if "fos_is" in case:
+                continue
+            numbers += 1
+            side = math.tan(math.radians(tilt))
+            for sign in (-1, 1):
+                tangent = math.tan(math.radians(phi)) / (case["fos"]["value"] + sign * case["fos"]["error"])
+                rest = min(self.limit(pile, tangent, True) - side, self.limit(pile, tangent, False) + side)
+                self.assertGreaterEqual(-sign * rest, -ROUNDED, (case["fos"], rest, text))
+        self.assertGreaterEqual(numbers, 3)
+
+    def test_support(self):
+        """Columns side by side, pushed at the toe: the least force that a factor needs, or that none is enough, or none is needed."""
+        draw, numbers = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "43"))), 0
+        for _ in range(rounds(10, 2000)):
+            pile, at = Pile().add("g", box(Q(-9), Q(-3), Q(99), Q(0)), True), Q(0)
+            for k in range(draw.randint(1, 7)):
+                wide = Q(draw.randint(2, 6), 2)
+                pile.add(f"c{k}", box(at, Q(0), at + wide, Q(draw.randint(2, 14 - k), 2) + k))
+                at += wide
+            phi, tilt, asked = draw.choice((30, 38, 45)), draw.choice((10, 18, 26)), draw.choice((1, 1.25, 1.5))
+            point = (Q(0), pile.blocks[1][1][2][1])
+            case, text = self.told(pile, phi, tilt, f"support: {{block: c0, at: [0, {float(point[1])!r}], fos: {asked}, direction_deg: 0}}")
+            tangent, side = math.tan(math.radians(phi)) / asked, math.tan(math.radians(tilt))
+            own = glpk.least_support(pile.blocks, lambda i, j, t=tangent: t, -side, 1, point, (1, 0))
+            support = case["support"]
+            if "force_is" in support:
+                self.assertEqual({"not needed": 0, "none": "none"}.get(support["force_is"]), own, text)
+                continue
+            numbers += 1
+            truth = own * 25000 * math.cos(math.radians(tilt))  # weights across x are cos of all
+            weights = 25000 * float(sum(glpk.area_and_centroid(points)[0] for _, points, ground in pile.blocks if not ground))
+            self.assertLessEqual(abs(support["force_n_m"]["value"] - truth), support["force_n_m"]["error"] + ROUNDED * weights, text)
+        self.assertGreaterEqual(numbers, 3)
 
     def test_wedged(self):
         """Walls that stand on ground of which some is blocks that friction wedges."""

@@ -57,6 +57,29 @@ class DrivingLoads(GoverningCase):
             own = self.case(scene_of([column(1, 5)], tilted(11) + f"required_fos: {required}\n", 40), status=(status,))
             self.assertEqual(own["meets_required"], meets)
 
+    def test_what_no_strength_holds(self):
+        """Past its toppling tilt the column has no factor by strength, which is proven of 1000 times as much: the factor on what drives
+        governs, and passes 1 there without a leap. So it does with loads besides, and mirrored; where nothing drives it is none at all.
+        With a little cohesion and tension 1000 times these hold it again."""
+        for tilt, side in ((12, "left"), (18, "right")):
+            for loads in ("", "loads: {forces: [{block: column, at: [0.5, 2], direction_deg: -90, force_kn: 1}]}\n"):
+                text = scene_of([column(1, 5)], tilted(tilt, side) + loads + "required_fos: 0.5\n", 40)
+                own = self.case(text, status=(1,))
+                self.assertEqual((own["fos"], own["fos_is"], own["verdict"], own["meets_required"]), (None, "none", "collapses", "not met"))
+                if not loads:
+                    self.encloses(own["fos_driving"], 0.2 / math.tan(math.radians(tilt)), text)
+                page = run("solve", self.scene(text))[1]
+                self.assertRegex(page, r"driving loads +0\.\d+, topples \(governs\)\n.*strength reduction +none: not held with 1000 times the strength\n")
+        over = scene_of([column(2, 1, name="low"), column(3, 1, name="over", at=(1, 1))], "frame: world\ntilt: {towards: right}\n", 40)
+        self.assertEqual(self.case(over)["fos_is"], "none")
+        found = json.loads(run("solve", "--json", "--find", "tilt.angle_deg", "--for", "governing_fos=0.9", "--from", "5", "--to", "20",
+                               self.scene(scene_of([column(1, 5)], tilted(10), 40)))[1])["find"]["solutions"]
+        self.assertEqual(len(found), 1)
+        self.assertAlmostEqual(found[0]["value"], math.degrees(math.atan(0.2 / 0.9)), delta=2e-5)
+        held = self.case(scene_of([column(1, 5)], tilted(12) + "loads: {cohesion_kpa: 1, bond_kpa: 1}\n", 40))
+        self.assertLess(held["fos"]["value"], 1)
+        self.assertGreater(held["fos"]["value"], 1e-3)
+
     def test_leaning_columns_in_earthquakes(self):
         """By moments about the toe, and by friction, whichever is less: weight by its two components, the earthquake as a whole. The same
         in millimetres, far off, and of the mirror image."""

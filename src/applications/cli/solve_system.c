@@ -8,7 +8,9 @@
 #include "cli/drawn_report.h"
 #include "cli/sheet.h"
 #include "cli/solve_judge.h"
+#include "cli/words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -123,9 +125,27 @@ tp_status tp_cli_check_cases_of_many(const char *path, const tp_solve_words *a,
   return tp_cli_refuse_one_case(path, option, message);
 }
 
+/* Before the work begins: walls and jointed slopes of n blocks take some 50 s (n / 10^4)^1.5 of a
+ * core, and of memory up to 25 kB a block (docs/blocks_in_contact.md). */
+static void tell_cost(const tp_scene *scene) {
+  static const double told = 5000, ten_thousand = 1e4, seconds = 50, minute = 60, bytes = 25e3;
+  const double count = (double)tp_scene_block_count(scene);
+  if (count < told) return;
+  const double time = seconds * pow(count / ten_thousand, 1.5);
+  const bool in_minutes = time >= 2 * minute;
+  char text[160];
+  snprintf(text, sizeof text,
+           "%.0f blocks: limits and factors of so many take some %.2g %s of one core and up to "
+           "%.2g GB of memory",
+           count, in_minutes ? time / minute : time, in_minutes ? "minutes" : "seconds",
+           count * bytes / 1e9);
+  tp_cli_tell(text);
+}
+
 tp_status tp_cli_solve_system(const tp_scene *scene, const tp_solve_words *a, int *ended,
                               tp_message *message) {
   tp_block_system *system = NULL;
+  tell_cost(scene);
   const tp_solve_options options = tp_solve_options_default();
   tp_status status = tp_solve_block_system(&system, scene, &options, message);
   if (status == TP_OK && a->find.key != NULL) {
@@ -159,6 +179,7 @@ typedef struct solving {
 
 /* By itself: what is wrong with one is told, and the others go on. */
 static tp_status solve_one(solving *s, const tp_scene *scene, const char *name) {
+  tell_cost(scene);
   const tp_solve_options options = tp_solve_options_default();
   const tp_status status = tp_solve_block_system(s->systems + s->done, scene, &options, s->message);
   if (status == TP_OK) s->names[s->done++] = name;

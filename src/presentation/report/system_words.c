@@ -66,6 +66,8 @@ static void add_number(tp_text *t, tp_bounded number, bool is_least) {
 void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
   if (c->fos.state == TP_FOS_NUMBER) {
     add_number(t, c->fos.value, c->fos_is_least);
+  } else if (c->fos.state == TP_FOS_UNDEFINED) {
+    tp_text_add(t, "none: not held with 1000 times the strength");
   } else {
     tp_text_add(t, "undecided");
   }

@@ -16,7 +16,7 @@ void tp_text_system_stance(tp_text *text, const tp_block_system *system, const t
 const char *tp_text_system_limit_name(const tp_block_system *system);
 void tp_text_system_limit(tp_text *text, const tp_system_case *of);
 
-/* The factor of safety: a number, "above 1000" or "undecided". */
+/* The factor of safety: a number, "above 1000", "none: …" or "undecided". */
 void tp_text_system_factor(tp_text *text, const tp_system_case *of);
 
 /* The factor on what drives: a number and what it is against, "above 1000", or why it is none. */

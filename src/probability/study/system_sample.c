@@ -24,8 +24,9 @@ static double limit_deg(const tp_system_case *own) {
 
 /* A factor that is only known to be exceeded is its proven bound. */
 static double fos_of(const tp_system_case *own) {
-  const tp_system_factor factor = tp_system_case_factor(own);
-  return factor.fos.state == TP_FOS_NUMBER ? factor.fos.value.value : (double)NAN;
+  const tp_fos fos = tp_system_case_factor(own).fos;
+  if (fos.state == TP_FOS_UNDEFINED) return -INFINITY;
+  return fos.state == TP_FOS_NUMBER ? fos.value.value : (double)NAN;
 }
 
 static double goodman_bray_fos(const tp_goodman_bray *own) {
@@ -71,8 +72,8 @@ static void take_case(tp_study_row *row, const tp_system_case *own) {
 static bool is_open(const tp_system_case *own) {
   const tp_system_factor factor = tp_system_case_factor(own);
   return own->verdict == TP_SYSTEM_UNDECIDED || own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
-         factor.fos.state != TP_FOS_NUMBER || factor.is_least ||
-         (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
+         !(factor.fos.state == TP_FOS_NUMBER || factor.fos.state == TP_FOS_UNDEFINED) ||
+         factor.is_least || (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {

@@ -18,6 +18,7 @@ tp_system_factor tp_system_case_factor(const tp_system_case *c) {
   const tp_system_factor driving = {c->fos_driving, c->fos_driving_is_least, TP_FOS_BY_DRIVING};
   if (c->fos_driving.state == TP_FOS_UNDECIDED) return driving;
   if (c->fos_driving.state != TP_FOS_NUMBER || driving.is_least) return strength;
+  if (c->fos.state == TP_FOS_UNDEFINED) return driving; /* it passes 1 without a leap */
   if (c->fos.state != TP_FOS_NUMBER) return strength;
   return high(driving.fos.value) < low(strength.fos.value) ? driving : strength;
 }
@@ -27,6 +28,8 @@ bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *ot
   if (falls != (other->verdict == TP_SYSTEM_COLLAPSES)) return falls;
   const tp_fos own = tp_system_case_factor(one).fos, its = tp_system_case_factor(other).fos;
   const bool told = own.state == TP_FOS_NUMBER, also = its.state == TP_FOS_NUMBER;
+  const bool never = own.state == TP_FOS_UNDEFINED, nor = its.state == TP_FOS_UNDEFINED;
+  if (never != nor) return never;
   if (told != also) return told;
   if (told && high(own.value) < low(its.value)) return true;
   if (told && low(own.value) > high(its.value)) return false;

@@ -11,8 +11,8 @@
 
 enum { TP_MOST_MOVING_BLOCKS = 48 }; /* free ones, among which motions are looked for */
 
-/* The factor of safety of a case: the lesser of that by strength reduction and that on what drives.
- */
+/* The factor of safety of a case: the lesser of that by strength reduction and that on what drives;
+ * this one where no strength holds the blocks and it is a number. */
 typedef struct tp_system_factor {
   tp_fos fos;
   bool is_least; /* it is only known to be exceeded */

@@ -128,7 +128,9 @@ static tp_status find_factor(direction *d, tp_message *message) {
   fos->state = TP_FOS_NOT_ASKED;
   if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
   const tp_status status = tp_threshold_find(&d->strength, &search, message);
-  fos->state = found->is_held ? TP_FOS_NUMBER : TP_FOS_UNDECIDED;
+  fos->state = found->is_held    ? TP_FOS_NUMBER
+               : found->is_never ? TP_FOS_UNDEFINED
+                                 : TP_FOS_UNDECIDED;
   if (status != TP_OK || !found->is_held) return status;
   d->own->fos_is_least = !found->is_bounded;
   fos->value = found->is_bounded ? between(exp(found->held), exp(found->bound))
@@ -147,7 +149,7 @@ static tp_status find_factor_on_loads(direction *d, tp_message *message) {
 
 /* With less strength where there is a factor; else at the limit. */
 static tp_status set_collapse(direction *d, tp_message *message) {
-  const bool reduced = d->strength.is_bounded;
+  const bool reduced = d->strength.is_bounded && !d->strength.is_never;
   const bool measured = d->x->s->is_measured;
   const tp_load_bracket *b = reduced    ? &d->strength.collapse
                              : measured ? &d->tilt.collapse
@@ -175,7 +177,8 @@ static tp_status find_motions(direction *d, tp_message *message) {
       .driving = &d->driving,
       .asks_factor = d->x->options->strength_reduction,
       .verdict_alone = d->x->motions == TP_MOTIONS_AS_THEY_LIE,
-      .held_factor = d->strength.is_bounded ? exp(d->strength.bound) : INFINITY,
+      .held_factor =
+          d->strength.is_bounded && !d->strength.is_never ? exp(d->strength.bound) : INFINITY,
       .held_tilt_deg =
           has_tilt ? own->critical_angle_deg.value + own->critical_angle_deg.error : INFINITY};
   return tp_beginnings_find(d->own, &task, message);

@@ -112,7 +112,8 @@ static double next_of(const tp_threshold_search *of, const stretch *s, double at
 
 typedef enum search_end {
   SEARCH_FOUND,
-  SEARCH_HELD, /* up to the most */
+  SEARCH_HELD,  /* up to the most */
+  SEARCH_NEVER, /* down to the least */
   SEARCH_ENDED
 } search_end;
 
@@ -139,7 +140,7 @@ static search_end find_zero(double *zero, searching *x, bool in_haste) {
     if (m.value >= 0) s.held = fmax(s.held, at);
     if (m.value < 0) s.fails = fmin(s.fails, at); /* as a bound is proven however far it is */
     if (m.value >= 0 && at >= of->from + of->most) return SEARCH_HELD;
-    if (m.value < 0 && at <= of->from - of->most) return SEARCH_ENDED;
+    if (m.value < 0 && at <= of->from - of->most) return SEARCH_NEVER;
     *zero = next_of(of, &s, at, &m, k >= NEWTON);
     const double move = fabs(*zero - at), missed = in_haste ? move * move / 2 : move;
     if ((missed < width && share < near) || s.fails - s.held < width) return SEARCH_FOUND;
@@ -200,6 +201,10 @@ static tp_status search(tp_threshold *own, searching *x) {
   static const double farthest = 0.5;
   double zero = x->of->from;
   search_end end = find_zero(&zero, x, true);
+  if (end == SEARCH_NEVER) {
+    own->is_never = prove_bound(own, x, zero) && own->is_bounded;
+    return x->status;
+  }
   if (end == SEARCH_FOUND) {
     prove(own, x, zero, nearest);
     if (x->status != TP_OK || is_proven(own)) return x->status;
@@ -214,7 +219,7 @@ tp_status tp_threshold_find(tp_threshold *own, const tp_threshold_search *of, tp
   memset(own, 0, sizeof *own);
   searching x = {.of = of, .status = TP_OK, .message = message};
   tp_status status = search(own, &x);
-  if (status == TP_OK && !own->is_held) {
+  if (status == TP_OK && !own->is_held && !own->is_never) {
     tp_threshold_clear(own);
     x.sees_other = true;
     status = search(own, &x);

@@ -22,6 +22,7 @@ typedef struct tp_threshold_search {
 
 typedef struct tp_threshold {
   bool is_held, is_bounded; /* is there a proof below, above? */
+  bool is_never;            /* the latter is there as far below as is looked: none hold them */
   double held, bound;       /* at that x forces hold the blocks, and at that none do */
   tp_load_bracket collapse; /* at `bound`; empty where there is none */
 } tp_threshold;
