@@ -229,7 +229,9 @@ typedef struct tp_system_case {
                                     as they are */
   bool has_acceleration;         /* that, and it lies below: */
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
-                                         side, that forces can hold at the tilt */
+                                         side, that forces can hold at the tilt with the vertical
+                                         part of the scene's earthquake; none where they hold no
+                                         less */
   tp_fos fos;         /* by strength reduction: the number by which the strength of all joints
                          can be divided until no forces hold the blocks as they lie;
                          TP_FOS_UNDEFINED: not 1000 times as much holds them */
@@ -277,6 +279,7 @@ typedef struct tp_system_case {
                    divided by the factor, or at the critical tilt where there is none */
   tp_system_force
       *forces;           /* force_count of them: by contact, that hold the blocks just before it */
+  bool without_vertical; /* both are of the earthquake without its vertical part */
   size_t load_count;     /* of the list */
   tp_system_load *loads; /* load_count of them: what acts besides weights and earthquake */
   tp_goodman_bray goodman_bray; /* beside it, of columns in a row */

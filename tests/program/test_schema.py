@@ -261,7 +261,12 @@ class Schema(unittest.TestCase):
             pinched = pathlib.Path(name) / "pinched.yaml"  # between two others, which falls at every friction
             pinched.write_text(scene.read_text(encoding="utf-8") + "- {slab: {width: 2, height: 1}, at: [3, 0]}\n"
                                "- {slab: {width: 1, height: 0.25}, at: [2, 0.5]}\n", encoding="utf-8")
-            files = ((scene, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (many, ()), (pinched, ()))
+            lifted = pathlib.Path(name) / "lifted.yaml"  # held by cohesion the better as it weighs less
+            lifted.write_text(row.read_text(encoding="utf-8").split("slope")[0] + "slope: {dip_deg: 50, towards: left}\n"
+                              "block: {unit_weight_kn_m3: 25}\nloads: {cohesion_kpa: 30, seismic: {horizontal: 0.05, vertical: 0.2}}\n"
+                              "blocks:\n- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n- {slab: {width: 4, height: 1}}\n",
+                              encoding="utf-8")
+            files = ((scene, ()), (lifted, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (many, ()), (pinched, ()))
             drawn = (example.with_name("wet_columns.yaml"), ("--outlines",))
             for path, more in ((example, ("--set", "friction_angle_deg=36")), drawn, *files):
                 status, out, err = run("solve", "--json", *more, path)

@@ -93,6 +93,8 @@ TP_MUST_USE tp_status tp_check_built(const tp_scene *scene, tp_message *message)
 TP_MUST_USE tp_status tp_check_block_weights(const tp_scene *scene, tp_message *message);
 /* Of each bolt it is known where its far end holds. */
 TP_MUST_USE tp_status tp_check_bolt_ends(const tp_scene *scene, tp_message *message);
+/* Of many blocks: is an earthquake given a way that they have? */
+TP_MUST_USE tp_status tp_check_block_shaking(const tp_scene *scene, tp_message *message);
 /* Can water in and about many blocks have what a key says? */
 TP_MUST_USE tp_status tp_check_block_water(const tp_water_description *water, const char *key,
                                            tp_place place, tp_message *message);

@@ -46,6 +46,24 @@ tp_status tp_check_bolt_ends(const tp_scene *scene, tp_message *message) {
   return TP_OK;
 }
 
+/* On a table the tilt tells the side, and with y up there is no dip. */
+tp_status tp_check_block_shaking(const tp_scene *scene, tp_message *message) {
+  const tp_loads_description *loads = &scene->loads;
+  const bool tilts = scene->tilt_angle_deg.given || scene->towards_left != scene->towards_right;
+  const bool on_table = scene->frame != TP_FRAME_WORLD && tilts;
+  const tp_seismic_direction meant = on_table ? TP_SEISMIC_DOWN_DIP : TP_SEISMIC_BOTH;
+  if (scene->many.count == 0 || scene->frame == TP_FRAME_SLOPE || !loads->direction_given ||
+      loads->direction == meant) {
+    return TP_OK;
+  }
+  return tp_refuse(message, TP_FAULT_KEY, loads->seismic_place,
+                   "this 'direction' is of blocks on a 'slope': %s",
+                   on_table ? "on a table 'horizontal' acts towards the side that the tilt "
+                              "lowers, and to both with 'towards: both'"
+                            : "with y up they are shaken to both sides, or to that of "
+                              "'tilt: {towards: left}'");
+}
+
 tp_status tp_check_block_water(const tp_water_description *water, const char *key, tp_place place,
                                tp_message *message) {
   static const char level[] = "water in and about many blocks has a 'level', or a 'surface' of "
@@ -162,6 +180,7 @@ tp_status tp_check_built_blocks(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK) status = tp_check_block_weights(scene, message);
   if (status == TP_OK) status = check_water(scene, message);
   if (status == TP_OK) status = tp_check_bolt_ends(scene, message);
+  if (status == TP_OK) status = tp_check_block_shaking(scene, message);
   if (status == TP_OK) status = tp_anchors_check(scene, message);
   return status == TP_OK ? check_support(scene, message) : status;
 }

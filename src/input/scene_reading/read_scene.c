@@ -153,6 +153,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_slope(reader, tp_node_get(root, "slope"));
   if (status == TP_OK) status = tp_check_solid_keys(reader, root);
+  if (status == TP_OK) status = tp_check_block_shaking(scene, reader->message);
   if (status == TP_OK) status = tp_anchors_check(scene, reader->message);
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));
   if (status == TP_OK) status = tp_read_shaking(reader, tp_node_get(root, "shaking"));

@@ -195,8 +195,12 @@ static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case 
     add_motions(t, s, c->start.motions, c->start.motion_count, "as it begins", width);
   }
   if (c->motion_count == 0) return;
-  tp_text_add(t, "\n  Collapse %s: %s.\n  Velocities at its beginning:\n",
-              tp_text_system_collapse(s, c), tp_mechanism_name(tp_system_case_mechanism(c)));
+  tp_text_add(t, "\n  Collapse %s: %s.\n", tp_text_system_collapse(s, c),
+              tp_mechanism_name(tp_system_case_mechanism(c)));
+  if (c->without_vertical) {
+    tp_text_add(t, "  This is without the vertical part of the earthquake, the less safe here.\n");
+  }
+  tp_text_add(t, "  Velocities at its beginning:\n");
   add_motions(t, s, c->motions, c->motion_count, "in the collapse", width);
   tp_text_add(t, "\n  Forces that hold the blocks just before it, one distribution of many:\n");
   add_forces(t, s, c, width);

@@ -213,6 +213,9 @@ static void add_limit(tp_text *t, const tp_system_sheet *s, const tp_system_case
                                        ? "Greatest dip that forces can hold: %s°."
                                        : "Greatest tilt that forces can hold: %s°."),
                 tp_text_fixed(n, c->critical_angle_deg, 3));
+    if (tp_system_case_is_held_farther(c)) {
+      add_sentence(t, tp_document_say(d, "As they lie none hold the blocks."));
+    }
   } else if (c->limit == TP_SYSTEM_INTERLOCKED) {
     add_sentence(t, tp_document_say(d, "Forces can hold the blocks at every tilt below 90°."));
   }

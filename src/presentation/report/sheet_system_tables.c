@@ -50,6 +50,10 @@ void tp_system_sheet_add_motions(tp_system_sheet *s, const tp_system_case *c) {
   tp_sheet_add_rest(d, rows, MOST_ROWS);
   tp_text_add(&caption, "The collapse is that %s.", tp_text_system_collapse(own, c));
   tp_document_tell(d, TP_PASSAGE_PARAGRAPH, 0, &caption);
+  if (c->without_vertical) {
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                    "This is without the vertical part of the earthquake, the less safe here.");
+  }
 }
 
 static void add_force_row(tp_document *d, const tp_block_system *s, const tp_system_case *c,

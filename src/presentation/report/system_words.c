@@ -5,6 +5,7 @@
 
 #include "report/system_words.h"
 
+#include "block_system/governing_case.h"
 #include "terms/names.h"
 
 #include <math.h>
@@ -42,8 +43,10 @@ void tp_text_system_limit(tp_text *t, const tp_system_case *c) {
   char n[TP_NUMBER_SIZE];
   switch (c->limit) {
   case TP_SYSTEM_LIMIT_NUMBER:
-    if (add_bracket(t, c->critical_angle_deg, fourth, "°")) break;
-    tp_text_add(t, "%s°", tp_text_fixed(n, c->critical_angle_deg, 4));
+    if (!add_bracket(t, c->critical_angle_deg, fourth, "°")) {
+      tp_text_add(t, "%s°", tp_text_fixed(n, c->critical_angle_deg, 4));
+    }
+    if (tp_system_case_is_held_farther(c)) tp_text_add(t, ", but not as they lie");
     break;
   case TP_SYSTEM_INTERLOCKED:
     tp_text_add(t, "none below 90°: interlocked");
@@ -69,7 +72,7 @@ void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
   } else if (c->fos.state == TP_FOS_UNDEFINED) {
     tp_text_add(t, "none: not held with 1000 times the strength");
   } else {
-    tp_text_add(t, "undecided");
+    tp_text_add(t, c->verdict == TP_SYSTEM_COLLAPSES ? "below 1, undecided how far" : "undecided");
   }
 }
 

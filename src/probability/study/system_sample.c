@@ -22,7 +22,8 @@ static double limit_deg(const tp_system_case *own) {
   }
 }
 
-/* A factor that is only known to be exceeded is its proven bound. */
+/* A factor that is only known to be exceeded is its proven bound; where no strength is enough, or
+ * nothing holds even without what drives, it is below all. */
 static double fos_of(const tp_system_case *own) {
   const tp_fos fos = tp_system_case_factor(own).fos;
   if (fos.state == TP_FOS_UNDEFINED) return -INFINITY;

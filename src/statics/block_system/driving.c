@@ -152,11 +152,14 @@ static void set_factor(tp_fos *fos, double held, double bound) {
   fos->value = (tp_bounded){.value = value, .error = fmax(bound - value, value - held) + rounding};
 }
 
+/* Multiples that are held lie between two: where one is not, and a greater one is, none is not. */
 static tp_status take(tp_system_case *own, const tp_driving *d, const tp_built_system *s,
                       const tp_load_bracket *b, tp_message *message) {
   const double held = s->is_measured ? b->held : factor_at(d, b->held);
   const double bound = s->is_measured ? b->bound : factor_at(d, b->bound);
-  own->fos_driving.state = TP_FOS_UNDECIDED;
+  const bool farther = own->verdict == TP_SYSTEM_COLLAPSES && b->is_held && held >= 1;
+  own->fos_driving.state = farther ? TP_FOS_UNDEFINED : TP_FOS_UNDECIDED;
+  if (farther) return TP_OK;
   own->fos_driving_is_least = b->is_held && held > TP_MOST_FACTOR;
   if (own->fos_driving_is_least) {
     own->fos_driving = (tp_fos){TP_FOS_NUMBER, {.value = TP_MOST_FACTOR}};

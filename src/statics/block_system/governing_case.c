@@ -38,6 +38,11 @@ bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *ot
              low(other->critical_angle_deg) - high(other->tilt_angle_deg);
 }
 
+bool tp_system_case_is_held_farther(const tp_system_case *c) {
+  return c->verdict == TP_SYSTEM_COLLAPSES && c->limit == TP_SYSTEM_LIMIT_NUMBER &&
+         low(c->critical_angle_deg) > high(c->tilt_angle_deg);
+}
+
 const tp_system_case *tp_system_governing(const tp_block_system *system) {
   const tp_system_case *least = system->cases;
   for (size_t k = 1; k < system->case_count; k++) {

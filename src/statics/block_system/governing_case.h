@@ -24,6 +24,9 @@ tp_system_factor tp_system_case_factor(const tp_system_case *of);
  * same by how much more tilt it bears. */
 bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other);
 
+/* Do they collapse as they lie, though forces hold them farther to its side? */
+bool tp_system_case_is_held_farther(const tp_system_case *own);
+
 /* A system has one at least. */
 const tp_system_case *tp_system_governing(const tp_block_system *system);
 

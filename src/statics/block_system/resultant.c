@@ -46,11 +46,12 @@ static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) 
 }
 
 /* k_h and 1 - k_v; the earthquake as an angle. */
-static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, tp_message *message) {
+static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, bool vertical_acts,
+                                tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
   arb_one(r->along);
   if (loads->horizontal.given) arb_set_fmpq(r->across, loads->horizontal.value, BITS);
-  if (loads->vertical.given && fmpq_sgn(loads->vertical.value) > 0) {
+  if (loads->vertical.given && vertical_acts) {
     arb_set_fmpq(r->along, loads->vertical.value, BITS);
     arb_sub_ui(r->along, r->along, 1, BITS);
     arb_neg(r->along, r->along);
@@ -136,15 +137,16 @@ static void set_along_base(tp_resultant *r) {
   arb_clear(size);
 }
 
-tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, bool towards_left,
-                            bool is_measured, const tp_applied_load *applied, tp_message *message) {
+tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, const tp_resultant_case *of,
+                            const tp_applied_load *applied, tp_message *message) {
+  const bool towards_left = of->towards_left, is_measured = of->is_measured;
   *r = (tp_resultant){.left = towards_left, .applied = applied};
   arb_init(r->tilt_deg);
   arb_init(r->earthquake_deg);
   arb_init(r->along);
   arb_init(r->across);
   set_tilt(r, scene, towards_left);
-  const tp_status status = set_earthquake(r, scene, message);
+  const tp_status status = set_earthquake(r, scene, of->vertical_acts, message);
   if (status != TP_OK) {
     tp_resultant_clear(r);
   } else if (is_measured) {
@@ -160,6 +162,20 @@ void tp_resultant_clear(tp_resultant *r) {
   arb_clear(r->earthquake_deg);
   arb_clear(r->along);
   arb_clear(r->across);
+}
+
+tp_near tp_resultant_at_rest(const tp_resultant *r, bool is_measured) {
+  arb_t sine, cosine;
+  tp_near tangent = {0, 0};
+  if (is_measured || arb_is_zero(r->tilt_deg)) return tangent;
+  arb_init(sine);
+  arb_init(cosine);
+  tp_ball_sin_cos(sine, cosine, r->tilt_deg, BITS);
+  arb_div(sine, sine, cosine, BITS);
+  tangent = tp_ball_near(sine);
+  arb_clear(sine);
+  arb_clear(cosine);
+  return tangent;
 }
 
 /* The angle with a tangent between the bounds, in degrees. */
@@ -199,6 +215,7 @@ bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *r, 
   const bool known = arb_is_positive(cosine);
   if (known) {
     arb_div(sine, sine, cosine, BITS);
+    arb_mul(sine, sine, r->along, BITS);
     *acceleration = tp_ball_bounded(sine);
   }
   arb_clear(degrees);

@@ -6,8 +6,8 @@
  *
  * With weights alone and no cohesion a common factor on all changes nothing: weights act along the
  * normal and, times s, along the base, and the resultant has s = tan(tilt + atan(k_h / (1 - k_v))).
- * Else weights act as they do at the tilt, and s is the coefficient of an earthquake. A part of the
- * earthquake upwards counts where it is worse: k_v > 0. */
+ * Else weights act as they do at the tilt, and s is the coefficient of an earthquake. Its vertical
+ * part counts where it is to act (block_system/vertical_part.h). */
 
 #ifndef TP_BLOCK_SYSTEM_RESULTANT_H
 #define TP_BLOCK_SYSTEM_RESULTANT_H
@@ -39,12 +39,22 @@ void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left
 /* How its axes lie then. */
 void tp_scene_lie(tp_lie *lie, const tp_scene *scene, bool towards_left);
 
-/* `is_measured`: weights are held against strength or loads that are given in forces; `applied`,
- * borrowed, are such loads, or NULL. Refused: an earthquake that lifts all weight. */
+typedef struct tp_resultant_case {
+  bool towards_left;
+  bool is_measured; /* weights are held against strength or loads that are given in forces */
+  bool vertical_acts;
+} tp_resultant_case;
+
+/* `applied`, borrowed, are loads that are given in forces, or NULL. Refused: an earthquake that
+ * lifts all weight. */
 TP_MUST_USE tp_status tp_resultant_init(tp_resultant *resultant, const tp_scene *scene,
-                                        bool towards_left, bool is_measured,
-                                        const tp_applied_load *applied, tp_message *message);
+                                        const tp_resultant_case *of, const tp_applied_load *applied,
+                                        tp_message *message);
 void tp_resultant_clear(tp_resultant *resultant);
+
+/* The load that is there as nothing shakes, by s; where it is measured, with the vertical part of
+ * the earthquake. Not where the tilt is 90 degrees or more. */
+tp_near tp_resultant_at_rest(const tp_resultant *resultant, bool is_measured);
 
 /* The loads at another tilt, in radians, where they are measured. */
 tp_weight_loads tp_resultant_at(const tp_resultant *resultant, double tilt);
@@ -53,7 +63,7 @@ tp_weight_loads tp_resultant_at(const tp_resultant *resultant, double tilt);
 tp_bounded tp_resultant_tilt_deg(const tp_resultant *resultant, double low, double high);
 
 /* And the horizontal acceleration, in g, that brings it there at the scene's tilt: tan of what is
- * left of the angle. False where that is 90 degrees or more. */
+ * left of the angle, times 1 - k_v. False where that is 90 degrees or more. */
 bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *resultant, double low,
                                double high);
 

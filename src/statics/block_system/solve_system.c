@@ -11,7 +11,8 @@
 #include "block_system/load_results.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
-#include "common/notes.h"
+#include "block_system/system_cautions.h"
+#include "block_system/vertical_part.h"
 #include "number/ball.h"
 
 #include <math.h>
@@ -22,11 +23,12 @@ typedef struct solving {
   const tp_solve_options *options;
   tp_motions_sought motions;
   tp_block_system *system;
+  bool falls_at_rest; /* and an earthquake holds it in one direction */
 } solving;
 
 /* One direction. */
 typedef struct direction {
-  const solving *x;
+  solving *x;
   tp_system_case *own;
   tp_resultant resultant;
   tp_driving driving;
@@ -35,12 +37,36 @@ typedef struct direction {
   tp_threshold tilt;     /* where loads are measured: in radians */
 } direction;
 
+/* ---- as they lie ------------------------------------------------------------------------------
+ */
+
+static tp_system_state state_at_strength(const void *context, double logarithm) {
+  const tp_resultant *r = context;
+  return (tp_system_state){r->loads, exp(logarithm)};
+}
+
 static void judge(direction *d) {
   const tp_near target = d->resultant.target;
   d->own->verdict = d->resultant.beyond                  ? TP_SYSTEM_UNDECIDED
                     : tp_limits_fail(&d->limits, target) ? TP_SYSTEM_COLLAPSES
                     : tp_limits_hold(&d->limits, target) ? TP_SYSTEM_CAN_HOLD
                                                          : TP_SYSTEM_UNDECIDED;
+}
+
+/* Limits to both sides: to the other one as far as what acts before the earthquake shakes, so that
+ * it is known whether that is held too. */
+static tp_status find_limits(direction *d, tp_message *message) {
+  const tp_system_state as_it_lies = state_at_strength(&d->resultant, 0);
+  const bool shakes = arb_is_positive(d->resultant.across);
+  const tp_near at_rest =
+      shakes ? tp_resultant_at_rest(&d->resultant, d->x->s->is_measured) : d->resultant.target;
+  const tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, at_rest, message);
+  if (status != TP_OK) return status;
+  judge(d);
+  if (d->own->verdict == TP_SYSTEM_CAN_HOLD && tp_limits_fail(&d->limits, at_rest)) {
+    d->x->falls_at_rest = true;
+  }
+  return TP_OK;
 }
 
 /* ---- limit -------------------------------------------------------------------------------------
@@ -88,12 +114,19 @@ static tp_status find_tilt(direction *d, tp_message *message) {
   return TP_OK;
 }
 
+/* The critical acceleration brings down what is held without it: loads that are held lie between
+ * two, so where the scene's is not, and a greater one is, nothing is held without. */
+static bool is_held_farther(const direction *d) {
+  return d->own->verdict == TP_SYSTEM_COLLAPSES &&
+         !tp_load_exceeds(&d->limits.side, d->resultant.target);
+}
+
 static tp_status set_limit(direction *d, tp_message *message) {
   const tp_load_bracket *b = &d->limits.side;
   tp_system_case *own = d->own;
   const tp_system_limit kind = kind_of(b);
   if (d->x->s->is_measured) {
-    own->has_acceleration = kind == TP_SYSTEM_LIMIT_NUMBER && b->held >= 0;
+    own->has_acceleration = kind == TP_SYSTEM_LIMIT_NUMBER && b->held >= 0 && !is_held_farther(d);
     if (own->has_acceleration) own->critical_acceleration_g = between(b->held, b->bound);
     return find_tilt(d, message);
   }
@@ -101,6 +134,7 @@ static tp_status set_limit(direction *d, tp_message *message) {
   if (kind != TP_SYSTEM_LIMIT_NUMBER) return TP_OK;
   own->critical_angle_deg = tp_resultant_tilt_deg(&d->resultant, b->held, b->bound);
   own->has_acceleration =
+      !is_held_farther(d) &&
       tp_resultant_acceleration(&own->critical_acceleration_g, &d->resultant, b->held, b->bound) &&
       own->critical_acceleration_g.value >= 0;
   return TP_OK;
@@ -108,11 +142,6 @@ static tp_status set_limit(direction *d, tp_message *message) {
 
 /* ---- factor ------------------------------------------------------------------------------------
  */
-
-static tp_system_state state_at_strength(const void *context, double logarithm) {
-  const tp_resultant *r = context;
-  return (tp_system_state){r->loads, exp(logarithm)};
-}
 
 static tp_status find_factor(direction *d, tp_message *message) {
   const tp_threshold *found = &d->strength;
@@ -188,10 +217,8 @@ static tp_status find_motions(direction *d, tp_message *message) {
  */
 
 static tp_status solve_direction(direction *d, tp_message *message) {
-  const tp_system_state as_it_lies = state_at_strength(&d->resultant, 0);
   d->own->tilt_angle_deg = tp_ball_bounded(d->resultant.tilt_deg);
-  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, d->resultant.target, message);
-  if (status == TP_OK) judge(d);
+  tp_status status = find_limits(d, message);
   if (status == TP_OK) status = set_limit(d, message);
   if (status == TP_OK) status = find_factor(d, message);
   if (status == TP_OK) status = find_factor_on_loads(d, message);
@@ -206,23 +233,19 @@ static tp_status solve_direction(direction *d, tp_message *message) {
                               tp_system_is_weighed(d->x->system), message);
 }
 
-static tp_status solve_case(const solving *x, bool left, tp_message *message) {
-  direction d = {.x = x};
-  tp_status status = tp_system_case_add(x->system, &d.own, message);
-  if (status == TP_OK) {
-    d.own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    status = tp_resultant_init(&d.resultant, x->s->scene, left, x->s->is_measured,
-                               x->s->loads[left ? 1 : 0].applied, message);
-  }
+/* With or without the vertical part of the earthquake. */
+static tp_status solve_shaken(tp_system_case *own, solving *x, bool left, bool vertical_acts,
+                              tp_message *message) {
+  const tp_resultant_case of = {left, x->s->is_measured, vertical_acts};
+  direction d = {.x = x, .own = own};
+  own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+  tp_status status =
+      tp_resultant_init(&d.resultant, x->s->scene, &of, x->s->loads[left ? 1 : 0].applied, message);
   if (status != TP_OK) return status;
   status = tp_driving_init(&d.driving, x->s, &d.resultant, message);
   if (status == TP_OK) {
     status = solve_direction(&d, message);
     tp_driving_clear(&d.driving);
-  }
-  d.own->has_required_fos = x->system->has_required_fos;
-  if (d.own->has_required_fos) {
-    d.own->meets_required = tp_system_case_meets(d.own, x->system->required_fos.value);
   }
   tp_limits_clear(&d.limits);
   tp_threshold_clear(&d.strength);
@@ -231,28 +254,40 @@ static tp_status solve_case(const solving *x, bool left, tp_message *message) {
   return status;
 }
 
-/* Strength alone says nothing of columns that topple. */
-static tp_status note_undriven(const solving *x, tp_message *message) {
-  tp_block_system *own = x->system;
-  bool undriven = false;
-  for (size_t k = 0; k < own->case_count; k++) {
-    undriven = undriven || (own->cases[k].fos_driving.state == TP_FOS_NO_OVERTURNING &&
-                            own->cases[k].limit != TP_SYSTEM_INTERLOCKED);
-  }
-  if (!undriven || !own->has_required_fos) return TP_OK;
-  return tp_notes_add(&own->notes, message, TP_CAUTION, x->s->scene->required_fos.place,
-                      "no load drives the blocks to a side along x: the factor is of strength "
-                      "alone, and how near they are to toppling is told by the greatest tilt and "
-                      "the critical acceleration; say 'slope: {dip_deg: ...}' and draw x along it "
-                      "where they stand on one");
+/* Beside the one with it, which is taken out of the list again. */
+static tp_status join_without(solving *x, tp_system_case *with, bool left, tp_message *message) {
+  tp_system_case *without;
+  tp_status status = tp_system_case_add(x->system, &without, message);
+  if (status == TP_OK) status = solve_shaken(without, x, left, false, message);
+  if (status == TP_OK) tp_system_case_join(with, without);
+  tp_system_case_drop_last(x->system);
+  return status;
 }
 
-static tp_status solve_cases(const solving *x, tp_message *message) {
+static tp_status solve_case(solving *x, bool left, tp_message *message) {
+  const tp_vertical_part vertical = tp_scene_vertical_part(x->s->scene, x->s->is_measured);
+  tp_system_case *own;
+  tp_status status = tp_system_case_add(x->system, &own, message);
+  if (status == TP_OK) {
+    status = solve_shaken(own, x, left, vertical != TP_VERTICAL_IS_LEFT, message);
+  }
+  if (status == TP_OK && vertical == TP_VERTICAL_MAY_ACT) {
+    status = join_without(x, own, left, message);
+  }
+  own->has_required_fos = x->system->has_required_fos;
+  if (own->has_required_fos) {
+    own->meets_required = tp_system_case_meets(own, x->system->required_fos.value);
+  }
+  return status;
+}
+
+static tp_status solve_cases(solving *x, tp_message *message) {
   const tp_scene *scene = x->s->scene;
   tp_status status = TP_OK;
   if (tp_scene_asks_side(scene, true)) status = solve_case(x, true, message);
   if (status == TP_OK && tp_scene_asks_side(scene, false)) status = solve_case(x, false, message);
-  return status == TP_OK ? note_undriven(x, message) : status;
+  return status == TP_OK ? tp_system_add_cautions(x->system, scene, x->falls_at_rest, message)
+                         : status;
 }
 
 tp_status tp_block_system_solve_as_given(tp_block_system **system, const tp_scene *scene,

@@ -24,19 +24,23 @@ size_t tp_scene_block_count(const tp_scene *scene) {
   return scene == NULL ? 0 : (size_t)scene->many.count;
 }
 
+static void clear_case(tp_system_case *own) {
+  free(own->motions);
+  free(own->forces);
+  free(own->loads);
+  free(own->start.motions);
+  free(own->start.touches);
+  free(own->goodman_bray.why_not);
+  free(own->goodman_bray.columns);
+}
+
 void tp_block_system_free(tp_block_system *system) {
   if (system == NULL) return;
   for (size_t k = 0; k < system->block_count && system->blocks != NULL; k++) {
     free(system->blocks[k].name);
   }
   for (size_t k = 0; k < system->case_count && system->cases != NULL; k++) {
-    free(system->cases[k].motions);
-    free(system->cases[k].forces);
-    free(system->cases[k].loads);
-    free(system->cases[k].start.motions);
-    free(system->cases[k].start.touches);
-    free(system->cases[k].goodman_bray.why_not);
-    free(system->cases[k].goodman_bray.columns);
+    clear_case(system->cases + k);
   }
   free(system->blocks);
   free(system->contacts);
@@ -151,7 +155,7 @@ static void set_contact(tp_system_contact *own, const tp_built_system *s, long k
  */
 
 static bool set_lists(tp_block_system *own, const tp_built_system *s) {
-  enum { CASES = 2 };
+  enum { CASES = 3 }; /* two directions, and one more while it is joined with another */
   const tp_assemblage *a = &s->assemblage;
   own->blocks = calloc((size_t)a->count, sizeof *own->blocks);
   own->contacts = calloc((size_t)a->contact_count + 1, sizeof *own->contacts);
@@ -220,4 +224,10 @@ tp_status tp_system_case_add(tp_block_system *system, tp_system_case **added, tp
   *added = own;
   return own->motions != NULL && own->forces != NULL ? TP_OK
                                                      : tp_fail_memory(message, "the result");
+}
+
+void tp_system_case_drop_last(tp_block_system *system) {
+  tp_system_case *last = system->cases + --system->case_count;
+  clear_case(last);
+  *last = (tp_system_case){.motions = NULL};
 }

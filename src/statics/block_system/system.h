@@ -29,7 +29,7 @@ TP_MUST_USE tp_status tp_block_system_solve_as_given(tp_block_system **system,
                                                      tp_motions_sought motions,
                                                      tp_message *message);
 
-/* Without cases, and with room for two; to be freed by tp_block_system_free. */
+/* Without cases, and with room for three; to be freed by tp_block_system_free. */
 TP_MUST_USE tp_status tp_block_system_describe(tp_block_system **system,
                                                const tp_built_system *built, tp_message *message);
 
@@ -39,5 +39,8 @@ bool tp_system_is_weighed(const tp_block_system *system);
 /* One more case, with room for its motions and forces. */
 TP_MUST_USE tp_status tp_system_case_add(tp_block_system *system, tp_system_case **added,
                                          tp_message *message);
+
+/* The last one, with all that it has. */
+void tp_system_case_drop_last(tp_block_system *system);
 
 #endif
