@@ -30,10 +30,12 @@ typedef struct tp_joint_description {
   tp_quantity friction_angle_deg, cohesion_kpa, tension_kpa; /* not given: the scene's */
 } tp_joint_description;
 
-/* Columns side by side on steps that Goodman and Bray (1976) describe: the key columns, of which
- * blocks and joints are made as it is read (scene_reading/read_columns.c). */
+/* Columns side by side on steps that Goodman and Bray (1976) describe, or of the area of a slope:
+ * the key columns, of which blocks and joints are made as it is read
+ * (scene_reading/read_columns.c). */
 typedef struct tp_columns_description {
   tp_quantity width, step, rise, fall, below_crest, above_crest;
+  tp_quantity face_dip_deg, height, upper_dip_deg, base_dip_deg; /* of equal_area */
   tp_quantity side_friction_angle_deg; /* given: between columns, instead of the scene's */
 } tp_columns_description;
 

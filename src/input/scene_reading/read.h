@@ -139,8 +139,12 @@ TP_MUST_USE tp_status tp_read_drawn_blocks(const tp_reader *reader, const tp_nod
 TP_MUST_USE tp_status tp_read_jointed_slope(const tp_reader *reader, const tp_node *node,
                                             const tp_quantity *unit_weight);
 /* The key columns: the blocks that it makes; and their joints, behind those that were read. */
+enum { TP_MOST_COLUMNS = 100000 };
 TP_MUST_USE tp_status tp_read_columns(const tp_reader *reader, const tp_node *node,
-                                      const tp_quantity *unit_weight);
+                                      const tp_node *root, const tp_quantity *unit_weight);
+/* Heights of columns from the toe on, of which the scene has their step then; theirs to clear. */
+TP_MUST_USE tp_status tp_read_equal_area(const tp_reader *reader, fmpq **heights, long *count,
+                                         const tp_node *columns, const tp_node *root);
 TP_MUST_USE tp_status tp_read_column_joints(const tp_reader *reader);
 /* Which of many blocks each load acts on, after the loads; and the key support. Keys of many blocks
  * are refused where the scene has one. */

@@ -219,7 +219,7 @@ static tp_status read_bodies(const tp_reader *reader, const tp_node *root,
                         "a scene has 'blocks', or 'columns' or a 'jointed_slope' that make them: "
                         "leave one out");
   }
-  if (strcmp(node->key, "columns") == 0) return tp_read_columns(reader, node, unit_weight);
+  if (strcmp(node->key, "columns") == 0) return tp_read_columns(reader, node, root, unit_weight);
   if (strcmp(node->key, "blocks") == 0) return read_list(reader, node, unit_weight);
   if (strcmp(node->key, "drawing") == 0) return tp_read_drawn_blocks(reader, node, unit_weight);
   return tp_read_jointed_slope(reader, node, unit_weight);

@@ -6,7 +6,8 @@
  * from the toe on and y along the columns. With the first at the toe, the base of column n lies at
  * (n - 1) b. Tops rise by a1 from column to column up to the crest, so that heights are
  *     y_n = n (a1 - b)                    up to the crest, column c,
- *     y_n = y_c - (n - c) (a2 + b)        behind it. */
+ *     y_n = y_c - (n - c) (a2 + b)        behind it.
+ * Or each has the area of the slope between its joints (jointing/equal_area.h). */
 
 #include "scene/members.h"
 #include "scene_reading/read.h"
@@ -16,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_COLUMNS = 100000, MOST_NAME = 32 };
+enum { MOST_COLUMNS = TP_MOST_COLUMNS, MOST_NAME = 32 };
 
 typedef struct made {
   long count;
@@ -124,8 +125,11 @@ static tp_status read_heights(const tp_reader *reader, made *m, const tp_node *n
   return status;
 }
 
-static tp_status find_heights(const tp_reader *reader, made *m, const tp_node *node) {
+static tp_status find_heights(const tp_reader *reader, made *m, const tp_node *node,
+                              const tp_node *root) {
   const tp_node *heights = tp_node_get(node, "heights"), *found = NULL;
+  if (tp_node_get(node, "equal_area") != NULL)
+    return tp_read_equal_area(reader, &m->heights, &m->count, node, root);
   if (heights != NULL) return read_heights(reader, m, heights);
   tp_status status = tp_read_required(reader, &found, node, "rise", "rise: 5");
   if (status == TP_OK) {
@@ -223,11 +227,11 @@ static tp_status add_blocks(const tp_reader *reader, const tp_node *node, const 
   return status;
 }
 
-tp_status tp_read_columns(const tp_reader *reader, const tp_node *node,
+tp_status tp_read_columns(const tp_reader *reader, const tp_node *node, const tp_node *root,
                           const tp_quantity *unit_weight) {
   made m = {.count = 0};
   tp_status status = tp_read_map(reader, reader->scene, node, &tp_key_map_columns, "columns");
-  if (status == TP_OK) status = find_heights(reader, &m, node);
+  if (status == TP_OK) status = find_heights(reader, &m, node, root);
   if (status == TP_OK) status = add_blocks(reader, node, &m, unit_weight);
   if (m.heights != NULL) _fmpq_vec_clear(m.heights, m.count);
   return status;
