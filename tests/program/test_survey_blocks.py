@@ -100,6 +100,13 @@ class Survey(GoverningCase):
             self.assertIn(told, err)
             self.assertIn("contact: {within: ", err)
             self.system(scene(outlines, "0.002"))
+        # What is no noise is not to be closed: a block that hangs in the air, and one that meets another in a corner of both alone.
+        for outline, told in (([(0, 1.5), (2, 1.5), (2, 2), (0, 2)], "and lies 0.5 scene lengths from 'b1', the nearest"),
+                              ([(2, 1), (4, 1), (4, 2), (2, 2)], "'b2' touches no other but 'b1', and that in a corner of both alone")):
+            status, out, err = run("solve", self.scene(scene([GROUND, low, outline])))
+            self.assertEqual((status, out), (3, ""))
+            self.assertIn(told, err)
+            self.assertNotIn("within:", err)
         wide = self.system(scene([GROUND, low, [(2.1, 0), (3, 0), (3, 3), (2.1, 3)]]))
         self.assertEqual(wide["notes"], [])
 

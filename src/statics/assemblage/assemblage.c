@@ -180,16 +180,32 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
   return TP_OK;
 }
 
+/* Noise of a survey is small beside a block. */
 static tp_status fail_floating(const tp_assemblage *a, long block, tp_message *message) {
+  static const double small = 0.05;
+  const tp_given_block *own = a->given + block;
   double distance = 0;
   const long other = tp_nearest_block(&distance, a->given, a->count, block);
+  const tp_quote name = tp_quote_all(own->name), next = tp_quote_all(a->given[other].name);
+  if (distance == 0) {
+    return tp_refuse(message, TP_FAULT_GEOMETRY, own->place,
+                     "block '%s' touches no other but '%s', and that in a corner of both alone, "
+                     "which bears nothing: blocks bear on edges that they share, or with a corner "
+                     "within an edge of another",
+                     name.text, next.text);
+  }
+  if (distance > small * tp_block_extent(own)) {
+    return tp_refuse(message, TP_FAULT_GEOMETRY, own->place,
+                     "block '%s' touches no other, and lies %.3g scene lengths from '%s', the "
+                     "nearest: put it on what bears it",
+                     name.text, distance, next.text);
+  }
   return tp_refuse(
-      message, TP_FAULT_GEOMETRY, a->given[block].place,
+      message, TP_FAULT_GEOMETRY, own->place,
       "block '%s' touches no other, and lies %.3g scene lengths from '%s': coordinates that are to "
       "be the same must be given with the same digits, or 'contact: {within: %.1g}' "
       "closes gaps of a survey",
-      tp_quote_all(a->given[block].name).text, distance, tp_quote_all(a->given[other].name).text,
-      2 * distance);
+      name.text, distance, next.text, 2 * distance);
 }
 
 static tp_status check_held(const tp_assemblage *a, tp_message *message) {

@@ -43,3 +43,13 @@ long tp_nearest_block(double *distance, const tp_given_block *given, long count,
   }
   return nearest;
 }
+
+double tp_block_extent(const tp_given_block *block) {
+  const tp_polyline *ring = block->section->rings;
+  double most = 0;
+  for (long k = 1; k < ring->count; k++) {
+    most = fmax(most,
+                hypot(tp_ratio_apart(ring->x + k, ring->x), tp_ratio_apart(ring->y + k, ring->y)));
+  }
+  return most;
+}

@@ -11,4 +11,7 @@
 /* The block that lies next to one, and how far off, in scene lengths; -1: there is no other. */
 long tp_nearest_block(double *distance, const tp_given_block *given, long count, long block);
 
+/* How far a block reaches from its first corner, in scene lengths, rounded. */
+double tp_block_extent(const tp_given_block *block);
+
 #endif
