@@ -162,6 +162,25 @@ class BlockEarthquakes(GoverningCase):
         self.assertEqual(done, 1, err)
         self.assertEqual([c["verdict"] for c in json.loads(out)["cases"]], ["stands", "collapses"])
 
+    def test_what_stands_has_a_factor_of_one(self):
+        """At a friction of 89 degrees the search of this scene comes to no end where an edge has a corner more: the factor of blocks that
+        stood was told to be above 0.956."""
+        blocks = ("[[0.25, 0.09375], [1, 0.375], [1, 2.4375]]", "[[0.125, 2.796875], [0, 2.75], [0, 0.34375]]",
+                  "[[0, 0.34375], [0, 0.171875], [0, 0], [0.25, 0.09375], [1, 2.4375], [1, 3.125], [0.125, 2.796875]]",
+                  "[[1, 0.375], [2, 0.75], [2, 3.75], [2, 6.75], [1, 6.375]]")
+        ground = "{name: ground, ground: true, outline: [[-6, -7.25], [8, -7.25], [8, 3], [2, 0.75], [1, 0.375], [0.5, 0.1875], [0, 0], [-6, -2.25]]}"
+        text = many(blocks[0], "".join(f"  - {{name: b{k}, outline: {own}}}\n" for k, own in enumerate(blocks[1:])) + "frame: world\n"
+                    "joints: [{between: [b, b1], friction_angle_deg: 10}]\nloads: {seismic: {horizontal: 0.2}}\n", 89, ground)
+        own = self.solved(text)["cases"][1]
+        self.assertEqual((own["towards"], own["verdict"]), ("right", "stands"))
+        self.assertGreaterEqual(own["fos"]["value"], 1)
+        # Nor is one certain to stand under 0.99999 times its loads alone: what is certain as it lies is certain of 1.
+        self.assertGreaterEqual(own["standing_fos_driving"], 1)
+        self.assertNotIn("up to 0.", run("solve", self.scene(text))[1])
+        exact = many([[0, 0], [2, 0], [2, 2], [0, 2]], "tilt: {towards: left, angle_deg: 44.99999}\nrequired_fos: 1\n", 60)
+        own = self.solved(exact)["cases"][0]
+        self.assertEqual((own["verdict"], own["meets_required"]), ("stands", "met"))
+
     def test_one_side_is_told(self):
         """On a table one side is looked at, which a caution tells as of one block; `direction` is of a slope."""
         block = [[0, 0], [2, 0], [2, 1], [0, 1]]

@@ -23,15 +23,22 @@ void tp_text_system_moving(tp_text *t, const tp_system_case *c) {
               c->moving_fos_is_most ? ", and less: more friction does not help" : "");
 }
 
+/* As the blocks lie it is 1. */
+static void add_standing(tp_text *t, double factor) {
+  if (down(factor, fifth) > 1) {
+    tp_text_add(t, "up to %.5f\n", down(factor, fifth));
+  } else {
+    tp_text_add(t, "1 alone; above that nothing is proven\n");
+  }
+}
+
 static void add_factors(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos) {
     tp_text_system_label(t, "certain to stand, strength divided by");
     if (c->standing_fos_is_least) {
       tp_text_add(t, "up to %.0f, and more\n", c->standing_fos);
-    } else if (c->standing_fos > 1) {
-      tp_text_add(t, "up to %.5f\n", down(c->standing_fos, fifth));
     } else {
-      tp_text_add(t, "1 alone; above that nothing is proven\n");
+      add_standing(t, c->standing_fos);
     }
   }
   if (tp_system_case_moves_sooner(c)) {
@@ -44,7 +51,7 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
 static void add_driving(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos_driving) {
     tp_text_system_label(t, "certain to stand, driving loads times");
-    tp_text_add(t, "up to %.5f\n", down(c->standing_fos_driving, fifth));
+    add_standing(t, c->standing_fos_driving);
   }
   const bool is_sooner =
       c->fos_driving.state != TP_FOS_NUMBER || c->fos_driving_is_least ||

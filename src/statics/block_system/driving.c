@@ -211,7 +211,8 @@ void tp_driving_of_angles(tp_system_case *own, const tp_driving *d, const tp_res
   own->has_standing_fos_driving = own->has_standing_angle;
   if (own->has_standing_angle) {
     const double factor = factor_at_tilt(d, r, own->standing_angle_deg);
-    own->standing_fos_driving = fmin(nextafter(factor, 0), TP_MOST_FACTOR);
+    /* rounded down, but as they lie it is 1 */
+    own->standing_fos_driving = fmax(1, fmin(nextafter(factor, 0), TP_MOST_FACTOR));
   }
   if (!own->has_moving_angle) return;
   own->moving_fos_driving = nextafter(factor_at_tilt(d, r, own->moving_angle_deg), INFINITY);

@@ -162,8 +162,9 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                  : TP_FOS_UNDECIDED;
   if (status != TP_OK || !found->is_held) return status;
   d->own->fos_is_least = !found->is_bounded;
+  const double least = d->own->verdict == TP_SYSTEM_CAN_HOLD ? 1 : 0; /* as they are held */
   fos->value = found->is_bounded ? between(exp(found->held), exp(found->bound))
-                                 : (tp_bounded){.value = exp(found->held)};
+                                 : (tp_bounded){.value = fmax(exp(found->held), least)};
   return TP_OK;
 }
 
