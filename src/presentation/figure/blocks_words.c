@@ -3,6 +3,7 @@
 
 /* Words around the figure of many blocks: how they lie, verdict and numbers, what is drawn. */
 
+#include "block_system/governing_case.h"
 #include "figure/blocks.h"
 #include "figure/legend.h"
 #include "report/column_page.h"
@@ -66,14 +67,28 @@ bool tp_blocks_heading(double *y, cairo_t *cr, const tp_blocks_figure *f, double
 /* ---- below the drawing -------------------------------------------------------------------------
  */
 
+static void add_factor_by(tp_text *t, const tp_system_case *c, bool driving) {
+  tp_text_add(t, driving ? "on driving loads: " : "by strength reduction: ");
+  if (driving) {
+    tp_text_system_driving(t, c);
+  } else {
+    tp_text_system_factor(t, c);
+  }
+}
+
+/* The lesser first: it governs. */
+static void add_both_factors(tp_text *t, const tp_system_case *c) {
+  const bool by_driving = tp_system_case_factor(c).definition == TP_FOS_BY_DRIVING;
+  tp_text_add(t, "Factor of safety ");
+  add_factor_by(t, c, by_driving);
+  if (c->fos_driving.state == TP_FOS_NO_OVERTURNING) return;
+  tp_text_add(t, "; ");
+  add_factor_by(t, c, !by_driving);
+}
+
 void tp_blocks_factors(tp_text *t, const tp_system_case *c) {
   if (c->fos.state != TP_FOS_NOT_ASKED) {
-    tp_text_add(t, "Factor of safety by strength reduction: ");
-    tp_text_system_factor(t, c);
-    if (c->fos_driving.state != TP_FOS_NO_OVERTURNING) {
-      tp_text_add(t, "; on driving loads: ");
-      tp_text_system_driving(t, c);
-    }
+    add_both_factors(t, c);
     tp_text_add(t, c->goodman_bray.applies ? "; by Goodman and Bray: " : ".");
     if (c->goodman_bray.applies) {
       tp_text_goodman_bray_factor(t, &c->goodman_bray);
