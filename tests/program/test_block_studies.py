@@ -8,7 +8,9 @@ import csv
 import io
 import json
 import math
+import pathlib
 import statistics
+import tempfile
 import unittest
 
 from harness import ROOT, main, run
@@ -219,6 +221,23 @@ class BlockSweeps(unittest.TestCase):
                                    ("limit_deg", case["critical_angle_deg"]["value"]), ("limit_error", case["critical_angle_deg"]["error"])):
                 self.assertEqual(float(told[column]), number)
         self.assertEqual(run("sweep", self.EXAMPLE, "--threads", "1", "--x", "friction_angle_deg=36,95,33", "--y", "slope.dip_deg=29,30")[1], out)
+
+    def test_numbers_of_a_slope(self):
+        """Spacing, dip and scatter of a jointed slope, and a sample of it, vary like any number: the rows are those of the scene with the
+        number written into it."""
+        text = (ROOT / "examples" / "blocks" / "jointed_slope.yaml").read_text(encoding="utf-8").replace("height: 20", "height: 5")
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "slope.yaml"
+            for key, old, new in (("joints.1.spacing", "spacing: 3,", "spacing: 2,"), ("joints.1.dip_deg", "dip_deg: 70", "dip_deg: 75"),
+                                  ("joints.1.scatter.spacing", "{spacing: 0.3", "{spacing: 0.1"), ("seed", "seed: 3", "seed: 8")):
+                scene.write_text(text, encoding="utf-8")
+                value = new.rpartition(" ")[2].strip("{},")
+                status, out, err = run("sweep", scene, "--x", f"jointed_slope.{key}={value}")
+                self.assertEqual(status, 0, err)
+                scene.write_text(text.replace(old, new, 1), encoding="utf-8")
+                (told,), (truth,) = ([*csv.DictReader(io.StringIO(rows))] for rows in (out, run("solve", "--csv", scene)[1]))
+                for column in ("verdict", "fos", "limit_deg", "critical_acceleration_g", "collapse"):
+                    self.assertEqual(told[column], truth[column], (key, column))
 
     def test_tables(self):
         """Of several scenes of many blocks the rows of each, in their order, in CSV and in Markdown; not with one of a single block."""

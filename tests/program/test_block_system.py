@@ -3,6 +3,7 @@
 """Scenes of many blocks (docs/blocks_in_contact.md) against closed forms, published walls and slopes, the same blocks as a scene of
 one, and their images: mirrored, renumbered, in another unit, far away, turned by 3-4-5."""
 
+import decimal as decimals
 import fractions
 import json
 import math
@@ -13,6 +14,13 @@ import time
 from governing_case import GoverningCase
 from harness import PROGRAM, main, rounds, run
 from pile_case import EXAMPLE, Pile, arch, box, degrees_of, text_of, wall
+
+
+def decimal(number):
+    """In all digits."""
+    with decimals.localcontext() as context:
+        context.prec = 60
+        return str(decimals.Decimal(number.numerator) / decimals.Decimal(number.denominator))
 
 
 class BlockSystem(GoverningCase):
@@ -316,6 +324,24 @@ jointed_slope:
         self.assertLess(time.monotonic() - began, 10)
         self.assertRegex(line, r"^5078 blocks: limits and factors of so many take some 18 seconds of one core and up to 0\.13 GB of memory$")
         self.assertEqual(run("solve", self.scene(wall(3, 3).scene(35)))[2], "")
+
+    def test_gaps_are_gaps(self):
+        """Contact is exact: of two columns 1e-12 apart on the ground neither touches the other, and a block as much above the ground touches
+        nothing, in a mine's coordinates too; as much of an overlap is refused by both names. Closed, with a T-junction and a corner on a
+        face, all touch."""
+        for x, y in ((0, 0), (5123452, 6789012)):
+            for gap, edges in (("0", 3), ("1e-12", 2), ("1e-30", 2)):
+                apart = fractions.Fraction(gap)
+                pile = Pile().add("g", box(x - 9, y - 1, x + 9, y), True).add("a", box(x, y, x + 2, y + 3))
+                beside = [(decimal(px + apart), decimal(py)) for px, py in box(x + 2, y, x + 4, y + 1)]
+                own = self.json(pile.add("b", beside).scene(30))
+                self.assertEqual(len([c for c in own["contacts"] if not c["corner"]]), edges, gap)
+            above = Pile().add("g", box(x - 9, y - 1, x + 9, y), True).add("a", [(decimal(px), decimal(py + fractions.Fraction(1, 10**12)))
+                                                                                for px, py in box(x, y, x + 2, y + 3)])
+            self.assertIn("block 'a' touches no other", run("solve", self.scene(above.scene(30)))[2])
+            within = Pile().add("g", box(x - 9, y - 1, x + 9, y), True).add("a", [(decimal(px), decimal(py - fractions.Fraction(1, 10**12)))
+                                                                                 for px, py in box(x, y, x + 2, y + 3)])
+            self.assertIn("blocks 'g' and 'a' overlap", run("solve", self.scene(within.scene(30)))[2])
 
     def test_bad_input(self):
         """What cannot be solved is told at its line and column, with both names where two blocks are at fault, and before work begins: ten

@@ -46,13 +46,21 @@ static void add_factor(tp_text *t, const tp_goodman_bray *own) {
   }
 }
 
+bool tp_goodman_bray_cost(double *ratio, const tp_system_case *c) {
+  const tp_goodman_bray *own = &c->goodman_bray;
+  if (!own->applies || !own->has_fos || own->fos_is_least) return false;
+  if (c->fos.state != TP_FOS_NUMBER || c->fos_is_least) return false;
+  *ratio = c->fos.value.value / own->fos;
+  return true;
+}
+
 /* What the assumption costs, by both factors. Forces that hold all columns are some of those that
  * limit analysis has, so that its factor is the greater. */
 static void add_assumption(tp_text *t, const tp_system_case *c) {
   static const double rounding = 1e-6;
   const tp_goodman_bray *own = &c->goodman_bray;
-  const bool both = own->has_fos && c->fos.state == TP_FOS_NUMBER;
-  const double ratio = both ? c->fos.value.value / own->fos : 1;
+  double ratio = 1;
+  const bool both = tp_goodman_bray_cost(&ratio, c);
   tp_text_add(t, "  Its forces between columns act at the top of each contact, with the friction\n"
                  "  there fully mobilised.");
   if (ratio < 1 - rounding) {
@@ -60,10 +68,10 @@ static void add_assumption(tp_text *t, const tp_system_case *c) {
                    "  reduction is the smaller one.\n");
     return;
   }
-  if (both && !own->fos_is_least && !c->fos_is_least && ratio <= 1 + rounding) {
+  if (both && ratio <= 1 + rounding) {
     tp_text_add(t, " No forces that act elsewhere need less\n"
                    "  friction.");
-  } else if (both && !own->fos_is_least && !c->fos_is_least) {
+  } else if (both) {
     tp_text_add(t,
                 " It asks for %.4g times the friction that forces need\n"
                 "  which act where it is best.",

@@ -93,7 +93,9 @@ void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
 /* ---- columns -----------------------------------------------------------------------------------
  */
 
-static void add_column_facts(tp_document *d, const tp_goodman_bray *own) {
+static void add_column_facts(tp_document *d, const tp_system_case *c) {
+  const tp_goodman_bray *own = &c->goodman_bray;
+  double ratio = 0;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Limit equilibrium by Goodman and Bray (1976)");
   tp_document_word(d, "Factor of safety");
   if (own->has_fos) {
@@ -104,6 +106,10 @@ static void add_column_facts(tp_document *d, const tp_goodman_bray *own) {
   if (own->has_friction_angle) {
     tp_document_word(d, "At a friction angle of");
     tp_document_cell(d, "%.3f°", own->friction_angle_deg);
+  }
+  if (tp_goodman_bray_cost(&ratio, c)) {
+    tp_document_word(d, "Friction asked for, over what forces need that act where it is best");
+    tp_document_cell(d, "%.4g", ratio);
   }
   if (own->column_count > 0) {
     tp_text zones = {0};
@@ -127,7 +133,7 @@ void tp_system_sheet_add_columns(tp_system_sheet *s, const tp_system_case *c) {
   tp_document *d = &s->document;
   bool all_hold = true;
   if (!own->applies) return;
-  add_column_facts(d, own);
+  add_column_facts(d, c);
   if (!own->has_forces || own->column_count == 0) return;
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7c,
                     "Columns from the toe up, at the friction that there is: forces in kN/m");
