@@ -100,6 +100,30 @@ class BlockSystem(GoverningCase):
         own = self.case(arch(60, 0.200637).scene(degrees_of(0.35)))
         self.encloses(own["fos"], 0.35 / 0.309215, (math.pi / 60) ** 2)
 
+    def test_slope_without_risers(self):
+        """Goodman and Bray's slope whose steps stand a billionth of a metre off the columns, so that risers bear nothing: tan φ 0.660516, by the
+        exact program of 2026, where it needs 0.659599 with them."""
+        ground = [(-10, -20), (170, -20), (170, 15)]
+        for k in range(15, 0, -1):
+            ground += [(f"{10 * k}.000000001", k), (f"{10 * k}.000000001", k - 1)]
+        pile = Pile().add("g", [*ground, (-10, 0)], True)
+        for k, height in enumerate([4 * n for n in range(1, 11)] + [40 - 6 * n for n in range(1, 7)]):
+            pile.add(f"c{k}", box(10 * k, k, 10 * k + 10, k + height))
+        own = self.case(pile.scene(38.15, "slope: {dip_deg: 30, towards: left}"))
+        self.encloses(own["fos"], math.tan(math.radians(38.15)) / 0.660516, 1e-6)
+
+    def test_overhangs(self):
+        """A stack of equal bricks leans out by the sum of 1/(2k) of their length: at 1e-8 less to each edge it stands, at as much more it falls,
+        and at 1e-30 doubles cannot tell, which is said."""
+        for count in (2, 5, 8):
+            for more, verdict in (("-1e-8", "stands"), ("1e-8", "collapses"), ("-1e-30", "undecided"), ("1e-30", "undecided")):
+                pile, at = Pile().add("g", box(-9, -1, 0, 0), True), fractions.Fraction(0)
+                for k in range(count):
+                    at += fractions.Fraction(1, 2 * (count - k)) + fractions.Fraction(more)
+                    pile.add(f"b{k}", [(decimal(x), decimal(fractions.Fraction(y))) for x, y in box(at - 1, k, at, k + 1)])
+                status, out, err = run("solve", "--json", self.scene(pile.scene(30)))
+                self.assertEqual((json.loads(out)["cases"][0]["verdict"], status), (verdict, 4 if verdict == "undecided" else 0), (count, more, err))
+
     def test_pinched_brick(self):
         """A brick that hangs between two blocks on level ground: μ = 1/√(1 + 2W/w) holds it, by friction that its own thrust makes; but
         it can fall all the same."""

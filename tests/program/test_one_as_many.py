@@ -12,7 +12,7 @@ from governing_case import GoverningCase
 from harness import ROOT, example_scenes, is_readable, main, run
 
 # What scenes of many blocks do not have, or have in other words.
-OTHERS = re.compile(r"^(slope|frame|cases|world|rest|pose|joint|solids?|blocks|columns|within):|arc|ellipse|rounded|barton|facet|"
+OTHERS = re.compile(r"^(frame|cases|world|rest|pose|joint|solids?|blocks|columns|within):|arc|ellipse|rounded|barton|facet|smooth|"
                     r"anchors|water|surcharge|pressure|support|moment|stays_level|friction_law|parts|study|shake|at2|place", re.M)
 NEAR = 1e-9  # of the size: a vertex of the contact is on that edge
 
@@ -59,7 +59,7 @@ class OneAsMany(GoverningCase):
         touching = [p for c in contact for p in c]
         low = min(p[1] for p in base[0] + rings[0]) - size
         ground = with_points(base[0] + [(base[0][-1][0], low), (base[0][0][0], low)], touching, size)
-        own = dict(re.findall(r"^(parameters|loads|tilt): *(\{.*\}) *$", lines, re.M))
+        own = dict(re.findall(r"^(parameters|loads|tilt|slope): *(\{.*\}) *$", lines, re.M))
         if outlines["parts"] or ("loads" in lines and "loads" not in own):
             return None
         weight = re.search(r"unit_weight_kn_m3: *([0-9.]+)", lines)
