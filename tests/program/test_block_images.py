@@ -149,7 +149,7 @@ class BlockImages(GoverningCase):
         draw = random.Random(23)
         piles = ((columns(), "middle", [(8, 12), (4, 12)], [(8, 11), (8, 12)], (5, 7)),
                  (pair(), "high", [(2, 7), (0, 7)], [(2, 2), (2, 7)], (1, 5)))
-        for k in range(rounds(6, 300)):
+        for k in range(rounds(4, 300)):
             pile, *places = piles[k % 2]
             friction, angle = draw.choice((25, 33, 42)), draw.choice((3, 9, 15))
             more = loads_of(draw, *places)

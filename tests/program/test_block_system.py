@@ -115,7 +115,7 @@ class BlockSystem(GoverningCase):
     def test_overhangs(self):
         """A stack of equal bricks leans out by the sum of 1/(2k) of their length: at 1e-8 less to each edge it stands, at as much more it falls,
         and at 1e-30 doubles cannot tell, which is said."""
-        for count in (2, 5, 8):
+        for count in (2, 6):
             for more, verdict in (("-1e-8", "stands"), ("1e-8", "collapses"), ("-1e-30", "undecided"), ("1e-30", "undecided")):
                 pile, at = Pile().add("g", box(-9, -1, 0, 0), True), fractions.Fraction(0)
                 for k in range(count):

@@ -129,7 +129,7 @@ class BlocksByGlpk(GoverningCase):
     def test_support(self):
         """Columns side by side, pushed at the toe: the least force that a factor needs, or that none is enough, or none is needed."""
         draw, numbers = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "43"))), 0
-        for _ in range(rounds(10, 2000)):
+        for _ in range(rounds(8, 2000)):
             pile, at = Pile().add("g", box(Q(-9), Q(-3), Q(99), Q(0)), True), Q(0)
             for k in range(draw.randint(1, 7)):
                 wide = Q(draw.randint(2, 6), 2)
