@@ -76,20 +76,39 @@ class BlockMotions(GoverningCase):
                 self.assertGreaterEqual(own["standing_fos"], share * own["fos"]["value"])
                 self.assertLessEqual(own["standing_fos"], own["fos"]["value"] + own["fos"]["error"])
 
-    def test_work_is_shared_out(self):
-        """An arch of which the proof as it lies takes more than half of all work: the try up to the limit, which cannot succeed, took the
-        rest, so that it was certain to stand with its strength divided by 1 alone. Now some is proven beyond, of its mirror image too."""
-        own = arch(7, 0.3).moved(lambda x, y: (round(float(x), 6), round(float(y), 6)))
+    def both_ways(self, pile, friction, angle):
+        """Tilted to the left; its mirror image with its blocks in the other order, to the right."""
         image = Pile()
-        for name, points, ground in own.blocks:
+        for name, points, ground in pile.blocks[::-1]:
             image.add(name, [(-x, y) for x, y in points[::-1]], ground)
-        for pile, side in ((own, "left"), (image, "right")):
-            case = self.case(pile, 35, f"tilt: {{towards: {side}}}")
-            self.assertEqual(case["verdict"], "stands")
-            self.assertGreater(case["standing_fos"], 1.05)
-            self.assertLess(case["standing_fos"], case["fos"]["value"])
-        page = run("solve", self.scene(own.scene(35, "tilt: {towards: left}")))[1]
-        self.assertIn("certain to stand at tilts             of 0° alone; above that nothing is proven\n", page)
+        return [self.case(own, friction, tilted(angle, side)) for own, side in ((pile, "left"), (image, "right"))]
+
+    def test_rows(self):
+        """Bricks side by side on a slope of 2°, φ = 35°: what a brick may do is divided at each joint, and what is refuted at one is learned
+        for all. Four stood as they lie, and five were not decided. Now it is told how far four stand, and that six do."""
+        for count, known in ((4, 10), (6, 1)):
+            row = on_ground()
+            for k in range(count):
+                row.add(f"b{k}", box(2 * k, 0, 2 * k + 2, 1))
+            for own in self.both_ways(row, 35, 2):
+                self.assertEqual(own["verdict"], "stands")
+                self.assertGreaterEqual(own["standing_fos"], known)
+                self.assertLessEqual(own["standing_fos"], math.tan(math.radians(35)) / math.tan(math.radians(2)))
+        page = run("solve", self.scene(row.scene(35, tilted(2))))[1]
+        self.assertIn("certain to stand, strength divided by 1 alone; above that nothing is proven\n", page)
+        self.assertIn("certain to stand at tilts             of 2° alone; above that nothing is proven\n", page)
+
+    def test_arches(self):
+        """Voussoirs of an arch: seven were certain to stand with their strength divided by 1.08, and at no tilt; nine not at all. Now both stand
+        up to nearly the tilt that forces can hold, whichever way they lean."""
+        for count in (7, 9):
+            own = arch(count, 0.3).moved(lambda x, y: (round(float(x), 6), round(float(y), 6)))
+            for case in self.both_ways(own, 35, 0):
+                self.assertEqual(case["verdict"], "stands")
+                self.assertGreater(case["standing_fos"], 1.2)
+                self.assertLess(case["standing_fos"], case["fos"]["value"])
+                self.assertGreater(case["standing_angle_deg"], 0.95 * case["critical_angle_deg"]["value"])
+                self.assertLess(case["standing_angle_deg"], case["critical_angle_deg"]["value"])
 
     def test_slopes(self):
         """One box, and two on each other: it stands up to tan φ / tan α, and to φ where it does not topple before. The required factor is

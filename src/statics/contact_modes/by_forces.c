@@ -9,7 +9,10 @@
 
 #include "contact_modes/cohesive_shear.h"
 #include "contact_modes/dense_program.h"
+#include "contact_modes/pushed.h"
 #include "contact_modes/reactions.h"
+#include "contact_modes/refutation.h"
+#include "contact_modes/refuted_node.h"
 #include "contact_modes/resisting_edges.h"
 
 #include "plane/contact_rows.h"
@@ -56,47 +59,6 @@ static bool find_shears(resisting *s) {
 /* ---- search ------------------------------------------------------------------------------------
  */
 
-/* Of a unit of a reaction on each of its blocks, in doubles. */
-typedef struct pushed {
-  long row[2];
-  double y[2][3];
-} pushed;
-
-static pushed push(const resisting *s, const tp_bearing_reaction *own) {
-  const tp_resting *r = s->q->resting;
-  pushed p = {.row = {-1, -1}};
-  for (int side = 0; side < 2; side++) {
-    const long row = own->column->row[side];
-    if (tp_modes_rests(s->node, row)) continue;
-    double wrench[3];
-    for (int e = 0; e < 3; e++) wrench[e] = own->sign * own->column->entry[side][e].value;
-    p.row[side] = row;
-    tp_resting_accelerate_double(p.y[side], r->assemblage->blocks + r->block[row / 3], wrench);
-  }
-  return p;
-}
-
-static double along(const tp_force_column *c, const pushed *p) {
-  double sum = 0;
-  for (int side = 0; side < 2; side++) {
-    for (int own = 0; own < 2 && c->row[side] >= 0; own++) {
-      if (p->row[own] != c->row[side]) continue;
-      for (int e = 0; e < 3; e++) sum += c->entry[side][e].value * p->y[own][e];
-    }
-  }
-  return sum;
-}
-
-static double power(const tp_near *loads, const pushed *p) {
-  double sum = 0;
-  for (int own = 0; own < 2; own++) {
-    for (int e = 0; e < 3 && p->row[own] >= 0; e++) {
-      sum += loads[p->row[own] + e].value * p->y[own][e];
-    }
-  }
-  return sum;
-}
-
 /* Edges are asked for each load where y has a share of it. */
 static int copies_of_edges(const resisting *s) {
   return s->takes_loads ? s->q->load_count : 1;
@@ -112,10 +74,11 @@ static long row_of_shear(const resisting *s, long shear) {
 
 static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing_reaction *own,
                        double sign, long column) {
-  const pushed of = push(s, own);
+  const tp_pushed of = tp_pushed_by(own, s->node, s->q->resting);
   for (long r = 0; r < s->edges.count; r++) {
     const tp_resisting_edge *e = s->edges.all + r;
-    const double entry = sign * (along(e->normal, &of) + e->shear.value * along(e->along, &of));
+    const double entry =
+        sign * (tp_pushed_along(&of, e->normal) + e->shear.value * tp_pushed_along(&of, e->along));
     for (int copy = 0; copy < copies_of_edges(s); copy++) {
       *tp_dense_program_entry(p, copy * s->edges.count + r, column) = entry;
     }
@@ -123,13 +86,13 @@ static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing
   double least = 0; /* of what cohesion adds to the power of the loads */
   for (long k = 0; k < s->shear_count; k++) {
     const cohesive *c = s->shears + k;
-    const double slip = sign * along(c->along, &of);
+    const double slip = sign * tp_pushed_along(&of, c->along);
     least += c->own.least.value * slip;
     *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
   }
   for (int k = 0; k < s->q->load_count; k++) {
     *tp_dense_program_entry(p, row_of_power(s, k), column) =
-        least + sign * power(s->q->loads[k], &of);
+        least + sign * tp_pushed_power(&of, s->q->loads[k]);
   }
 }
 
@@ -175,7 +138,7 @@ static void set_shears(tp_dense_program *p, const resisting *s) {
 /* All by d below zero, d <= 1 the greatest; what is to be zero is a little above, each by another
  * number, so that the method does not go in circles. */
 static bool search(resisting *s, long *work, tp_dense_program *p) {
-  static const double little = 1e-9, margin = 1e-6;
+  static const double little = 1e-9, margin = 1e-8;
   enum { UNLIKE = 7919, OF = 101 };
   const long last = p->columns - 1;
   long column = 0;
@@ -201,6 +164,16 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
   tp_reactions_join(s->factors, &s->reactions, s->columns);
   s->share = s->takes_loads ? s->columns[column] : 0;
   return found && s->columns[last] > margin;
+}
+
+/* Forces are the multipliers of rows. */
+static void tell_why(tp_relaxed_motions *relaxed, const resisting *s, const tp_dense_program *p) {
+  double *of_row = calloc((size_t)p->rows + (size_t)s->edges.count + 1, sizeof *of_row);
+  if (of_row == NULL) return;
+  tp_dense_program_multipliers(of_row, p, 0);
+  const double *of_loads = of_row + row_of_power(s, 0);
+  tp_relaxed_motions_add(relaxed, s->node, &s->edges, of_row, of_loads, copies_of_edges(s));
+  free(of_row);
 }
 
 /* ---- proof -------------------------------------------------------------------------------------
@@ -252,6 +225,17 @@ static bool prove(resisting *s, int load) {
   return tp_near_sign(cohesion) < 0;
 }
 
+static void widen(tp_modes_node *wide, const resisting *s) {
+  for (long k = 0; k < s->reactions.count; k++) {
+    const double factor = s->factors[k];
+    const tp_factor_sign sign = factor > 0   ? TP_FACTOR_POSITIVE
+                                : factor < 0 ? TP_FACTOR_NEGATIVE
+                                             : TP_FACTOR_NONE;
+    tp_refuted_node_bears(wide, s->q->resting, s->reactions.all + k, sign);
+  }
+  tp_refuted_node_yields(wide, s->node, s->q, s->y);
+}
+
 static bool make(resisting *s, tp_dense_program *p) {
   const size_t rows = (size_t)s->q->resting->rows + 1;
   if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) ||
@@ -272,13 +256,20 @@ static bool make(resisting *s, tp_dense_program *p) {
                                    s->shear_count + 1);
 }
 
-tp_status tp_modes_refute_by_forces(bool *refuted, long *work, const tp_modes_node *node,
-                                    const tp_modes_question *q, tp_message *message) {
+tp_status tp_modes_refute_by_forces(bool *refuted, const tp_modes_finding *finding, long *work,
+                                    const tp_modes_node *node, const tp_modes_question *q,
+                                    tp_message *message) {
   resisting s = {.node = node, .q = q};
   tp_dense_program p = {.rows = 0};
   const bool made = make(&s, &p);
   *refuted = made && search(&s, work, &p);
-  for (int k = 0; k < q->load_count && *refuted; k++) *refuted = prove(&s, k);
+  const bool tells = made && finding != NULL;
+  if (tells && !*refuted && s.shear_count == 0) tell_why(finding->relaxed, &s, &p);
+  if (tells && *refuted) tp_refuted_node_begin(finding->refuted, node, q);
+  for (int k = 0; k < q->load_count && *refuted; k++) {
+    *refuted = prove(&s, k);
+    if (tells && *refuted) widen(finding->refuted, &s);
+  }
   tp_dense_program_clear(&p);
   tp_reactions_clear(&s.reactions);
   tp_resisting_edges_clear(&s.edges);

@@ -9,6 +9,8 @@
 #include "contact_modes/basis_proof.h"
 #include "contact_modes/dense_program.h"
 #include "contact_modes/reactions.h"
+#include "contact_modes/refutation.h"
+#include "contact_modes/refuted_node.h"
 
 #include "number/ball.h"
 
@@ -21,6 +23,8 @@ typedef struct balancing {
   const tp_modes_node *node;
   const tp_modes_question *q;
   const tp_near *loads;
+  const tp_modes_finding *finding; /* or NULL */
+  double *signs;                   /* by row of the program: times which it was taken */
   tp_bearing_reactions reactions;
   long rows;                 /* that take part */
   long *row;                 /* by row of the question: which of them; -1 */
@@ -72,7 +76,7 @@ static void set_column(tp_dense_program *p, const balancing *s, long k, long col
 }
 
 /* Rows with a right-hand side that is not negative; their sum is what is to fall to zero. */
-static void finish_rows(tp_dense_program *p, const balancing *s) {
+static void finish_rows(tp_dense_program *p, balancing *s) {
   for (long r = 0; r < s->q->resting->rows; r++) {
     if (s->row[r] >= 0) *tp_dense_program_right(p, s->row[r]) = -s->loads[r].value;
   }
@@ -80,6 +84,7 @@ static void finish_rows(tp_dense_program *p, const balancing *s) {
     p->exact[r] = true;
     double *own = tp_dense_program_entry(p, r, 0);
     const double sign = own[p->columns] < 0 ? -1 : 1;
+    s->signs[r] = sign;
     for (long c = 0; c <= p->columns; c++) {
       own[c] *= sign;
       *tp_dense_program_entry(p, p->rows, c) += own[c];
@@ -88,6 +93,23 @@ static void finish_rows(tp_dense_program *p, const balancing *s) {
   *tp_dense_program_entry(p, s->rows, p->columns - 1) = 1; /* d <= 1 */
   *tp_dense_program_right(p, s->rows) = 1;
   *tp_dense_program_entry(p, p->rows + 1, p->columns - 1) = 1;
+}
+
+/* How far each row is from holding, less its multiplier, are accelerations that loads drive. */
+static void tell_why(balancing *s, const tp_dense_program *p) {
+  const long rows = s->q->resting->rows;
+  double *of_row = calloc((size_t)p->rows + 1, sizeof *of_row);
+  double *a = calloc((size_t)rows + 1, sizeof *a);
+  if (of_row != NULL && a != NULL) {
+    tp_dense_program_multipliers(of_row, p, 0);
+    for (long r = 0; r < rows; r++) {
+      const long own = s->row[r];
+      if (own >= 0) a[r] = (of_row[own] - 1) * s->signs[own];
+    }
+    tp_relaxed_motions_add_driven(s->finding->relaxed, s->node, a);
+  }
+  free(of_row);
+  free(a);
 }
 
 static bool search(bool *is_flat, balancing *s, long *work, tp_dense_program *p) {
@@ -99,8 +121,10 @@ static bool search(bool *is_flat, balancing *s, long *work, tp_dense_program *p)
     if (is_free) set_column(p, s, k, column++, -1, false);
   }
   finish_rows(p, s);
-  bool found = tp_dense_program_climb(p, 0) && *tp_dense_program_right(p, p->rows) < enough &&
-               tp_dense_program_climb(p, 1);
+  const bool climbed = tp_dense_program_climb(p, 0);
+  const bool balanced = climbed && *tp_dense_program_right(p, p->rows) < enough;
+  if (climbed && !balanced && s->finding != NULL) tell_why(s, p);
+  const bool found = balanced && tp_dense_program_climb(p, 1);
   *work += p->work;
   tp_dense_program_solution(s->columns, p);
   const double least = s->columns[p->columns - 1];
@@ -172,6 +196,19 @@ static bool keep_their_sign(const arb_mat_t factors, const balancing *s) {
   return true;
 }
 
+static tp_factor_sign sign_of(const arb_struct *factor) {
+  if (arb_is_zero(factor)) return TP_FACTOR_NONE;
+  if (arb_is_nonnegative(factor)) return TP_FACTOR_POSITIVE;
+  return arb_is_negative(factor) ? TP_FACTOR_NEGATIVE : TP_FACTOR_EITHER;
+}
+
+static void widen(const balancing *s, const arb_mat_t factors) {
+  for (long k = 0; k < s->reactions.count; k++) {
+    const tp_factor_sign sign = sign_of(arb_mat_entry(factors, k, 0));
+    tp_refuted_node_bears(s->finding->refuted, s->q->resting, s->reactions.all + k, sign);
+  }
+}
+
 static tp_status prove(bool *proven, const balancing *s, tp_message *message) {
   const long count = s->reactions.count;
   double *preference = calloc((size_t)count + 1, sizeof *preference);
@@ -185,6 +222,7 @@ static tp_status prove(bool *proven, const balancing *s, tp_message *message) {
   tp_status status = tp_basis_solve(factors, &task, message);
   *proven = status == TP_OK && keep_their_sign(factors, s);
   if (status == TP_NO_ANSWER) status = TP_OK;
+  if (*proven && s->finding != NULL) widen(s, factors);
   arb_mat_clear(columns);
   arb_mat_clear(right);
   arb_mat_clear(factors);
@@ -219,7 +257,9 @@ static tp_status balance(bool *balanced, long *work, balancing *s, tp_message *m
   s->columns = calloc(most, sizeof *s->columns);
   s->factors = calloc(most, sizeof *s->factors);
   s->idle = calloc(most, sizeof *s->idle);
-  const bool made = s->row != NULL && s->columns != NULL && s->factors != NULL && s->idle != NULL;
+  s->signs = calloc((size_t)s->q->resting->rows + 1, sizeof *s->signs);
+  const bool made = s->row != NULL && s->columns != NULL && s->factors != NULL && s->idle != NULL &&
+                    s->signs != NULL;
   tp_status status = made ? TP_OK : tp_fail_memory(message, "a proof");
   bool again = true;
   for (int k = 0; k < MOST_ROUNDS && again && status == TP_OK; k++) {
@@ -230,15 +270,18 @@ static tp_status balance(bool *balanced, long *work, balancing *s, tp_message *m
   free(s->columns);
   free(s->factors);
   free(s->idle);
+  free(s->signs);
   return status;
 }
 
-tp_status tp_modes_refute_by_reactions(bool *refuted, long *work, const tp_modes_node *node,
-                                       const tp_modes_question *q, tp_message *message) {
+tp_status tp_modes_refute_by_reactions(bool *refuted, const tp_modes_finding *finding, long *work,
+                                       const tp_modes_node *node, const tp_modes_question *q,
+                                       tp_message *message) {
   tp_status status = TP_OK;
   *refuted = true;
+  if (finding != NULL) tp_refuted_node_begin(finding->refuted, node, q);
   for (int k = 0; k < q->load_count && *refuted && status == TP_OK; k++) {
-    balancing s = {.node = node, .q = q, .loads = q->loads[k]};
+    balancing s = {.node = node, .q = q, .loads = q->loads[k], .finding = finding};
     *refuted = false;
     status = balance(refuted, work, &s, message);
   }

@@ -54,13 +54,3 @@ tp_contact_parts tp_contact_parts_of(const tp_modes_node *n, const tp_resting *r
   of.count = part(of.own, n->sets[contact], c->ends);
   return of;
 }
-
-void tp_contact_parts_take(tp_modes_node *own, const tp_contact_parts *of, int part) {
-  own->sets[of->contact] = of->own[part];
-  if (of->twin >= 0) own->sets[of->twin] = of->of_twin[part];
-}
-
-void tp_contact_parts_leave_out(tp_modes_node *n, const tp_contact_parts *of, int part) {
-  n->sets[of->contact] &= ~of->own[part];
-  if (of->twin >= 0) n->sets[of->twin] &= ~of->of_twin[part];
-}

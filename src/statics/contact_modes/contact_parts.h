@@ -21,9 +21,4 @@ typedef struct tp_contact_parts {
 tp_contact_parts tp_contact_parts_of(const tp_modes_node *node, const tp_resting *resting,
                                      long contact);
 
-/* That part alone is left to the node; or it is not in the node any more, whatever else is divided.
- */
-void tp_contact_parts_take(tp_modes_node *node, const tp_contact_parts *parts, int part);
-void tp_contact_parts_leave_out(tp_modes_node *node, const tp_contact_parts *parts, int part);
-
 #endif

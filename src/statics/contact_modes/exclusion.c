@@ -4,96 +4,123 @@
 /* Depth first, with probing. Each contact of a block that is not at rest could be divided: whether
  * it sticks at both ends, slips forward, slips back, or opens; then by which ends are closed. Parts
  * that are refuted are left out for good, whatever is divided in the end. Where one part is left,
- * it is so; else the contact of the fewest parts is divided. Blocks that do not touch, but by
- * ground, move whatever the others do: each group of those that do is taken by itself, with the
- * others at rest. */
+ * it is so; else the contact of the fewest parts is divided. Each refutation becomes a nogood, of
+ * the node as it was divided, so that no branch repeats what another has found. Blocks that do not
+ * touch, but by ground, move whatever the others do: each group of those that do is taken by
+ * itself, with the others at rest. */
 
 #include "contact_modes/exclusion.h"
 
-#include "common/grow.h"
 #include "contact_modes/contact_parts.h"
 #include "contact_modes/corner_modes.h"
+#include "contact_modes/refutation.h"
 #include "contact_modes/settling.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct branching {
   const tp_modes_question *q;
   tp_exclusion *of;
-  tp_modes_node *waiting;
-  long count, room;
-  bool is_open; /* a part was left that is not excluded */
+  tp_search_state state;
+  tp_nogoods nogoods;
+  tp_relaxed_motions relaxed;
+  tp_modes_node refuted;  /* of which the state was part when it was refuted last */
+  tp_modes_finding found; /* the same, and why programs do not refute it */
 } branching;
 
-static void clear_node(tp_modes_node *n) {
-  free(n->sets);
-  free(n->still);
+static bool is_spent(const branching *b) {
+  return b->of->work > b->of->most_work;
 }
 
-static bool copy_node(tp_modes_node *own, const tp_modes_node *from, const tp_resting *r) {
-  const size_t contacts = (size_t)r->contact_count, blocks = (size_t)r->rows / 3;
-  own->sets = malloc((contacts + 1) * sizeof *own->sets);
-  own->still = malloc((blocks + 1) * sizeof *own->still);
-  if (own->sets == NULL || own->still == NULL) {
-    clear_node(own);
-    return false;
+static bool settle(branching *b) {
+  return tp_search_settle(&b->refuted, &b->of->work, &b->state, &b->nogoods);
+}
+
+/* By linear programs, but where a relaxed motion shows that they would be in vain. It does so in
+ * doubles: a node that can be divided no more is asked for in any case. */
+static tp_status refute_by_programs(bool *refuted, branching *b, bool in_any_case,
+                                    tp_message *message) {
+  const tp_modes_node *own = &b->state.node;
+  long *work = &b->of->work;
+  tp_status status = TP_OK;
+  *refuted = false;
+  if (in_any_case || !tp_relaxed_motions_have(&b->relaxed, TP_RELAXED_BY_FORCES, work, own)) {
+    status = tp_modes_refute_by_forces(refuted, &b->found, work, own, b->q, message);
   }
-  memcpy(own->sets, from->sets, contacts * sizeof *own->sets);
-  memcpy(own->still, from->still, blocks * sizeof *own->still);
-  return true;
-}
-
-static tp_status wait(branching *b, tp_modes_node *own, tp_message *message) {
-  tp_modes_node *more = tp_grow(b->waiting, b->count, &b->room, sizeof *more);
-  if (more == NULL) return tp_fail_memory(message, "a proof");
-  b->waiting = more;
-  more[b->count++] = *own;
-  *own = (tp_modes_node){.sets = NULL};
-  return TP_OK;
-}
-
-static tp_status refute(bool *refuted, branching *b, tp_modes_node *n, tp_message *message) {
-  const tp_resting *r = b->q->resting;
-  *refuted = !tp_modes_node_settle(n, r) || tp_modes_node_is_still(n, r);
-  if (*refuted) return TP_OK;
-  const tp_status status = tp_modes_refute_by_forces(refuted, &b->of->work, n, b->q, message);
   if (status != TP_OK || *refuted) return status;
-  return tp_modes_refute_by_reactions(refuted, &b->of->work, n, b->q, message);
+  if (!in_any_case && tp_relaxed_motions_have(&b->relaxed, TP_RELAXED_DRIVEN, work, own)) {
+    return TP_OK;
+  }
+  return tp_modes_refute_by_reactions(refuted, &b->found, work, own, b->q, message);
+}
+
+/* By what follows from it at once, else by linear programs. */
+static tp_status refute(bool *refuted, branching *b, tp_message *message) {
+  *refuted = !settle(b);
+  return *refuted ? TP_OK : refute_by_programs(refuted, b, false, message);
 }
 
 /* ---- parts -------------------------------------------------------------------------------------
  */
 
-/* A division: parts of a node that are not refuted. */
-typedef struct division {
-  int count;
-  tp_modes_node parts[TP_MOST_PARTS];
-} division;
-
-static void clear_division(division *d) {
-  for (int k = 0; k < d->count; k++) clear_node(d->parts + k);
-  d->count = 0;
+static void take(branching *b, const tp_contact_parts *of, int part) {
+  tp_search_narrow(&b->state, of->contact, of->own[part], of->of_twin[part], TP_REASON_DECIDED);
 }
 
-/* No more than `most` of them. Parts that are refuted are left out of the node. */
-static tp_status divide(division *d, branching *b, tp_modes_node *n, long contact, int most,
+/* A part of a contact is refuted, and the state as it was before is at hand. True where all of that
+ * is refuted with it, or by what follows. */
+static tp_status leave_out(bool *refuted, branching *b, long contact, tp_message *message) {
+  const tp_mode_set *sets = b->state.node.sets, *of = b->refuted.sets;
+  const long twin = b->q->resting->contacts[contact].twin;
+  *refuted = (sets[contact] & ~of[contact]) == 0 && (twin < 0 || (sets[twin] & ~of[twin]) == 0);
+  const tp_status status = tp_nogoods_add(&b->nogoods, &b->refuted, message);
+  if (status == TP_OK && !*refuted) *refuted = !settle(b);
+  return status;
+}
+
+/* In all contacts. */
+static long count_modes(const tp_modes_node *n, const tp_resting *r) {
+  long count = 0;
+  for (long c = 0; c < r->contact_count; c++) {
+    for (tp_mode_set set = n->sets[c]; set != 0; set &= set - 1) count++;
+  }
+  return count;
+}
+
+/* Is this part still among the modes of its contact? */
+static bool is_left(const tp_modes_node *n, const tp_contact_parts *of, int part) {
+  return (n->sets[of->contact] & of->own[part]) != 0 ||
+         (of->twin >= 0 && (n->sets[of->twin] & of->of_twin[part]) != 0);
+}
+
+/* How many parts of a contact are not refuted, and their modes; no more than `most` are counted. */
+typedef struct division {
+  int count;
+  long modes;
+} division;
+
+static tp_status divide(division *d, bool *refuted, branching *b, long contact, int most,
                         tp_message *message) {
-  const tp_contact_parts of = tp_contact_parts_of(n, b->q->resting, contact);
+  const tp_contact_parts of = tp_contact_parts_of(&b->state.node, b->q->resting, contact);
   tp_status status = TP_OK;
-  d->count = 0;
-  for (int k = of.count - 1; k >= 0 && status == TP_OK && d->count <= most; k--) {
-    tp_modes_node *own = d->parts + d->count;
-    bool refuted = false;
-    if (!copy_node(own, n, b->q->resting)) return tp_fail_memory(message, "a proof");
-    tp_contact_parts_take(own, &of, k);
-    d->count++;
-    status = refute(&refuted, b, own, message);
-    if (refuted) {
-      tp_contact_parts_leave_out(n, &of, k);
-      clear_node(own);
-      d->count--;
-    }
+  *d = (division){.count = 0};
+  *refuted = false;
+  for (int k = of.count - 1; k >= 0 && status == TP_OK && !*refuted && d->count <= most; k--) {
+    const long mark = b->state.count;
+    if (!is_left(&b->state.node, &of, k)) continue;
+    bool gone = false;
+    take(b, &of, k);
+    const long decided = b->state.count;
+    status = refute(&gone, b, message);
+    if (gone)
+      tp_search_explain(&b->refuted, &b->state, &b->nogoods, decided);
+    else
+      d->modes += count_modes(&b->state.node, b->q->resting);
+    tp_search_undo(&b->state, mark);
+    if (gone && status == TP_OK)
+      status = leave_out(refuted, b, contact, message);
+    else
+      d->count++;
   }
   return status;
 }
@@ -121,42 +148,28 @@ static bool is_asked_first(const tp_modes_node *n, const tp_resting *r, long con
 
 typedef bool candidate(const tp_modes_node *n, const tp_resting *r, long contact);
 
-/* In all parts. */
-static long count_modes(const division *d, const tp_resting *r) {
-  long count = 0;
-  for (int k = 0; k < d->count; k++) {
-    for (long c = 0; c < r->contact_count; c++) {
-      for (tp_mode_set set = d->parts[k].sets[c]; set != 0; set &= set - 1) count++;
-    }
-  }
-  return count;
-}
-
-/* The division of the fewest parts of all candidates, and of those the one that leaves the fewest
- * modes; -1 parts: there is none. */
-static tp_status probe(division *best, branching *b, tp_modes_node *n, candidate *is_asked,
+/* The contact of the fewest parts of all candidates, and of those the one that leaves the fewest
+ * modes; -1: there is none. From the first again where one part is left of one. */
+static tp_status probe(long *best, bool *refuted, branching *b, candidate *is_asked,
                        tp_message *message) {
   enum { MANY = TP_MOST_PARTS + 1 };
   const tp_resting *r = b->q->resting;
   tp_status status = TP_OK;
-  int fewest = MANY;
-  long fewest_modes = 0;
-  for (long k = 0; k < r->contact_count && status == TP_OK && fewest > 1; k++) {
-    if (!is_asked(n, r, k)) continue;
-    if (b->of->work > b->of->most_work) break;
+  division fewest = {.count = MANY};
+  *best = -1;
+  for (long k = 0; k < r->contact_count && status == TP_OK && !*refuted && !is_spent(b); k++) {
+    if (!is_asked(&b->state.node, r, k)) continue;
     division own;
-    status = divide(&own, b, n, k, fewest, message);
-    const long modes = count_modes(&own, r);
-    if (status == TP_OK && (own.count < fewest || (own.count == fewest && modes < fewest_modes))) {
-      fewest_modes = modes;
-      clear_division(best);
-      fewest = own.count;
-      *best = own;
-    } else {
-      clear_division(&own);
+    status = divide(&own, refuted, b, k, fewest.count, message);
+    if (own.count < fewest.count || (own.count == fewest.count && own.modes < fewest.modes)) {
+      fewest = own;
+      *best = k;
     }
+    if (own.count > 1) continue;
+    fewest = (division){.count = MANY};
+    *best = -1;
+    k = -1;
   }
-  if (fewest == MANY) best->count = -1;
   return status;
 }
 
@@ -167,34 +180,51 @@ static void leave(tp_exclusion *e, const tp_modes_node *n, const tp_resting *r) 
   }
 }
 
-/* By what was left out of the node that it is a part of. */
-static void narrow(tp_modes_node *part, const tp_modes_node *of, const tp_resting *r) {
-  for (long k = 0; k < r->contact_count; k++) part->sets[k] &= of->sets[k];
+/* All have one mode. */
+static tp_status exclude_one_mode(bool *refuted, branching *b, tp_message *message) {
+  const tp_status status = refute_by_programs(refuted, b, true, message);
+  if (status != TP_OK || *refuted) return status;
+  b->of->has_left = true;
+  leave(b->of, &b->state.node, b->q->resting);
+  return TP_OK;
 }
 
-static tp_status take_one(bool *goes_on, branching *b, tp_message *message) {
-  tp_modes_node own = b->waiting[--b->count];
-  division d = {.count = 0};
-  candidate *const asked[] = {is_asked_first, is_asked_last};
-  d.count = -1;
+static tp_status exclude(bool *refuted, branching *b, tp_message *message);
+
+/* Part by part; each refutation may be of more. */
+static tp_status exclude_parts(bool *refuted, branching *b, long contact, tp_message *message) {
+  const tp_contact_parts of = tp_contact_parts_of(&b->state.node, b->q->resting, contact);
   tp_status status = TP_OK;
-  for (int k = 0; k < 2 && d.count < 0 && status == TP_OK; k++) {
-    d.count = 0;
-    status = probe(&d, b, &own, asked[k], message);
+  bool goes_on = true;
+  for (int k = 0; k < of.count && status == TP_OK && goes_on && !*refuted; k++) {
+    const long mark = b->state.count;
+    if (!is_left(&b->state.node, &of, k)) continue;
+    const long known = b->nogoods.count;
+    take(b, &of, k);
+    status = exclude(&goes_on, b, message);
+    tp_search_undo(&b->state, mark);
+    b->state.asked = known; /* what the others say of the node as it is now */
+    if (status == TP_OK && goes_on) status = leave_out(refuted, b, contact, message);
   }
-  if (status == TP_OK && d.count < 0) {
-    b->is_open = true;
-    *goes_on = false;
-    b->of->has_left = b->of->work <= b->of->most_work; /* all have one mode */
-    if (b->of->has_left) leave(b->of, &own, b->q->resting);
+  return status;
+}
+
+/* The state as it is. */
+static tp_status exclude(bool *refuted, branching *b, tp_message *message) {
+  const long mark = b->state.count;
+  candidate *const asked[] = {is_asked_first, is_asked_last};
+  long contact = -1;
+  tp_status status = TP_OK;
+  *refuted = !settle(b);
+  for (int k = 0; k < 2 && contact < 0 && status == TP_OK && !*refuted; k++) {
+    status = probe(&contact, refuted, b, asked[k], message);
   }
-  for (int k = 0; k < d.count && status == TP_OK; k++) {
-    narrow(d.parts + k, &own, b->q->resting);
-    status = wait(b, d.parts + k, message);
+  if (status == TP_OK && !*refuted && !is_spent(b)) {
+    status = contact >= 0 ? exclude_parts(refuted, b, contact, message)
+                          : exclude_one_mode(refuted, b, message);
   }
-  clear_division(&d);
-  clear_node(&own);
-  *goes_on = *goes_on && b->of->work <= b->of->most_work;
+  if (*refuted) tp_search_explain(&b->refuted, &b->state, &b->nogoods, mark);
+  tp_search_undo(&b->state, mark);
   return status;
 }
 
@@ -213,58 +243,48 @@ static void find_groups(long *group, const tp_resting *r) {
   }
 }
 
-static tp_status make_root(tp_modes_node *root, const tp_resting *r, tp_message *message) {
-  root->sets = calloc((size_t)r->contact_count + 1, sizeof *root->sets);
-  root->still = calloc((size_t)r->rows / 3 + 1, sizeof *root->still);
-  if (root->sets == NULL || root->still == NULL) {
-    clear_node(root);
-    return tp_fail_memory(message, "a proof");
-  }
-  for (long k = 0; k < r->contact_count; k++) root->sets[k] = tp_modes_of_contact(r, k);
-  return TP_OK;
-}
-
 tp_status tp_exclusion_frictionless(bool *proven, long *work, const tp_modes_question *q,
                                     tp_message *message) {
   tp_modes_node root;
-  tp_status status = make_root(&root, q->resting, message);
-  if (status != TP_OK) return status;
-  status = tp_modes_refute_by_reactions(proven, work, &root, q, message);
-  clear_node(&root);
+  if (!tp_modes_node_init(&root, q->resting)) return tp_fail_memory(message, "a proof");
+  const tp_status status = tp_modes_refute_by_reactions(proven, NULL, work, &root, q, message);
+  tp_modes_node_clear(&root);
   return status;
 }
 
 /* Of one group, with the others at rest. */
 static tp_status exclude_group(bool *proven, tp_exclusion *e, const tp_modes_question *q,
-                               const long *group, long own, tp_message *message) {
+                               const bool *others, tp_message *message) {
   branching b = {.q = q, .of = e};
-  tp_modes_node root;
-  bool goes_on = true, refuted = false;
-  tp_status status = make_root(&root, q->resting, message);
-  if (status != TP_OK) return status;
-  for (long k = 0; k < q->resting->rows / 3; k++) root.still[k] = group[k] != own;
-  status = refute(&refuted, &b, &root, message);
-  if (status == TP_OK && !refuted) status = wait(&b, &root, message);
-  clear_node(&root);
-  while (status == TP_OK && goes_on && b.count > 0) status = take_one(&goes_on, &b, message);
-  *proven = status == TP_OK && b.count == 0 && !b.is_open;
-  for (long k = 0; k < b.count; k++) clear_node(b.waiting + k);
-  free(b.waiting);
+  const bool made = tp_nogoods_init(&b.nogoods, q->resting) &&
+                    tp_search_state_init(&b.state, q->resting, others) &&
+                    tp_relaxed_motions_init(&b.relaxed, q) &&
+                    tp_modes_node_init(&b.refuted, q->resting);
+  b.found = (tp_modes_finding){.refuted = &b.refuted, .relaxed = &b.relaxed};
+  tp_status status = made ? refute(proven, &b, message) : tp_fail_memory(message, "a proof");
+  if (status == TP_OK && !*proven && !is_spent(&b)) status = exclude(proven, &b, message);
+  tp_search_state_clear(&b.state);
+  tp_modes_node_clear(&b.refuted);
+  tp_nogoods_clear(&b.nogoods);
+  tp_relaxed_motions_clear(&b.relaxed);
   return status;
 }
 
 tp_status tp_exclusion_find(tp_exclusion *e, const tp_modes_question *q, tp_message *message) {
   const long count = q->resting->rows / 3;
   long *group = calloc((size_t)count + 1, sizeof *group);
-  if (group == NULL) return tp_fail_memory(message, "a proof");
-  find_groups(group, q->resting);
-  tp_status status = TP_OK;
+  bool *others = calloc((size_t)count + 1, sizeof *others);
+  tp_status status = group != NULL && others != NULL ? TP_OK : tp_fail_memory(message, "a proof");
   bool proven = true;
   e->is_proven = e->has_left = false;
+  if (status == TP_OK) find_groups(group, q->resting);
   for (long k = 0; k < count && proven && status == TP_OK; k++) {
-    if (group[k] == k) status = exclude_group(&proven, e, q, group, k, message);
+    if (group[k] != k) continue;
+    for (long b = 0; b < count; b++) others[b] = group[b] != k;
+    status = exclude_group(&proven, e, q, others, message);
   }
   free(group);
+  free(others);
   e->is_proven = status == TP_OK && proven;
   return status;
 }

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Is every motion of blocks at rest excluded? By branch and bound over what contacts do: sets of
- * modes are divided until each is refuted (contact_modes/node.h), from the ground on. */
+ * modes are divided until each is refuted (contact_modes/refutation.h), from the ground on. */
 
 #ifndef TP_CONTACT_MODES_EXCLUSION_H
 #define TP_CONTACT_MODES_EXCLUSION_H

@@ -10,17 +10,19 @@
 
 #include <stdlib.h>
 
-static void add(tp_bearing_reactions *r, const tp_force_column *column, double sign, bool is_free) {
-  r->all[r->count++] = (tp_bearing_reaction){column, sign, is_free};
+static void add(tp_bearing_reactions *r, tp_bearing_reaction own) {
+  r->all[r->count++] = own;
 }
 
-static void add_contact(tp_bearing_reactions *r, const tp_resting_contact *c, tp_mode_set set) {
+static void add_contact(tp_bearing_reactions *r, const tp_resting_contact *c, long k,
+                        tp_mode_set set) {
   for (int e = 0; e < c->ends; e++) {
-    add(r, c->normal + e, 1, (set & ~tp_modes_closed(e)) == 0);
+    add(r, (tp_bearing_reaction){c->normal + e, 1, (set & ~tp_modes_closed(e)) == 0, k, e});
   }
   const bool forward = (set & (TP_MODES_FORWARD | TP_MODES_OPEN)) != 0;
   const bool back = (set & (TP_MODES_BACK | TP_MODES_OPEN)) != 0;
-  if (!forward || !back) add(r, &c->along, back ? -1 : 1, !forward && !back);
+  if (!forward || !back)
+    add(r, (tp_bearing_reaction){&c->along, back ? -1 : 1, !forward && !back, k, -1});
 }
 
 bool tp_reactions_init(tp_bearing_reactions *r, const tp_modes_node *n, const tp_resting *resting) {
@@ -30,7 +32,7 @@ bool tp_reactions_init(tp_bearing_reactions *r, const tp_modes_node *n, const tp
   for (long k = 0; k < resting->contact_count && r->all != NULL; k++) {
     const tp_resting_contact *c = resting->contacts + k;
     if (tp_modes_rests(n, c->along.row[0]) && tp_modes_rests(n, c->along.row[1])) continue;
-    if (n->sets[k] != 0 && tp_modes_is_told(n->sets, resting, k)) add_contact(r, c, n->sets[k]);
+    if (n->sets[k] != 0 && tp_modes_is_told(n->sets, resting, k)) add_contact(r, c, k, n->sets[k]);
   }
   return r->all != NULL;
 }

@@ -12,6 +12,8 @@ typedef struct tp_bearing_reaction {
   const tp_force_column *column;
   double sign;  /* times which */
   bool is_free; /* its factor has any sign */
+  long contact;
+  int end; /* of a normal force; -1: a shear */
 } tp_bearing_reaction;
 
 typedef struct tp_bearing_reactions {

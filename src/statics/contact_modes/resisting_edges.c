@@ -14,8 +14,9 @@ void tp_resisting_edges_clear(tp_resisting_edges *s) {
   *s = (tp_resisting_edges){.count = 0};
 }
 
-static void add_edge(tp_resisting_edges *s, const tp_resting_contact *c, int end, tp_near shear) {
-  s->all[s->count++] = (tp_resisting_edge){c->normal + end, &c->along, shear};
+static void add_edge(tp_resisting_edges *s, const tp_resting_contact *c, long contact, int end,
+                     tp_near shear) {
+  s->all[s->count++] = (tp_resisting_edge){c->normal + end, &c->along, shear, contact, end};
 }
 
 /* Of an end that can be closed: both edges of the cone where it can stick, and against the slip
@@ -29,12 +30,12 @@ static void add_end(tp_resisting_edges *s, const tp_modes_node *n, const tp_mode
   const tp_near least = q->friction[0][contact], most = q->friction[1][contact];
   const bool same = least.value == most.value && least.error == most.error;
   if (sticks || (set & TP_MODES_FORWARD) != 0) {
-    add_edge(s, c, end, tp_near_neg(most));
-    if (!sticks && !same) add_edge(s, c, end, tp_near_neg(least));
+    add_edge(s, c, contact, end, tp_near_neg(most));
+    if (!sticks && !same) add_edge(s, c, contact, end, tp_near_neg(least));
   }
   if (sticks || (set & TP_MODES_BACK) != 0) {
-    add_edge(s, c, end, most);
-    if (!sticks && !same) add_edge(s, c, end, least);
+    add_edge(s, c, contact, end, most);
+    if (!sticks && !same) add_edge(s, c, contact, end, least);
   }
 }
 

@@ -13,6 +13,8 @@
 typedef struct tp_resisting_edge {
   const tp_force_column *normal, *along;
   tp_near shear;
+  long contact;
+  int end;
 } tp_resisting_edge;
 
 typedef struct tp_resisting_edges {

@@ -17,39 +17,99 @@ static long moving_row(const tp_modes_node *n, const tp_resting_contact *c) {
   return first == second ? -1 : row[first ? 1 : 0];
 }
 
-/* A contact of blocks at rest is at rest, of a pair by its first side; a block that sticks to one
- * at rest by an edge is too. */
-static bool settle_contact(bool *changed, tp_modes_node *n, const tp_resting *r, long k) {
+/* No motion has these modes at a contact of blocks that are at rest. */
+static void refute_rest(tp_modes_node *refuted, const tp_resting *r, long k) {
   const tp_resting_contact *c = r->contacts + k;
+  tp_modes_node_widen(refuted, r);
+  refuted->sets[k] &= ~tp_modes_at_rest(c->ends);
+  for (int side = 0; side < 2; side++) {
+    if (c->along.row[side] >= 0) refuted->still[c->along.row[side] / 3] = true;
+  }
+}
+
+/* A contact of blocks at rest is at rest, of a pair by its first side; a block that sticks to one
+ * at rest by an edge is too. False: this cannot be. */
+static bool settle_contact(bool *changed, tp_search_state *s, long k) {
+  const tp_resting_contact *c = s->resting->contacts + k;
+  const tp_modes_node *n = &s->node;
   const long *row = c->along.row, moving = moving_row(n, c);
   if (tp_modes_rests(n, row[0]) && tp_modes_rests(n, row[1])) {
-    const bool is_second = tp_modes_is_second_side(r, k);
-    n->sets[k] &= is_second ? 0 : tp_modes_at_rest(c->ends);
-    return is_second || n->sets[k] != 0;
-  }
-  if (moving >= 0 && c->ends == 2 && n->sets[k] == tp_modes_at_rest(2)) {
-    n->still[moving / 3] = *changed = true;
+    const tp_mode_set rest = tp_modes_at_rest(c->ends);
+    if (tp_modes_is_second_side(s->resting, k)) return true;
+    if ((n->sets[k] & rest) == 0) return false;
+    *changed = tp_search_narrow(s, k, rest, 0, TP_REASON_REST) || *changed;
+  } else if (moving >= 0 && c->ends == 2 && n->sets[k] == tp_modes_at_rest(2)) {
+    tp_search_rest(s, moving / 3);
+    *changed = true;
   }
   return true;
 }
 
-bool tp_modes_node_settle(tp_modes_node *n, const tp_resting *r) {
+static bool settle_blocks(tp_modes_node *refuted, bool *changed, tp_search_state *s) {
+  const tp_resting *r = s->resting;
+  for (long k = 0; k < r->contact_count; k++) {
+    if (settle_contact(changed, s, k)) continue;
+    refute_rest(refuted, r, k);
+    return false;
+  }
+  bool moves = false;
+  for (long b = 0; b < r->rows / 3; b++) {
+    if (!s->node.still[b] && !*changed && tp_modes_is_held_fast(&s->node, r, b)) {
+      tp_search_rest(s, b);
+      *changed = true;
+    }
+    moves = moves || !s->node.still[b];
+  }
+  if (moves) return true;
+  tp_modes_node_widen(refuted, r);
+  for (long b = 0; b < r->rows / 3; b++) refuted->still[b] = true;
+  return false;
+}
+
+/* What a nogood says. */
+static bool settle_by_nogood(tp_modes_node *refuted, bool *changed, long *work, tp_search_state *s,
+                             tp_nogoods *nogoods, long number) {
+  tp_nogood_term term;
+  const tp_nogood_says says = tp_nogoods_ask(&term, work, nogoods, number, &s->node);
+  if (says == TP_NOGOOD_REFUTES) tp_nogoods_take(refuted, nogoods, number);
+  if (says == TP_NOGOOD_LIMITS) {
+    const bool own = tp_search_narrow(s, term.contact, ~term.own, ~term.of_twin, number);
+    *changed = *changed || own;
+  }
+  return says != TP_NOGOOD_REFUTES;
+}
+
+/* Of those that watch what a change is of. That they may watch something else afterwards is why the
+ * next is found first. */
+static bool settle_change(tp_modes_node *refuted, bool *changed, long *work, tp_search_state *s,
+                          tp_nogoods *nogoods, const tp_search_change *c) {
+  long at = -1;
+  long number = tp_nogoods_watching(&at, nogoods, c->contact, c->block);
+  while (number >= 0) {
+    const long own = number;
+    number = tp_nogoods_watching(&at, nogoods, c->contact, c->block);
+    if (!settle_by_nogood(refuted, changed, work, s, nogoods, own)) return false;
+  }
+  return true;
+}
+
+static bool settle_by_nogoods(tp_modes_node *refuted, bool *changed, long *work, tp_search_state *s,
+                              tp_nogoods *nogoods) {
+  for (; s->asked < nogoods->count; s->asked++) {
+    if (!settle_by_nogood(refuted, changed, work, s, nogoods, s->asked)) return false;
+  }
+  for (; s->told < s->count; s->told++) {
+    const tp_search_change own = s->changes[s->told];
+    if (!settle_change(refuted, changed, work, s, nogoods, &own)) return false;
+  }
+  return true;
+}
+
+bool tp_search_settle(tp_modes_node *refuted, long *work, tp_search_state *s, tp_nogoods *nogoods) {
   for (bool changed = true; changed;) {
     changed = false;
-    for (long k = 0; k < r->contact_count; k++) {
-      if (!settle_contact(&changed, n, r, k)) return false;
-    }
-    for (long b = 0; b < r->rows / 3 && !changed; b++) {
-      if (n->still[b] || !tp_modes_is_held_fast(n, r, b)) continue;
-      n->still[b] = changed = true;
-    }
-  }
-  return true;
-}
-
-bool tp_modes_node_is_still(const tp_modes_node *n, const tp_resting *r) {
-  for (long b = 0; b < r->rows / 3; b++) {
-    if (!n->still[b]) return false;
+    if (!settle_blocks(refuted, &changed, s)) return false;
+    if (!changed && !settle_by_nogoods(refuted, &changed, work, s, nogoods)) return false;
   }
   return true;
 }

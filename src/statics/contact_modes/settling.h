@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a node says of blocks that are at rest, and of contacts between these. */
+/* What follows from the sets of a node at once: blocks that are at rest, contacts between these,
+ * and modes that nogoods exclude. */
 
 #ifndef TP_CONTACT_MODES_SETTLING_H
 #define TP_CONTACT_MODES_SETTLING_H
 
-#include "contact_modes/node.h"
+#include "contact_modes/search_state.h"
 
-/* Blocks that are at rest, and modes that this leaves; false: none are left to some contact. */
-bool tp_modes_node_settle(tp_modes_node *node, const tp_resting *resting);
-bool tp_modes_node_is_still(const tp_modes_node *node, const tp_resting *resting);
+/* False: nothing is left; then `refuted` is a refuted node that the state is part of. `work` grows
+ * by what it took. */
+bool tp_search_settle(tp_modes_node *refuted, long *work, tp_search_state *state,
+                      tp_nogoods *nogoods);
 
 #endif
