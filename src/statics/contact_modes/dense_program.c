@@ -10,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double tiny = 1e-11; /* of entries of size one */
+/* Of entries of size one: what an objective rises by, and what is a pivot. Less is rounding, and as
+ * a pivot would make all else of it. */
+static const double tiny = 1e-11, least_pivot = 1e-9;
 
 bool tp_dense_program_init(tp_dense_program *p, long rows, long columns) {
   *p = (tp_dense_program){.rows = rows, .columns = columns};
@@ -18,7 +20,9 @@ bool tp_dense_program_init(tp_dense_program *p, long rows, long columns) {
   p->basic = calloc((size_t)rows + 1, sizeof *p->basic);
   p->outside = calloc((size_t)columns + 1, sizeof *p->outside);
   p->exact = calloc((size_t)rows + 1, sizeof *p->exact);
-  if (p->entries == NULL || p->basic == NULL || p->outside == NULL || p->exact == NULL) {
+  p->barred = calloc((size_t)(rows + columns) + 1, sizeof *p->barred);
+  if (p->entries == NULL || p->basic == NULL || p->outside == NULL || p->exact == NULL ||
+      p->barred == NULL) {
     tp_dense_program_clear(p);
     return false;
   }
@@ -32,6 +36,7 @@ void tp_dense_program_clear(tp_dense_program *p) {
   free(p->basic);
   free(p->outside);
   free(p->exact);
+  free(p->barred);
   memset(p, 0, sizeof *p);
 }
 
@@ -46,7 +51,7 @@ double *tp_dense_program_right(tp_dense_program *p, long row) {
 /* The slack of a row that must hold exactly has left for good. */
 static bool may_enter(const tp_dense_program *p, long column) {
   const long variable = p->outside[column];
-  return variable < p->columns || !p->exact[variable - p->columns];
+  return !p->barred[variable] && (variable < p->columns || !p->exact[variable - p->columns]);
 }
 
 static long entering(tp_dense_program *p, int objective, bool first) {
@@ -68,8 +73,8 @@ static long leaving(tp_dense_program *p, long column, bool first) {
     const double own = *tp_dense_program_entry(p, r, column), right = *tp_dense_program_right(p, r);
     /* of a row that holds exactly, already without slack, any pivot will do */
     const bool rests = p->basic[r] >= p->columns && p->exact[p->basic[r] - p->columns] &&
-                       right <= tiny && own < -tiny;
-    if (!(own > tiny) && !rests) continue;
+                       right <= tiny && own < -least_pivot;
+    if (!(own > least_pivot) && !rests) continue;
     const double length = rests || !(right > 0) ? 0 : right / own;
     const bool same = best >= 0 && length <= least + tiny && length >= least - tiny;
     const bool preferred =
@@ -103,13 +108,17 @@ static void exchange(tp_dense_program *p, long row, long column) {
 }
 
 bool tp_dense_program_climb(tp_dense_program *p, int objective) {
+  memset(p->barred, 0, (size_t)(p->rows + p->columns) * sizeof *p->barred);
   const long patience = 4 * (p->rows + p->columns), most = 4 * patience;
   for (long step = 0; step < most; step++) {
     const bool first = step > patience;
     const long column = entering(p, objective, first);
     if (column < 0) return true;
     const long row = leaving(p, column, first);
-    if (row < 0) return false;
+    if (row < 0) {
+      p->barred[p->outside[column]] = true;
+      continue;
+    }
     exchange(p, row, column);
   }
   return false;
@@ -120,5 +129,13 @@ void tp_dense_program_solution(double *x, const tp_dense_program *p) {
   for (long r = 0; r < p->rows; r++) {
     if (p->basic[r] >= p->columns) continue;
     x[p->basic[r]] = fmax(0, p->entries[r * (p->columns + 1) + p->columns]);
+  }
+}
+
+void tp_dense_program_multipliers(double *of_row, const tp_dense_program *p, int objective) {
+  const double *own = p->entries + (p->rows + objective) * (p->columns + 1);
+  memset(of_row, 0, (size_t)p->rows * sizeof *of_row);
+  for (long c = 0; c < p->columns; c++) {
+    if (p->outside[c] >= p->columns) of_row[p->outside[c] - p->columns] = -own[c];
   }
 }

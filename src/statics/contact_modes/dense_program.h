@@ -20,6 +20,7 @@ typedef struct tp_dense_program {
                             objectives */
   long *basic, *outside; /* variables: those of x, then slacks from `columns` on */
   bool *exact;           /* by row: its slack must be zero in the end */
+  bool *barred;          /* by variable: nothing limits it, which can only be by rounding */
   long work;             /* entries changed so far */
 } tp_dense_program;
 
@@ -33,9 +34,12 @@ void tp_dense_program_clear(tp_dense_program *program);
 double *tp_dense_program_entry(tp_dense_program *program, long row, long column);
 double *tp_dense_program_right(tp_dense_program *program, long row);
 
-/* Climb the first or the second objective as far as it goes; false: it has no limit, or rounding
+/* Climb the first or the second objective, which has a limit, as far as it goes; false: rounding
  * goes in circles. */
 bool tp_dense_program_climb(tp_dense_program *program, int objective);
+
+/* By row: how much an objective would rise with its right-hand side, by a little. */
+void tp_dense_program_multipliers(double *of_row, const tp_dense_program *program, int objective);
 
 /* x[columns], none below zero. */
 void tp_dense_program_solution(double *x, const tp_dense_program *program);
