@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* An interval is tried as a whole, and halved towards its lower end until it is proven; then as
- * much again is tried beyond. Where one proof takes much of all work, a little of the interval is
- * tried first, and no try may take more than half of what is left: one that cannot succeed took all
- * of it, so that a wall was not proven beyond the point that it lies at, and its mirror image was.
- */
+/* An interval is tried as a whole, and halved towards its lower end until it is proven; then twice
+ * as much is tried beyond. Where one proof takes much of all work, a little of the interval is
+ * tried first. A try may take little at first, so that those which cannot succeed leave enough to
+ * the others, and twice as much after each that was given up for that. */
 
 #include "block_system/standing.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The first tries may take so many times as much as the last proof, or such a part of all work. */
+enum { TIMES = 6, PARTS = 256 };
 
 void tp_standing_clear(tp_standing_search *s) {
   for (int k = 0; k < 2; k++) tp_blocks_at_clear(s->ends + k);
@@ -30,22 +32,19 @@ tp_status tp_standing_init(tp_standing_search *s, const tp_resting *r, tp_moving
   return tp_fail_memory(message, "the motions");
 }
 
-/* An interval that takes far more than the last one that was proven is too wide. No try takes more
- * than half of what is left, but for one or two like the last proof. */
+/* No try takes more than half of what is left, but for one or two like the last proof. */
 static long most_work(const tp_standing_search *s, bool is_wide) {
-  enum { TIMES = 6 };
   const long rest = s->most_work - s->work, last = s->proof_work;
   if (!is_wide || rest <= 0) return s->most_work;
-  long most = rest / 2;
-  if (last > 0 && TIMES * last < most) most = TIMES * last;
+  long most = s->try_work < rest / 2 ? s->try_work : rest / 2;
   if (most < 2 * last) most = 2 * last < rest ? 2 * last : rest;
   return s->work + most;
 }
 
 /* Of an interval: all of it where what is left is enough for many proofs like the last one. */
 static double first_step(const tp_standing_search *s, double all) {
-  enum { MANY = 16, PARTS = 32 };
-  return s->proof_work > (s->most_work - s->work) / MANY ? all / PARTS : all;
+  enum { MANY = 16, STEPS = 32 };
+  return s->proof_work > (s->most_work - s->work) / MANY ? all / STEPS : all;
 }
 
 /* Strength is greatest where x, of a divisor, is least. */
@@ -75,23 +74,23 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
 
 tp_status tp_standing_extend(double *x, tp_standing_search *s, double from, double limit,
                              double width, tp_message *message) {
+  const long least = (s->most_work - s->work) / PARTS, like_last = TIMES * s->proof_work;
   tp_status status = TP_OK;
-  *x = from;
-  const double first = first_step(s, limit - from), growth = first < limit - from ? 2 : 1;
-  double to = fmin(limit, from + fmax(first, 2 * width));
   bool can_move = false; /* at the limit, by what was left of the try to reach it */
+  double step = fmax(first_step(s, limit - from), 2 * width), to = fmin(limit, from + step);
+  *x = from;
+  s->try_work = like_last > least ? like_last : least;
   while (status == TP_OK && to - *x > width && s->work <= s->most_work) {
     bool proven = false;
     status = tp_standing_prove(&proven, s, *x, to, message);
-    if (proven) {
-      const double step = to - *x;
-      *x = to;
-      to = fmin(limit, to + growth * step);
-      if (can_move && to >= limit) to = *x + (limit - *x) / 2;
-    } else {
-      can_move = can_move || (to >= limit && s->left[0] != 0);
-      to = *x + (to - *x) / 2;
-    }
+    const bool is_left = s->left[0] != 0;
+    step = proven ? 2 * (to - *x) : (to - *x) / 2;
+    if (proven) *x = to;
+    if (!proven && !is_left) s->try_work *= 2;
+    if (TIMES * s->proof_work > s->try_work) s->try_work = TIMES * s->proof_work;
+    can_move = can_move || (!proven && to >= limit && is_left);
+    to = fmin(limit, *x + step);
+    if (can_move && to >= limit) to = *x + (limit - *x) / 2;
   }
   return status;
 }

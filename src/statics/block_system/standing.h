@@ -19,6 +19,7 @@ typedef struct tp_standing_search {
   long most_work;  /* in all */
   long work;       /* so far */
   long proof_work; /* of the last proof that was found; 0: of none */
+  long try_work;   /* that a try of an interval may take */
   tp_blocks_at ends[2];
   tp_mode_set *left; /* by contact: what an exclusion left; all 0: nothing of the kind */
 } tp_standing_search;
