@@ -144,6 +144,16 @@ class Explain(unittest.TestCase):
         for word in ("stands", "slides", "topples", "slides and topples", "interlocked", "may move", "leaves its base", "undecided"):
             self.assertTrue(told(word).startswith(word + "\n"), word)
 
+    def test_words_of_a_report_of_many_blocks(self):
+        """What stands in one can be asked for as it stands there: the names of its factors and limits, of what blocks and joints do."""
+        page = run("solve", "examples/blocks/toppling_slope.yaml")[1] + run("solve", "examples/blocks/wet_columns.yaml")[1]
+        for word in ("driving loads", "strength reduction", "greatest dip that forces can hold", "Goodman and Bray", "support at the toe", "zones",
+                     "passed on", "opens", "slips", "closed", "at rest", "slides and topples", "collapse"):
+            self.assertIn(word.lower(), page.lower())
+            self.assertIn("\n    ", told(word), word)
+        for word in ("can be held", "may move", "stands", "collapses", "undecided", "critical horizontal acceleration", "line of thrust"):
+            self.assertIn("\n    ", told(word), word)
+
     def test_formulas_by_numbers(self):
         """The formula of the factor, with the numbers of the slab of examples/slab.yaml put in."""
         self.assertIn("tan α_crit/tan α", told("FoS"))

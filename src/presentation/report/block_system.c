@@ -150,6 +150,15 @@ static void add_motions(tp_text *t, const tp_block_system *s, const tp_system_mo
   tp_text_more_rows(t, row);
 }
 
+/* Of the joints that are told. */
+static bool one_opens_and_bears(const tp_system_case *c) {
+  for (size_t k = 0; k < c->force_count && k < TP_SYSTEM_ROWS; k++) {
+    const tp_system_force *f = c->forces + k;
+    if (f->state == TP_JOINT_OPENS && tp_text_system_force_kn(f->normal_n_m, c) > 0) return true;
+  }
+  return false;
+}
+
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
   const bool wet = c->has_forces && tp_system_case_is_wet(c);
   const int digits = tp_text_system_digits(s);
@@ -176,6 +185,8 @@ static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_cas
     tp_text_add(t, "\n");
   }
   tp_text_more_rows(t, c->force_count);
+  if (one_opens_and_bears(c))
+    tp_text_add(t, "  A joint that opens at one end bears at the other.\n");
 }
 
 static void add_case(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
