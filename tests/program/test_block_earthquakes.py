@@ -141,6 +141,10 @@ class BlockEarthquakes(GoverningCase):
             self.assertEqual(case["fos_driving_is"], "nothing drives" if share == 0 else "not held without", text)
             self.assertNotIn("critical_acceleration_g", case)
             self.assertNotIn("critical acceleration", page)
+            run("solve", "--report", self.folder / "sheet.md", self.scene(text))
+            sheet = (self.folder / "sheet.md").read_text()
+            self.assertIn("| as they lie |", sheet)  # a motion can begin; it was told that none is proven
+            self.assertIn("As they lie none hold the blocks.", sheet)
 
             mirrored = many([[-a, b] for a, b in reversed(LEANING)], rest.replace("left", "right").replace("[1, 1]", "[-1, 1]").replace("1.25, -1", "-1.25, -1"), friction)
             other = self.solved(mirrored)["cases"][0]

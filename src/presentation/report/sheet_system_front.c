@@ -138,10 +138,12 @@ static void add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
   }
 }
 
-/* Rounded to the side on which it is proven. */
+/* Rounded to the side on which it is proven. What no forces hold moves as it lies. */
 static void add_beginning(tp_document *d, const tp_system_case *c) {
   static const double fifth = 1e5;
-  if (c->has_moving_fos) {
+  if (c->verdict == TP_SYSTEM_COLLAPSES) {
+    tp_document_word(d, "as they lie");
+  } else if (c->has_moving_fos) {
     tp_document_cell(d, "%.5f", ceil(c->moving_fos * fifth) / fifth);
   } else {
     tp_document_word(d, tp_system_case_is_unexamined(c) ? "not examined" : "none proven");
