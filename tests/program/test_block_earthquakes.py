@@ -185,6 +185,14 @@ class BlockEarthquakes(GoverningCase):
         own = self.solved(exact)["cases"][0]
         self.assertEqual((own["verdict"], own["meets_required"]), ("stands", "met"))
 
+    def test_more_than_is_looked_for(self):
+        """A block against a step of ground bears any earthquake towards that: up to 1000 times it is proven, and more; no digits stand behind."""
+        step = "{name: ground, ground: true, outline: [[-9, -2], [9, -2], [9, 0], [0, 0], [0, 4], [-9, 4]]}"
+        page = run("solve", self.scene(many([[0, 0], [4, 0], [4, 3], [0, 3]], "frame: world\nloads: {seismic: {horizontal: 0.1}}\n", 30, step)))[1]
+        left = page.split("Towards the right")[0]
+        self.assertRegex(left, r"factor of safety, driving loads +above 1000\n")
+        self.assertRegex(left, r"certain to stand, driving loads times +up to 1000, and more\n")
+
     def test_one_side_is_told(self):
         """On a table one side is looked at, which a caution tells as of one block; `direction` is of a slope."""
         block = [[0, 0], [2, 0], [2, 1], [0, 1]]

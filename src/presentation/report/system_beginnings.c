@@ -3,6 +3,7 @@
 
 /* The strong side of many blocks in words: numbers rounded to the side on which they are proven. */
 
+#include "block_system/state_limits.h"
 #include "report/system_page.h"
 #include "report/system_words.h"
 
@@ -23,9 +24,11 @@ void tp_text_system_moving(tp_text *t, const tp_system_case *c) {
               c->moving_fos_is_most ? ", and less: more friction does not help" : "");
 }
 
-/* As the blocks lie it is 1. */
-static void add_standing(tp_text *t, double factor) {
-  if (down(factor, fifth) > 1) {
+/* As the blocks lie it is 1; `is_least`: the search ended there. */
+static void add_standing(tp_text *t, double factor, bool is_least) {
+  if (is_least) {
+    tp_text_add(t, "up to %.0f, and more\n", factor);
+  } else if (down(factor, fifth) > 1) {
     tp_text_add(t, "up to %.5f\n", down(factor, fifth));
   } else {
     tp_text_add(t, "1 alone; above that nothing is proven\n");
@@ -35,11 +38,7 @@ static void add_standing(tp_text *t, double factor) {
 static void add_factors(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos) {
     tp_text_system_label(t, "certain to stand, strength divided by");
-    if (c->standing_fos_is_least) {
-      tp_text_add(t, "up to %.0f, and more\n", c->standing_fos);
-    } else {
-      add_standing(t, c->standing_fos);
-    }
+    add_standing(t, c->standing_fos, c->standing_fos_is_least);
   }
   if (tp_system_case_moves_sooner(c)) {
     tp_text_system_label(t, "motion can begin, strength divided by");
@@ -51,7 +50,7 @@ static void add_factors(tp_text *t, const tp_system_case *c) {
 static void add_driving(tp_text *t, const tp_system_case *c) {
   if (c->has_standing_fos_driving) {
     tp_text_system_label(t, "certain to stand, driving loads times");
-    add_standing(t, c->standing_fos_driving);
+    add_standing(t, c->standing_fos_driving, c->standing_fos_driving >= TP_MOST_FACTOR);
   }
   const bool is_sooner =
       c->fos_driving.state != TP_FOS_NUMBER || c->fos_driving_is_least ||
