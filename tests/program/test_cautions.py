@@ -60,6 +60,35 @@ class Cautions(Case):
         self.cautioned("friction_angle_deg: 30\nloads: {bond_kpa: 1500}", "a bond of 1500 kPa")
         self.cautioned("friction_angle_deg: 30\nloads: {cohesion_kpa: 1000}")
 
+    def test_many_blocks(self):
+        """Scenes of many blocks had none of these but that of a unit weight: radians, m/s2 and Pa were solved without a word. Each is told once
+        where it stands, of joints between two blocks, of columns and of the sets that cut a slope too; the size is that of the largest block."""
+        def cautioned(text, *words):
+            status, out, err = self.solve(text)
+            self.assertIn(status, (0, 1), err + text)
+            notes = [note["text"] for note in json.loads(out)["notes"] if note["kind"] == "caution"]
+            self.assertEqual(len(notes), len(words), (text, notes))
+            for note, word in zip(notes, words):
+                self.assertIn(word, note)
+
+        listed = ("topple: 1\nlength_unit: {}\nfriction_angle_deg: {}\nblock: {{unit_weight_kn_m3: 25}}\nblocks:\n"
+                  "  - {{name: g, ground: true, outline: [[-900, -1], [900, -1], [900, 0], [-900, 0]]}}\n"
+                  "  - {{name: a, slab: {{width: 2, height: 1}}}}\n  - {{name: b, slab: {{width: 1, height: 0.005}}, at: [0, 1]}}\n{}\n")
+        cautioned(listed.format("m", 30, ""))
+        cautioned(listed.format("m", 0.6109, ""), "if it is in radians, write 35")
+        cautioned(listed.format("mm", 30, ""), "the largest block measures 2 mm")
+        cautioned(listed.format("km", 30, ""), "the largest block measures 2 km")
+        cautioned(listed.format("m", 30, "loads: {seismic: {horizontal: 9.81}}"), "horizontal: 9.81 is an earthquake of more than gravity")
+        cautioned(listed.format("m", 30, "loads: {cohesion_kpa: 20000, bond_kpa: 1500}"), "if it is in Pa, write 20", "a bond of 1500 kPa")
+        cautioned(listed.format("m", 30, "joints: [{between: [g, a], friction_angle_deg: 0.5, cohesion_kpa: 3000, tension_kpa: 2000}]"),
+                  "write 28.65", "cohesion of 3000 kPa", "tensile strength of 2000 kPa")
+        cautioned(listed.format("m", 30, "tilt: {towards: left, angle_deg: 0.2}"), "a tilt of 0.2")
+        rest = "topple: 1\nlength_unit: m\nfriction_angle_deg: 30\nblock: {unit_weight_kn_m3: 25}\n"
+        cautioned(rest + "slope: {dip_deg: 20, towards: left}\ncolumns: {width: 2, heights: [2, 3, 4], side_friction_angle_deg: 0.5}\n", "write 28.65")
+        cautioned(rest + "jointed_slope:\n  face: {dip_deg: 65, height: 6}\n  base: {dip_deg: 20, friction_angle_deg: 0.4}\n"
+                  "  joints: [{dip_deg: 70, towards: right, spacing: 3, friction_angle_deg: 0.5, cohesion_kpa: 5000}]\n",
+                  "write 28.65", "cohesion of 5000 kPa", "write 22.92")
+
     def test_anchors(self):
         """Any direction between along the base and along it the other way pulls off it, however it is written."""
         load = "loads: {{anchors: [{{at: [0.5, 1], direction_deg: {}, force_kn: 1}}]}}"

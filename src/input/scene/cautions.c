@@ -110,6 +110,29 @@ static tp_status check_blocks(tp_notes *notes, const tp_scene *scene, tp_message
   return status;
 }
 
+/* The largest block that is free, by the greater side of its box: one caution for all. */
+static tp_status check_extents(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  const tp_listed_block *largest = NULL;
+  fmpq_t most, own;
+  fmpq_init(most);
+  fmpq_init(own);
+  for (long k = 0; k < scene->many.count; k++) {
+    const tp_listed_block *listed = scene->many.blocks + k;
+    if (listed->fixed) continue;
+    block_extent(own, &listed->shape);
+    if (largest != NULL && fmpq_cmp(own, most) <= 0) continue;
+    largest = listed;
+    fmpq_swap(most, own);
+  }
+  const tp_status status =
+      largest == NULL ? TP_OK
+                      : check_length(notes, scene, most, largest->shape.arc_count == 0,
+                                     "the largest block measures", largest->place, message);
+  fmpq_clear(most);
+  fmpq_clear(own);
+  return status;
+}
+
 static tp_status check_solid(tp_notes *notes, const tp_solid_description *solid,
                              tp_message *message) {
   tp_status status = check_unit_weight(notes, &solid->unit_weight_kn_m3, message);
@@ -121,7 +144,11 @@ static tp_status check_solid(tp_notes *notes, const tp_solid_description *solid,
 
 tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
-  if (scene->many.count > 0) return check_blocks(notes, scene, message);
+  if (scene->many.count > 0) {
+    tp_status own = check_extents(notes, scene, message);
+    if (own == TP_OK) own = check_blocks(notes, scene, message);
+    return own == TP_OK ? tp_scene_unit_cautions(notes, scene, message) : own;
+  }
   if (scene->solid.place.file != NULL) {
     return check_solid(notes, &scene->solid, message);
   }

@@ -73,6 +73,42 @@ static tp_status check_strength(tp_notes *notes, const tp_quantity *strength, co
                       what, given, given / pascals);
 }
 
+typedef struct strength {
+  const tp_quantity *friction_angle_deg, *cohesion_kpa, *tension_kpa;
+} strength;
+
+static tp_status check_joint(tp_notes *notes, strength own, tp_message *message) {
+  tp_status status =
+      check_angle(notes, own.friction_angle_deg, least_friction_deg, "a friction angle", message);
+  if (status == TP_OK) status = check_strength(notes, own.cohesion_kpa, "cohesion", message);
+  if (status == TP_OK) {
+    status = check_strength(notes, own.tension_kpa, "tensile strength", message);
+  }
+  return status;
+}
+
+static tp_status check_set(tp_notes *notes, const tp_joint_set *set, tp_message *message) {
+  const strength own = {&set->friction_angle_deg, &set->cohesion_kpa, &set->tension_kpa};
+  return check_joint(notes, own, message);
+}
+
+/* What was made for many pairs of blocks stands in one place. */
+static tp_status check_joints(tp_notes *notes, const tp_block_list *many, tp_message *message) {
+  tp_status status = TP_OK;
+  for (long k = 0; k < many->joint_count && status == TP_OK; k++) {
+    const tp_joint_description *j = many->joints + k;
+    const bool again = k > 0 && j->place.line == j[-1].place.line &&
+                       j->place.column == j[-1].place.column && j->place.file != NULL;
+    const strength own = {&j->friction_angle_deg, &j->cohesion_kpa, &j->tension_kpa};
+    if (!again) status = check_joint(notes, own, message);
+  }
+  if (many->slope.place.file == NULL) return status;
+  for (long k = 0; k < many->slope.set_count && status == TP_OK; k++) {
+    status = check_set(notes, many->slope.sets + k, message);
+  }
+  return status == TP_OK ? check_set(notes, &many->slope.base, message) : status;
+}
+
 tp_status tp_scene_unit_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
   tp_status status = check_friction(notes, scene, message);
@@ -82,5 +118,6 @@ tp_status tp_scene_unit_cautions(tp_notes *notes, const tp_scene *scene, tp_mess
   if (status == TP_OK) status = check_seismic(notes, loads, message);
   if (status == TP_OK) status = check_strength(notes, &loads->cohesion_kpa, "cohesion", message);
   if (status == TP_OK) status = check_strength(notes, &loads->bond_kpa, "a bond", message);
+  if (status == TP_OK) status = check_joints(notes, &scene->many, message);
   return status;
 }
