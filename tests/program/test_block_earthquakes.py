@@ -192,6 +192,10 @@ class BlockEarthquakes(GoverningCase):
         left = page.split("Towards the right")[0]
         self.assertRegex(left, r"factor of safety, driving loads +above 1000\n")
         self.assertRegex(left, r"certain to stand, driving loads times +up to 1000, and more\n")
+        glued = run("solve", self.scene(many([[0, 0], [4, 0], [4, 3], [0, 3]], "tilt: {towards: left, angle_deg: 40}\n"
+                                             "loads: {cohesion_kpa: 1e6, bond_kpa: 1e6}\n", 30)))[1]
+        self.assertEqual(glued.count("above 1000"), 2, glued)
+        self.assertNotIn("(governs)", glued)  # neither is known to be the lesser
 
     def test_one_side_is_told(self):
         """On a table one side is looked at, which a caution tells as of one block; `direction` is of a slope."""

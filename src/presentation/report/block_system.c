@@ -84,11 +84,12 @@ static void add_factor_of(tp_text *t, const tp_system_case *c, bool driving) {
   }
 }
 
-/* The lesser first: it governs. */
+/* The lesser first: it governs. Of two that are only known to be exceeded neither does. */
 static void add_both_factors(tp_text *t, const tp_system_case *c) {
-  const bool by_driving = tp_system_case_factor(c).definition == TP_FOS_BY_DRIVING;
+  const tp_system_factor lesser = tp_system_case_factor(c);
+  const bool by_driving = lesser.definition == TP_FOS_BY_DRIVING;
   const bool are_two = (c->fos.state == TP_FOS_NUMBER || c->fos.state == TP_FOS_UNDEFINED) &&
-                       c->fos_driving.state == TP_FOS_NUMBER;
+                       c->fos_driving.state == TP_FOS_NUMBER && !lesser.is_least;
   for (int k = 0; k < 2; k++) {
     const bool driving = by_driving == (k == 0);
     tp_text_system_label(t, driving ? "factor of safety, driving loads"
