@@ -316,6 +316,8 @@ jointed_slope:
         for blocks, joints, more, told in (
                 ([ground, block, ("c", tower, False)], [], "", "blocks 'b' and 'c' overlap"),
                 ([ground, block, ("c", box(4, 1, 5, 2), False)], [], "", "block 'c' touches no other"),
+                ([ground, block, ("c", box(4, 1, 5, 2), False), ("d", box(5, 1, 6, 2), False)], [], "", "'c' and those that it touches touch no ground"),
+                ([ground, block, ("c", box(2, 4, 3, 5), False), ("d", box(2, 5, 3, 6), False)], [], "", "but for corners of both alone"),
                 ([block, ("c", box(2, 0, 4, 4), False)], [], "", "no block is ground"),
                 ([ground], [], "", "all blocks are ground"),
                 ([ground, block, ("b", box(3, 0, 4, 4), False)], [("g", "b", 20)], "", "two blocks are named 'b'"),

@@ -208,6 +208,36 @@ static tp_status fail_floating(const tp_assemblage *a, long block, tp_message *m
       name.text, distance, next.text, 2 * distance);
 }
 
+/* Blocks in the air that touch each other. */
+static tp_status fail_floating_group(const tp_assemblage *a, long block, tp_message *message) {
+  const tp_given_block *own = a->given + block;
+  const tp_quote name = tp_quote_all(own->name);
+  return tp_refuse(message, TP_FAULT_GEOMETRY, own->place,
+                   "block '%s' and those that it touches touch no ground, nor a block that stands "
+                   "on it, but for corners of both alone: put them on what bears them, with the "
+                   "same digits of its coordinates",
+                   name.text);
+}
+
+static long group_of(long *group, long block) {
+  while (group[block] != block) block = group[block] = group[group[block]];
+  return block;
+}
+
+/* By block: which others it is joined to by contacts; all ground is joined. */
+static void join_blocks(long *group, const tp_assemblage *a) {
+  long ground = -1;
+  for (long k = 0; k < a->count; k++) {
+    const bool fixed = a->blocks[k].number < 0;
+    if (fixed && ground < 0) ground = k;
+    group[k] = fixed ? ground : k;
+  }
+  for (long k = 0; k < a->contact_count; k++) {
+    const long *block = a->contacts[k].block;
+    group[group_of(group, block[0])] = group_of(group, block[1]);
+  }
+}
+
 static tp_status check_held(const tp_assemblage *a, tp_message *message) {
   const tp_given_block *first = a->given;
   if (a->free_count == 0 || a->free_count == a->count) {
@@ -216,18 +246,25 @@ static tp_status check_held(const tp_assemblage *a, tp_message *message) {
                          ? "all blocks are ground; at least one must be free to move"
                          : "no block is ground; mark what the others stand on, 'ground: true'");
   }
+  long *group = calloc((size_t)a->count, sizeof *group);
   bool *touches = calloc((size_t)a->count, sizeof *touches);
-  if (touches == NULL) return tp_fail_memory(message, "the blocks");
-  for (long k = 0; k < a->contact_count; k++) {
+  tp_status status =
+      group != NULL && touches != NULL ? TP_OK : tp_fail_memory(message, "the blocks");
+  if (status == TP_OK) join_blocks(group, a);
+  for (long k = 0; k < a->contact_count && status == TP_OK; k++) {
     touches[a->contacts[k].block[0]] = touches[a->contacts[k].block[1]] = true;
   }
-  long floating = -1;
-  for (long k = 0; k < a->count && floating < 0; k++) {
-    if (!touches[k] && a->blocks[k].number >= 0) floating = k;
+  for (long k = 0; k < a->count && status == TP_OK; k++) {
+    if (!touches[k] && a->blocks[k].number >= 0) status = fail_floating(a, k, message);
   }
+  long ground = 0;
+  while (status == TP_OK && a->blocks[ground].number >= 0) ground++;
+  for (long k = 0; k < a->count && status == TP_OK; k++) {
+    if (group_of(group, k) != group_of(group, ground)) status = fail_floating_group(a, k, message);
+  }
+  free(group);
   free(touches);
-  if (floating < 0) return TP_OK;
-  return fail_floating(a, floating, message);
+  return status;
 }
 
 tp_status tp_assemblage_init(tp_assemblage *a, const tp_given_block *given, long count,
