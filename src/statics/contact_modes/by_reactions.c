@@ -121,6 +121,7 @@ static bool search(bool *is_flat, balancing *s, long *work, tp_dense_program *p)
     if (is_free) set_column(p, s, k, column++, -1, false);
   }
   finish_rows(p, s);
+  p->is_limited = true;
   const bool climbed = tp_dense_program_climb(p, 0);
   const bool balanced = climbed && *tp_dense_program_right(p, p->rows) < enough;
   if (climbed && !balanced && s->finding != NULL) tell_why(s, p);

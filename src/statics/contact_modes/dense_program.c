@@ -115,6 +115,7 @@ bool tp_dense_program_climb(tp_dense_program *p, int objective) {
     const long column = entering(p, objective, first);
     if (column < 0) return true;
     const long row = leaving(p, column, first);
+    if (row < 0 && !p->is_limited) return false;
     if (row < 0) {
       p->barred[p->outside[column]] = true;
       continue;

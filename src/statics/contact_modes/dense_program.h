@@ -20,8 +20,10 @@ typedef struct tp_dense_program {
                             objectives */
   long *basic, *outside; /* variables: those of x, then slacks from `columns` on */
   bool *exact;           /* by row: its slack must be zero in the end */
-  bool *barred;          /* by variable: nothing limits it, which can only be by rounding */
-  long work;             /* entries changed so far */
+  bool is_limited; /* objectives are known to have a limit: what seems to have none, by rounding,
+                      is passed over */
+  bool *barred;    /* by variable: it was */
+  long work;       /* entries changed so far */
 } tp_dense_program;
 
 enum { TP_DENSE_OBJECTIVES = 2 };
@@ -34,7 +36,7 @@ void tp_dense_program_clear(tp_dense_program *program);
 double *tp_dense_program_entry(tp_dense_program *program, long row, long column);
 double *tp_dense_program_right(tp_dense_program *program, long row);
 
-/* Climb the first or the second objective, which has a limit, as far as it goes; false: rounding
+/* Climb the first or the second objective as far as it goes; false: it has no limit, or rounding
  * goes in circles. */
 bool tp_dense_program_climb(tp_dense_program *program, int objective);
 
