@@ -78,15 +78,6 @@ static tp_status leave_out(bool *refuted, branching *b, long contact, tp_message
   return status;
 }
 
-/* In all contacts. */
-static long count_modes(const tp_modes_node *n, const tp_resting *r) {
-  long count = 0;
-  for (long c = 0; c < r->contact_count; c++) {
-    for (tp_mode_set set = n->sets[c]; set != 0; set &= set - 1) count++;
-  }
-  return count;
-}
-
 /* Is this part still among the modes of its contact? */
 static bool is_left(const tp_modes_node *n, const tp_contact_parts *of, int part) {
   return (n->sets[of->contact] & of->own[part]) != 0 ||
@@ -115,7 +106,7 @@ static tp_status divide(division *d, bool *refuted, branching *b, long contact, 
     if (gone)
       tp_search_explain(&b->refuted, &b->state, &b->nogoods, decided);
     else
-      d->modes += count_modes(&b->state.node, b->q->resting);
+      d->modes += tp_modes_node_count(&b->state.node, b->q->resting);
     tp_search_undo(&b->state, mark);
     if (gone && status == TP_OK)
       status = leave_out(refuted, b, contact, message);

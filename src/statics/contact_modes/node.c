@@ -32,3 +32,11 @@ void tp_modes_node_widen(tp_modes_node *n, const tp_resting *r) {
   for (long k = 0; k < r->contact_count; k++) n->sets[k] = tp_modes_of_contact(r, k);
   memset(n->still, 0, (size_t)(r->rows / 3) * sizeof *n->still);
 }
+
+long tp_modes_node_count(const tp_modes_node *n, const tp_resting *r) {
+  long count = 0;
+  for (long k = 0; k < r->contact_count; k++) {
+    for (tp_mode_set set = n->sets[k]; set != 0; set &= set - 1) count++;
+  }
+  return count;
+}

@@ -27,6 +27,8 @@ typedef struct tp_modes_node {
 TP_MUST_USE bool tp_modes_node_init(tp_modes_node *node, const tp_resting *resting);
 void tp_modes_node_clear(tp_modes_node *node);
 void tp_modes_node_widen(tp_modes_node *node, const tp_resting *resting);
+/* Of all contacts. */
+long tp_modes_node_count(const tp_modes_node *node, const tp_resting *resting);
 
 /* Is a block, by its row, at rest or fixed? */
 static inline bool tp_modes_rests(const tp_modes_node *node, long row) {

@@ -14,13 +14,11 @@
 
 bool tp_search_state_init(tp_search_state *s, const tp_resting *r, const bool *still) {
   const size_t blocks = (size_t)r->rows / 3;
-  size_t most = blocks + 1; /* each change takes a mode at least, or rests a block */
   *s = (tp_search_state){.resting = r};
   const bool made = tp_modes_node_init(&s->node, r);
-  for (long k = 0; k < r->contact_count && made; k++) {
-    for (tp_mode_set set = s->node.sets[k]; set != 0; set &= set - 1) most++;
-  }
-  s->changes = calloc(most, sizeof *s->changes);
+  /* each change takes a mode at least, or rests a block */
+  const size_t most = made ? (size_t)tp_modes_node_count(&s->node, r) + blocks : 0;
+  s->changes = calloc(most + 1, sizeof *s->changes);
   if (!made || s->changes == NULL) {
     tp_search_state_clear(s);
     return false;
