@@ -7,7 +7,6 @@
 #include "assemblage/assemblage.h"
 #include "assemblage/nearest_block.h"
 
-#include "block/ring_sums.h"
 #include "common/outside.h"
 #include "number/ball.h"
 
@@ -37,7 +36,7 @@ static tp_status put_on_lattice(tp_assemblage *a, const fmpq_t metres_per_unit,
   long at = 0;
   for (long k = 0; k < a->count; k++) {
     const tp_section *section = a->given[k].section;
-    a->blocks[k].outline = at; /* a chain, until the lattice says at which point it begins */
+    a->blocks[k].ring = at;
     for (long r = 0; r < section->ring_count; r++) chains[at++] = section->rings + r;
   }
   const tp_status status = tp_lattice_init(&a->lattice, chains, rings, metres_per_unit, message);
@@ -97,26 +96,37 @@ static void set_gyration(arb_t gyration2, const tp_rigid_block *block,
   fmpz_clear(part);
 }
 
-static void weigh(weighed *w, tp_rigid_block *block, const tp_assemblage *a, long chain,
-                  const tp_section *section) {
+void tp_assemblage_sums(fmpz sums[TP_SUM_COUNT], const tp_assemblage *a, long block) {
   const tp_lattice *l = &a->lattice;
+  const tp_section *section = a->given[block].section;
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_zero(sums + k);
+  for (long r = 0; r < section->ring_count; r++) {
+    const long *start = l->start + a->blocks[block].ring + r;
+    add_ring(sums, l, start[0], start[1], section->ring_weights + r);
+  }
+}
+
+void tp_assemblage_density(fmpq_t kn, const tp_assemblage *a, long block) {
+  fmpq_mul(kn, a->lattice.step_m, a->lattice.step_m);
+  fmpq_mul(kn, kn, a->given[block].section->weight_unit);
+  fmpq_div_2exp(kn, kn, 1);
+}
+
+static void weigh(weighed *w, tp_assemblage *a, long k) {
+  tp_rigid_block *block = a->blocks + k;
   fmpz sums[TP_SUM_COUNT];
-  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_init(sums + k);
+  for (int s = 0; s < TP_SUM_COUNT; s++) fmpz_init(sums + s);
   fmpq_t kn;
   fmpq_init(kn);
-  for (long r = 0; r < section->ring_count; r++) {
-    add_ring(sums, l, l->start[chain + r], l->start[chain + r + 1], section->ring_weights + r);
-  }
-  split(block->x, w->arm_x, sums + 1, sums);
-  split(block->y, w->arm_y, sums + 2, sums);
+  tp_assemblage_sums(sums, a, k);
+  split(block->x, w->arm_x, sums + TP_X6, sums + TP_A2);
+  split(block->y, w->arm_y, sums + TP_Y6, sums + TP_A2);
   set_gyration(w->gyration2, block, sums);
-  fmpq_mul(kn, l->step_m, l->step_m);
-  fmpq_mul(kn, kn, section->weight_unit);
-  fmpq_div_2exp(kn, kn, 1);
-  fmpq_mul_fmpz(kn, kn, sums);
+  tp_assemblage_density(kn, a, k);
+  fmpq_mul_fmpz(kn, kn, sums + TP_A2);
   arb_set_fmpq(w->weight, kn, BITS);
   fmpq_clear(kn);
-  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_clear(sums + k);
+  for (int s = 0; s < TP_SUM_COUNT; s++) fmpz_clear(sums + s);
 }
 
 /* Powers of two near the size of a block, as a mean of logarithms, and near its weight. */
@@ -154,14 +164,13 @@ static tp_status set_blocks(tp_assemblage *a, tp_message *message) {
   if (w == NULL) return tp_fail_memory(message, "the blocks");
   for (long k = 0; k < a->count; k++) {
     tp_rigid_block *block = a->blocks + k;
-    const long chain = block->outline;
     arb_init(w[k].weight);
     arb_init(w[k].arm_x);
     arb_init(w[k].arm_y);
     arb_init(w[k].gyration2);
-    weigh(w + k, block, a, chain, a->given[k].section);
-    block->outline = a->lattice.start[chain];
-    block->end = a->lattice.start[chain + 1];
+    weigh(w + k, a, k);
+    block->outline = a->lattice.start[block->ring];
+    block->end = a->lattice.start[block->ring + 1];
     a->edge_count += block->end - block->outline;
     block->number = a->given[k].fixed ? -1 : a->free_count++;
   }

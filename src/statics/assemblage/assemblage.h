@@ -12,11 +12,13 @@
 #define TP_ASSEMBLAGE_ASSEMBLAGE_H
 
 #include "assemblage/given_block.h"
+#include "block/ring_sums.h"
 #include "number/near.h"
 #include "plane/lattice.h"
 
 typedef struct tp_rigid_block {
-  long outline, end; /* its points of the lattice: outline … end - 1 */
+  long ring;         /* its first one of the lattice */
+  long outline, end; /* the points of that: outline … end - 1 */
   long number;       /* among the free ones; -1: it is fixed */
   fmpz_t x, y;       /* the lattice point that its moments are about, next to its centroid */
   tp_near weight;
@@ -59,6 +61,11 @@ TP_MUST_USE tp_status tp_assemblage_init(tp_assemblage *assemblage, const tp_giv
                                          long count, const fmpq_t metres_per_unit,
                                          tp_message *message);
 void tp_assemblage_clear(tp_assemblage *assemblage);
+
+/* Of a block, sums of its rings (block/ring_sums.h), each times its weight; and what its weight, in
+ * kN per metre of thickness, is to their A2. */
+void tp_assemblage_sums(fmpz sums[TP_SUM_COUNT], const tp_assemblage *assemblage, long block);
+void tp_assemblage_density(fmpq_t kn, const tp_assemblage *assemblage, long block);
 
 /* A difference of two points of the lattice, or of one and a block's own, as a length. */
 tp_near tp_assemblage_length(const tp_assemblage *assemblage, const fmpz_t from, const fmpz_t to);

@@ -18,9 +18,9 @@ tp_contact_frame tp_contact_frame_between(const tp_assemblage *a, const tp_block
   tp_contact_frame f = {.dx = tp_assemblage_length(a, l->x + c->along[0], l->x + c->along[1]),
                         .dy = tp_assemblage_length(a, l->y + c->along[0], l->y + c->along[1]),
                         .ends = {c->ends[0], c->ends[1]}};
-  const int exponent = ilogb(hypot(f.dx.value, f.dy.value) * hypot(1, tangent.value));
-  scale(&f.dx, -exponent);
-  scale(&f.dy, -exponent);
+  f.exponent = ilogb(hypot(f.dx.value, f.dy.value) * hypot(1, tangent.value));
+  scale(&f.dx, -f.exponent);
+  scale(&f.dy, -f.exponent);
   if (f.ends[0] == f.ends[1]) return f;
   const tp_near x = tp_assemblage_length(a, l->x + c->ends[0], l->x + c->ends[1]);
   const tp_near y = tp_assemblage_length(a, l->y + c->ends[0], l->y + c->ends[1]);

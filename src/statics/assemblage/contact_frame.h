@@ -19,6 +19,7 @@ typedef struct tp_force_column {
  * over that size. */
 typedef struct tp_contact_frame {
   tp_near dx, dy, length;
+  int exponent; /* of that power */
   long ends[2]; /* points of the lattice */
 } tp_contact_frame;
 

@@ -284,13 +284,20 @@ tp_contact_strength tp_built_system_strength(const tp_built_system *s, long cont
                                tp_built_system_over(own->tension, divisor)};
 }
 
+tp_contact_strength *tp_built_system_strengths(const tp_built_system *s, double divisor) {
+  const long count = s->assemblage.contact_count;
+  tp_contact_strength *strengths = calloc((size_t)count + 1, sizeof *strengths);
+  for (long k = 0; k < count && strengths != NULL; k++) {
+    strengths[k] = tp_built_system_strength(s, k, divisor);
+  }
+  return strengths;
+}
+
 tp_status tp_built_system_program(tp_force_program *program, const tp_built_system *s,
                                   const tp_weight_loads *loads, double divisor,
                                   tp_message *message) {
-  const long count = s->assemblage.contact_count;
-  tp_contact_strength *strengths = calloc((size_t)count + 1, sizeof *strengths);
+  tp_contact_strength *strengths = tp_built_system_strengths(s, divisor);
   if (strengths == NULL) return tp_fail_memory(message, "the joints");
-  for (long k = 0; k < count; k++) strengths[k] = tp_built_system_strength(s, k, divisor);
   const tp_status status =
       tp_force_program_init(program, &s->assemblage, strengths, loads, message);
   free(strengths);

@@ -50,6 +50,9 @@ const tp_quantity *tp_built_system_property(const tp_built_system *system, long 
 tp_contact_strength tp_built_system_strength(const tp_built_system *system, long contact,
                                              double divisor);
 
+/* Of all contacts, to be freed; NULL when memory is exhausted. */
+tp_contact_strength *tp_built_system_strengths(const tp_built_system *system, double divisor);
+
 /* What is exactly nothing stays so. */
 tp_near tp_built_system_over(tp_near strength, double divisor);
 

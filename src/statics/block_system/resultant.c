@@ -128,8 +128,7 @@ static void set_along_base(tp_resultant *r) {
   r->loads = tp_weight_loads_tilted(r->left);
   if (!r->beyond) {
     arb_div(sine, sine, cosine, BITS);
-    if (arb_is_zero(angle)) arb_zero(sine);
-    r->target = tp_ball_near(sine);
+    r->target = arb_is_zero(angle) ? (tp_near){0, 0} : tp_ball_near(sine);
   }
   arb_clear(angle);
   arb_clear(sine);

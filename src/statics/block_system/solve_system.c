@@ -60,7 +60,11 @@ static tp_status find_limits(direction *d, tp_message *message) {
   const bool shakes = arb_is_positive(d->resultant.across);
   const tp_near at_rest =
       shakes ? tp_resultant_at_rest(&d->resultant, d->x->s->is_measured) : d->resultant.target;
-  const tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, at_rest, message);
+  const tp_near target = d->resultant.target;
+  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, at_rest, message);
+  if (status == TP_OK && !d->resultant.beyond) {
+    status = tp_limits_decide(&d->limits, d->x->s, &as_it_lies, target, message);
+  }
   if (status != TP_OK) return status;
   judge(d);
   if (d->own->verdict == TP_SYSTEM_CAN_HOLD && tp_limits_fail(&d->limits, at_rest)) {

@@ -5,7 +5,10 @@
 
 #include "block_system/state_limits.h"
 
+#include "assemblage/exact_bracket.h"
+
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void tp_limits_clear(tp_limits *l) {
@@ -62,6 +65,33 @@ static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_sy
   return status;
 }
 
+tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *s,
+                                const tp_system_state *state, tp_near load, tp_message *message) {
+  const bool is_held = limit->is_held && limit->held >= load.value + load.error;
+  if (is_held || tp_load_exceeds(limit, load) || s->assemblage.free_count > TP_FEW_BLOCKS) {
+    return TP_OK;
+  }
+  tp_force_program program;
+  tp_status status = tp_state_program(&program, s, state, message);
+  if (status != TP_OK) return status;
+  tp_contact_strength *strengths = tp_built_system_strengths(s, state->divisor);
+  status = strengths == NULL ? tp_fail_memory(message, "the joints")
+                             : tp_exact_bracket_narrow(limit, &program, strengths, &state->loads,
+                                                       message);
+  free(strengths);
+  tp_force_program_clear(&program);
+  return status;
+}
+
+tp_status tp_limits_decide(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
+                           tp_near load, tp_message *message) {
+  if (tp_limits_fail(l, load)) return TP_OK;
+  const tp_system_state other = tp_state_reversed(state);
+  const tp_status status = tp_state_limit_decide(&l->side, s, state, load, message);
+  if (status != TP_OK || tp_limits_fail(l, load)) return status;
+  return tp_state_limit_decide(&l->other, s, &other, tp_near_neg(load), message);
+}
+
 tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
                          tp_near load, tp_message *message) {
   return find_limits(l, s, state, &limit_itself, load, message);
@@ -70,7 +100,11 @@ tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system
 tp_status tp_limits_try(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
                         tp_near load, tp_message *message) {
   const tp_bracket_aim aim = held_to_side(load);
-  return find_limits(l, s, state, &aim, load, message);
+  tp_status status = find_limits(l, s, state, &aim, load, message);
+  if (status != TP_OK) return status;
+  status = tp_limits_decide(l, s, state, load, message);
+  if (status != TP_OK) tp_limits_clear(l);
+  return status;
 }
 
 /* Forces that hold one load and forces that hold one the other way hold, mixed, all between. */

@@ -9,6 +9,7 @@
 #include "block_system/built_system.h"
 
 #define TP_LIMIT_SHARE 1e-6   /* of itself, to which a limit is proven */
+#define TP_FEW_BLOCKS 16      /* some ms in rationals */
 #define TP_MOST_FACTOR 1000.0 /* no greater factor of safety is looked for */
 
 /* What acts on the blocks, and what their strength is divided by, at x. */
@@ -27,6 +28,12 @@ TP_MUST_USE tp_status tp_state_program(tp_force_program *program, const tp_built
 TP_MUST_USE tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *system,
                                           const tp_system_state *state, tp_message *message);
 
+/* Where a bracket does not tell whether a load is held, and free blocks are TP_FEW_BLOCKS at most, it
+ * is narrowed in rationals. */
+TP_MUST_USE tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *system,
+                                            const tp_system_state *state, tp_near load,
+                                            tp_message *message);
+
 /* Limits to the side of the live load and to the other one, there as far as a load asks for. */
 typedef struct tp_limits {
   tp_load_bracket side, other;
@@ -40,6 +47,10 @@ TP_MUST_USE tp_status tp_limits_find(tp_limits *limits, const tp_built_system *s
 TP_MUST_USE tp_status tp_limits_try(tp_limits *limits, const tp_built_system *system,
                                     const tp_system_state *state, tp_near load,
                                     tp_message *message);
+/* Where they tell neither that a load is held nor that it is not, as below. */
+TP_MUST_USE tp_status tp_limits_decide(tp_limits *limits, const tp_built_system *system,
+                                       const tp_system_state *state, tp_near load,
+                                       tp_message *message);
 void tp_limits_clear(tp_limits *limits);
 
 /* Is a load certainly held; certainly not? */

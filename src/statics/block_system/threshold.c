@@ -170,6 +170,9 @@ static bool prove_held(tp_threshold *own, searching *x, double at) {
 static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *state,
                        tp_near load) {
   x->status = tp_state_limit_find(&own->collapse, x->of->system, state, x->message);
+  if (x->status == TP_OK) {
+    x->status = tp_state_limit_decide(&own->collapse, x->of->system, state, load, x->message);
+  }
   if (x->status != TP_OK) return false;
   own->is_bounded = tp_load_exceeds(&own->collapse, load);
   if (!own->is_bounded) tp_load_bracket_clear(&own->collapse);
@@ -196,22 +199,25 @@ static void prove(tp_threshold *own, searching *x, double zero, double farthest)
   }
 }
 
+static tp_status prove_never(tp_threshold *own, searching *x) {
+  own->is_never = prove_bound(own, x, x->of->from - x->of->most) && own->is_bounded;
+  return x->status;
+}
+
 /* Where the zero that was found in haste does not do, with care. */
 static tp_status search(tp_threshold *own, searching *x) {
   static const double farthest = 0.5;
   double zero = x->of->from;
   search_end end = find_zero(&zero, x, true);
-  if (end == SEARCH_NEVER) {
-    own->is_never = prove_bound(own, x, zero) && own->is_bounded;
-    return x->status;
-  }
+  if (end == SEARCH_NEVER) return prove_never(own, x);
   if (end == SEARCH_FOUND) {
     prove(own, x, zero, nearest);
     if (x->status != TP_OK || is_proven(own)) return x->status;
     end = find_zero(&zero, x, false);
   }
   if (end == SEARCH_FOUND) prove(own, x, zero, farthest);
-  if (end == SEARCH_HELD) (void)prove_held(own, x, zero);
+  /* what fails by less than is searched for seems held, however strong joints are */
+  if (end == SEARCH_HELD && prove_held(own, x, zero) && !own->is_held) return prove_never(own, x);
   return x->status;
 }
 

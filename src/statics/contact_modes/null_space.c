@@ -7,6 +7,8 @@
 
 #include "contact_modes/null_space.h"
 
+#include "number/integer_rows.h"
+
 #include <stdlib.h>
 
 typedef struct eliminating {
@@ -49,41 +51,10 @@ static bool find_pivot(long *row, long *column, const eliminating *s) {
   return true;
 }
 
-static void free_of_factor(const eliminating *s, long r) {
-  fmpz *own = s->rows->rows[r];
-  fmpz_t factor;
-  fmpz_init(factor);
-  _fmpz_vec_content(factor, own, s->width);
-  if (!fmpz_is_zero(factor) && !fmpz_is_one(factor)) {
-    _fmpz_vec_scalar_divexact_fmpz(own, own, s->width, factor);
-  }
-  fmpz_clear(factor);
-}
-
-/* Row r less what makes its entry in the pivot's column zero. */
-static void eliminate(const eliminating *s, long r, long by, long column) {
-  fmpz_t own, pivot, factor;
-  fmpz_init(own);
-  fmpz_init(pivot);
-  fmpz_init(factor);
-  fmpz_gcd(factor, entry(s, r, column), entry(s, by, column));
-  fmpz_divexact(own, entry(s, r, column), factor);
-  fmpz_divexact(pivot, entry(s, by, column), factor);
-  for (long c = 0; c < s->width; c++) {
-    fmpz *to = entry(s, r, c);
-    if (!fmpz_is_zero(to)) fmpz_mul(to, to, pivot);
-    if (!fmpz_is_zero(entry(s, by, c))) fmpz_submul(to, entry(s, by, c), own);
-  }
-  free_of_factor(s, r);
-  fmpz_clear(own);
-  fmpz_clear(pivot);
-  fmpz_clear(factor);
-}
-
 static long eliminate_all(const eliminating *s) {
   long rank = 0, row = 0, column = 0;
   for (long r = 0; r < s->count; r++) {
-    free_of_factor(s, r);
+    tp_row_free_of_factor(s->rows, r);
     count_row(s, r, 1);
   }
   for (; find_pivot(&row, &column, s); rank++) {
@@ -92,7 +63,7 @@ static long eliminate_all(const eliminating *s) {
     for (long r = 0; r < s->count; r++) {
       if (r == row || fmpz_is_zero(entry(s, r, column))) continue;
       count_row(s, r, -1);
-      eliminate(s, r, row, column);
+      tp_row_eliminate(s->rows, r, row, column);
       count_row(s, r, 1);
     }
   }

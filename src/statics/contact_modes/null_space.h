@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The null space of a matrix of whole numbers of which most are zero, exactly: Gauss and Jordan's
- * elimination with the shortest row first, each row freed of its common factor at every step. Where
- * rows join neighbours alone, as contacts do blocks, numbers stay far shorter than its minors. */
+/* The null space of a matrix of whole numbers of which most are zero, exactly: by elimination
+ * (number/integer_rows.h) with the shortest row first. */
 
 #ifndef TP_CONTACT_MODES_NULL_SPACE_H
 #define TP_CONTACT_MODES_NULL_SPACE_H
