@@ -77,16 +77,21 @@ void pile_clear(block_pile *p) {
   *p = (block_pile){.count = 0};
 }
 
-void pile_program(tp_force_program *program, const block_pile *p, double tangent,
-                  bool towards_left) {
-  tp_message message = {.text = ""};
-  const tp_weight_loads loads = tp_weight_loads_tilted(towards_left);
+tp_contact_strength *pile_strengths(const block_pile *p, double tangent) {
   tp_contact_strength *strengths =
       calloc((size_t)p->assemblage.contact_count + 1, sizeof *strengths);
   ck_assert_ptr_nonnull(strengths);
   for (long k = 0; k < p->assemblage.contact_count; k++) {
     strengths[k] = (tp_contact_strength){.tangent = {tangent, 0}};
   }
+  return strengths;
+}
+
+void pile_program(tp_force_program *program, const block_pile *p, double tangent,
+                  bool towards_left) {
+  tp_message message = {.text = ""};
+  const tp_weight_loads loads = tp_weight_loads_tilted(towards_left);
+  tp_contact_strength *strengths = pile_strengths(p, tangent);
   ck_assert_int_eq(tp_force_program_init(program, &p->assemblage, strengths, &loads, &message),
                    TP_OK);
   free(strengths);

@@ -28,6 +28,9 @@ void pile_add_box(block_pile *pile, long left, long low, long right, long high, 
 tp_status pile_assemble(block_pile *pile, tp_message *message);
 void pile_clear(block_pile *pile);
 
+/* By contact, to be freed: one tan(phi) for all. */
+tp_contact_strength *pile_strengths(const block_pile *pile, double tangent);
+
 /* With one tan(phi) for all contacts, tilted to a side. */
 void pile_program(tp_force_program *program, const block_pile *pile, double tangent,
                   bool towards_left);

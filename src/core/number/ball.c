@@ -99,6 +99,14 @@ tp_near tp_ball_near(const arb_t ball) {
   return tp_near_of(value, radius + fabs(value) * DBL_EPSILON);
 }
 
+tp_near tp_ball_near_exact(const arb_t ball) {
+  if (arb_is_exact(ball) && arb_is_finite(ball)) {
+    const double value = tp_ball_nearest(arb_midref(ball));
+    if (arf_cmp_d(arb_midref(ball), value) == 0) return (tp_near){value, 0};
+  }
+  return tp_ball_near(ball);
+}
+
 tp_near tp_near_whole(const fmpz_t number) {
   const double value = tp_word_is_small(number) ? (double)tp_word_get(number) : fmpz_get_d(number);
   const bool exact = fabs(value) < 1 / DBL_EPSILON;

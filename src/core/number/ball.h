@@ -43,6 +43,9 @@ tp_bounded tp_ball_bounded(const arb_t ball);
 /* The same, less closely and for much less. */
 tp_near tp_ball_near(const arb_t ball);
 
+/* And of one number that is a double, exactly that. */
+tp_near tp_ball_near_exact(const arb_t ball);
+
 /* Of a whole number: exact up to 2^52. */
 tp_near tp_near_whole(const fmpz_t number);
 

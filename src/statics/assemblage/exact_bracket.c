@@ -50,7 +50,8 @@ static bool proves_held(const tp_exact_program *p, const tp_exact_answer *x) {
   return proves;
 }
 
-/* s (y . w1) = y . (-w0) - f . A^T y <= y . (-w0) + sum over what is bounded of most max(0, -a . y).
+/* s (y . w1) = y . (-w0) - f . A^T y <= y . (-w0) + sum over what is bounded of most max(0, -a .
+ * y).
  */
 static bool bounds(double *bound, const tp_exact_program *p, const tp_exact_answer *x) {
   const long rows = p->forces->rows;
@@ -144,8 +145,7 @@ tp_status tp_exact_bracket_narrow(tp_load_bracket *b, const tp_force_program *fo
   for (int greatest = 0; greatest < 2 && status == TP_OK; greatest++) {
     tp_exact_program p;
     bool made = false;
-    status =
-        tp_exact_program_init(&made, &p, forces, strengths, loads, greatest == 1, message);
+    status = tp_exact_program_init(&made, &p, forces, strengths, loads, greatest == 1, message);
     if (status == TP_OK && made) status = narrow(b, &p, message);
     if (made) tp_exact_program_clear(&p);
   }

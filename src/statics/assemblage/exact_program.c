@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const fmpq one = {1, 1};
+
 static fmpq *column_of(const tp_exact_program *p, long k) {
   return p->columns + k * p->forces->rows;
 }
@@ -127,10 +129,8 @@ static void normal_of(fmpq normal[2], const exact_frame *f) {
 /* n + t tan(phi), then n - t tan(phi), of each end. */
 static bool set_cones(tp_exact_program *p, long first, long end, const exact_frame *f,
                       tp_near tangent) {
-  fmpq edge[2], own, one;
+  fmpq edge[2], own;
   fmpq_init(&own);
-  fmpq_init(&one);
-  fmpq_one(&one);
   for (int k = 0; k < 2; k++) fmpq_init(edge + k);
   const bool finite = set_strength(&own, p, tangent);
   for (long c = first; c < end; c++) {
@@ -140,7 +140,6 @@ static bool set_cones(tp_exact_program *p, long first, long end, const exact_fra
     fmpq_neg(&own, &own);
   }
   for (int k = 0; k < 2; k++) fmpq_clear(edge + k);
-  fmpq_clear(&one);
   fmpq_clear(&own);
   return finite;
 }
@@ -160,12 +159,9 @@ static bool add_tension(tp_exact_program *p, const exact_frame *f, tp_near tensi
   return finite;
 }
 
-static bool set_cohesion(tp_exact_program *p, long column, const exact_frame *f,
-                         tp_near cohesion) {
-  fmpq half, one;
+static bool set_cohesion(tp_exact_program *p, long column, const exact_frame *f, tp_near cohesion) {
+  fmpq half;
   fmpq_init(&half);
-  fmpq_init(&one);
-  fmpq_one(&one);
   const bool finite = set_strength(&half, p, cohesion);
   fmpq_mul(&half, &half, &f->length);
   scale(&half, -steps_exponent(p));
@@ -174,7 +170,6 @@ static bool set_cohesion(tp_exact_program *p, long column, const exact_frame *f,
   fmpq_mul_2exp(p->bounds + column, &half, 1);
   p->most[column] = p->bounds + column;
   fmpq_clear(&half);
-  fmpq_clear(&one);
   return finite;
 }
 
@@ -212,15 +207,15 @@ static bool set_exact(fmpq_t number, tp_near of) {
 static void set_weight(fmpq weight[3], const tp_exact_program *p, long block) {
   const tp_assemblage *a = p->forces->assemblage;
   fmpz sums[TP_SUM_COUNT];
+  static const fmpq third_part = {1, 3};
   fmpq_t density, third;
   for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_init(sums + k);
   fmpq_init(density);
-  fmpq_init(third);
   tp_assemblage_sums(sums, a, block);
   tp_assemblage_density(density, a, block);
   scale(density, -a->weight_exponent);
-  fmpq_set_si(third, 1, 3);
-  fmpq_mul(third, density, third);
+  fmpq_init(third);
+  fmpq_mul(third, density, &third_part);
   fmpq_mul_fmpz(weight, density, sums + TP_A2);
   fmpq_mul_fmpz(weight + 1, third, sums + TP_X6);
   fmpq_mul_fmpz(weight + 2, third, sums + TP_Y6);

@@ -15,11 +15,11 @@ typedef struct tp_exact_program {
   const tp_force_program *forces; /* borrowed: the same rows and columns in doubles */
   const tp_contact_strength *strengths;
   bool greatest;
-  fmpq *columns;  /* an entry a row, in lattice steps: forces have no unit of their own */
-  fmpq *bounds;   /* by column */
-  const fmpq **most; /* its bound, or NULL */
-  fmpq *live, *target;   /* by row: w1 and -w0 */
-  long *exponents; /* by column: a factor of 1 here is 2^exponent there */
+  fmpq *columns;       /* an entry a row, in lattice steps: forces have no unit of their own */
+  fmpq *bounds;        /* by column */
+  const fmpq **most;   /* its bound, or NULL */
+  fmpq *live, *target; /* by row: w1 and -w0 */
+  long *exponents;     /* by column: a factor of 1 here is 2^exponent there */
 } tp_exact_program;
 
 /* False in `made` where loads are not known exactly. `forces` is of these strengths and loads. On

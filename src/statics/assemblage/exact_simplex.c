@@ -268,8 +268,8 @@ void tp_exact_answer_clear(tp_exact_answer *answer, const tp_exact_program *p) {
   _fmpq_vec_clear(answer->multipliers, p->forces->rows);
 }
 
-tp_status tp_exact_simplex(tp_exact_answer *answer, const tp_exact_program *p,
-                           const double *forces, tp_message *message) {
+tp_status tp_exact_simplex(tp_exact_answer *answer, const tp_exact_program *p, const double *forces,
+                           tp_message *message) {
   *answer = (tp_exact_answer){.outcome = TP_EXACT_OPEN,
                               .factors = _fmpq_vec_init(p->forces->count),
                               .multipliers = _fmpq_vec_init(p->forces->rows)};

@@ -189,7 +189,7 @@ static tp_near part_of(const arb_t of, const arb_t unit, bool reversed) {
   arb_init(own);
   arb_div(own, of, unit, BITS);
   if (reversed) arb_neg(own, own);
-  const tp_near part = arb_is_zero(own) ? (tp_near){0, 0} : tp_ball_near(own);
+  const tp_near part = tp_ball_near_exact(own);
   arb_clear(own);
   return part;
 }

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Loads are those of the program of forces, w0 + s w1; by the tangent of the angle of the
- * resultant, exactly nothing where that is level. */
+ * resultant. */
 
 #include "block_system/blocks_at.h"
 
@@ -45,22 +45,10 @@ void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *r, const tp_built_
   }
 }
 
-tp_near tp_blocks_loads(tp_weight_loads *loads, const tp_resultant *r) {
-  arb_t angle;
-  arb_init(angle);
-  arb_add(angle, r->tilt_deg, r->earthquake_deg, BITS);
-  const bool is_level = arb_is_zero(angle) && arb_is_zero(r->across);
-  arb_clear(angle);
-  *loads = r->loads;
-  if (is_level) loads->dead[0] = (tp_near){0, 0};
-  return is_level ? (tp_near){0, 0} : r->target;
-}
-
 tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const tp_resultant *r,
                             tp_message *message) {
-  tp_weight_loads loads;
-  const tp_near live = tp_blocks_loads(&loads, r);
-  return tp_resting_loads(at->loads, at->central, resting, &loads, live, at->tension, message);
+  return tp_resting_loads(at->loads, at->central, resting, &r->loads, r->target, at->tension,
+                          message);
 }
 
 /* Weights alone: by the tangent of the angle of their resultant. */
@@ -75,9 +63,9 @@ static tp_status turn_weights(bool *within, tp_blocks_at *at, const tp_resting *
   tp_ball_sin_cos(sine, cosine, angle, BITS);
   *within = arb_is_positive(cosine);
   tp_near tangent = {0, 0};
-  if (*within && !arb_is_zero(angle)) {
+  if (*within) {
     arb_div(sine, sine, cosine, BITS);
-    tangent = tp_ball_near(sine);
+    tangent = tp_ball_near_exact(sine);
   }
   arb_clear(angle);
   arb_clear(sine);

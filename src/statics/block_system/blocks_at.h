@@ -26,9 +26,6 @@ void tp_blocks_at_clear(tp_blocks_at *at);
 void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *resting,
                           const tp_built_system *system, double divisor);
 
-/* What acts as the blocks lie, exactly nothing along a level; how much of the live load. */
-tp_near tp_blocks_loads(tp_weight_loads *loads, const tp_resultant *resultant);
-
 /* As the blocks lie. */
 TP_MUST_USE tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting,
                                         const tp_resultant *resultant, tp_message *message);

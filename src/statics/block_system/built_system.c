@@ -138,18 +138,13 @@ static void set_pressure(arb_t pressure, const tp_built_system *s, const tp_quan
   arb_clear(step);
 }
 
-/* What is exactly nothing stays so. */
-static tp_near near_of(const arb_t ball) {
-  return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
-}
-
 static tp_near tangent_of(const tp_built_system *s, const tp_quantity *angle_deg) {
   arb_t tangent;
   arb_init(tangent);
   arb_set_fmpq(tangent, angle_deg->value, BITS);
   tp_friction_tangent(tangent, tangent, BITS);
   tp_friction_divide_tangent(tangent, s->scene, BITS);
-  const tp_near own = near_of(tangent);
+  const tp_near own = tp_ball_near_exact(tangent);
   arb_clear(tangent);
   return own;
 }
@@ -162,7 +157,7 @@ static void set_strength(tp_built_system *s, long contact) {
   set_pressure(tension, s, tp_built_system_property(s, contact, TP_JOINT_TENSION));
   s->strengths[contact] =
       (tp_contact_strength){tangent_of(s, tp_built_system_property(s, contact, TP_JOINT_FRICTION)),
-                            near_of(cohesion), near_of(tension)};
+                            tp_ball_near_exact(cohesion), tp_ball_near_exact(tension)};
   s->has_cohesion = s->has_cohesion || !arb_is_zero(cohesion) || !arb_is_zero(tension);
   arb_clear(cohesion);
   arb_clear(tension);

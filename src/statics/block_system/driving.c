@@ -29,10 +29,6 @@ void tp_driving_clear(tp_driving *d) {
 /* ---- loads -------------------------------------------------------------------------------------
  */
 
-static tp_near near_of(const arb_t ball) {
-  return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
-}
-
 /* Gravity points to the side by the sine of the tilt, and across by its cosine. The horizontal part
  * of the earthquake lies along the base by the cosine and lifts by the sine; a part upwards, of
  * 1 - `along`, lifts by the cosine. */
@@ -68,8 +64,8 @@ static bool set_push(tp_driving *d, const tp_built_system *s, bool left, tp_near
 
 static void set_loads(tp_driving *d, const tp_resultant *r) {
   for (int axis = 0; axis < 2; axis++) {
-    d->loads.dead[axis] = near_of(d->rests[axis]);
-    d->loads.live[axis] = near_of(d->pushes[axis]);
+    d->loads.dead[axis] = tp_ball_near_exact(d->rests[axis]);
+    d->loads.live[axis] = tp_ball_near_exact(d->pushes[axis]);
   }
   if (!r->left) return;
   d->loads.dead[0] = tp_near_neg(d->loads.dead[0]);

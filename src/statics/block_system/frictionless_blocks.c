@@ -65,14 +65,14 @@ tp_status tp_frictionless_blocks(bool *stand, const tp_resting *resting,
                                  const tp_resultant *resultant, tp_message *message) {
   *stand = false;
   if (resultant->beyond) return TP_OK;
-  tp_weight_loads loads;
-  const tp_near live = tp_blocks_loads(&loads, resultant);
+  const tp_weight_loads *loads = &resultant->loads;
+  const tp_near live = resultant->target;
   bool slides = false;
   const long count = resting->rows / 3;
   tp_status status =
-      tp_frictionless_hold(stand, &slides, resting->assemblage, &loads, live, message);
+      tp_frictionless_hold(stand, &slides, resting->assemblage, loads, live, message);
   if (status != TP_OK || *stand || slides || count > FEW) return status;
   status = try_few(stand, resting, resultant, message);
   if (status != TP_OK || *stand || count > TP_FEW_BLOCKS) return status;
-  return try_exactly(stand, resting->assemblage, &loads, live, message);
+  return try_exactly(stand, resting->assemblage, loads, live, message);
 }

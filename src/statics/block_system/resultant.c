@@ -70,14 +70,14 @@ static tp_weight_loads loads_at(const tp_resultant *r, const arb_t sine, const a
   arb_t part;
   arb_init(part);
   tp_weight_loads own = {.applied = r->applied};
-  own.down[0] = tp_ball_near(sine);
-  own.down[1] = tp_near_neg(tp_ball_near(cosine));
+  own.down[0] = tp_ball_near_exact(sine);
+  own.down[1] = tp_near_neg(tp_ball_near_exact(cosine));
   arb_mul(part, r->along, sine, BITS);
-  own.dead[0] = tp_ball_near(part);
+  own.dead[0] = tp_ball_near_exact(part);
   arb_mul(part, r->along, cosine, BITS);
-  own.dead[1] = tp_near_neg(tp_ball_near(part));
-  own.live[0] = tp_ball_near(cosine);
-  own.live[1] = tp_ball_near(sine);
+  own.dead[1] = tp_near_neg(tp_ball_near_exact(part));
+  own.live[0] = tp_ball_near_exact(cosine);
+  own.live[1] = tp_ball_near_exact(sine);
   if (r->left) {
     own.dead[0] = tp_near_neg(own.dead[0]);
     own.live[0] = tp_near_neg(own.live[0]);
@@ -107,7 +107,7 @@ static void set_as_it_lies(tp_resultant *r) {
   arb_init(cosine);
   tp_ball_sin_cos(sine, cosine, r->tilt_deg, BITS);
   r->loads = loads_at(r, sine, cosine);
-  r->target = tp_ball_near(r->across);
+  r->target = tp_ball_near_exact(r->across);
   r->along_normal = 1;
   arb_clear(sine);
   arb_clear(cosine);
@@ -128,7 +128,7 @@ static void set_along_base(tp_resultant *r) {
   r->loads = tp_weight_loads_tilted(r->left);
   if (!r->beyond) {
     arb_div(sine, sine, cosine, BITS);
-    r->target = arb_is_zero(angle) ? (tp_near){0, 0} : tp_ball_near(sine);
+    r->target = tp_ball_near_exact(sine);
   }
   arb_clear(angle);
   arb_clear(sine);
@@ -166,12 +166,12 @@ void tp_resultant_clear(tp_resultant *r) {
 tp_near tp_resultant_at_rest(const tp_resultant *r, bool is_measured) {
   arb_t sine, cosine;
   tp_near tangent = {0, 0};
-  if (is_measured || arb_is_zero(r->tilt_deg)) return tangent;
+  if (is_measured) return tangent;
   arb_init(sine);
   arb_init(cosine);
   tp_ball_sin_cos(sine, cosine, r->tilt_deg, BITS);
   arb_div(sine, sine, cosine, BITS);
-  tangent = tp_ball_near(sine);
+  tangent = tp_ball_near_exact(sine);
   arb_clear(sine);
   arb_clear(cosine);
   return tangent;

@@ -75,9 +75,9 @@ tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *s
   tp_status status = tp_state_program(&program, s, state, message);
   if (status != TP_OK) return status;
   tp_contact_strength *strengths = tp_built_system_strengths(s, state->divisor);
-  status = strengths == NULL ? tp_fail_memory(message, "the joints")
-                             : tp_exact_bracket_narrow(limit, &program, strengths, &state->loads,
-                                                       message);
+  status = strengths == NULL
+               ? tp_fail_memory(message, "the joints")
+               : tp_exact_bracket_narrow(limit, &program, strengths, &state->loads, message);
   free(strengths);
   tp_force_program_clear(&program);
   return status;

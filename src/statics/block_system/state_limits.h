@@ -28,8 +28,8 @@ TP_MUST_USE tp_status tp_state_program(tp_force_program *program, const tp_built
 TP_MUST_USE tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *system,
                                           const tp_system_state *state, tp_message *message);
 
-/* Where a bracket does not tell whether a load is held, and free blocks are TP_FEW_BLOCKS at most, it
- * is narrowed in rationals. */
+/* Where a bracket does not tell whether a load is held, and free blocks are TP_FEW_BLOCKS at most,
+ * it is narrowed in rationals. */
 TP_MUST_USE tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *system,
                                             const tp_system_state *state, tp_near load,
                                             tp_message *message);

@@ -35,10 +35,6 @@ typedef struct supporting {
   tp_system_support *own;
 } supporting;
 
-static tp_near near_of(const arb_t ball) {
-  return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
-}
-
 /* A horizontal one that pushes against the side: to the right and down by the tilt, in axes of
  * which the left is lowered. */
 static void set_direction(supporting *x, arb_t cosine, arb_t sine) {
@@ -89,9 +85,9 @@ static void set_force(supporting *x) {
   tp_lattice_metres_y(own, &a->lattice, block->y);
   set_arm(arm, d->y.value, own, x->s);
   arb_submul(moment, arm, cosine, BITS);
-  x->force[0] = near_of(cosine);
-  x->force[1] = near_of(sine);
-  x->force[2] = near_of(moment);
+  x->force[0] = tp_ball_near_exact(cosine);
+  x->force[1] = tp_ball_near_exact(sine);
+  x->force[2] = tp_ball_near_exact(moment);
   fmpq_clear(own);
   arb_clear(cosine);
   arb_clear(sine);

@@ -153,7 +153,7 @@ static search_end find_zero(double *zero, searching *x, bool in_haste) {
 /* ---- proofs ------------------------------------------------------------------------------------
  */
 
-static const double nearest = 1e-6; /* to the zero, of proofs */
+#define NEAREST 1e-6 /* to the zero, of proofs */
 
 static bool prove_held(tp_threshold *own, searching *x, double at) {
   const tp_system_state state = x->of->state(x->of->context, at);
@@ -193,9 +193,28 @@ static bool is_proven(const tp_threshold *own) {
 /* Both proofs, no farther away than that from the zero. */
 static void prove(tp_threshold *own, searching *x, double zero, double farthest) {
   static const double growth = 4;
-  for (double away = nearest; away <= farthest && !is_proven(own); away *= growth) {
+  for (double away = NEAREST; away <= farthest && !is_proven(own); away *= growth) {
     if (!own->is_held && !prove_held(own, x, zero - away)) break;
     if (!own->is_bounded && !prove_bound(own, x, zero + away)) break;
+  }
+}
+
+/* Between proofs that are far apart, as where little strength more changes the limit by much, as
+ * long as one of them is had in the middle. */
+static void bring_nearer(tp_threshold *own, searching *x) {
+  static const double near_enough = 4 * NEAREST;
+  while (is_proven(own) && own->bound - own->held > near_enough) {
+    const double middle = own->held + (own->bound - own->held) / 2;
+    tp_threshold there = {.is_held = false};
+    if (!prove_held(&there, x, middle)) return;
+    if (there.is_held) {
+      own->held = middle;
+      continue;
+    }
+    if (!prove_bound(&there, x, middle) || !there.is_bounded) return;
+    tp_load_bracket_clear(&own->collapse);
+    own->collapse = there.collapse;
+    own->bound = middle;
   }
 }
 
@@ -211,11 +230,14 @@ static tp_status search(tp_threshold *own, searching *x) {
   search_end end = find_zero(&zero, x, true);
   if (end == SEARCH_NEVER) return prove_never(own, x);
   if (end == SEARCH_FOUND) {
-    prove(own, x, zero, nearest);
+    prove(own, x, zero, NEAREST);
     if (x->status != TP_OK || is_proven(own)) return x->status;
     end = find_zero(&zero, x, false);
   }
-  if (end == SEARCH_FOUND) prove(own, x, zero, farthest);
+  if (end == SEARCH_FOUND) {
+    prove(own, x, zero, farthest);
+    bring_nearer(own, x);
+  }
   /* what fails by less than is searched for seems held, however strong joints are */
   if (end == SEARCH_HELD && prove_held(own, x, zero) && !own->is_held) return prove_never(own, x);
   return x->status;
