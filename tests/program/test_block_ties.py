@@ -4,14 +4,18 @@
 
 Where doubles with their bounds leave it open, few blocks are solved in rationals. A stack of bricks that leans out by all that it can stands in
 equilibrium, by 1e-30 of a brick less it has that much to spare, by as much more it falls; its limit is that of the moments of all above each
-joint about the edge below, in fractions. An arch as thin as can be has one line of thrust alone, through the crown's extrados, the intrados at
+joint about the edge below, in fractions. Boxes of whole numbers are in such ties one time in twenty, and are held against forces in fractions. An arch as thin as can be has one line of thrust alone, through the crown's extrados, the intrados at
 the haunch and the extrados at the springing, which tells its thickness and the friction that it needs."""
 
+import collections
 import fractions
 import math
+import random
+from decimal import Decimal
 
+from forces_in_fractions import held
 from governing_case import GoverningCase
-from harness import main
+from harness import main, rounds
 from pile_case import Pile, arch, box, degrees_of
 
 Q = fractions.Fraction
@@ -88,6 +92,21 @@ def least_thickness(count):
     return high
 
 
+def random_boxes(draw):
+    """On ground that ends at 0, and some on more ground at the right: even widths, so that many lie with their middle above an edge."""
+    boxes = [(Q(-50), Q(-1), Q(0), Q(0))]
+    if draw.random() < 0.5:
+        boxes.append((Q(draw.randint(1, 6)), Q(-1), Q(50), Q(0)))
+    ground = range(len(boxes))
+    for k in range(draw.randint(2, 6)):
+        below = []
+        while not below:
+            wide, left, high = 2 * draw.randint(1, 3), Q(draw.randint(-4, 2 if k else -1)), draw.randint(1, 3)
+            below = [top for l, _, r, top in boxes if l < left + wide and r > left]
+        boxes.append((left, max(below), left + wide, max(below) + high))
+    return boxes, ground
+
+
 class BlockTies(GoverningCase):
     def test_overhangs(self):
         """To 1e-30 of what it can, and at it, whichever way it is looked at; equilibrium as it lies is enough to stand. And at 1e-8, which
@@ -111,6 +130,29 @@ class BlockTies(GoverningCase):
                         if abs(more) < Q(1, 10 ** 20):
                             self.assertLessEqual(limit["error"], 1e-12 * abs(known))
                             self.assertEqual(own["fos"] is None, more > 0)  # none with any strength
+
+    def test_whole_numbers(self):
+        """Random boxes, a few of them in equilibrium by nothing to spare: told as fractions tell it, with tan φ at either end of what it is
+        enclosed by. What normal forces hold stands."""
+        low, high = (Q(Decimal(3).sqrt()) / 3 + Q(e, 10 ** 20) for e in (-1, 1))
+        draw, seen = random.Random(1), collections.Counter()
+        for _ in range(rounds(80, 3000)):
+            boxes, ground = random_boxes(draw)
+            names = [f"b{k}" for k in range(len(boxes))]
+            pile = Pile()
+            for name, own in zip(names, boxes):
+                pile.add(name, [(float(x), float(y)) for x, y in box(*own)], names.index(name) in ground)
+            (own,) = self.solve(pile.scene(30, "tilt: {towards: right}"))
+            holds = held(boxes, ground, low)
+            self.assertEqual(holds, held(boxes, ground, high))
+            self.assertEqual(own["verdict"] == "collapses", not holds, (own["verdict"], boxes))
+            self.assertNotEqual(own["verdict"], "undecided")
+            if holds and held(boxes, ground, 0):
+                self.assertEqual(own["verdict"], "stands", boxes)
+            limit = own["critical_angle_deg"]
+            seen["tie"] += holds and abs(limit["value"]) <= limit["error"]
+            seen[holds] += 1
+        self.assertGreater(min(seen.values()), 2, seen)
 
     def test_cohesive_overhangs(self):
         """Cohesion holds nothing that turns about an edge."""
