@@ -15,7 +15,7 @@ from decimal import Decimal
 
 from forces_in_fractions import held
 from governing_case import GoverningCase
-from harness import main, rounds
+from harness import main, rounds, run
 from pile_case import Pile, arch, box, degrees_of
 
 Q = fractions.Fraction
@@ -131,6 +131,12 @@ class BlockTies(GoverningCase):
                             self.assertLessEqual(limit["error"], 1e-12 * abs(known))
                             self.assertEqual(own["fos"] is None, more > 0)  # none with any strength
 
+    def test_report(self):
+        """What stands at its limit is not told to be unproven beyond it."""
+        out = run("solve", self.scene(pile_of(stack(3, Q(0))[0]).scene(30, "tilt: {towards: right}")))[1]
+        self.assertIn("certain to stand at tilts             of 0° alone: no forces hold more\n", out)
+        self.assertIn("greatest tilt that forces can hold    0.0000°\n", out)
+
     def test_whole_numbers(self):
         """Random boxes, a few of them in equilibrium by nothing to spare: told as fractions tell it, with tan φ at either end of what it is
         enclosed by. What normal forces hold stands."""
@@ -157,7 +163,8 @@ class BlockTies(GoverningCase):
     def test_cohesive_overhangs(self):
         """Cohesion holds nothing that turns about an edge."""
         for more, verdict in ((Q(1, 10 ** 30), "collapses"), (Q(0), "stands"), (-Q(1, 10 ** 30), "stands")):
-            (own,) = self.solve(pile_of(stack(5, more)[0]).scene(30, "tilt: {towards: right}\nloads: {cohesion_kpa: 10}"))
+            text = pile_of(stack(5, more)[0]).scene(30, "tilt: {towards: right}\nloads: {cohesion_kpa: 10}")
+            (own,) = self.solve(text)
             self.assertEqual(own["verdict"], verdict)
 
     def test_thinnest_arch(self):

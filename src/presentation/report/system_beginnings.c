@@ -61,6 +61,13 @@ static void add_driving(tp_text *t, const tp_system_case *c) {
   }
 }
 
+/* Do forces hold no tilt beyond the scene's, in digits that are printed? */
+static bool is_at_limit(const tp_system_case *c, double scale) {
+  const tp_bounded *limit = &c->critical_angle_deg;
+  return c->limit == TP_SYSTEM_LIMIT_NUMBER &&
+         down(limit->value + limit->error, scale) <= c->tilt_angle_deg.value;
+}
+
 static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const double fourth = 1e4;
   if (c->has_standing_angle) {
@@ -70,7 +77,9 @@ static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case
     if (most > c->tilt_angle_deg.value) {
       tp_text_add(t, "up to %.4f°\n", most);
     } else {
-      tp_text_add(t, "of %.10g° alone; above that nothing is proven\n", c->tilt_angle_deg.value);
+      tp_text_add(t, "of %.10g° alone%s\n", c->tilt_angle_deg.value,
+                  is_at_limit(c, fourth) ? ": no forces hold more"
+                                         : "; above that nothing is proven");
     }
   }
   const bool is_sooner =
