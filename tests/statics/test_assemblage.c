@@ -232,6 +232,63 @@ START_TEST(normal_equations) {
 }
 END_TEST
 
+/* Of every instruction set that this machine has: the same bits of factors and solutions, of fronts
+ * with few rows and with more than a stripe of them. L (L^T v) of what was solved is what was
+ * given. */
+static void factorise_front(const tp_front_kernel *kernel, double *columns, double *v, long rows,
+                            long own) {
+  const long behind = rows - own;
+  double *rest = columns + rows * own;
+  for (long c = 0; c < rows; c++) {
+    double *to = c < own ? columns + c * rows : rest + (c - own) * behind - own;
+    for (long r = c < own ? 0 : own; r < rows; r++) {
+      to[r] = r == c ? (double)rows : (double)((r + c) * 7919 % 31) / 31;
+    }
+    v[c] = (double)(c * 31 % 17) - 8;
+  }
+  ck_assert(kernel->factorise(columns, rows, own, rest));
+  for (long c = 1; c < behind; c++) { /* above the diagonal */
+    for (long r = 0; r < c; r++) rest[c * behind + r] = 0;
+  }
+  kernel->solve(v, columns, rows, own);
+  kernel->solve_back(v, columns, rows, own);
+}
+
+static double product_of_front(const double *columns, const double *v, long rows, long row) {
+  double sum = 0;
+  for (long k = 0; k <= row; k++) {
+    for (long r = k; r < rows; r++) sum += columns[k * rows + row] * columns[k * rows + r] * v[r];
+  }
+  return sum;
+}
+
+START_TEST(fronts_by_every_instruction) {
+  enum { MOST = 120 };
+  static const long sizes[][2] = {{3, 3}, {9, 6}, {21, 3}, {57, 48}, {MOST, 99}, {MOST, MOST}};
+  double *first = calloc(2 * MOST * MOST, sizeof *first), *other = first + MOST * MOST;
+  for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
+    const long rows = sizes[k][0], own = sizes[k][1];
+    const size_t entries = (size_t)(rows * own + (rows - own) * (rows - own));
+    double v[MOST], w[MOST];
+    factorise_front(tp_front_kernel_choose(TP_INSTRUCTIONS_BASELINE), first, v, rows, own);
+    for (long row = 0; row < own && own == rows; row++) {
+      const double given = (double)(row * 31 % 17) - 8;
+      ck_assert_double_eq_tol(product_of_front(first, v, rows, row), given, 1e-10);
+    }
+    for (int set = TP_INSTRUCTIONS_AVX2; set < TP_INSTRUCTIONS_COUNT; set++) {
+      if (!tp_instructions_present((tp_instructions)set)) continue;
+      factorise_front(tp_front_kernel_choose((tp_instructions)set), other, w, rows, own);
+      for (long c = 1; c < own; c++) {
+        for (long r = 0; r < c; r++) first[c * rows + r] = other[c * rows + r] = 0;
+      }
+      ck_assert_mem_eq(first, other, entries * sizeof *first);
+      ck_assert_mem_eq(v, w, (size_t)rows * sizeof *v);
+    }
+  }
+  free(first);
+}
+END_TEST
+
 START_TEST(what_is_no_assemblage) {
   enum { DIVISOR = 1000000000 };
   block_pile p = {.count = 0};
@@ -368,6 +425,7 @@ SUITE(assemblage) {
   tcase_add_test(tests, stack_of_bricks);
   tcase_add_test(tests, large_wall);
   tcase_add_test(tests, normal_equations);
+  tcase_add_test(tests, fronts_by_every_instruction);
   tcase_add_test(tests, images_of_random_piles);
   tcase_add_test(tests, what_is_no_assemblage);
   tcase_add_test(tests, corners_on_faces);

@@ -8,15 +8,19 @@
 #ifndef TP_ASSEMBLAGE_FRONT_H
 #define TP_ASSEMBLAGE_FRONT_H
 
-#include "topple_basics.h"
+#include "block/ring_sums.h"
 
-/* `columns`, rows x own, become those of the factor; `rest`, (rows - own) square, loses what they
- * take from it. False where a pivot is not above zero. */
-bool tp_front_factorise(double *columns, long rows, long own, double *rest);
+typedef struct tp_front_kernel {
+  /* `columns`, rows x own, become those of the factor; `rest`, (rows - own) square, loses what they
+   * take from it. False where a pivot is not above zero. */
+  bool (*factorise)(double *columns, long rows, long own, double *rest);
+  /* In place, of `rows` numbers: L v = b for the first ones, taken from those behind them; and
+   * L^T v = b of the first ones, those behind them being known. */
+  void (*solve)(double *v, const double *columns, long rows, long own);
+  void (*solve_back)(double *v, const double *columns, long rows, long own);
+} tp_front_kernel;
 
-/* In place, of `rows` numbers: L v = b for the first ones, taken from those behind them; and
- * L^T v = b of the first ones, those behind them being known. */
-void tp_front_solve(double *v, const double *columns, long rows, long own);
-void tp_front_solve_back(double *v, const double *columns, long rows, long own);
+/* Of instructions that are present; all give the same bits. */
+const tp_front_kernel *tp_front_kernel_choose(tp_instructions instructions);
 
 #endif

@@ -6,8 +6,6 @@
 
 #include "assemblage/normal_equations.h"
 
-#include "assemblage/front.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -155,7 +153,7 @@ static bool factorise_part(tp_normal_equations *n, long part, double **top) {
     left -= (of->rows - of->own) * (of->rows - of->own);
     add_rest(n, f, columns, rest, of, left);
   }
-  if (!tp_front_factorise(columns, f->rows, f->own, rest)) return false;
+  if (!n->kernel->factorise(columns, f->rows, f->own, rest)) return false;
   memmove(left, rest, size * sizeof *rest);
   *top = left + size;
   return true;
@@ -179,7 +177,7 @@ static void solve_part(const tp_normal_equations *n, long part) {
   double *own = n->rows + SIDE * n->plan.dissection.parts[part].first;
   memcpy(n->local, own, (size_t)f->own * sizeof *own);
   memset(n->local + f->own, 0, (size_t)(f->rows - f->own) * sizeof *own);
-  tp_front_solve(n->local, n->factor + f->columns, f->rows, f->own);
+  n->kernel->solve(n->local, n->factor + f->columns, f->rows, f->own);
   memcpy(own, n->local, (size_t)f->own * sizeof *own);
   for (long k = 0; k < count; k++) {
     for (int e = 0; e < SIDE; e++) {
@@ -196,7 +194,7 @@ static void solve_part_back(const tp_normal_equations *n, long part) {
   for (long k = 0; k < count; k++) {
     memcpy(n->local + f->own + SIDE * k, n->rows + SIDE * behind[k], SIDE * sizeof *own);
   }
-  tp_front_solve_back(n->local, n->factor + f->columns, f->rows, f->own);
+  n->kernel->solve_back(n->local, n->factor + f->columns, f->rows, f->own);
   memcpy(own, n->local, (size_t)f->own * sizeof *own);
 }
 
@@ -221,7 +219,7 @@ static double *numbers(long count) {
 
 tp_status tp_normal_equations_init(tp_normal_equations *n, const tp_force_program *p,
                                    tp_message *message) {
-  *n = (tp_normal_equations){.program = p};
+  *n = (tp_normal_equations){.program = p, .kernel = tp_front_kernel_choose(TP_INSTRUCTIONS_BEST)};
   if (!tp_factor_plan_init(&n->plan, p))
     return tp_fail_memory(message, "the forces between blocks");
   const tp_dissection *d = &n->plan.dissection;

@@ -9,9 +9,11 @@
 #define TP_ASSEMBLAGE_NORMAL_EQUATIONS_H
 
 #include "assemblage/factor_plan.h"
+#include "assemblage/front.h"
 
 typedef struct tp_normal_equations {
   const tp_force_program *program;
+  const tp_front_kernel *kernel;
   tp_factor_plan plan;
   double *own_squares;  /* by block: its rows against themselves, by columns */
   double *pair_squares; /* by entry of neighbours: that one's rows against the block's, where it
