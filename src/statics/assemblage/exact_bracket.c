@@ -138,6 +138,11 @@ static tp_status narrow(tp_load_bracket *b, const tp_exact_program *p, tp_messag
   return TP_OK;
 }
 
+bool tp_exact_bracket_is_quick(const tp_assemblage *a) {
+  enum { MOST_BLOCKS = 16, MOST_BITS = 160 }; /* of each, at so many blocks */
+  return a->free_count <= MOST_BLOCKS && a->free_count * a->lattice.bits <= MOST_BLOCKS * MOST_BITS;
+}
+
 tp_status tp_exact_bracket_narrow(tp_load_bracket *b, const tp_force_program *forces,
                                   const tp_contact_strength *strengths,
                                   const tp_weight_loads *loads, tp_message *message) {

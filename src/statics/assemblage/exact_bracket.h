@@ -13,6 +13,9 @@
 
 #include "assemblage/load_bracket.h"
 
+/* Few blocks with coordinates of few digits: it takes some tens of ms at most. */
+bool tp_exact_bracket_is_quick(const tp_assemblage *assemblage);
+
 /* Narrow a bracket of `program`, which is of these strengths and loads. It stays as it is where the
  * loads are not known exactly, or where there is no greatest load. A bound of minus an infinity: no
  * load is held. */

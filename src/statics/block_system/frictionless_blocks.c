@@ -73,6 +73,6 @@ tp_status tp_frictionless_blocks(bool *stand, const tp_resting *resting,
       tp_frictionless_hold(stand, &slides, resting->assemblage, loads, live, message);
   if (status != TP_OK || *stand || slides || count > FEW) return status;
   status = try_few(stand, resting, resultant, message);
-  if (status != TP_OK || *stand || count > TP_FEW_BLOCKS) return status;
+  if (status != TP_OK || *stand || !tp_exact_bracket_is_quick(resting->assemblage)) return status;
   return try_exactly(stand, resting->assemblage, loads, live, message);
 }

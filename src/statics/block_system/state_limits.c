@@ -68,7 +68,7 @@ static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_sy
 tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *s,
                                 const tp_system_state *state, tp_near load, tp_message *message) {
   const bool is_held = limit->is_held && limit->held >= load.value + load.error;
-  if (is_held || tp_load_exceeds(limit, load) || s->assemblage.free_count > TP_FEW_BLOCKS) {
+  if (is_held || tp_load_exceeds(limit, load) || !tp_exact_bracket_is_quick(&s->assemblage)) {
     return TP_OK;
   }
   tp_force_program program;

@@ -9,7 +9,6 @@
 #include "block_system/built_system.h"
 
 #define TP_LIMIT_SHARE 1e-6   /* of itself, to which a limit is proven */
-#define TP_FEW_BLOCKS 16      /* some ms in rationals */
 #define TP_MOST_FACTOR 1000.0 /* no greater factor of safety is looked for */
 
 /* What acts on the blocks, and what their strength is divided by, at x. */
@@ -28,8 +27,8 @@ TP_MUST_USE tp_status tp_state_program(tp_force_program *program, const tp_built
 TP_MUST_USE tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *system,
                                           const tp_system_state *state, tp_message *message);
 
-/* Where a bracket does not tell whether a load is held, and free blocks are TP_FEW_BLOCKS at most,
- * it is narrowed in rationals. */
+/* Where a bracket does not tell whether a load is held it is narrowed in rationals, if that is
+ * quick. */
 TP_MUST_USE tp_status tp_state_limit_decide(tp_load_bracket *limit, const tp_built_system *system,
                                             const tp_system_state *state, tp_near load,
                                             tp_message *message);

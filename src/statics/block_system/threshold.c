@@ -6,6 +6,7 @@
 
 #include "block_system/threshold.h"
 
+#include "assemblage/exact_bracket.h"
 #include "assemblage/limit_change.h"
 
 #include <math.h>
@@ -19,6 +20,7 @@ static const double small_step = 1e-6; /* of x, over which a slope is taken */
 typedef struct searching {
   const tp_threshold_search *of;
   bool sees_other; /* the limit to the other side takes part */
+  bool fails;      /* where it was last asked whether it is held it certainly is not */
   tp_status status;
   tp_message *message;
 } searching;
@@ -162,6 +164,7 @@ static bool prove_held(tp_threshold *own, searching *x, double at) {
   if (x->status != TP_OK) return false;
   own->is_held = tp_limits_hold(&l, x->of->target);
   own->held = at;
+  x->fails = tp_limits_fail(&l, x->of->target);
   tp_limits_clear(&l);
   return true;
 }
@@ -219,6 +222,7 @@ static void bring_nearer(tp_threshold *own, searching *x) {
 }
 
 static tp_status prove_never(tp_threshold *own, searching *x) {
+  tp_load_bracket_clear(&own->collapse);
   own->is_never = prove_bound(own, x, x->of->from - x->of->most) && own->is_bounded;
   return x->status;
 }
@@ -232,13 +236,16 @@ static tp_status search(tp_threshold *own, searching *x) {
   if (end == SEARCH_FOUND) {
     prove(own, x, zero, NEAREST);
     if (x->status != TP_OK || is_proven(own)) return x->status;
+    if (x->fails && tp_exact_bracket_is_quick(&x->of->system->assemblage)) {
+      /* by less than is searched for, perhaps however strong joints are */
+      if (prove_never(own, x) != TP_OK || own->is_never) return x->status;
+    }
     end = find_zero(&zero, x, false);
   }
   if (end == SEARCH_FOUND) {
     prove(own, x, zero, farthest);
     bring_nearer(own, x);
   }
-  /* what fails by less than is searched for seems held, however strong joints are */
   if (end == SEARCH_HELD && prove_held(own, x, zero) && !own->is_held) return prove_never(own, x);
   return x->status;
 }
