@@ -16,14 +16,19 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Along which number a search goes. */
+enum { BY_STRENGTH, BY_TILT, BY_DRIVING, KNOWN };
+
 typedef struct beginnings {
   const tp_beginnings_task *task;
   tp_system_case *own;
   tp_resting resting;
-  tp_moving_search moving;     /* along the logarithm of the divisor */
-  tp_standing_search standing; /* likewise */
-  long proof_work;             /* of the proof that none begins as they lie */
-  bool frictionless;           /* blocks are in equilibrium without friction */
+  tp_arranged arranged;
+  tp_moving_search moving;      /* along the logarithm of the divisor */
+  tp_standing_search standing;  /* likewise */
+  tp_known_proofs known[KNOWN]; /* that no motion begins, by search; of all as the blocks lie */
+  long proof_work;              /* of the proof that none begins as they lie */
+  bool frictionless;            /* blocks are in equilibrium without friction */
 } beginnings;
 
 static tp_status state_at_strength(bool *exists, tp_blocks_at *at, const void *context,
@@ -58,6 +63,9 @@ static tp_status exclude_as_they_lie(bool *excluded, beginnings *b, tp_message *
   *excluded = false;
   const tp_status status = tp_standing_prove(excluded, &b->standing, 0, 0, message);
   b->proof_work = b->standing.proof_work;
+  for (int k = BY_TILT; k < KNOWN && *excluded; k++) {
+    tp_known_proofs_copy(b->known + k, b->known + BY_STRENGTH);
+  }
   if (status != TP_OK || *excluded || b->standing.left[0] == 0) return status;
   return tp_moving_prove_modes(&b->moving, 0, b->standing.left, message);
 }
@@ -231,7 +239,7 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && runs_straight) {
     tp_standing_search s;
     double standing = 0;
-    status = tp_standing_init(&s, &b->resting, state_at_tilt, b, message);
+    status = tp_standing_init(&s, &b->arranged, b->known + BY_TILT, state_at_tilt, b, message);
     if (status != TP_OK) return status;
     s.loads_vary = true;
     s.most_work = b->standing.most_work;
@@ -260,7 +268,8 @@ static tp_status search_driving(beginnings *b, tp_message *message) {
   const bool bounded = own->fos_driving.state == TP_FOS_NUMBER;
   const double limit = bounded ? own->fos_driving.value.value : TP_MOST_FACTOR;
   tp_standing_search s;
-  tp_status status = tp_standing_init(&s, &b->resting, state_at_driving, b, message);
+  tp_status status =
+      tp_standing_init(&s, &b->arranged, b->known + BY_DRIVING, state_at_driving, b, message);
   if (status != TP_OK) return status;
   s.loads_vary = true;
   s.most_work = b->standing.most_work;
@@ -294,7 +303,14 @@ static tp_status search(beginnings *b, tp_message *message) {
   static const long most_work = 200000000;
   tp_status status = tp_moving_init(&b->moving, &b->resting, state_at_strength, b, message);
   if (status != TP_OK) return status;
-  status = tp_standing_init(&b->standing, &b->resting, state_at_strength, b, message);
+  status = tp_arranged_init(&b->arranged, &b->resting, b->task->resultant->left, message);
+  if (status == TP_OK) {
+    status = tp_standing_init(&b->standing, &b->arranged, b->known + BY_STRENGTH, state_at_strength,
+                              b, message);
+  }
+  for (int k = 0; k < KNOWN && status == TP_OK; k++) {
+    status = tp_known_proofs_init(b->known + k, &b->arranged.resting, message);
+  }
   b->standing.most_work = most_work;
   b->standing.loads_vary = b->task->system->has_cohesion;
   if (status == TP_OK) {
@@ -303,6 +319,8 @@ static tp_status search(beginnings *b, tp_message *message) {
                                                     : search_both(b, message);
   }
   tp_standing_clear(&b->standing);
+  for (int k = 0; k < KNOWN; k++) tp_known_proofs_clear(b->known + k);
+  tp_arranged_clear(&b->arranged);
   tp_moving_clear(&b->moving);
   return status;
 }

@@ -15,18 +15,38 @@
 /* The first tries may take so many times as much as the last proof, or such a part of all work. */
 enum { TIMES = 6, PARTS = 256 };
 
+static void clear_state(tp_standing_state *s) {
+  free(s->friction);
+  free(s->cohesion);
+  free(s->loads);
+}
+
+static bool init_state(tp_standing_state *s, const tp_resting *r) {
+  const size_t count = (size_t)r->contact_count + 1;
+  s->friction = calloc(count, sizeof *s->friction);
+  s->cohesion = calloc(count, sizeof *s->cohesion);
+  s->loads = calloc((size_t)r->rows + 1, sizeof *s->loads);
+  return s->friction != NULL && s->cohesion != NULL && s->loads != NULL;
+}
+
 void tp_standing_clear(tp_standing_search *s) {
-  for (int k = 0; k < 2; k++) tp_blocks_at_clear(s->ends + k);
+  tp_blocks_at_clear(&s->at);
+  for (int k = 0; k < 2; k++) clear_state(s->ends + k);
+  free(s->left_arranged);
   free(s->left);
   memset(s, 0, sizeof *s);
 }
 
-tp_status tp_standing_init(tp_standing_search *s, const tp_resting *r, tp_moving_state *state,
-                           const void *context, tp_message *message) {
-  *s = (tp_standing_search){.resting = r, .state = state, .context = context};
+tp_status tp_standing_init(tp_standing_search *s, const tp_arranged *arranged,
+                           tp_known_proofs *known, tp_moving_state *state, const void *context,
+                           tp_message *message) {
+  *s = (tp_standing_search){
+      .arranged = arranged, .known = known, .state = state, .context = context};
+  const tp_resting *r = arranged->given;
   s->left = calloc((size_t)r->contact_count + 1, sizeof *s->left);
-  bool done = s->left != NULL;
-  for (int k = 0; k < 2; k++) done = tp_blocks_at_init(s->ends + k, r) && done;
+  s->left_arranged = calloc((size_t)r->contact_count + 1, sizeof *s->left_arranged);
+  bool done = tp_blocks_at_init(&s->at, r) && s->left != NULL && s->left_arranged != NULL;
+  for (int k = 0; k < 2; k++) done = init_state(s->ends + k, r) && done;
   if (done) return TP_OK;
   tp_standing_clear(s);
   return tp_fail_memory(message, "the motions");
@@ -47,28 +67,43 @@ static double first_step(const tp_standing_search *s, double all) {
   return s->proof_work > (s->most_work - s->work) / MANY ? all / STEPS : all;
 }
 
+static tp_status set_end(bool *exists, tp_standing_search *s, int end, double x,
+                         tp_message *message) {
+  const tp_status status = s->state(exists, &s->at, s->context, x, message);
+  if (status != TP_OK || !*exists) return status;
+  tp_arranged_friction(s->ends[end].friction, s->arranged, s->at.friction);
+  tp_arranged_cohesion(s->ends[end].cohesion, s->arranged, s->at.cohesion);
+  tp_arranged_loads(s->ends[end].loads, s->arranged, s->at.central);
+  return TP_OK;
+}
+
 /* Strength is greatest where x, of a divisor, is least. */
 tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, double to,
                             tp_message *message) {
+  const tp_resting *r = &s->arranged->resting;
   *proven = false;
-  memset(s->left, 0, (size_t)s->resting->contact_count * sizeof *s->left);
+  memset(s->left, 0, (size_t)r->contact_count * sizeof *s->left);
   bool exists = true;
   tp_status status = TP_OK;
   for (int k = 0; k < 2 && exists && status == TP_OK; k++) {
-    status = s->state(&exists, s->ends + k, s->context, k == 0 ? from : to, message);
+    status = set_end(&exists, s, k, k == 0 ? from : to, message);
   }
   if (status != TP_OK || !exists) return status;
-  const tp_modes_question q = {.resting = s->resting,
+  const tp_modes_question q = {.resting = r,
                                .friction = {s->ends[1].friction, s->ends[0].friction},
                                .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
                                .loads = {s->ends[0].loads, s->ends[1].loads},
                                .load_count = s->loads_vary && to > from ? 2 : 1};
   const long before = s->work;
-  tp_exclusion e = {.most_work = most_work(s, to > from), .work = before, .left = s->left};
+  tp_exclusion e = {.most_work = most_work(s, to > from),
+                    .work = before,
+                    .left = s->left_arranged,
+                    .known = s->known};
   status = tp_exclusion_find(&e, &q, message);
   s->work = e.work;
   *proven = status == TP_OK && e.is_proven;
   if (*proven) s->proof_work = s->work - before;
+  if (e.has_left) tp_arranged_modes(s->left, s->arranged, s->left_arranged);
   return status;
 }
 

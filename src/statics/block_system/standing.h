@@ -8,10 +8,17 @@
 #define TP_BLOCK_SYSTEM_STANDING_H
 
 #include "block_system/moving.h"
+#include "contact_modes/arranged.h"
 #include "contact_modes/exclusion.h"
 
+/* What an exclusion is asked of, as blocks are arranged. */
+typedef struct tp_standing_state {
+  tp_near *friction, *cohesion, *loads;
+} tp_standing_state;
+
 typedef struct tp_standing_search {
-  const tp_resting *resting;
+  const tp_arranged *arranged;
+  tp_known_proofs *known; /* of blocks as they are arranged */
   tp_moving_state *state; /* linear, or by strength, between two of x: proofs are of all between */
   const void *context;
   bool loads_vary; /* between two of x: it is a tilt, or joints pull, by a strength that is divided
@@ -20,13 +27,15 @@ typedef struct tp_standing_search {
   long work;       /* so far */
   long proof_work; /* of the last proof that was found; 0: of none */
   long try_work;   /* that a try of an interval may take */
-  tp_blocks_at ends[2];
+  tp_blocks_at at;
+  tp_standing_state ends[2];
+  tp_mode_set *left_arranged;
   tp_mode_set *left; /* by contact: what an exclusion left; all 0: nothing of the kind */
 } tp_standing_search;
 
-TP_MUST_USE tp_status tp_standing_init(tp_standing_search *standing, const tp_resting *resting,
-                                       tp_moving_state *state, const void *context,
-                                       tp_message *message);
+TP_MUST_USE tp_status tp_standing_init(tp_standing_search *standing, const tp_arranged *arranged,
+                                       tp_known_proofs *known, tp_moving_state *state,
+                                       const void *context, tp_message *message);
 void tp_standing_clear(tp_standing_search *standing);
 
 /* Is every motion excluded for all numbers from `from` to `to`? */

@@ -4,11 +4,11 @@
 /* Reactions c, and a share s >= 0 of the loads, whose accelerations y = M^-1 (A c + s w) no force
  * of the node resists: e . y < 0 for each of its edges, and w . y < 0. Searched by a linear program
  * that makes all of them as negative as they can be, with what cohesion may add, then evaluated
- * with bounds from the c and s that are found: whatever these are, y is theirs. Of loads between
- * two, w . y is greatest at one of both, and e . y too. */
+ * with bounds from the c and s that are found (contact_modes/forces_proof.h). */
 
 #include "contact_modes/cohesive_shear.h"
 #include "contact_modes/dense_program.h"
+#include "contact_modes/forces_proof.h"
 #include "contact_modes/pushed.h"
 #include "contact_modes/reactions.h"
 #include "contact_modes/refutation.h"
@@ -180,61 +180,37 @@ static void tell_why(tp_relaxed_motions *relaxed, const resisting *s, const tp_d
 /* ---- proof -------------------------------------------------------------------------------------
  */
 
-static void find_y(resisting *s, int load) {
-  const tp_resting *r = s->q->resting;
-  for (long k = 0; k < r->rows; k++) {
-    s->wrenches[k] = tp_near_times((tp_near){s->share, 0}, s->q->loads[load][k]);
-  }
-  for (long k = 0; k < s->reactions.count; k++) {
-    const tp_bearing_reaction *own = s->reactions.all + k;
-    const tp_near factor = {own->sign * s->factors[k], 0};
-    for (int side = 0; side < 2; side++) {
-      const long row = own->column->row[side];
-      for (int e = 0; e < 3 && !tp_modes_rests(s->node, row); e++) {
-        s->wrenches[row + e] =
-            tp_near_plus(s->wrenches[row + e], tp_near_times(factor, own->column->entry[side][e]));
-      }
-    }
-  }
-  for (long b = 0; b < r->rows / 3; b++) {
-    if (s->node->still[b]) continue;
-    tp_resting_accelerate(s->y + 3 * b, r->assemblage->blocks + r->block[b], s->wrenches + 3 * b);
-  }
-}
-
 static bool is_not_above(tp_near number) {
   return number.value + number.error <= 0;
 }
 
-static bool prove(resisting *s, int load) {
-  find_y(s, load);
+static bool prove(tp_forces_proof *p, const resisting *s, int load) {
+  if (!tp_forces_proof_drives(p, load)) return false;
   for (long k = 0; k < s->edges.count; k++) {
     const tp_resisting_edge *e = s->edges.all + k;
-    const tp_near shear = tp_near_times(e->shear, tp_resting_along(e->along, s->y));
-    if (!is_not_above(tp_near_plus(tp_resting_along(e->normal, s->y), shear))) return false;
+    const tp_near shear = tp_near_times(e->shear, tp_resting_along(e->along, p->y));
+    if (!is_not_above(tp_near_plus(tp_resting_along(e->normal, p->y), shear))) return false;
   }
-  tp_near cohesion = {0, 0};
-  for (long k = 0; k < s->shear_count; k++) {
-    const cohesive *c = s->shears + k;
-    const tp_near slip = tp_resting_along(c->along, s->y);
-    cohesion = tp_near_plus(cohesion, tp_near_larger(tp_near_times(c->own.least, slip),
-                                                     tp_near_times(c->own.most, slip)));
-  }
-  for (long r = 0; r < s->q->resting->rows; r++) {
-    cohesion = tp_near_plus(cohesion, tp_near_times(s->q->loads[load][r], s->y[r]));
-  }
-  return tp_near_sign(cohesion) < 0;
+  return true;
 }
 
-static void widen(tp_modes_node *wide, const resisting *s) {
-  for (long k = 0; k < s->reactions.count; k++) {
-    const double factor = s->factors[k];
-    const tp_factor_sign sign = factor > 0   ? TP_FACTOR_POSITIVE
-                                : factor < 0 ? TP_FACTOR_NEGATIVE
-                                             : TP_FACTOR_NONE;
-    tp_refuted_node_bears(wide, s->q->resting, s->reactions.all + k, sign);
+/* Of all loads; it is kept, with its signs. */
+static bool prove_all(const resisting *s, const tp_modes_finding *finding) {
+  tp_forces_proof p = {.node = s->node,
+                       .question = s->q,
+                       .reactions = &s->reactions,
+                       .factors = s->factors,
+                       .share = s->share,
+                       .wrenches = s->wrenches,
+                       .y = s->y};
+  bool proven = true;
+  if (finding != NULL) tp_refuted_node_begin(finding->refuted, s->node, s->q);
+  for (int k = 0; k < s->q->load_count && proven; k++) {
+    proven = prove(&p, s, k);
+    if (proven && finding != NULL) tp_forces_proof_widen(finding->refuted, &p);
   }
-  tp_refuted_node_yields(wide, s->node, s->q, s->y);
+  if (proven && finding != NULL) tp_known_proofs_add_forces(finding->known, &p);
+  return proven;
 }
 
 static bool make(resisting *s, tp_dense_program *p) {
@@ -266,11 +242,7 @@ tp_status tp_modes_refute_by_forces(bool *refuted, const tp_modes_finding *findi
   *refuted = made && search(&s, work, &p);
   const bool tells = made && finding != NULL;
   if (tells && !*refuted && s.shear_count == 0) tell_why(finding->relaxed, &s, &p);
-  if (tells && *refuted) tp_refuted_node_begin(finding->refuted, node, q);
-  for (int k = 0; k < q->load_count && *refuted; k++) {
-    *refuted = prove(&s, k);
-    if (tells && *refuted) widen(finding->refuted, &s);
-  }
+  if (*refuted) *refuted = prove_all(&s, finding);
   tp_dense_program_clear(&p);
   tp_reactions_clear(&s.reactions);
   tp_resisting_edges_clear(&s.edges);

@@ -286,5 +286,8 @@ tp_status tp_modes_refute_by_reactions(bool *refuted, const tp_modes_finding *fi
     *refuted = false;
     status = balance(refuted, work, &s, message);
   }
+  if (status == TP_OK && *refuted && finding != NULL) {
+    tp_known_proofs_add_reactions(finding->known, finding->refuted);
+  }
   return status;
 }

@@ -54,12 +54,19 @@ static bool may_enter(const tp_dense_program *p, long column) {
   return !p->barred[variable] && (variable < p->columns || !p->exact[variable - p->columns]);
 }
 
+/* Of equal numbers that differ by rounding the first is as good. */
+static bool is_more(double own, double other) {
+  static const double rounding = 1e-9;
+  return own > other + rounding * fabs(other);
+}
+
 static long entering(tp_dense_program *p, int objective, bool first) {
   const double *own = tp_dense_program_entry(p, p->rows + objective, 0);
   long best = -1;
   for (long c = 0; c < p->columns; c++) {
     if (!(own[c] > tiny) || !may_enter(p, c)) continue;
-    const bool better = best < 0 || (first ? p->outside[c] < p->outside[best] : own[c] > own[best]);
+    const bool better =
+        best < 0 || (first ? p->outside[c] < p->outside[best] : is_more(own[c], own[best]));
     if (better) best = c;
   }
   return best;
@@ -79,7 +86,7 @@ static long leaving(tp_dense_program *p, long column, bool first) {
     const bool same = best >= 0 && length <= least + tiny && length >= least - tiny;
     const bool preferred =
         same && (first ? p->basic[r] < p->basic[best]
-                       : fabs(own) > fabs(*tp_dense_program_entry(p, best, column)));
+                       : is_more(fabs(own), fabs(*tp_dense_program_entry(p, best, column))));
     if (best < 0 || length < least - tiny || preferred) {
       best = r;
       least = fmin(least, length);

@@ -1,221 +1,151 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Depth first, with probing. Each contact of a block that is not at rest could be divided: whether
- * it sticks at both ends, slips forward, slips back, or opens; then by which ends are closed. Parts
- * that are refuted are left out for good, whatever is divided in the end. Where one part is left,
- * it is so; else the contact of the fewest parts is divided. Each refutation becomes a nogood, of
- * the node as it was divided, so that no branch repeats what another has found. Blocks that do not
- * touch, but by ground, move whatever the others do: each group of those that do is taken by
- * itself, with the others at rest. */
+/* Depth first: each node is divided by a contact (contact_modes/probing.h), or as the search of a
+ * question like this one divided it, whose proofs are renewed first: then programs are solved only
+ * where these no longer are proofs. Blocks that do not touch, but by ground, move whatever the
+ * others do: each group of those that do is taken by itself, with the others at rest. */
 
 #include "contact_modes/exclusion.h"
 
 #include "contact_modes/contact_parts.h"
-#include "contact_modes/corner_modes.h"
-#include "contact_modes/refutation.h"
-#include "contact_modes/settling.h"
+#include "contact_modes/probing.h"
+#include "contact_modes/renewing.h"
 
 #include <stdlib.h>
 
-typedef struct branching {
-  const tp_modes_question *q;
-  tp_exclusion *of;
-  tp_search_state state;
-  tp_nogoods nogoods;
-  tp_relaxed_motions relaxed;
-  tp_modes_node refuted;  /* of which the state was part when it was refuted last */
-  tp_modes_finding found; /* the same, and why programs do not refute it */
-} branching;
-
-static bool is_spent(const branching *b) {
-  return b->of->work > b->of->most_work;
-}
-
-static bool settle(branching *b) {
-  return tp_search_settle(&b->refuted, &b->of->work, &b->state, &b->nogoods);
-}
-
-/* By linear programs, but where a relaxed motion shows that they would be in vain. It does so in
- * doubles: a node that can be divided no more is asked for in any case. */
-static tp_status refute_by_programs(bool *refuted, branching *b, bool in_any_case,
-                                    tp_message *message) {
-  const tp_modes_node *own = &b->state.node;
-  long *work = &b->of->work;
-  tp_status status = TP_OK;
-  *refuted = false;
-  if (in_any_case || !tp_relaxed_motions_have(&b->relaxed, TP_RELAXED_BY_FORCES, work, own)) {
-    status = tp_modes_refute_by_forces(refuted, &b->found, work, own, b->q, message);
+/* A side of a pair of which nothing is left bears nothing. */
+static void leave(tp_branching *b) {
+  const tp_mode_set *sets = b->state.node.sets;
+  b->has_left = true;
+  for (long k = 0; k < b->q->resting->contact_count; k++) {
+    b->left[k] = sets[k] != 0 ? sets[k] : TP_MODES_OPEN;
   }
+}
+
+/* All have one mode. */
+static tp_status exclude_one_mode(bool *refuted, tp_branching *b, tp_message *message) {
+  const tp_status status = tp_branching_refute_mode(refuted, b, message);
   if (status != TP_OK || *refuted) return status;
-  if (!in_any_case && tp_relaxed_motions_have(&b->relaxed, TP_RELAXED_DRIVEN, work, own)) {
-    return TP_OK;
-  }
-  return tp_modes_refute_by_reactions(refuted, &b->found, work, own, b->q, message);
+  leave(b);
+  return TP_OK;
 }
 
-/* By what follows from it at once, else by linear programs. */
-static tp_status refute(bool *refuted, branching *b, tp_message *message) {
-  *refuted = !settle(b);
-  return *refuted ? TP_OK : refute_by_programs(refuted, b, false, message);
-}
-
-/* ---- parts -------------------------------------------------------------------------------------
+/* ---- as it was divided before ------------------------------------------------------------------
  */
 
-static void take(branching *b, const tp_contact_parts *of, int part) {
-  tp_search_narrow(&b->state, of->contact, of->own[part], of->of_twin[part], TP_REASON_DECIDED);
-}
+/* Where to go on: the contact that is divided; from which step on it was before, -1: it was not. */
+typedef struct guide {
+  long contact, parts;
+} guide;
 
-/* A part of a contact is refuted, and the state as it was before is at hand. True where all of that
- * is refuted with it, or by what follows. */
-static tp_status leave_out(bool *refuted, branching *b, long contact, tp_message *message) {
-  const tp_mode_set *sets = b->state.node.sets, *of = b->refuted.sets;
-  const long twin = b->q->resting->contacts[contact].twin;
-  *refuted = (sets[contact] & ~of[contact]) == 0 && (twin < 0 || (sets[twin] & ~of[twin]) == 0);
-  const tp_status status = tp_nogoods_add(&b->nogoods, &b->refuted, message);
-  if (status == TP_OK && !*refuted) *refuted = !settle(b);
-  return status;
-}
-
-/* Is this part still among the modes of its contact? */
-static bool is_left(const tp_modes_node *n, const tp_contact_parts *of, int part) {
-  return (n->sets[of->contact] & of->own[part]) != 0 ||
-         (of->twin >= 0 && (n->sets[of->twin] & of->of_twin[part]) != 0);
-}
-
-/* How many parts of a contact are not refuted, and their modes; no more than `most` are counted. */
-typedef struct division {
-  int count;
-  long modes;
-} division;
-
-static tp_status divide(division *d, bool *refuted, branching *b, long contact, int most,
-                        tp_message *message) {
-  const tp_contact_parts of = tp_contact_parts_of(&b->state.node, b->q->resting, contact);
-  tp_status status = TP_OK;
-  *d = (division){.count = 0};
-  *refuted = false;
-  for (int k = of.count - 1; k >= 0 && status == TP_OK && !*refuted && d->count <= most; k--) {
-    const long mark = b->state.count;
-    if (!is_left(&b->state.node, &of, k)) continue;
-    bool gone = false;
-    take(b, &of, k);
-    const long decided = b->state.count;
-    status = refute(&gone, b, message);
-    if (gone)
-      tp_search_explain(&b->refuted, &b->state, &b->nogoods, decided);
-    else
-      d->modes += tp_modes_node_count(&b->state.node, b->q->resting);
-    tp_search_undo(&b->state, mark);
-    if (gone && status == TP_OK)
-      status = leave_out(refuted, b, contact, message);
-    else
-      d->count++;
+/* Of what is not reached the next search is told what is known. */
+static void tell_rest(tp_branching *b, long step) {
+  const tp_search_tree *tree = &b->found.known->tree;
+  for (long k = step; k >= 0; k = tree->steps[k].next) {
+    const tp_tree_step own = tree->steps[k];
+    const tp_contact_part part = {own.contact, own.own, own.of_twin};
+    tp_branching_tell(b, &part, own.is_part, own.child);
   }
+}
+
+/* What was left out is tried again. */
+static tp_status follow(guide *g, bool *refuted, tp_branching *b, long step, tp_message *message) {
+  tp_status status = TP_OK;
+  long at = step;
+  while (at >= 0 && status == TP_OK && !*refuted && !tp_branching_is_spent(b)) {
+    const tp_tree_step own = b->found.known->tree.steps[at];
+    const tp_contact_part part = {own.contact, own.own, own.of_twin};
+    if (own.is_part) break;
+    bool gone = false;
+    long modes = 0;
+    at = own.next;
+    if (!tp_probing_can_divide(&b->state.node, b->q->resting, own.contact)) continue;
+    if (!tp_branching_has(b, &part)) continue;
+    status = tp_branching_try(&gone, refuted, &modes, b, &part, message);
+  }
+  if (at < 0 || *refuted || status != TP_OK) return status;
+  if (tp_branching_is_spent(b)) {
+    tell_rest(b, at);
+    return status;
+  }
+  const long contact = b->found.known->tree.steps[at].contact;
+  if (tp_probing_can_divide(&b->state.node, b->q->resting, contact)) *g = (guide){contact, at};
   return status;
 }
 
 /* ---- the tree ----------------------------------------------------------------------------------
  */
 
-/* A pair of corners by its first side. */
-static bool can_divide(const tp_modes_node *n, const tp_resting *r, long contact) {
-  const long *row = r->contacts[contact].along.row;
-  return !(tp_modes_rests(n, row[0]) && tp_modes_rests(n, row[1])) &&
-         !tp_modes_is_settled(n->sets, r, contact) && !tp_modes_is_second_side(r, contact);
+static tp_status exclude(bool *refuted, tp_tree_node *told, tp_branching *b, long step,
+                         tp_message *message);
+
+/* The step of a part as it was divided before; -1: it was not. */
+static long step_of(const tp_branching *b, const guide *g, const tp_contact_part *p) {
+  return g->parts < 0 ? -1
+                      : tp_search_tree_part(&b->found.known->tree, g->parts, p->own, p->of_twin);
 }
 
-/* Of a pair: past which side it opens is not asked until nothing else is left to ask. */
-static bool is_asked_last(const tp_modes_node *n, const tp_resting *r, long contact) {
-  const long twin = r->contacts[contact].twin;
-  return twin >= 0 && can_divide(n, r, contact) &&
-         ((n->sets[contact] | n->sets[twin]) & ~(tp_mode_set)TP_MODES_OPEN) == 0;
-}
-
-static bool is_asked_first(const tp_modes_node *n, const tp_resting *r, long contact) {
-  return can_divide(n, r, contact) && !is_asked_last(n, r, contact);
-}
-
-typedef bool candidate(const tp_modes_node *n, const tp_resting *r, long contact);
-
-/* The contact of the fewest parts of all candidates, and of those the one that leaves the fewest
- * modes; -1: there is none. From the first again where one part is left of one. */
-static tp_status probe(long *best, bool *refuted, branching *b, candidate *is_asked,
-                       tp_message *message) {
-  enum { MANY = TP_MOST_PARTS + 1 };
-  const tp_resting *r = b->q->resting;
+/* A part that was refuted as it was is tried so first. */
+static tp_status exclude_part(bool *goes_on, bool *refuted, tp_branching *b, const guide *g,
+                              const tp_contact_part *p, tp_message *message) {
+  const long known = b->nogoods.count, mark = b->state.count, before = step_of(b, g, p);
+  const long child = before < 0 ? -1 : b->found.known->tree.steps[before].child;
+  tp_tree_node told = {-1, -1};
   tp_status status = TP_OK;
-  division fewest = {.count = MANY};
-  *best = -1;
-  for (long k = 0; k < r->contact_count && status == TP_OK && !*refuted && !is_spent(b); k++) {
-    if (!is_asked(&b->state.node, r, k)) continue;
-    division own;
-    status = divide(&own, refuted, b, k, fewest.count, message);
-    if (own.count < fewest.count || (own.count == fewest.count && own.modes < fewest.modes)) {
-      fewest = own;
-      *best = k;
-    }
-    if (own.count > 1) continue;
-    fewest = (division){.count = MANY};
-    *best = -1;
-    k = -1;
+  if (before >= 0 && child < 0) {
+    long modes = 0;
+    bool gone = false;
+    status = tp_branching_try(&gone, refuted, &modes, b, p, message);
+    if (status != TP_OK || gone) return status;
   }
-  return status;
+  tp_branching_take(b, p);
+  status = exclude(goes_on, &told, b, child, message);
+  tp_search_undo(&b->state, mark);
+  b->state.asked = known; /* what the others say of the node as it is now */
+  tp_branching_tell(b, p, true, told.first);
+  if (status != TP_OK || !*goes_on) return status;
+  return tp_branching_leave_out(refuted, b, p->contact, message);
 }
-
-/* A side of a pair of which nothing is left bears nothing. */
-static void leave(tp_exclusion *e, const tp_modes_node *n, const tp_resting *r) {
-  for (long k = 0; k < r->contact_count; k++) {
-    e->left[k] = n->sets[k] != 0 ? n->sets[k] : TP_MODES_OPEN;
-  }
-}
-
-/* All have one mode. */
-static tp_status exclude_one_mode(bool *refuted, branching *b, tp_message *message) {
-  const tp_status status = refute_by_programs(refuted, b, true, message);
-  if (status != TP_OK || *refuted) return status;
-  b->of->has_left = true;
-  leave(b->of, &b->state.node, b->q->resting);
-  return TP_OK;
-}
-
-static tp_status exclude(bool *refuted, branching *b, tp_message *message);
 
 /* Part by part; each refutation may be of more. */
-static tp_status exclude_parts(bool *refuted, branching *b, long contact, tp_message *message) {
-  const tp_contact_parts of = tp_contact_parts_of(&b->state.node, b->q->resting, contact);
+static tp_status exclude_parts(bool *refuted, tp_branching *b, const guide *g,
+                               tp_message *message) {
+  const tp_contact_parts of = tp_contact_parts_of(&b->state.node, b->q->resting, g->contact);
   tp_status status = TP_OK;
   bool goes_on = true;
-  for (int k = 0; k < of.count && status == TP_OK && goes_on && !*refuted; k++) {
-    const long mark = b->state.count;
-    if (!is_left(&b->state.node, &of, k)) continue;
-    const long known = b->nogoods.count;
-    take(b, &of, k);
-    status = exclude(&goes_on, b, message);
-    tp_search_undo(&b->state, mark);
-    b->state.asked = known; /* what the others say of the node as it is now */
-    if (status == TP_OK && goes_on) status = leave_out(refuted, b, contact, message);
+  for (int k = 0; k < of.count && status == TP_OK && !*refuted; k++) {
+    const tp_contact_part part = {g->contact, of.own[k], of.of_twin[k]};
+    if (!tp_branching_has(b, &part)) continue;
+    if (goes_on) {
+      status = exclude_part(&goes_on, refuted, b, g, &part, message);
+      continue;
+    }
+    const long before = step_of(b, g, &part);
+    if (before >= 0) tp_branching_tell(b, &part, true, b->found.known->tree.steps[before].child);
   }
   return status;
 }
 
-/* The state as it is. */
-static tp_status exclude(bool *refuted, branching *b, tp_message *message) {
+/* The state as it is; `step` is the first of the node as it was divided before, or -1. */
+static tp_status exclude(bool *refuted, tp_tree_node *told, tp_branching *b, long step,
+                         tp_message *message) {
   const long mark = b->state.count;
-  candidate *const asked[] = {is_asked_first, is_asked_last};
-  long contact = -1;
-  tp_status status = TP_OK;
-  *refuted = !settle(b);
-  for (int k = 0; k < 2 && contact < 0 && status == TP_OK && !*refuted; k++) {
-    status = probe(&contact, refuted, b, asked[k], message);
+  tp_tree_node *const above = b->told;
+  guide g = {-1, -1};
+  b->told = told;
+  *refuted = !tp_branching_settle(b);
+  tp_status status = *refuted ? TP_OK : follow(&g, refuted, b, step, message);
+  if (status == TP_OK && !*refuted && g.contact < 0 && !tp_branching_is_spent(b)) {
+    status = tp_probing_find(&g.contact, refuted, b, message);
   }
-  if (status == TP_OK && !*refuted && !is_spent(b)) {
-    status = contact >= 0 ? exclude_parts(refuted, b, contact, message)
-                          : exclude_one_mode(refuted, b, message);
+  if (status == TP_OK && !*refuted && !tp_branching_is_spent(b)) {
+    status = g.contact >= 0 ? exclude_parts(refuted, b, &g, message)
+                            : exclude_one_mode(refuted, b, message);
   }
   if (*refuted) tp_search_explain(&b->refuted, &b->state, &b->nogoods, mark);
   tp_search_undo(&b->state, mark);
+  b->told = above;
   return status;
 }
 
@@ -243,17 +173,49 @@ tp_status tp_exclusion_frictionless(bool *proven, long *work, const tp_modes_que
   return status;
 }
 
+/* By what is known, else from nothing. So too where a mode is left of nodes as they were divided
+ * before: a proof may be of a node at once, and of none of such parts by itself. */
+static tp_status search(bool *proven, tp_branching *b, long first_block, const bool *others,
+                        tp_message *message) {
+  tp_known_proofs *known = b->found.known;
+  const long before = known != NULL ? known->root[first_block] : -1;
+  tp_tree_node told = {-1, -1};
+  tp_status status = TP_OK;
+  if (known != NULL) {
+    status = tp_known_proofs_renew(known, &b->nogoods, &b->refuted, b->work, b->most_work, b->q,
+                                   others, message);
+  }
+  if (status == TP_OK && before < 0) status = tp_branching_refute(proven, b, message);
+  if (status == TP_OK && !*proven && !tp_branching_is_spent(b)) {
+    status = exclude(proven, &told, b, before, message);
+  }
+  if (status == TP_OK && b->has_left && before >= 0 && !tp_branching_is_spent(b)) {
+    b->has_left = false;
+    told = (tp_tree_node){-1, -1};
+    status = exclude(proven, &told, b, -1, message);
+  }
+  if (known == NULL || status != TP_OK) return status;
+  if (*proven) tp_known_proofs_keep_used(known, &b->nogoods);
+  const tp_search_end end = *proven       ? TP_SEARCH_PROVEN
+                            : b->has_left ? TP_SEARCH_LEFT
+                                          : TP_SEARCH_SPENT;
+  if (*proven || told.first >= 0) tp_known_proofs_end(known, first_block, end, told.first);
+  return status;
+}
+
 /* Of one group, with the others at rest. */
 static tp_status exclude_group(bool *proven, tp_exclusion *e, const tp_modes_question *q,
-                               const bool *others, tp_message *message) {
-  branching b = {.q = q, .of = e};
+                               long first_block, const bool *others, tp_message *message) {
+  tp_branching b = {.q = q, .work = &e->work, .most_work = e->most_work, .left = e->left};
   const bool made = tp_nogoods_init(&b.nogoods, q->resting) &&
                     tp_search_state_init(&b.state, q->resting, others) &&
                     tp_relaxed_motions_init(&b.relaxed, q) &&
                     tp_modes_node_init(&b.refuted, q->resting);
-  b.found = (tp_modes_finding){.refuted = &b.refuted, .relaxed = &b.relaxed};
-  tp_status status = made ? refute(proven, &b, message) : tp_fail_memory(message, "a proof");
-  if (status == TP_OK && !*proven && !is_spent(&b)) status = exclude(proven, &b, message);
+  b.found = (tp_modes_finding){.refuted = &b.refuted, .relaxed = &b.relaxed, .known = e->known};
+  *proven = false;
+  const tp_status status =
+      made ? search(proven, &b, first_block, others, message) : tp_fail_memory(message, "a proof");
+  e->has_left = b.has_left;
   tp_search_state_clear(&b.state);
   tp_modes_node_clear(&b.refuted);
   tp_nogoods_clear(&b.nogoods);
@@ -272,7 +234,7 @@ tp_status tp_exclusion_find(tp_exclusion *e, const tp_modes_question *q, tp_mess
   for (long k = 0; k < count && proven && status == TP_OK; k++) {
     if (group[k] != k) continue;
     for (long b = 0; b < count; b++) others[b] = group[b] != k;
-    status = exclude_group(&proven, e, q, others, message);
+    status = exclude_group(&proven, e, q, k, others, message);
   }
   free(group);
   free(others);

@@ -7,7 +7,7 @@
 #ifndef TP_CONTACT_MODES_EXCLUSION_H
 #define TP_CONTACT_MODES_EXCLUSION_H
 
-#include "contact_modes/node.h"
+#include "contact_modes/known_proofs.h"
 
 typedef struct tp_exclusion {
   bool is_proven; /* no motion can begin */
@@ -15,7 +15,8 @@ typedef struct tp_exclusion {
   long work;      /* so far, in entries of linear programs; an exclusion ends unproven where it is
                      above `most_work` */
   long most_work;
-  tp_mode_set *left; /* by contact, of the caller */
+  tp_mode_set *left;      /* by contact, of the caller */
+  tp_known_proofs *known; /* of exclusions before, to which this one adds its own; or NULL */
 } tp_exclusion;
 
 TP_MUST_USE tp_status tp_exclusion_find(tp_exclusion *exclusion, const tp_modes_question *question,

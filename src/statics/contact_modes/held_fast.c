@@ -135,7 +135,9 @@ static void set_whole(fmpz own[3], const tp_resting *r, const bound_row *row) {
   fmpz_sub(y, l->y + c->ends[row->end], block->y);
   fmpz_mul(own + 2, x, own + 1);
   fmpz_submul(own + 2, y, own + 0);
-  for (int e = 0; e < 3 && row->back != (row->side == 1); e++) fmpz_neg(own + e, own + e);
+  const bool runs_back = row->along && r->slips_run_back;
+  const bool turns = (row->back != runs_back) != (row->side == 1);
+  for (int e = 0; e < 3 && turns; e++) fmpz_neg(own + e, own + e);
   fmpz_clear(x);
   fmpz_clear(y);
 }

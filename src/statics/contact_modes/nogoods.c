@@ -149,8 +149,9 @@ tp_nogood_says tp_nogoods_ask(tp_nogood_term *term, long *work, tp_nogoods *n, l
 /* ---- refuted nodes -----------------------------------------------------------------------------
  */
 
-void tp_nogoods_take(tp_modes_node *refuted, const tp_nogoods *n, long number) {
+void tp_nogoods_take(tp_modes_node *refuted, tp_nogoods *n, long number) {
   const tp_resting *r = n->resting;
+  n->all[number].is_used = true;
   tp_modes_node_widen(refuted, r);
   for (long k = n->all[number].terms; k < end_of(n, number); k++) {
     const tp_nogood_term *t = n->terms + k;
@@ -163,8 +164,9 @@ void tp_nogoods_take(tp_modes_node *refuted, const tp_nogoods *n, long number) {
   }
 }
 
-void tp_nogoods_resolve(tp_modes_node *refuted, const tp_nogoods *n, long number, long contact) {
+void tp_nogoods_resolve(tp_modes_node *refuted, tp_nogoods *n, long number, long contact) {
   tp_mode_set *sets = refuted->sets;
+  n->all[number].is_used = true;
   for (long k = n->all[number].terms; k < end_of(n, number); k++) {
     const tp_nogood_term *t = n->terms + k;
     if (t->block >= 0) {

@@ -23,6 +23,7 @@ typedef struct tp_nogood_term {
  * nothing is asked of it while they are not. */
 typedef struct tp_nogood {
   int32_t terms, watched[2], next[2], before[2];
+  bool is_used; /* another refutation follows from it */
 } tp_nogood;
 
 typedef struct tp_nogoods {
@@ -57,11 +58,10 @@ tp_nogood_says tp_nogoods_ask(tp_nogood_term *term, long *work, tp_nogoods *nogo
 long tp_nogoods_watching(long *at, const tp_nogoods *nogoods, long contact, long block);
 
 /* A node that is refuted by it. */
-void tp_nogoods_take(tp_modes_node *refuted, const tp_nogoods *nogoods, long number);
+void tp_nogoods_take(tp_modes_node *refuted, tp_nogoods *nogoods, long number);
 
 /* From a refuted node and a nogood another refuted node, that has the modes of either at this
  * contact, and of both at all others. */
-void tp_nogoods_resolve(tp_modes_node *refuted, const tp_nogoods *nogoods, long number,
-                        long contact);
+void tp_nogoods_resolve(tp_modes_node *refuted, tp_nogoods *nogoods, long number, long contact);
 
 #endif

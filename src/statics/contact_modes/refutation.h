@@ -19,13 +19,15 @@
 #ifndef TP_CONTACT_MODES_REFUTATION_H
 #define TP_CONTACT_MODES_REFUTATION_H
 
+#include "contact_modes/known_proofs.h"
 #include "contact_modes/relaxed_motions.h"
 
-/* What a proof tells besides: where it refutes a node, the widest that it refutes; where it does
- * not, why. */
+/* What a proof tells besides: where it refutes a node, the widest that it refutes, and the proof
+ * itself; where it does not, why. */
 typedef struct tp_modes_finding {
   tp_modes_node *refuted;
   tp_relaxed_motions *relaxed;
+  tp_known_proofs *known; /* or NULL */
 } tp_modes_finding;
 
 /* `finding` may be NULL; `work` grows by what it took. */

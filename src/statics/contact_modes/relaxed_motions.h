@@ -22,7 +22,7 @@ typedef struct tp_relaxed_motion {
 } tp_relaxed_motion;
 
 /* The last ones. */
-enum { TP_MOST_RELAXED = 64 };
+enum { TP_MOST_RELAXED = 512 };
 typedef struct tp_relaxed_motions {
   const tp_modes_question *question;
   long count;

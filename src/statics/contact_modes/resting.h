@@ -36,8 +36,9 @@ typedef struct tp_resting_piece {
 typedef struct tp_resting {
   const tp_assemblage *assemblage;
   long rows, contact_count;
-  long pair_first; /* the first contact that is of a pair of corners; they follow each other */
-  long *block;     /* by number of a free block: which it is */
+  long pair_first;     /* the first contact that is of a pair of corners; they follow each other */
+  long *block;         /* by number of a free block: which it is */
+  bool slips_run_back; /* slips are counted against `of.along` (contact_modes/arranged.h) */
   tp_resting_contact *contacts;
   tp_resting_piece *pieces; /* by contact of the assemblage */
 } tp_resting;

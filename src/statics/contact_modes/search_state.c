@@ -108,8 +108,7 @@ static void explain_rest_of_block(tp_modes_node *refuted, const tp_search_state 
   }
 }
 
-void tp_search_explain(tp_modes_node *refuted, tp_search_state *s, const tp_nogoods *nogoods,
-                       long mark) {
+void tp_search_explain(tp_modes_node *refuted, tp_search_state *s, tp_nogoods *nogoods, long mark) {
   const tp_resting *r = s->resting;
   while (s->count > mark) {
     const tp_search_change c = take_back(s);

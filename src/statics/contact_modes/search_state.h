@@ -45,7 +45,7 @@ void tp_search_undo(tp_search_state *state, long mark);
 
 /* The same, with a refuted node that the state is part of, which afterwards is one of the state as
  * it was then, whatever followed from it since. */
-void tp_search_explain(tp_modes_node *refuted, tp_search_state *state, const tp_nogoods *nogoods,
+void tp_search_explain(tp_modes_node *refuted, tp_search_state *state, tp_nogoods *nogoods,
                        long mark);
 
 #endif
