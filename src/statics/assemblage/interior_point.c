@@ -5,6 +5,7 @@
 
 #include "assemblage/interior_point.h"
 
+#include "assemblage/interior_start.h"
 #include "assemblage/interior_state.h"
 
 #include <math.h>
@@ -141,21 +142,36 @@ static bool advance(tp_interior *s) {
   return true;
 }
 
-tp_status tp_interior_point(const tp_force_program *p, tp_interior_watch *watch, void *context,
+/* Kept for others, by the gap over the load, or over a thousandth if that is more. */
+static tp_status keep(const tp_interior_from *from, const tp_interior *s,
+                      const tp_interior_iterate *at, tp_message *message) {
+  static const double least = 1e-3;
+  if (from->start == NULL) return TP_OK;
+  const double gap = at->gap / fmax(fabs(at->load), least);
+  return tp_interior_keep(from->start, s, gap, from->at)
+             ? TP_OK
+             : tp_fail_memory(message, "the forces between blocks");
+}
+
+tp_status tp_interior_point(bool *began_near, const tp_force_program *p,
+                            const tp_interior_from *from, tp_interior_watch *watch, void *context,
                             tp_message *message) {
   static const double lost = 1e12; /* roundings lead away from what all came near to */
-  double first = INFINITY;
   tp_interior s = {.p = NULL};
-  const tp_status status = tp_interior_init(&s, p, message);
+  tp_status status = tp_interior_init(&s, p, message);
+  double first = (double)s.n;
   bool goes_on = status == TP_OK;
+  *began_near = goes_on && from->start != NULL && tp_interior_begin(&s, from->start, from->at);
   for (int k = 0; k < MOST_STEPS && goes_on; k++) {
     if (k > 0) tp_interior_restore(&s);
     tp_interior_find_residuals(&s);
     const tp_interior_iterate iterate = {s.x, s.x[s.n] + TP_LEAST_LOAD, s.y,
                                          s.mu * (double)(s.n + 1)};
     const double off = tp_interior_dot(s.rd, s.rd, s.n + 1);
-    if (k == 0) first = off;
-    goes_on = !watch(context, &iterate) && off <= lost * first && advance(&s);
+    if (k == 0) first = fmax(first, off);
+    goes_on = !watch(context, &iterate) && off <= lost * first;
+    if (goes_on) status = keep(from, &s, &iterate, message);
+    goes_on = goes_on && status == TP_OK && advance(&s);
   }
   tp_interior_clear(&s);
   return status;

@@ -12,6 +12,8 @@
 
 #include "assemblage/force_program.h"
 
+typedef struct tp_interior_start tp_interior_start; /* assemblage/interior_start.h */
+
 typedef struct tp_interior_iterate {
   const double *forces; /* by column */
   double load;          /* s */
@@ -22,8 +24,16 @@ typedef struct tp_interior_iterate {
 /* Called after each step; true: that is enough. */
 typedef bool tp_interior_watch(void *context, const tp_interior_iterate *iterate);
 
-/* Step until the watch has enough, or no step gets any further. */
-TP_MUST_USE tp_status tp_interior_point(const tp_force_program *program, tp_interior_watch *watch,
+/* Where a search begins: from points of programs of near states, among which this one is at `at`;
+ * its own are kept there too. */
+typedef struct tp_interior_from {
+  tp_interior_start *start; /* NULL: from nothing, and none are kept */
+  double at;
+} tp_interior_from;
+
+/* Step until the watch has enough, or no step gets any further. `began_near`: from such a point. */
+TP_MUST_USE tp_status tp_interior_point(bool *began_near, const tp_force_program *program,
+                                        const tp_interior_from *from, tp_interior_watch *watch,
                                         void *context, tp_message *message);
 
 /* From forces above zero, which hold a lesser load, towards the centre of those that hold this one,

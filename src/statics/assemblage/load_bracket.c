@@ -7,7 +7,6 @@
 #include "assemblage/load_bracket.h"
 
 #include "assemblage/held_forces.h"
-#include "assemblage/interior_point.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -129,6 +128,14 @@ static bool is_enough(const proving *s) {
   return b->is_held && b->held >= fmin(s->aim->enough, TP_MOST_LOAD);
 }
 
+/* So far from what is asked for that this tells by how much. */
+static bool is_far(const proving *s) {
+  static const double share = 0.05;
+  const tp_load_bracket *b = s->bracket;
+  return s->aim->asks && b->is_held && b->is_bounded &&
+         b->bound - b->held <= share * fabs(b->bound - s->aim->asked);
+}
+
 /* No load that is looked for. */
 static bool is_never_held(const tp_load_bracket *b) {
   return b->is_bounded && b->bound < TP_LEAST_LOAD;
@@ -151,7 +158,7 @@ static bool watch(void *context, const tp_interior_iterate *at) {
   }
   /* nearer than that roundings follow, and forces are found by the other way */
   const bool is_near = b->is_bounded && at->gap <= width_of(s) / 8;
-  b->is_settled = is_near || is_never_held(b) || is_enough(s) || is_narrow(s);
+  b->is_settled = is_near || is_never_held(b) || is_enough(s) || is_narrow(s) || is_far(s);
   return b->is_settled;
 }
 
@@ -181,6 +188,31 @@ static tp_status hold_nearer(proving *s, tp_message *message) {
   return status;
 }
 
+static bool is_done(const proving *s) {
+  const tp_load_bracket *b = s->bracket;
+  if (s->aim->bound_alone) return b->is_settled;
+  return is_narrow(s) || is_enough(s) || is_never_held(b);
+}
+
+static tp_status search(bool *began_near, proving *s, const tp_interior_from *from,
+                        tp_message *message) {
+  const tp_load_bracket *b = s->bracket;
+  tp_status status = tp_interior_point(began_near, s->p, from, watch, s, message);
+  if (status == TP_OK && b->is_bounded && !s->aim->bound_alone && !is_done(s)) {
+    status = isfinite(s->aim->enough) ? hold(s, s->aim->enough, message) : hold_nearer(s, message);
+  }
+  return status;
+}
+
+/* Where points of other states do not lead to all that is asked for, from nothing. */
+static tp_status search_twice(proving *s, tp_message *message) {
+  static const tp_interior_from nothing = {.start = NULL};
+  bool began_near = false;
+  const tp_status status = search(&began_near, s, &s->aim->from, message);
+  if (status != TP_OK || !began_near || is_done(s)) return status;
+  return search(&began_near, s, &nothing, message);
+}
+
 tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
                                const tp_bracket_aim *aim, tp_message *message) {
   memset(b, 0, sizeof *b);
@@ -192,12 +224,8 @@ tp_status tp_load_bracket_find(tp_load_bracket *b, const tp_force_program *p,
   s.stilled = calloc((size_t)p->rows + 1, sizeof *s.stilled);
   const bool made = b->forces != NULL && b->twists != NULL && s.lacks != NULL &&
                     s.stilled != NULL && tp_ground_tree_init(&tree, p);
-  tp_status status = made ? tp_interior_point(p, watch, &s, message)
-                          : tp_fail_memory(message, "the forces between blocks");
-  const bool is_done = aim->bound_alone || is_narrow(&s) || is_enough(&s) || is_never_held(b);
-  if (status == TP_OK && b->is_bounded && !is_done) {
-    status = isfinite(aim->enough) ? hold(&s, aim->enough, message) : hold_nearer(&s, message);
-  }
+  tp_status status =
+      made ? search_twice(&s, message) : tp_fail_memory(message, "the forces between blocks");
   tp_ground_tree_clear(&tree);
   free(s.lacks);
   free(s.stilled);

@@ -14,7 +14,7 @@
 #ifndef TP_ASSEMBLAGE_LOAD_BRACKET_H
 #define TP_ASSEMBLAGE_LOAD_BRACKET_H
 
-#include "assemblage/force_program.h"
+#include "assemblage/interior_point.h"
 
 #define TP_MOST_LOAD 1e6
 
@@ -33,6 +33,9 @@ typedef struct tp_bracket_aim {
   double share;     /* the width of the bracket, over the limit or a thousandth if that is more */
   bool bound_alone; /* forces that hold it are not asked for: they are those nearest to the bound */
   double enough;    /* forces that hold so much will do; an infinity: the greatest load */
+  bool asks;        /* a twentieth of how far the limit is from `asked` will do too */
+  double asked;
+  tp_interior_from from;
 } tp_bracket_aim;
 
 /* Where the aim is not to be had, the nearest proofs. On failure cleared. */

@@ -172,7 +172,7 @@ tp_status tp_driving_factor_find(tp_system_case *own, const tp_driving *d, const
   if (!s->is_measured) return take(own, d, s, side, message);
   const tp_system_state state = {d->loads, 1};
   tp_load_bracket b;
-  tp_status status = tp_state_limit_find(&b, s, &state, message);
+  tp_status status = tp_state_limit_find(&b, s, &state, NULL, message);
   if (status != TP_OK) return status;
   status = take(own, d, s, &b, message);
   tp_load_bracket_clear(&b);

@@ -37,7 +37,7 @@ static tp_status try_few(bool *stand, const tp_resting *resting, const tp_result
 static tp_status find_limit(tp_load_bracket *b, const tp_assemblage *a,
                             const tp_contact_strength *none, const tp_weight_loads *loads,
                             tp_message *message) {
-  static const tp_bracket_aim limit_itself = {TP_LIMIT_SHARE, false, INFINITY};
+  static const tp_bracket_aim limit_itself = {.share = TP_LIMIT_SHARE, .enough = INFINITY};
   tp_force_program program;
   tp_status status = tp_force_program_init(&program, a, none, loads, message);
   if (status != TP_OK) return status;

@@ -32,9 +32,10 @@ typedef struct direction {
   tp_system_case *own;
   tp_resultant resultant;
   tp_driving driving;
-  tp_limits limits;      /* as the blocks lie */
-  tp_threshold strength; /* by the logarithm of the factor */
-  tp_threshold tilt;     /* where loads are measured: in radians */
+  tp_limits limits;                       /* as the blocks lie */
+  tp_threshold strength;                  /* by the logarithm of the factor */
+  tp_threshold tilt;                      /* where loads are measured: in radians */
+  tp_interior_start by_strength, by_tilt; /* what searches of these begin from */
 } direction;
 
 /* ---- as they lie ------------------------------------------------------------------------------
@@ -61,7 +62,8 @@ static tp_status find_limits(direction *d, tp_message *message) {
   const tp_near at_rest =
       shakes ? tp_resultant_at_rest(&d->resultant, d->x->s->is_measured) : d->resultant.target;
   const tp_near target = d->resultant.target;
-  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, at_rest, message);
+  const tp_interior_from from = {&d->by_strength, 0};
+  tp_status status = tp_limits_find(&d->limits, d->x->s, &as_it_lies, at_rest, &from, message);
   if (status == TP_OK && !d->resultant.beyond) {
     status = tp_limits_decide(&d->limits, d->x->s, &as_it_lies, target, message);
   }
@@ -102,7 +104,8 @@ static tp_status find_tilt(direction *d, tp_message *message) {
                                       .target = d->resultant.target,
                                       .from = from,
                                       .step = step,
-                                      .most = right_angle - from};
+                                      .most = right_angle - from,
+                                      .start = &d->by_tilt};
   const tp_status status = tp_threshold_find(&d->tilt, &search, message);
   if (status != TP_OK) return status;
   const double degrees = 180 / acos(-1), round = 1e-13;
@@ -154,13 +157,16 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                       .context = &d->resultant,
                                       .target = d->resultant.target,
                                       .from = 0,
-                                      .step = log(2),
+                                      .step = log(4),
                                       .most = log(TP_MOST_FACTOR),
-                                      .limit = &d->limits.side};
+                                      .divides = true,
+                                      .limit = &d->limits.side,
+                                      .start = &d->by_strength};
   tp_fos *fos = &d->own->fos;
   fos->state = TP_FOS_NOT_ASKED;
   if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
   const tp_status status = tp_threshold_find(&d->strength, &search, message);
+  tp_interior_start_clear(&d->by_strength);
   fos->state = found->is_held    ? TP_FOS_NUMBER
                : found->is_never ? TP_FOS_UNDEFINED
                                  : TP_FOS_UNDECIDED;
@@ -252,6 +258,8 @@ static tp_status solve_shaken(tp_system_case *own, solving *x, bool left, bool v
     status = solve_direction(&d, message);
     tp_driving_clear(&d.driving);
   }
+  tp_interior_start_clear(&d.by_strength);
+  tp_interior_start_clear(&d.by_tilt);
   tp_limits_clear(&d.limits);
   tp_threshold_clear(&d.strength);
   tp_threshold_clear(&d.tilt);

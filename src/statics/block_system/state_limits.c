@@ -38,20 +38,28 @@ static tp_status find_limit(tp_load_bracket *b, const tp_built_system *s,
   return status;
 }
 
-static const tp_bracket_aim limit_itself = {TP_LIMIT_SHARE, false, INFINITY};
+static tp_bracket_aim limit_itself(const tp_interior_from *from) {
+  tp_bracket_aim aim = {.share = TP_LIMIT_SHARE, .enough = INFINITY};
+  if (from != NULL) aim.from = *from;
+  return aim;
+}
 
 tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *s,
-                              const tp_system_state *state, tp_message *message) {
-  return find_limit(limit, s, state, &limit_itself, message);
+                              const tp_system_state *state, const tp_interior_from *from,
+                              tp_message *message) {
+  const tp_bracket_aim aim = limit_itself(from);
+  return find_limit(limit, s, state, &aim, message);
 }
 
 /* Is a load held; is one the other way? */
-static tp_bracket_aim held_to_side(tp_near load) {
-  return (tp_bracket_aim){TP_LIMIT_SHARE, false, load.value + load.error};
+static tp_bracket_aim held_to_side(tp_near load, const tp_interior_from *from) {
+  tp_bracket_aim aim = limit_itself(from);
+  aim.enough = load.value + load.error;
+  return aim;
 }
 
 static tp_bracket_aim held_to_other(tp_near load) {
-  return held_to_side(tp_near_neg(load));
+  return held_to_side(tp_near_neg(load), NULL);
 }
 
 static tp_status find_limits(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
@@ -93,13 +101,14 @@ tp_status tp_limits_decide(tp_limits *l, const tp_built_system *s, const tp_syst
 }
 
 tp_status tp_limits_find(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
-                         tp_near load, tp_message *message) {
-  return find_limits(l, s, state, &limit_itself, load, message);
+                         tp_near load, const tp_interior_from *from, tp_message *message) {
+  const tp_bracket_aim aim = limit_itself(from);
+  return find_limits(l, s, state, &aim, load, message);
 }
 
 tp_status tp_limits_try(tp_limits *l, const tp_built_system *s, const tp_system_state *state,
-                        tp_near load, tp_message *message) {
-  const tp_bracket_aim aim = held_to_side(load);
+                        tp_near load, const tp_interior_from *from, tp_message *message) {
+  const tp_bracket_aim aim = held_to_side(load, from);
   tp_status status = find_limits(l, s, state, &aim, load, message);
   if (status != TP_OK) return status;
   status = tp_limits_decide(l, s, state, load, message);

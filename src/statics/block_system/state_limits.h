@@ -23,9 +23,12 @@ tp_system_state tp_state_reversed(const tp_system_state *state);
 TP_MUST_USE tp_status tp_state_program(tp_force_program *program, const tp_built_system *system,
                                        const tp_system_state *state, tp_message *message);
 
+/* `from` is where a search to the side of the live load begins; NULL: from nothing. */
+
 /* The greatest live load of a state that is held, to TP_LIMIT_SHARE of itself. */
 TP_MUST_USE tp_status tp_state_limit_find(tp_load_bracket *limit, const tp_built_system *system,
-                                          const tp_system_state *state, tp_message *message);
+                                          const tp_system_state *state,
+                                          const tp_interior_from *from, tp_message *message);
 
 /* Where a bracket does not tell whether a load is held it is narrowed in rationals, if that is
  * quick. */
@@ -41,11 +44,11 @@ typedef struct tp_limits {
 /* On failure cleared. */
 TP_MUST_USE tp_status tp_limits_find(tp_limits *limits, const tp_built_system *system,
                                      const tp_system_state *state, tp_near load,
-                                     tp_message *message);
+                                     const tp_interior_from *from, tp_message *message);
 /* To either side as far as a load asks for. */
 TP_MUST_USE tp_status tp_limits_try(tp_limits *limits, const tp_built_system *system,
                                     const tp_system_state *state, tp_near load,
-                                    tp_message *message);
+                                    const tp_interior_from *from, tp_message *message);
 /* Where they tell neither that a load is held nor that it is not, as below. */
 TP_MUST_USE tp_status tp_limits_decide(tp_limits *limits, const tp_built_system *system,
                                        const tp_system_state *state, tp_near load,

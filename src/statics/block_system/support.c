@@ -132,7 +132,7 @@ static tp_status find_bracket(tp_load_bracket *b, const supporting *x, double un
   tp_near *own = push + ROW * a->blocks[x->s->scene->many.support.block].number;
   for (int e = 0; e < ROW; e++) own[e] = tp_near_times(x->force[e], (tp_near){-unit, 0});
   const tp_system_state state = {loads_as_they_lie(x, push), x->divisor};
-  const tp_status status = tp_state_limit_find(b, x->s, &state, message);
+  const tp_status status = tp_state_limit_find(b, x->s, &state, NULL, message);
   free(push);
   return status;
 }

@@ -21,6 +21,7 @@ typedef struct searching {
   const tp_threshold_search *of;
   bool sees_other; /* the limit to the other side takes part */
   bool fails;      /* where it was last asked whether it is held it certainly is not */
+  bool is_rough;   /* far away: it is enough to know roughly how far */
   tp_status status;
   tp_message *message;
 } searching;
@@ -52,8 +53,13 @@ static tp_status find_slope(double *slope, const tp_load_bracket *b, const tp_fo
 /* The limit is searched for, but where it is known. */
 static tp_status find_change(margin *own, const searching *x, double at, double share,
                              bool to_side) {
-  const tp_bracket_aim bound = {share, true, INFINITY};
   const double load = to_side ? x->of->target.value : -x->of->target.value;
+  const tp_bracket_aim bound = {.share = share,
+                                .bound_alone = true,
+                                .enough = INFINITY,
+                                .asks = x->is_rough,
+                                .asked = load,
+                                .from = {to_side ? x->of->start : NULL, at}};
   tp_system_state state = x->of->state(x->of->context, at);
   tp_system_state farther = x->of->state(x->of->context, at + small_step);
   if (!to_side) {
@@ -100,13 +106,20 @@ static double onwards(const tp_threshold_search *of, double at, double move) {
   return fmin(of->from + of->most, fmax(of->from - of->most, next));
 }
 
+/* Of a divisor by its inverse, as sliding resists in proportion to that: no more than all of it. */
+static double newton_move(const tp_threshold_search *of, const margin *m) {
+  const double change = -m->value / m->slope;
+  if (!of->divides) return change;
+  return change < 1 ? -log1p(-change) : INFINITY;
+}
+
 /* By Newton's method; where that leads out of the stretch, halving it or a step onwards. Where
  * nothing tells how far away forces are, it looks first whether there are any at all. */
 static double next_of(const tp_threshold_search *of, const stretch *s, double at, const margin *m,
                       bool halves) {
   const bool is_within = isfinite(s->held) && isfinite(s->fails);
   if (m->value == -INFINITY && !isfinite(s->held)) return of->from - of->most;
-  const double move = m->slope < 0 ? -m->value / m->slope : m->value >= 0 ? INFINITY : -INFINITY;
+  const double move = m->slope < 0 ? newton_move(of, m) : m->value >= 0 ? INFINITY : -INFINITY;
   const double newton = is_within ? at + move : onwards(of, at, move);
   if (newton > s->held && newton < s->fails && !(halves && is_within)) return newton;
   return is_within ? s->held + (s->fails - s->held) / 2 : newton;
@@ -122,7 +135,7 @@ typedef enum search_end {
 /* From `zero` on. Far from it limits are found to less; and where roundings keep a search from its
  * end. In haste the last step is not looked at: it misses by its square. */
 static search_end find_zero(double *zero, searching *x, bool in_haste) {
-  enum { MOST = 60, NEWTON = 12 };
+  enum { MOST = 60, NEWTON = 12, ROUGH = 4 };
   static const double width = 2e-7, near = 1e-3; /* the first: a fifth of what is proven */
   static const double coarser = 32;
   const tp_threshold_search *of = x->of;
@@ -130,6 +143,7 @@ static search_end find_zero(double *zero, searching *x, bool in_haste) {
   double at = *zero, share = in_haste ? near : TP_LIMIT_SHARE, finest = TP_LIMIT_SHARE;
   for (int k = 0; k < MOST; k++) {
     margin m;
+    x->is_rough = share > finest && k < ROUGH;
     if (!find_margin(&m, x, at, share)) return SEARCH_ENDED;
     if (share > finest && m.value >= 0 && m.value <= m.within) { /* too near to tell */
       share = finest;
@@ -159,8 +173,9 @@ static search_end find_zero(double *zero, searching *x, bool in_haste) {
 
 static bool prove_held(tp_threshold *own, searching *x, double at) {
   const tp_system_state state = x->of->state(x->of->context, at);
+  const tp_interior_from from = {x->of->start, at};
   tp_limits l;
-  x->status = tp_limits_try(&l, x->of->system, &state, x->of->target, x->message);
+  x->status = tp_limits_try(&l, x->of->system, &state, x->of->target, &from, x->message);
   if (x->status != TP_OK) return false;
   own->is_held = tp_limits_hold(&l, x->of->target);
   own->held = at;
@@ -170,9 +185,9 @@ static bool prove_held(tp_threshold *own, searching *x, double at) {
 }
 
 /* Is the limit exceeded? Then the collapse is the one to that side. */
-static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *state,
-                       tp_near load) {
-  x->status = tp_state_limit_find(&own->collapse, x->of->system, state, x->message);
+static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *state, tp_near load,
+                       const tp_interior_from *from) {
+  x->status = tp_state_limit_find(&own->collapse, x->of->system, state, from, x->message);
   if (x->status == TP_OK) {
     x->status = tp_state_limit_decide(&own->collapse, x->of->system, state, load, x->message);
   }
@@ -184,9 +199,10 @@ static bool take_bound(tp_threshold *own, searching *x, const tp_system_state *s
 
 static bool prove_bound(tp_threshold *own, searching *x, double at) {
   const tp_system_state state = x->of->state(x->of->context, at), other = tp_state_reversed(&state);
+  const tp_interior_from from = {x->of->start, at};
   own->bound = at;
-  if (!take_bound(own, x, &state, x->of->target)) return false;
-  return own->is_bounded || take_bound(own, x, &other, tp_near_neg(x->of->target));
+  if (!take_bound(own, x, &state, x->of->target, &from)) return false;
+  return own->is_bounded || take_bound(own, x, &other, tp_near_neg(x->of->target), NULL);
 }
 
 static bool is_proven(const tp_threshold *own) {

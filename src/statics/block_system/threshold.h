@@ -7,6 +7,7 @@
 #ifndef TP_BLOCK_SYSTEM_THRESHOLD_H
 #define TP_BLOCK_SYSTEM_THRESHOLD_H
 
+#include "assemblage/interior_start.h"
 #include "block_system/state_limits.h"
 
 typedef tp_system_state tp_system_state_at(const void *context, double x);
@@ -17,7 +18,9 @@ typedef struct tp_threshold_search {
   const void *context;
   tp_near target;               /* the load, as the live one of the state, that is to be held */
   double from, step, most;      /* looked for from there on by steps, away by no more than that */
+  bool divides;                 /* x is the logarithm of a divisor */
   const tp_load_bracket *limit; /* borrowed: of the state at `from`, where it is known; or NULL */
+  tp_interior_start *start;     /* borrowed: points of near states, by x */
 } tp_threshold_search;
 
 typedef struct tp_threshold {
