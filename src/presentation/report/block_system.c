@@ -17,6 +17,7 @@
 #include "terms/names.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static size_t free_count(const tp_block_system *s) {
@@ -161,11 +162,15 @@ static bool one_opens_and_bears(const tp_system_case *c) {
 }
 
 static void add_forces(tp_text *t, const tp_block_system *s, const tp_system_case *c, int width) {
+  enum { UNIT_ROOM = 16 };
   const bool wet = c->has_forces && tp_system_case_is_wet(c);
   const int digits = tp_text_system_digits(s);
   tp_text_add(t, "  %-*s  %-*s  %-6s", width, "between", width, "and", "joint");
   if (c->has_forces) tp_text_add(t, "  %10s  %10s", "N kN/m", "T kN/m");
-  tp_text_add(t, "  %10s  %10s", "at x", "y");
+  char at_x[UNIT_ROOM], y[UNIT_ROOM];
+  snprintf(at_x, sizeof at_x, "at x %s", s->length_unit);
+  snprintf(y, sizeof y, "y %s", s->length_unit);
+  tp_text_add(t, "  %10s  %10s", at_x, y);
   if (wet) tp_text_add(t, "  %10s", "water kN/m");
   tp_text_add(t, "\n");
   for (size_t k = 0; k < c->force_count && k < TP_SYSTEM_ROWS; k++) {
