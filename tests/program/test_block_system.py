@@ -336,7 +336,7 @@ jointed_slope:
             line = running.stderr.readline()
             running.kill()
         self.assertLess(time.monotonic() - began, 10)
-        self.assertRegex(line, r"^5078 blocks: limits and factors of so many take some 16 seconds of one core and up to 0\.13 GB of memory$")
+        self.assertRegex(line, r"^5078 blocks: limits and factors of so many take some 9 seconds of one core and up to 0\.13 GB of memory$")
         self.assertEqual(run("solve", self.scene(wall(3, 3).scene(35)))[2], "")
 
     def test_gaps_are_gaps(self):

@@ -4,6 +4,7 @@
 /* Many blocks: where they touch, and the greatest tilt that forces between them hold, against
  * closed forms, published walls and slopes, and the mirror image. */
 
+#include "assemblage/interior_start.h"
 #include "assemblage/limit_change.h"
 #include "assemblage/normal_equations.h"
 #include "block_pile.h"
@@ -182,6 +183,57 @@ START_TEST(large_wall) {
   ck_assert_msg(b.is_held && b.is_bounded && b.bound - b.held <= 1e-6 * b.bound, "%.9f to %.9f",
                 b.held, b.bound);
   tp_load_bracket_clear(&b);
+  pile_clear(&p);
+}
+END_TEST
+
+/* The steps until the gap is a millionth of the load. */
+static bool count_steps(void *context, const tp_interior_iterate *at) {
+  int *steps = context;
+  ++*steps;
+  return at->gap <= 1e-6 * at->load;
+}
+
+static int steps_from(const block_pile *p, double tangent, const tp_interior_from *from) {
+  int steps = 0;
+  bool began_near;
+  tp_message message = {.text = ""};
+  tp_force_program program;
+  pile_program(&program, p, tangent, true);
+  ck_assert_int_eq(tp_interior_point(&began_near, &program, from, count_steps, &steps, &message),
+                   TP_OK);
+  tp_force_program_clear(&program);
+  return steps;
+}
+
+/* Limits of friction that changes by much, by little, and back, each begun from points of those
+ * before, are what they are from nothing, and as narrow; little is a matter of a few steps. */
+START_TEST(begun_from_near_states) {
+  static const double tangents[] = {0.65, 0.65 * (1 - 1e-6), 0.6, 0.3, 0.65};
+  tp_interior_start start = {.n = 0};
+  block_pile p = {.count = 0};
+  add_wall(&p, 8, 8);
+  assemble(&p);
+  for (size_t k = 0; k < sizeof tangents / sizeof tangents[0]; k++) {
+    const tp_interior_from nothing = {.start = NULL}, near = {&start, log(tangents[k])};
+    tp_message message = {.text = ""};
+    tp_force_program program;
+    tp_load_bracket own, cold = pile_limit(&p, tangents[k], true, share);
+    pile_program(&program, &p, tangents[k], true);
+    const tp_bracket_aim aim = {.share = share, .enough = INFINITY, .from = near};
+    ck_assert_int_eq(tp_load_bracket_find(&own, &program, &aim, &message), TP_OK);
+    ck_assert(own.is_held && own.is_bounded && own.bound - own.held <= share * own.bound);
+    ck_assert(own.held <= cold.bound && cold.held <= own.bound);
+    if (k == 1) {
+      const int few = steps_from(&p, tangents[k], &near),
+                many = steps_from(&p, tangents[k], &nothing);
+      ck_assert_msg(3 * few <= many, "%d and %d steps", few, many);
+    }
+    tp_force_program_clear(&program);
+    tp_load_bracket_clear(&own);
+    tp_load_bracket_clear(&cold);
+  }
+  tp_interior_start_clear(&start);
   pile_clear(&p);
 }
 END_TEST
@@ -426,6 +478,7 @@ SUITE(assemblage) {
   tcase_add_test(tests, large_wall);
   tcase_add_test(tests, normal_equations);
   tcase_add_test(tests, fronts_by_every_instruction);
+  tcase_add_test(tests, begun_from_near_states);
   tcase_add_test(tests, images_of_random_piles);
   tcase_add_test(tests, what_is_no_assemblage);
   tcase_add_test(tests, corners_on_faces);

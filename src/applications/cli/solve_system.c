@@ -125,13 +125,13 @@ tp_status tp_cli_check_cases_of_many(const char *path, const tp_solve_words *a,
   return tp_cli_refuse_one_case(path, option, message);
 }
 
-/* Before the work begins: walls and jointed slopes of n blocks take some 50 s (n / 10^4)^1.7 of a
+/* Before the work begins: walls and jointed slopes of n blocks take some 25 s (n / 10^4)^1.5 of a
  * core, and of memory up to 25 kB a block (docs/blocks_in_contact.md). */
 static void tell_cost(const tp_scene *scene) {
-  static const double told = 5000, ten_thousand = 1e4, seconds = 50, minute = 60, bytes = 25e3;
+  static const double told = 5000, ten_thousand = 1e4, seconds = 25, minute = 60, bytes = 25e3;
   const double count = (double)tp_scene_block_count(scene);
   if (count < told) return;
-  const double time = seconds * pow(count / ten_thousand, 1.7);
+  const double time = seconds * pow(count / ten_thousand, 1.5);
   const bool in_minutes = time >= 2 * minute;
   char text[160];
   snprintf(text, sizeof text,

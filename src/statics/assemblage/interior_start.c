@@ -36,16 +36,15 @@ static const tp_kept_point *nearest(const tp_interior_start *start, double at) {
   return found;
 }
 
-/* What is kept of nearer points is of another state. */
 bool tp_interior_begin(tp_interior *s, tp_interior_start *start, double at) {
-  if (start->n != s->n || start->rows != s->p->rows) return false;
+  if (start->n != s->n || start->rows != s->p->rows || start->bounded != s->bounded) return false;
   const tp_kept_point *own = nearest(start, at);
   if (own == NULL) return false;
   for (long k = 0; k <= s->n; k++) {
     const bool bounded = tp_interior_is_bounded(s, k);
     s->x[k] = bounded ? own->x[k] * s->most[k] : own->x[k];
     s->z[k] = own->z[k];
-    s->w[k] = bounded ? own->w[k] : 0;
+    if (bounded) s->w[k] = own->w[k];
   }
   memcpy(s->y, own->y, (size_t)s->p->rows * sizeof *s->y);
   return true;
@@ -55,9 +54,11 @@ static double *room(long count) {
   return malloc(((size_t)count + 1) * sizeof(double));
 }
 
-static bool make_point(tp_kept_point *p, long n, long rows) {
+static bool make_point(tp_kept_point *p, const tp_interior *s) {
   if (p->x != NULL) return true;
-  *p = (tp_kept_point){.x = room(n), .z = room(n), .w = room(n), .y = room(rows)};
+  const long n = s->n, rows = s->p->rows;
+  *p = (tp_kept_point){
+      .x = room(n), .z = room(n), .w = room(s->bounded > 0 ? n : 0), .y = room(rows)};
   if (p->x != NULL && p->z != NULL && p->w != NULL && p->y != NULL) return true;
   clear_point(p);
   return false;
@@ -67,19 +68,20 @@ bool tp_interior_keep(tp_interior_start *start, const tp_interior *s, double gap
   int level = TP_KEPT_POINTS - 1;
   while (level > 0 && gap >= least_gaps[level - 1]) level--;
   if (!(gap >= least_gaps[level] && gap <= 1)) return true;
-  if (start->n != s->n || start->rows != s->p->rows) {
+  if (start->n != s->n || start->rows != s->p->rows || start->bounded != s->bounded) {
     tp_interior_start_clear(start);
     start->n = s->n;
     start->rows = s->p->rows;
+    start->bounded = s->bounded;
   }
   tp_kept_point *own = start->points + level;
-  if (!make_point(own, s->n, s->p->rows)) return false;
+  if (!make_point(own, s)) return false;
   own->gap = gap;
   own->at = at;
   for (long k = 0; k <= s->n; k++) {
     own->x[k] = tp_interior_is_bounded(s, k) ? s->x[k] / s->most[k] : s->x[k];
     own->z[k] = s->z[k];
-    own->w[k] = s->w[k];
+    if (s->bounded > 0) own->w[k] = s->w[k];
   }
   memcpy(own->y, s->y, (size_t)s->p->rows * sizeof *own->y);
   return true;

@@ -16,12 +16,12 @@ enum { TP_KEPT_POINTS = 5 };
 typedef struct tp_kept_point {
   double gap, at; /* over the load; of which state. No gap: there is no point */
   double *x, *z;  /* n + 1; of bounded factors x is the share of their bound */
-  double *w, *y;  /* n + 1, rows */
+  double *w, *y;  /* n + 1 where any is bounded, else one; rows */
 } tp_kept_point;
 
 /* All zero: nothing is kept. */
 typedef struct tp_interior_start {
-  long n, rows;
+  long n, rows, bounded;
   tp_kept_point points[TP_KEPT_POINTS];
 } tp_interior_start;
 
