@@ -106,6 +106,20 @@ class BlockMotions(GoverningCase):
         self.assertIn("certain to stand, strength divided by 1 alone; above that nothing is proven\n", page)
         self.assertIn("certain to stand at tilts             of 2° alone; above that nothing is proven\n", page)
 
+    def test_wedged(self):
+        """Blocks that lean on each other, of which three or four may stay wedged while one moves: of what each contact does forces hold each
+        other without any load, so that no acceleration is resisted by none of them; but by none at the one that moves. These were not
+        decided, or proven in another order alone; now they stand up to the limit of forces."""
+        pile, at = Pile().add("g", [(-61.25, -5), (58.75, -5), (60, 0), (-60, 0)], True), 0
+        for k, (width, high) in enumerate(((2.5, 1.5), (0.5, 3), (2, 1.5), (0.5, 0.5), (0.5, 2.5))):
+            pile.add(f"b{k}", [(at, 0), (at + width, 0), (at + width + high / 4, high), (at + high / 4, high)])
+            at += width
+        pile.blocks = [(name, [(-x, y) for x, y in points[::-1]], ground) for name, points, ground in pile.blocks]
+        for own in self.both_ways(pile, 50, 10):
+            self.assertEqual(own["verdict"], "stands")
+            self.assertGreater(own["standing_fos"], 0.999 * own["fos"]["value"])
+            self.assertLessEqual(own["standing_fos"], own["fos"]["value"] + own["fos"]["error"])
+
     def test_arches(self):
         """Voussoirs of an arch: seven were certain to stand with their strength divided by 1.08, and at no tilt; nine not at all. Now both stand
         up to the tilt that forces can hold, and fifteen as they lie, whichever way they lean."""
@@ -113,7 +127,7 @@ class BlockMotions(GoverningCase):
             own = arch(count, 0.3).moved(lambda x, y: (round(float(x), 6), round(float(y), 6)))
             for case in self.both_ways(own, 35, 0):
                 self.assertEqual(case["verdict"], "stands")
-                self.assertGreater(case["standing_fos"], 1.8)
+                self.assertGreater(case["standing_fos"], 1.75)
                 self.assertLess(case["standing_fos"], case["fos"]["value"])
                 self.assertGreater(case["standing_angle_deg"], 0.9999 * case["critical_angle_deg"]["value"])
                 self.assertLess(case["standing_angle_deg"], case["critical_angle_deg"]["value"])

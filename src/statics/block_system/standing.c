@@ -2,9 +2,10 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* An interval is tried as a whole, and halved towards its lower end until it is proven; then twice
- * as much is tried beyond. Where one proof takes much of all work, a little of the interval is
- * tried first. A try may take little at first, so that those which cannot succeed leave enough to
- * the others, and twice as much after each that was given up for that. */
+ * as much is tried beyond. Unless one proof takes very little of all work, a little of the interval
+ * is tried first: what is known of that makes the next proofs cheap. A try may take little at
+ * first, so that those which cannot succeed leave enough to the others, and twice as much after
+ * each that was given up for that. */
 
 #include "block_system/standing.h"
 
@@ -63,7 +64,7 @@ static long most_work(const tp_standing_search *s, bool is_wide) {
 
 /* Of an interval: all of it where what is left is enough for many proofs like the last one. */
 static double first_step(const tp_standing_search *s, double all) {
-  enum { MANY = 16, STEPS = 32 };
+  enum { MANY = 256, STEPS = 32 };
   return s->proof_work > (s->most_work - s->work) / MANY ? all / STEPS : all;
 }
 

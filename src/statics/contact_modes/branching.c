@@ -37,7 +37,10 @@ tp_status tp_branching_refute(bool *refuted, tp_branching *b, tp_message *messag
 }
 
 tp_status tp_branching_refute_mode(bool *refuted, tp_branching *b, tp_message *message) {
-  return refute_by_programs(refuted, b, true, message);
+  b->found.is_last = true;
+  const tp_status status = refute_by_programs(refuted, b, true, message);
+  b->found.is_last = false;
+  return status;
 }
 
 /* ---- parts -------------------------------------------------------------------------------------

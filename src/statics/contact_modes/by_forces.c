@@ -35,6 +35,7 @@ typedef struct resisting {
   double *columns, *factors;
   double share; /* of the loads */
   bool takes_loads;
+  bool *idle;            /* by number of a free block: no reaction acts on it, so that its y is 0 */
   double *load_y;        /* by row: room */
   tp_near *wrenches, *y; /* by row */
 } resisting;
@@ -194,6 +195,17 @@ static bool prove(tp_forces_proof *p, const resisting *s, int load) {
   return true;
 }
 
+/* Edges between blocks that are idle are not asked: y is exactly 0 there, as what is refuted tells.
+ */
+static bool is_refuted(const tp_modes_node *refuted, const resisting *s) {
+  for (long k = 0; k < s->q->resting->contact_count; k++) {
+    const long *row = s->q->resting->contacts[k].along.row;
+    if (tp_modes_rests(s->node, row[0]) && tp_modes_rests(s->node, row[1])) continue;
+    if ((s->node->sets[k] & ~refuted->sets[k]) != 0) return false;
+  }
+  return true;
+}
+
 /* Of all loads; it is kept, with its signs. */
 static bool prove_all(const resisting *s, const tp_modes_finding *finding) {
   tp_forces_proof p = {.node = s->node,
@@ -209,17 +221,75 @@ static bool prove_all(const resisting *s, const tp_modes_finding *finding) {
     proven = prove(&p, s, k);
     if (proven && finding != NULL) tp_forces_proof_widen(finding->refuted, &p);
   }
-  if (proven && finding != NULL) tp_known_proofs_add_forces(finding->known, &p);
+  if (finding == NULL || !proven) return proven;
+  if (!is_refuted(finding->refuted, s)) return false;
+  tp_known_proofs_add_forces(finding->known, &p);
   return proven;
 }
 
-static bool make(resisting *s, tp_dense_program *p) {
+static bool rests(const resisting *s, long row) {
+  return tp_modes_rests(s->node, row) || s->idle[row / 3];
+}
+
+/* Reactions on blocks that are idle, and edges between these alone, are not asked. */
+static void drop_idle(resisting *s) {
+  long kept = 0;
+  for (long k = 0; k < s->reactions.count; k++) {
+    const long *row = s->reactions.all[k].column->row;
+    bool acts = true;
+    for (int side = 0; side < 2; side++) acts = acts && (row[side] < 0 || !s->idle[row[side] / 3]);
+    if (acts) s->reactions.all[kept++] = s->reactions.all[k];
+  }
+  s->reactions.count = kept;
+  kept = 0;
+  for (long k = 0; k < s->edges.count; k++) {
+    const long *row = s->edges.all[k].normal->row;
+    if (!rests(s, row[0]) || !rests(s, row[1])) s->edges.all[kept++] = s->edges.all[k];
+  }
+  s->edges.count = kept;
+}
+
+/* Forces of the multipliers that hold each other, without any load, keep blocks wedged: these
+ * become idle. False: there are none. */
+static bool find_wedged(resisting *s, const tp_dense_program *p) {
+  static const double tiny = 1e-9;
+  double *of_row = calloc((size_t)p->rows + 1, sizeof *of_row);
+  bool found = false, loaded = of_row == NULL;
+  if (of_row != NULL) tp_dense_program_multipliers(of_row, p, 0);
+  for (int k = 0; k < s->q->load_count && !loaded; k++) loaded = of_row[row_of_power(s, k)] > tiny;
+  for (long k = 0; k < copies_of_edges(s) * s->edges.count && !loaded; k++) {
+    if (!(of_row[k] > tiny)) continue;
+    const long *row = s->edges.all[k % s->edges.count].normal->row;
+    for (int side = 0; side < 2; side++) {
+      if (rests(s, row[side])) continue;
+      s->idle[row[side] / 3] = found = true;
+    }
+  }
+  free(of_row);
+  return found;
+}
+
+static void clear(resisting *s, tp_dense_program *p) {
+  tp_dense_program_clear(p);
+  tp_reactions_clear(&s->reactions);
+  tp_resisting_edges_clear(&s->edges);
+  free(s->shears);
+  free(s->columns);
+  free(s->factors);
+  free(s->wrenches);
+  free(s->y);
+  free(s->load_y);
+}
+
+/* With some blocks idle, or none. */
+static bool make(resisting *s, tp_dense_program *p, bool some_idle) {
   const size_t rows = (size_t)s->q->resting->rows + 1;
   if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) ||
       !tp_resisting_edges_init(&s->edges, s->node, s->q) || !find_shears(s)) {
     return false;
   }
-  s->takes_loads = s->q->load_count == 1 || s->shear_count == 0;
+  if (some_idle) drop_idle(s);
+  s->takes_loads = !some_idle && (s->q->load_count == 1 || s->shear_count == 0);
   const size_t most = 2 * (size_t)s->reactions.count + (size_t)s->shear_count + 3;
   s->columns = calloc(most, sizeof *s->columns);
   s->factors = calloc(most, sizeof *s->factors);
@@ -233,24 +303,31 @@ static bool make(resisting *s, tp_dense_program *p) {
                                    s->shear_count + 1);
 }
 
+/* Once; again where blocks became idle. */
+static bool try_forces(bool *refuted, bool *again, const tp_modes_finding *finding, long *work,
+                       resisting *s) {
+  tp_dense_program p = {.rows = 0};
+  const bool made = make(s, &p, *again);
+  const bool is_first = !*again, tells = made && finding != NULL;
+  *again = false;
+  *refuted = made && search(s, work, &p);
+  if (tells && !*refuted && is_first && s->shear_count == 0) tell_why(finding->relaxed, s, &p);
+  if (tells && !*refuted && finding->is_last) *again = find_wedged(s, &p);
+  if (*refuted) *refuted = prove_all(s, finding);
+  clear(s, &p);
+  return made;
+}
+
 tp_status tp_modes_refute_by_forces(bool *refuted, const tp_modes_finding *finding, long *work,
                                     const tp_modes_node *node, const tp_modes_question *q,
                                     tp_message *message) {
-  resisting s = {.node = node, .q = q};
-  tp_dense_program p = {.rows = 0};
-  const bool made = make(&s, &p);
-  *refuted = made && search(&s, work, &p);
-  const bool tells = made && finding != NULL;
-  if (tells && !*refuted && s.shear_count == 0) tell_why(finding->relaxed, &s, &p);
-  if (*refuted) *refuted = prove_all(&s, finding);
-  tp_dense_program_clear(&p);
-  tp_reactions_clear(&s.reactions);
-  tp_resisting_edges_clear(&s.edges);
-  free(s.shears);
-  free(s.columns);
-  free(s.factors);
-  free(s.wrenches);
-  free(s.y);
-  free(s.load_y);
+  bool *idle = calloc((size_t)(q->resting->rows / 3) + 1, sizeof *idle);
+  bool made = idle != NULL, again = false;
+  *refuted = false;
+  do {
+    resisting s = {.node = node, .q = q, .idle = idle};
+    made = made && try_forces(refuted, &again, finding, work, &s);
+  } while (made && again && !*refuted);
+  free(idle);
   return made ? TP_OK : tp_fail_memory(message, "a proof");
 }

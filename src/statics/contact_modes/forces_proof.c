@@ -27,8 +27,11 @@ static void find_y(tp_forces_proof *p, int load) {
   }
   for (long b = 0; b < r->rows / 3; b++) {
     tp_near *y = p->y + 3 * b;
+    const tp_near *wrench = p->wrenches + 3 * b;
     y[0] = y[1] = y[2] = (tp_near){0, 0};
-    if (p->node->still[b]) continue;
+    const bool is_pushed =
+        !tp_near_is_zero(wrench[0]) || !tp_near_is_zero(wrench[1]) || !tp_near_is_zero(wrench[2]);
+    if (p->node->still[b] || !is_pushed) continue;
     tp_resting_accelerate(y, r->assemblage->blocks + r->block[b], p->wrenches + 3 * b);
   }
 }

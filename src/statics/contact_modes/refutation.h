@@ -28,6 +28,7 @@ typedef struct tp_modes_finding {
   tp_modes_node *refuted;
   tp_relaxed_motions *relaxed;
   tp_known_proofs *known; /* or NULL */
+  bool is_last;           /* the node can be divided no more: it is asked of fewer blocks too */
 } tp_modes_finding;
 
 /* `finding` may be NULL; `work` grows by what it took. */
