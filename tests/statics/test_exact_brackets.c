@@ -99,8 +99,8 @@ START_TEST(images_of_random_piles) {
 }
 END_TEST
 
-/* A slab slides at its tan(phi), whatever that is of what encloses it; one that is slender topples at
- * a third, which no double is. */
+/* A slab slides at its tan(phi), whatever that is of what encloses it; one that is slender topples
+ * at a third, which no double is. */
 START_TEST(slabs) {
   static const tp_contact_strength enclosed = {.tangent = {0.5, 0.125}};
   block_pile p = {.count = 0};
