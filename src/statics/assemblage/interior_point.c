@@ -90,7 +90,7 @@ static double correction(double product, double target) {
 /* Products that a longer step would throw far off are aimed at once more, with the same factor
  * (Gondzio 1996); kept where the step gets longer by it. */
 static bool centre_again(tp_interior *s, double target) {
-  static const double longer = 0.3, gain = 0.01, enough = 1e-6;
+  static const double longer = 0.1, gain = 0.01, enough = 1e-6;
   const double x_now = tp_interior_reach_of_forces(s, 1), z_now = reach_of_z(s, 1);
   const double of_x = fmin(1, x_now + longer), of_z = fmin(1, z_now + longer);
   if (x_now + z_now >= 2 - longer) return false;
@@ -110,7 +110,7 @@ static bool centre_again(tp_interior *s, double target) {
 }
 
 static void find_long_step(tp_interior *s) {
-  enum { MOST_CENTRINGS = 4 };
+  enum { MOST_CENTRINGS = 2 };
   static const double enough = 1e-8;
   const double share = predict(s), target = share * share * share * s->mu;
   set_centre(s, target, 1);

@@ -143,6 +143,7 @@ static bool is_never_held(const tp_load_bracket *b) {
 
 /* Forces that are not proven to hold are kept too: to begin from, where none are. */
 static bool watch(void *context, const tp_interior_iterate *at) {
+  static const double far_apart = 1e-2;
   proving *s = context;
   tp_load_bracket *b = s->bracket;
   double bound = 0;
@@ -156,8 +157,10 @@ static bool watch(void *context, const tp_interior_iterate *at) {
     memcpy(b->twists, twists, (size_t)s->p->rows * sizeof *b->twists);
     if (s->aim->bound_alone) keep_forces(s, at);
   }
-  /* nearer than that roundings follow, and forces are found by the other way */
-  const bool is_near = b->is_bounded && at->gap <= width_of(s) / 8;
+  /* nearer than that roundings follow, and forces are found by the other way; a bound that is still
+   * far above them tells nothing of the limit */
+  const bool is_near = b->is_bounded && at->gap <= width_of(s) / 8 &&
+                       b->bound - at->load <= tp_load_width(b, far_apart);
   b->is_settled = is_near || is_never_held(b) || is_enough(s) || is_narrow(s) || is_far(s);
   return b->is_settled;
 }
