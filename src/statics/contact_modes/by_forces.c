@@ -160,6 +160,7 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
   *tp_dense_program_right(p, p->rows - 1) = 1;
   *tp_dense_program_entry(p, p->rows, last) = 1;
   p->is_limited = true; /* d <= 1 */
+  p->tie = TP_DENSE_TIE;
   const bool found = tp_dense_program_climb(p, 0);
   *work += p->work;
   tp_dense_program_solution(s->columns, p);

@@ -122,6 +122,7 @@ static bool search(bool *is_flat, balancing *s, long *work, tp_dense_program *p)
   }
   finish_rows(p, s);
   p->is_limited = true;
+  p->tie = TP_DENSE_TIE;
   const bool climbed = tp_dense_program_climb(p, 0);
   const bool balanced = climbed && *tp_dense_program_right(p, p->rows) < enough;
   if (climbed && !balanced && s->finding != NULL) tell_why(s, p);

@@ -54,10 +54,8 @@ static bool may_enter(const tp_dense_program *p, long column) {
   return !p->barred[variable] && (variable < p->columns || !p->exact[variable - p->columns]);
 }
 
-/* Of equal numbers that differ by rounding the first is as good. */
-static bool is_more(double own, double other) {
-  static const double rounding = 1e-9;
-  return own > other + rounding * fabs(other);
+static bool is_more(const tp_dense_program *p, double own, double other) {
+  return own > other + p->tie * fabs(other);
 }
 
 static long entering(tp_dense_program *p, int objective, bool first) {
@@ -66,7 +64,7 @@ static long entering(tp_dense_program *p, int objective, bool first) {
   for (long c = 0; c < p->columns; c++) {
     if (!(own[c] > tiny) || !may_enter(p, c)) continue;
     const bool better =
-        best < 0 || (first ? p->outside[c] < p->outside[best] : is_more(own[c], own[best]));
+        best < 0 || (first ? p->outside[c] < p->outside[best] : is_more(p, own[c], own[best]));
     if (better) best = c;
   }
   return best;
@@ -86,7 +84,7 @@ static long leaving(tp_dense_program *p, long column, bool first) {
     const bool same = best >= 0 && length <= least + tiny && length >= least - tiny;
     const bool preferred =
         same && (first ? p->basic[r] < p->basic[best]
-                       : is_more(fabs(own), fabs(*tp_dense_program_entry(p, best, column))));
+                       : is_more(p, fabs(own), fabs(*tp_dense_program_entry(p, best, column))));
     if (best < 0 || length < least - tiny || preferred) {
       best = r;
       least = fmin(least, length);

@@ -23,8 +23,11 @@ typedef struct tp_dense_program {
   bool is_limited; /* objectives are known to have a limit: what seems to have none, by rounding,
                       is passed over */
   bool *barred;    /* by variable: it was */
-  long work;       /* entries changed so far */
+  double tie; /* by what share numbers may differ, by rounding, of which the first is as good */
+  long work;  /* entries changed so far */
 } tp_dense_program;
+
+#define TP_DENSE_TIE 1e-9 /* of programs that are to be the same for images of blocks */
 
 enum { TP_DENSE_OBJECTIVES = 2 };
 
