@@ -69,7 +69,7 @@ static void build(scene *s, const box *boxes, long count, bool is_image) {
     else
       pile_add_box(&s->pile, own.left, own.low, own.right, own.high, 3, k < 0);
   }
-  ck_assert_msg(pile_assemble(&s->pile, &message) == TP_OK, "%s", message.text);
+  pile_build(&s->pile);
   const tp_assemblage *a = &s->pile.assemblage;
   s->strengths = calloc((size_t)a->contact_count + 1, sizeof *s->strengths);
   ck_assert_int_eq(tp_resting_init(&s->resting, a, s->strengths, &message), TP_OK);

@@ -4,9 +4,7 @@
 /* Many blocks: where they touch, and the greatest tilt that forces between them hold, against
  * closed forms, published walls and slopes, and the mirror image. */
 
-#include "assemblage/interior_start.h"
 #include "assemblage/limit_change.h"
-#include "assemblage/normal_equations.h"
 #include "block_pile.h"
 #include "random_numbers.h"
 #include "suite.h"
@@ -15,11 +13,6 @@
 #include <string.h>
 
 static const double share = 1e-6;
-
-static void assemble(block_pile *p) {
-  tp_message message = {.text = ""};
-  ck_assert_msg(pile_assemble(p, &message) == TP_OK, "%s", message.text);
-}
 
 /* Both proofs about a number that is known to so much. */
 static void expect(const block_pile *p, double tangent, bool left, double known, double within) {
@@ -37,7 +30,7 @@ START_TEST(one_block) {
   block_pile p = {.count = 0};
   pile_add_box(&p, -10, -1, 10, 0, 1, true);
   pile_add_box(&p, 0, 0, 2, 3, 1, false);
-  assemble(&p);
+  pile_build(&p);
   ck_assert_int_eq(p.assemblage.contact_count, 1);
   for (int left = 0; left < 2; left++) {
     expect(&p, 0.5, left == 1, 0.5, 0);
@@ -47,20 +40,6 @@ START_TEST(one_block) {
 }
 END_TEST
 
-/* Walls of Ferris and Tin-Loi (2001): courses of bricks 4 by 1.75, half bricks at the ends of each
- * other course, the lowest among them. */
-static void add_wall(block_pile *p, int courses, int bricks) {
-  pile_add_box(p, -400, -400, 400 * (bricks + 1), 0, 100, true);
-  for (int c = 0; c < courses; c++) {
-    const bool halves = c % 2 == 0;
-    for (int k = 0; k < bricks + (halves ? 1 : 0); k++) {
-      const long from = 400L * k - (halves ? 200 : 0), to = from + 400;
-      pile_add_box(p, from < 0 ? 0 : from, 175L * c, to > 400L * bricks ? 400L * bricks : to,
-                   175L * (c + 1), 100, false);
-    }
-  }
-}
-
 START_TEST(published_walls) {
   static const struct {
     int courses, bricks;
@@ -69,8 +48,8 @@ START_TEST(published_walls) {
   } walls[] = {{6, 5, 33, 83, 0.64286}, {10, 5, 55, 141, 0.58000}};
   for (size_t k = 0; k < sizeof walls / sizeof walls[0]; k++) {
     block_pile p = {.count = 0};
-    add_wall(&p, walls[k].courses, walls[k].bricks);
-    assemble(&p);
+    pile_add_wall(&p, walls[k].courses, walls[k].bricks);
+    pile_build(&p);
     ck_assert_int_eq(p.assemblage.free_count, walls[k].blocks);
     ck_assert_int_eq(p.assemblage.contact_count, walls[k].contacts);
     for (int left = 0; left < 2; left++) expect(&p, 0.65, left == 1, walls[k].known, 5e-6);
@@ -110,7 +89,7 @@ START_TEST(slope_of_columns) {
   static const double needed = 0.659599, digits = 2e-6;
   block_pile p = {.count = 0};
   add_slope(&p);
-  assemble(&p);
+  pile_build(&p);
   ck_assert_int_eq(p.assemblage.contact_count, 16 + 15 + 15);
   tp_load_bracket weak = pile_limit(&p, needed - digits, true, share);
   tp_load_bracket strong = pile_limit(&p, needed + digits, true, share);
@@ -131,7 +110,7 @@ START_TEST(worth_of_friction) {
   tp_force_program programs[2];
   block_pile p = {.count = 0};
   add_slope(&p);
-  assemble(&p);
+  pile_build(&p);
   for (int k = 0; k < 2; k++) {
     limits[k] = pile_limit(&p, tangents[k], true, share);
     pile_program(programs + k, &p, tangents[k], true);
@@ -163,7 +142,7 @@ START_TEST(stack_of_bricks) {
       pile_add_box(&p, end - 2L * DIVISOR, height * DIVISOR, end, (height + 1) * DIVISOR, DIVISOR,
                    false);
     }
-    assemble(&p);
+    pile_build(&p);
     tp_load_bracket b = pile_limit(&p, 0.5, false, share);
     ck_assert_msg(more == 1 ? b.is_bounded && b.bound < 0 : b.is_held && b.held > 0,
                   "held %d %g bound %d %g", b.is_held, b.held, b.is_bounded, b.bound);
@@ -177,63 +156,12 @@ END_TEST
 START_TEST(large_wall) {
   const long courses = rounds(20, 32);
   block_pile p = {.count = 0};
-  add_wall(&p, (int)courses, (int)courses);
-  assemble(&p);
+  pile_add_wall(&p, (int)courses, (int)courses);
+  pile_build(&p);
   tp_load_bracket b = pile_limit(&p, 0.65, true, 1e-6);
   ck_assert_msg(b.is_held && b.is_bounded && b.bound - b.held <= 1e-6 * b.bound, "%.9f to %.9f",
                 b.held, b.bound);
   tp_load_bracket_clear(&b);
-  pile_clear(&p);
-}
-END_TEST
-
-/* The steps until the gap is a millionth of the load. */
-static bool count_steps(void *context, const tp_interior_iterate *at) {
-  int *steps = context;
-  ++*steps;
-  return at->gap <= 1e-6 * at->load;
-}
-
-static int steps_from(const block_pile *p, double tangent, const tp_interior_from *from) {
-  int steps = 0;
-  bool began_near;
-  tp_message message = {.text = ""};
-  tp_force_program program;
-  pile_program(&program, p, tangent, true);
-  ck_assert_int_eq(tp_interior_point(&began_near, &program, from, count_steps, &steps, &message),
-                   TP_OK);
-  tp_force_program_clear(&program);
-  return steps;
-}
-
-/* Limits of friction that changes by much, by little, and back, each begun from points of those
- * before, are what they are from nothing, and as narrow; little is a matter of a few steps. */
-START_TEST(begun_from_near_states) {
-  static const double tangents[] = {0.65, 0.65 * (1 - 1e-6), 0.6, 0.3, 0.65};
-  tp_interior_start start = {.n = 0};
-  block_pile p = {.count = 0};
-  add_wall(&p, 8, 8);
-  assemble(&p);
-  for (size_t k = 0; k < sizeof tangents / sizeof tangents[0]; k++) {
-    const tp_interior_from nothing = {.start = NULL}, near = {&start, log(tangents[k])};
-    tp_message message = {.text = ""};
-    tp_force_program program;
-    tp_load_bracket own, cold = pile_limit(&p, tangents[k], true, share);
-    pile_program(&program, &p, tangents[k], true);
-    const tp_bracket_aim aim = {.share = share, .enough = INFINITY, .from = near};
-    ck_assert_int_eq(tp_load_bracket_find(&own, &program, &aim, &message), TP_OK);
-    ck_assert(own.is_held && own.is_bounded && own.bound - own.held <= share * own.bound);
-    ck_assert(own.held <= cold.bound && cold.held <= own.bound);
-    if (k == 1) {
-      const int few = steps_from(&p, tangents[k], &near),
-                many = steps_from(&p, tangents[k], &nothing);
-      ck_assert_msg(3 * few <= many, "%d and %d steps", few, many);
-    }
-    tp_force_program_clear(&program);
-    tp_load_bracket_clear(&own);
-    tp_load_bracket_clear(&cold);
-  }
-  tp_interior_start_clear(&start);
   pile_clear(&p);
 }
 END_TEST
@@ -246,101 +174,6 @@ static void expect_refused(block_pile *p, const char *what) {
 }
 
 /* Whole numbers tell an overlap and a gap of 1e-9 from blocks that touch; each is said by name. */
-/* The factor of a wall that is dissected some six times over, and of two that do not touch: what it
- * solves for, taken through every contact, is what was given. */
-START_TEST(normal_equations) {
-  for (int walls = 1; walls <= 2; walls++) {
-    block_pile p = {.count = 0};
-    add_wall(&p, 15, 14);
-    if (walls == 2) pile_add_box(&p, 5800, 0, 5900, 900, 100, false);
-    assemble(&p);
-    tp_force_program program;
-    tp_normal_equations normal;
-    tp_message message = {.text = ""};
-    pile_program(&program, &p, 0.6, true);
-    ck_assert_int_eq(tp_normal_equations_init(&normal, &program, &message), TP_OK);
-    double *d = calloc((size_t)program.count, sizeof *d);
-    double *given = calloc(2 * (size_t)program.rows, sizeof *given), *found = given + program.rows;
-    for (long k = 0; k < program.count; k++) d[k] = 1 + (double)(k * 7919 % 101) / 10;
-    for (long r = 0; r < program.rows; r++) given[r] = found[r] = (double)(r * 31 % 17) - 8;
-    ck_assert(tp_normal_equations_factorise(&normal, d));
-    tp_normal_equations_solve(&normal, found);
-    for (long k = 0; k < program.count; k++) {
-      const tp_force_column *c = program.columns + k;
-      const double force = d[k] * tp_force_column_work(c, found);
-      for (int side = 0; side < 2; side++) {
-        for (int e = 0; e < 3 && c->row[side] >= 0; e++) {
-          given[c->row[side] + e] -= force * c->entry[side][e].value;
-        }
-      }
-    }
-    for (long r = 0; r < program.rows; r++) ck_assert_double_le(fabs(given[r]), 1e-9);
-    free(d);
-    free(given);
-    tp_normal_equations_clear(&normal);
-    tp_force_program_clear(&program);
-    pile_clear(&p);
-  }
-}
-END_TEST
-
-/* Of every instruction set that this machine has: the same bits of factors and solutions, of fronts
- * with few rows and with more than a stripe of them. L (L^T v) of what was solved is what was
- * given. */
-static void factorise_front(const tp_front_kernel *kernel, double *columns, double *v, long rows,
-                            long own) {
-  const long behind = rows - own;
-  double *rest = columns + rows * own;
-  for (long c = 0; c < rows; c++) {
-    double *to = c < own ? columns + c * rows : rest + (c - own) * behind - own;
-    for (long r = c < own ? 0 : own; r < rows; r++) {
-      to[r] = r == c ? (double)rows : (double)((r + c) * 7919 % 31) / 31;
-    }
-    v[c] = (double)(c * 31 % 17) - 8;
-  }
-  ck_assert(kernel->factorise(columns, rows, own, rest));
-  for (long c = 1; c < behind; c++) { /* above the diagonal */
-    for (long r = 0; r < c; r++) rest[c * behind + r] = 0;
-  }
-  kernel->solve(v, columns, rows, own);
-  kernel->solve_back(v, columns, rows, own);
-}
-
-static double product_of_front(const double *columns, const double *v, long rows, long row) {
-  double sum = 0;
-  for (long k = 0; k <= row; k++) {
-    for (long r = k; r < rows; r++) sum += columns[k * rows + row] * columns[k * rows + r] * v[r];
-  }
-  return sum;
-}
-
-START_TEST(fronts_by_every_instruction) {
-  enum { MOST = 120 };
-  static const long sizes[][2] = {{3, 3}, {9, 6}, {21, 3}, {57, 48}, {MOST, 99}, {MOST, MOST}};
-  double *first = calloc(2 * MOST * MOST, sizeof *first), *other = first + MOST * MOST;
-  for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
-    const long rows = sizes[k][0], own = sizes[k][1];
-    const size_t entries = (size_t)(rows * own + (rows - own) * (rows - own));
-    double v[MOST], w[MOST];
-    factorise_front(tp_front_kernel_choose(TP_INSTRUCTIONS_BASELINE), first, v, rows, own);
-    for (long row = 0; row < own && own == rows; row++) {
-      const double given = (double)(row * 31 % 17) - 8;
-      ck_assert_double_eq_tol(product_of_front(first, v, rows, row), given, 1e-10);
-    }
-    for (int set = TP_INSTRUCTIONS_AVX2; set < TP_INSTRUCTIONS_COUNT; set++) {
-      if (!tp_instructions_present((tp_instructions)set)) continue;
-      factorise_front(tp_front_kernel_choose((tp_instructions)set), other, w, rows, own);
-      for (long c = 1; c < own; c++) {
-        for (long r = 0; r < c; r++) first[c * rows + r] = other[c * rows + r] = 0;
-      }
-      ck_assert_mem_eq(first, other, entries * sizeof *first);
-      ck_assert_mem_eq(v, w, (size_t)rows * sizeof *v);
-    }
-  }
-  free(first);
-}
-END_TEST
-
 START_TEST(what_is_no_assemblage) {
   enum { DIVISOR = 1000000000 };
   block_pile p = {.count = 0};
@@ -373,7 +206,7 @@ START_TEST(corners_on_faces) {
   pile_add_box(&p, -10, -1, 10, 0, 1, true);
   const long diamond[] = {0, 0, 2, 2, 0, 4, -2, 2};
   pile_add(&p, diamond, 4, 1, false);
-  assemble(&p);
+  pile_build(&p);
   ck_assert_int_eq(p.assemblage.contact_count, 1);
   ck_assert_int_eq(p.assemblage.contacts[0].ends[0], p.assemblage.contacts[0].ends[1]);
   pile_clear(&p);
@@ -415,7 +248,7 @@ START_TEST(images_of_random_piles) {
     for (int k = 0; k < 4; k++) {
       block_pile p = {.count = 0};
       add_random(&p, seed, k == 1, k == 2, k == 3 ? 7919 : 1);
-      assemble(&p);
+      pile_build(&p);
       all[k] = pile_limit(&p, 0.6, k != 1, share);
       ck_assert_msg(all[k].is_held && all[k].is_bounded,
                     "seed %d image %d: held %d %g, bounded %d %g", (int)seed, k, all[k].is_held,
@@ -442,7 +275,7 @@ START_TEST(pairs_of_corners) {
       const int own = turned == 1 ? 3 - k : k, x = own % 2 == 0 ? -2 : 0, y = own < 2 ? 0 : 3;
       pile_add_box(&p, x, y, x + 2, y + 3, 1, false);
     }
-    assemble(&p);
+    pile_build(&p);
     const tp_lattice *l = &p.assemblage.lattice;
     ck_assert_int_eq(p.assemblage.pair_count, 2);
     for (int k = 0; k < 2; k++) {
@@ -459,8 +292,8 @@ START_TEST(pairs_of_corners) {
     pile_clear(&p);
   }
   block_pile wall = {.count = 0};
-  add_wall(&wall, 4, 3);
-  assemble(&wall);
+  pile_add_wall(&wall, 4, 3);
+  pile_build(&wall);
   ck_assert_int_eq(wall.assemblage.pair_count, 0);
   pile_clear(&wall);
 }
@@ -476,9 +309,6 @@ SUITE(assemblage) {
   tcase_add_test(tests, worth_of_friction);
   tcase_add_test(tests, stack_of_bricks);
   tcase_add_test(tests, large_wall);
-  tcase_add_test(tests, normal_equations);
-  tcase_add_test(tests, fronts_by_every_instruction);
-  tcase_add_test(tests, begun_from_near_states);
   tcase_add_test(tests, images_of_random_piles);
   tcase_add_test(tests, what_is_no_assemblage);
   tcase_add_test(tests, corners_on_faces);

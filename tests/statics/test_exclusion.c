@@ -24,8 +24,7 @@ static void build(block_pile *p, long high, long piles) {
   for (long n = 0; n < piles; n++) {
     for (long k = 0; k < high; k++) pile_add_box(p, 10 * n, k, 10 * n + 2, k + 1, 1, false);
   }
-  tp_message message = {.text = ""};
-  ck_assert_msg(pile_assemble(p, &message) == TP_OK, "%s", message.text);
+  pile_build(p);
 }
 
 typedef struct asked {

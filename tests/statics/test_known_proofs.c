@@ -51,7 +51,7 @@ static void build(scene *s, random_numbers *r) {
     const long left = draw_below(r, at - 1);
     pile_add_box(&s->pile, left, high, left + 1 + draw_below(r, 3), high + 1, 1, false);
   }
-  ck_assert_msg(pile_assemble(&s->pile, &message) == TP_OK, "%s", message.text);
+  pile_build(&s->pile);
   const tp_assemblage *a = &s->pile.assemblage;
   s->strengths = calloc((size_t)a->contact_count + 1, sizeof *s->strengths);
   ck_assert_int_eq(tp_resting_init(&s->resting, a, s->strengths, &message), TP_OK);

@@ -45,7 +45,7 @@ static void build(scene *s, bool has_corners) {
     pile_add_box(&s->pile, 2, 0, 5, 2, 1, false);
     pile_add_box(&s->pile, 9, 0, 10, 1, 1, false);
   }
-  ck_assert_msg(pile_assemble(&s->pile, &message) == TP_OK, "%s", message.text);
+  pile_build(&s->pile);
   const tp_assemblage *a = &s->pile.assemblage;
   s->strengths = calloc((size_t)a->contact_count + 1, sizeof *s->strengths);
   ck_assert_int_eq(tp_resting_init(&s->resting, a, s->strengths, &message), TP_OK);

@@ -43,6 +43,18 @@ void pile_add_box(block_pile *p, long left, long low, long right, long high, lon
   pile_add(p, corners, 4, divisor, fixed);
 }
 
+void pile_add_wall(block_pile *p, int courses, int bricks) {
+  pile_add_box(p, -400, -400, 400 * (bricks + 1), 0, 100, true);
+  for (int c = 0; c < courses; c++) {
+    const bool halves = c % 2 == 0;
+    for (int k = 0; k < bricks + (halves ? 1 : 0); k++) {
+      const long from = 400L * k - (halves ? 200 : 0), to = from + 400;
+      pile_add_box(p, from < 0 ? 0 : from, 175L * c, to > 400L * bricks ? 400L * bricks : to,
+                   175L * (c + 1), 100, false);
+    }
+  }
+}
+
 tp_status pile_assemble(block_pile *p, tp_message *message) {
   p->sections = calloc((size_t)p->count, sizeof *p->sections);
   p->given = calloc((size_t)p->count, sizeof *p->given);
@@ -61,6 +73,11 @@ tp_status pile_assemble(block_pile *p, tp_message *message) {
   const tp_status status = tp_assemblage_init(&p->assemblage, p->given, p->count, metres, message);
   fmpq_clear(metres);
   return status;
+}
+
+void pile_build(block_pile *p) {
+  tp_message message = {.text = ""};
+  ck_assert_msg(pile_assemble(p, &message) == TP_OK, "%s", message.text);
 }
 
 void pile_clear(block_pile *p) {

@@ -24,8 +24,12 @@ void pile_add(block_pile *pile, const long *corners, long count, long divisor, b
 /* A rectangle. */
 void pile_add_box(block_pile *pile, long left, long low, long right, long high, long divisor,
                   bool fixed);
-/* The status of its assemblage, in metres. */
+/* Walls of Ferris and Tin-Loi (2001): courses of bricks 4 by 1.75, half bricks at the ends of each
+ * other course, the lowest among them. */
+void pile_add_wall(block_pile *pile, int courses, int bricks);
+/* The status of its assemblage, in metres; of one that is to be had. */
 tp_status pile_assemble(block_pile *pile, tp_message *message);
+void pile_build(block_pile *pile);
 void pile_clear(block_pile *pile);
 
 /* By contact, to be freed: one tan(phi) for all. */

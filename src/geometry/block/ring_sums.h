@@ -19,6 +19,8 @@
 #ifndef TP_BLOCK_RING_SUMS_H
 #define TP_BLOCK_RING_SUMS_H
 
+#include "common/instructions.h"
+
 #include <arb.h>
 #include <flint/fmpz.h>
 #include <stdbool.h>
@@ -41,18 +43,6 @@ void tp_ring_sums_ball(arb_struct sums[TP_SUM_COUNT], const fmpz *x, const fmpz 
                        long bits);
 void tp_ring_sums_ball_first(arb_struct *sums, const fmpz *x, const fmpz *y, long count, long bits,
                              int sum_count);
-
-/* Which of the instruction sets of this machine; every one gives the same bits. */
-typedef enum tp_instructions {
-  TP_INSTRUCTIONS_BEST,
-  TP_INSTRUCTIONS_BASELINE,
-  TP_INSTRUCTIONS_AVX2, /* with FMA */
-  TP_INSTRUCTIONS_AVX512,
-  TP_INSTRUCTIONS_COUNT
-} tp_instructions;
-
-/* Can this machine run them? */
-bool tp_instructions_present(tp_instructions set);
 
 /* The most threads that sum one ring. */
 enum { TP_SUMS_THREADS = 16 };

@@ -13,9 +13,6 @@
 
 #ifdef __x86_64__
 #include <immintrin.h>
-#if __has_include(<sys/platform/x86.h>)
-#include <sys/platform/x86.h>
-#endif
 #endif
 
 /* The error-free transformations, and the same bits everywhere, need double to be double. */
@@ -191,37 +188,6 @@ join_lanes(double rows[TP_ROW_COUNT], const lane_rows *lanes, int sum_count, boo
 #endif
 #include "block/ring_sums_block_in.h"
 
-/* glibc has asked the processor at the start; the compiler's library would ask again, which takes
- * tens of microseconds on a virtual machine. */
-#ifdef CPU_FEATURE_ACTIVE
-#define HAS_AVX2 (CPU_FEATURE_ACTIVE(AVX2) && CPU_FEATURE_ACTIVE(FMA))
-#define HAS_AVX512 CPU_FEATURE_ACTIVE(AVX512F)
-#else
-#define HAS_AVX2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-#define HAS_AVX512 __builtin_cpu_supports("avx512f")
-#endif
-
-bool tp_instructions_present(tp_instructions set) {
-  switch (set) {
-  case TP_INSTRUCTIONS_BASELINE:
-    return true;
-#ifdef __x86_64__
-  case TP_INSTRUCTIONS_AVX2:
-    return HAS_AVX2;
-  case TP_INSTRUCTIONS_AVX512:
-    return HAS_AVX512;
-#endif
-  default:
-    return false;
-  }
-}
-
-static tp_instructions best_instructions(void) {
-  if (tp_instructions_present(TP_INSTRUCTIONS_AVX512)) return TP_INSTRUCTIONS_AVX512;
-  if (tp_instructions_present(TP_INSTRUCTIONS_AVX2)) return TP_INSTRUCTIONS_AVX2;
-  return TP_INSTRUCTIONS_BASELINE;
-}
-
 tp_ring_kernel tp_ring_kernel_choose(tp_sums_plan plan, bool pairs) {
   static const tp_ring_kernel kernels[][2][2] = {
       [TP_INSTRUCTIONS_BASELINE] = {{baseline_plain_area, baseline_plain_all},
@@ -232,7 +198,6 @@ tp_ring_kernel tp_ring_kernel_choose(tp_sums_plan plan, bool pairs) {
                                   {avx512_pair_area, avx512_pair_all}},
 #endif
   };
-  const tp_instructions set =
-      plan.instructions != TP_INSTRUCTIONS_BEST ? plan.instructions : best_instructions();
+  const tp_instructions set = tp_instructions_chosen(plan.instructions);
   return kernels[set][pairs][plan.sum_count == TP_SUM_COUNT];
 }

@@ -9,6 +9,7 @@
 #include "assemblage/exact_simplex.h"
 
 #include <arb.h>
+#include <flint/fmpq_vec.h>
 #include <math.h>
 
 static double rounded(const fmpq_t number, arf_rnd_t how) {
@@ -19,13 +20,6 @@ static double rounded(const fmpq_t number, arf_rnd_t how) {
   const double value = arf_get_d(own, how);
   arf_clear(own);
   return value;
-}
-
-static void dot(fmpq_t sum, const fmpq *one, const fmpq *other, long count) {
-  fmpq_zero(sum);
-  for (long k = 0; k < count; k++) {
-    if (!fmpq_is_zero(one + k)) fmpq_addmul(sum, one + k, other + k);
-  }
 }
 
 /* ---- proofs ------------------------------------------------------------------------------------
@@ -59,11 +53,11 @@ static bool bounds(double *bound, const tp_exact_program *p, const tp_exact_answ
   fmpq_init(live);
   fmpq_init(most);
   fmpq_init(own);
-  dot(live, x->multipliers, p->live, rows);
-  dot(most, x->multipliers, p->target, rows);
+  _fmpq_vec_dot(live, x->multipliers, p->live, rows);
+  _fmpq_vec_dot(most, x->multipliers, p->target, rows);
   bool proves = true;
   for (long k = 0; k < p->forces->count && proves; k++) {
-    dot(own, x->multipliers, p->columns + k * rows, rows);
+    _fmpq_vec_dot(own, x->multipliers, p->columns + k * rows, rows);
     if (fmpq_sgn(own) >= 0) continue;
     proves = p->most[k] != NULL;
     if (proves) fmpq_submul(most, own, p->most[k]);

@@ -64,11 +64,6 @@ static void difference(fmpq *to, const fmpz *coordinates, long from, long end) {
   fmpz_one(fmpq_denref(to));
 }
 
-static void dot(fmpq_t sum, const fmpq one[2], const fmpq other[2]) {
-  fmpq_mul(sum, one, other);
-  fmpq_addmul(sum, one + 1, other + 1);
-}
-
 static void frame_init(exact_frame *f, const tp_assemblage *a, long contact) {
   const tp_lattice *l = &a->lattice;
   const tp_block_contact *c = a->contacts + contact;
@@ -82,8 +77,8 @@ static void frame_init(exact_frame *f, const tp_assemblage *a, long contact) {
     difference(f->along + k, k == 0 ? l->x : l->y, c->along[0], c->along[1]);
     difference(ends + k, k == 0 ? l->x : l->y, c->ends[0], c->ends[1]);
   }
-  dot(&f->length, ends, f->along);
-  dot(&size, f->along, f->along);
+  _fmpq_vec_dot(&f->length, ends, f->along, 2);
+  _fmpq_vec_dot(&size, f->along, f->along, 2);
   fmpq_div(&f->length, &f->length, &size);
   fmpq_abs(&f->length, &f->length);
   for (int k = 0; k < 2; k++) fmpq_clear(ends + k);

@@ -39,17 +39,12 @@ static inline double sum_of(const double v[SUMS]) {
 #include "assemblage/front_in.h"
 
 const tp_front_kernel *tp_front_kernel_choose(tp_instructions instructions) {
+  static const tp_front_kernel *const kernels[] = {
+      [TP_INSTRUCTIONS_BASELINE] = &baseline_kernel,
 #ifdef __x86_64__
-  const bool best = instructions == TP_INSTRUCTIONS_BEST;
-  if (best ? tp_instructions_present(TP_INSTRUCTIONS_AVX512)
-           : instructions == TP_INSTRUCTIONS_AVX512) {
-    return &avx512_kernel;
-  }
-  if (best ? tp_instructions_present(TP_INSTRUCTIONS_AVX2) : instructions == TP_INSTRUCTIONS_AVX2) {
-    return &avx2_kernel;
-  }
-#else
-  (void)instructions;
+      [TP_INSTRUCTIONS_AVX2] = &avx2_kernel,
+      [TP_INSTRUCTIONS_AVX512] = &avx512_kernel,
 #endif
-  return &baseline_kernel;
+  };
+  return kernels[tp_instructions_chosen(instructions)];
 }

@@ -8,7 +8,7 @@
 #ifndef TP_ASSEMBLAGE_FRONT_H
 #define TP_ASSEMBLAGE_FRONT_H
 
-#include "block/ring_sums.h"
+#include "common/instructions.h"
 
 typedef struct tp_front_kernel {
   /* `columns`, rows x own, become those of the factor; `rest`, (rows - own) square, loses what they

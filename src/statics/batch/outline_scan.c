@@ -120,22 +120,14 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #include "batch/outline_scan_in.h"
 
 const tp_scan_kernel *tp_scan_kernel_choose(tp_instructions instructions) {
-  static const tp_scan_kernel baseline = {baseline_read, baseline_shift, baseline_turn};
+  static const tp_scan_kernel kernels[] = {
+      [TP_INSTRUCTIONS_BASELINE] = {baseline_read, baseline_shift, baseline_turn},
 #ifdef __x86_64__
-  static const tp_scan_kernel avx2 = {avx2_read, avx2_shift, avx2_turn};
-  static const tp_scan_kernel avx512 = {avx512_read, avx512_shift, avx512_turn};
-  const bool best = instructions == TP_INSTRUCTIONS_BEST;
-  if (best ? tp_instructions_present(TP_INSTRUCTIONS_AVX512)
-           : instructions == TP_INSTRUCTIONS_AVX512) {
-    return &avx512;
-  }
-  if (best ? tp_instructions_present(TP_INSTRUCTIONS_AVX2) : instructions == TP_INSTRUCTIONS_AVX2) {
-    return &avx2;
-  }
-#else
-  (void)instructions;
+      [TP_INSTRUCTIONS_AVX2] = {avx2_read, avx2_shift, avx2_turn},
+      [TP_INSTRUCTIONS_AVX512] = {avx512_read, avx512_shift, avx512_turn},
 #endif
-  return &baseline;
+  };
+  return kernels + tp_instructions_chosen(instructions);
 }
 
 bool tp_scan_read(tp_scan *scan, tp_workspace *workspace, tp_vertices vertices,

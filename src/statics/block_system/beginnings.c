@@ -7,11 +7,12 @@
 
 #include "block_system/beginnings.h"
 
-#include "block_system/collapse.h"
 #include "block_system/frictionless_blocks.h"
 #include "block_system/from_limit.h"
 #include "block_system/governing_case.h"
 #include "block_system/standing.h"
+#include "block_system/state_limits.h"
+#include "block_system/system_start.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -123,48 +124,6 @@ static tp_moving_range tilts(const beginnings *b) {
                            .step = step};
 }
 
-/* ---- the motion that is told -------------------------------------------------------------------
- */
-
-/* A point of a contact: within it, where both ends are closed. */
-static bool is_closed(const tp_resting_contact *c, const tp_lattice *l, tp_mode_set mode,
-                      long point) {
-  const bool first = (mode & tp_modes_closed(0)) != 0, second = (mode & tp_modes_closed(1)) != 0;
-  if (c->ends == 1 || tp_lattice_same_point(l, point, c->of.ends[0])) return first;
-  return tp_lattice_same_point(l, point, c->of.ends[1]) ? second : first && second;
-}
-
-static tp_touch_state state_of(const beginnings *b, long contact, int end) {
-  const tp_assemblage *a = b->resting.assemblage;
-  const long own = b->resting.pieces[contact].contact;
-  const tp_mode_set mode = b->moving.proven[own].mode;
-  const long point = a->contacts[contact].ends[end];
-  return !is_closed(b->resting.contacts + own, &a->lattice, mode, point) ? TP_TOUCH_OPENS
-         : (mode & TP_MODES_FORWARD) != 0                                ? TP_TOUCH_SLIPS_FORWARD
-         : (mode & TP_MODES_BACK) != 0                                   ? TP_TOUCH_SLIPS_BACK
-                                                                         : TP_TOUCH_STICKS;
-}
-
-static tp_status tell(beginnings *b, tp_message *message) {
-  tp_system_start *start = &b->own->start;
-  const tp_assemblage *a = &b->task->system->assemblage;
-  start->motions = calloc((size_t)a->count + 1, sizeof *start->motions);
-  start->touches = calloc((size_t)a->contact_count + 1, sizeof *start->touches);
-  if (start->motions == NULL || start->touches == NULL) {
-    return tp_fail_memory(message, "the motions");
-  }
-  start->motion_count = (size_t)a->count;
-  start->touch_count = (size_t)a->contact_count;
-  start->divisor = exp(b->moving.x);
-  start->tilt_angle_deg = b->own->tilt_angle_deg.value;
-  for (long k = 0; k < a->contact_count; k++) {
-    start->touches[k] = (tp_system_touch){state_of(b, k, 0), state_of(b, k, 1)};
-  }
-  for (long r = 0; r < b->resting.rows; r++) b->moving.accelerations[r] *= -1;
-  b->own->has_start = true;
-  return tp_collapse_motions(start->motions, a, b->moving.accelerations, message);
-}
-
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
@@ -213,7 +172,8 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
   tp_system_case *own = b->own;
   const bool moves = b->moving.x <= 0;
   tp_status status = TP_OK;
-  if (moves || !b->task->asks_factor) status = b->moving.found ? tell(b, message) : TP_OK;
+  if (moves || !b->task->asks_factor)
+    status = b->moving.found ? tp_system_start_set(own, &b->moving, message) : TP_OK;
   if (status != TP_OK || !b->task->asks_factor) return status;
   if (moves) status = tp_moving_least(&b->moving, &r, message);
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && own->sought == TP_SYSTEM_SOUGHT) {
@@ -226,7 +186,19 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
   own->has_moving_fos = b->moving.found;
   own->moving_fos = exp(b->moving.x);
   own->moving_fos_is_most = b->moving.x <= r.least;
-  return status == TP_OK && b->moving.found && !own->has_start ? tell(b, message) : status;
+  return status == TP_OK && b->moving.found && !own->has_start
+             ? tp_system_start_set(own, &b->moving, message)
+             : status;
+}
+
+/* Along another number than strength, with as much work. */
+static tp_status init_beside(tp_standing_search *s, beginnings *b, int by, tp_moving_state *state,
+                             tp_message *message) {
+  const tp_status status = tp_standing_init(s, &b->arranged, b->known + by, state, b, message);
+  s->loads_vary = true;
+  s->most_work = b->standing.most_work;
+  s->proof_work = b->proof_work;
+  return status;
 }
 
 static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *message) {
@@ -239,11 +211,8 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && runs_straight) {
     tp_standing_search s;
     double standing = 0;
-    status = tp_standing_init(&s, &b->arranged, b->known + BY_TILT, state_at_tilt, b, message);
+    status = init_beside(&s, b, BY_TILT, state_at_tilt, message);
     if (status != TP_OK) return status;
-    s.loads_vary = true;
-    s.most_work = b->standing.most_work;
-    s.proof_work = b->proof_work;
     status = stand_to_limit(&standing, m, &s, &r, message);
     own->has_standing_angle = true;
     own->standing_angle_deg = standing;
@@ -268,12 +237,8 @@ static tp_status search_driving(beginnings *b, tp_message *message) {
   const bool bounded = own->fos_driving.state == TP_FOS_NUMBER;
   const double limit = bounded ? own->fos_driving.value.value : TP_MOST_FACTOR;
   tp_standing_search s;
-  tp_status status =
-      tp_standing_init(&s, &b->arranged, b->known + BY_DRIVING, state_at_driving, b, message);
+  tp_status status = init_beside(&s, b, BY_DRIVING, state_at_driving, message);
   if (status != TP_OK) return status;
-  s.loads_vary = true;
-  s.most_work = b->standing.most_work;
-  s.proof_work = b->proof_work;
   status = tp_standing_extend(&own->standing_fos_driving, &s, 1, fmin(limit, TP_MOST_FACTOR), width,
                               message);
   own->has_standing_fos_driving = status == TP_OK;
@@ -296,7 +261,8 @@ static tp_status search_both(beginnings *b, tp_message *message) {
 /* Where no forces hold the blocks, by which motion they go. */
 static tp_status search_collapse(beginnings *b, tp_message *message) {
   const tp_status status = tp_moving_try(&b->moving, 0, true, message);
-  return status == TP_OK && b->moving.found ? tell(b, message) : status;
+  return status == TP_OK && b->moving.found ? tp_system_start_set(b->own, &b->moving, message)
+                                            : status;
 }
 
 static tp_status search(beginnings *b, tp_message *message) {
