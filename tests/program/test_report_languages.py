@@ -187,7 +187,7 @@ class Languages(unittest.TestCase):
     def outside(self, scene):
         text = scene.read_text(encoding="utf-8")
         columns = {"ground", *(f"column {k}" for k in range(1, 20))} if re.search("(?m)^(?:columns|jointed_slope):", text) else set()
-        return columns | set(re.findall(r"(?m)^(?:title|  - name): (.*)$", text)) | set(re.findall(r"\{name: ([^,}]*)", text))
+        return {str(ROOT)} | columns | set(re.findall(r"(?m)^(?:title|  - name): (.*)$", text)) | set(re.findall(r"\{name: ([^,}]*)", text))
 
     def test_no_english_is_left(self):
         """Of all examples, and of scenes whose sentences no example has, the whole sheet."""
