@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The factor of safety that governs a case, over the ways in which the block can move, each by the
- * definition that its way has in practice. Included by topple.h.
+/* The factor of safety that governs a case. Included by topple.h.
  *
- * Where it turns about a point, moments; where it slides, shear strength. The two agree on what
- * fails (both are 1 at the limit of their way) and on nothing else: a slender column has a factor
- * of 2 against toppling and of 70 against sliding.
+ * There are two factors of the onset of motion (topple_onset.h), each the greatest up to which no
+ * motion can begin: on driving loads, by which the loads that drive the block are multiplied, and
+ * by strength reduction, by which all strength is divided. The lesser governs. It is below 1
+ * exactly where a motion can begin at the scene's tilt, and passes 1 without a leap. Of a block
+ * that moves the factor by strength counts only where strength decides when the motion begins.
  *
- * The factor that governs is below 1 exactly where a motion can begin at the scene's tilt
- * (topple_onset.h), and passes 1 without a leap. Where none can begin, it is the least of those
- * that count. Where one can, what would stop it counts: of the ways that can begin the least
- * factor, or that by strength, whichever lies nearer to 1; where neither would, a lesser tilt. */
+ * The formulas of the field, moments about a pivot (Eq. 2) and shear strength over shear force, are
+ * those two factors of one mechanism. They are listed, and count where that mechanism is the one
+ * that begins; else contact forces or other mechanisms prevent it. */
 
 #ifndef TOPPLE_GOVERNING_H
 #define TOPPLE_GOVERNING_H
@@ -31,13 +31,11 @@ typedef enum tp_fos_definition {
                           tan(phi + i) / tan(tilt) */
   TP_FOS_BY_REDUCTION, /* the divisor of all strength at which a motion can just begin, or, where
                           more strength lets one begin, its multiple: tp_onset.fos */
-  TP_FOS_BY_TILT,      /* tan(tilt at which motions begin) / tan(tilt); where they end as the tilt
-                          rises, the inverse. Where strength decides nothing */
-  TP_FOS_BY_DRIVING    /* of many blocks: the multiple of what drives that can just be held
-                          (topple_block_system.h) */
+  TP_FOS_BY_DRIVING    /* the multiple of the driving loads at which a motion can just begin:
+                          tp_onset.fos_driving, topple_block_system.h */
 } tp_fos_definition;
 
-/* moments, shear strength, shear strength with roughness, strength reduction, or tilt. */
+/* moments, shear strength, shear strength with roughness, strength reduction, or driving loads. */
 const char *tp_fos_definition_name(tp_fos_definition definition);
 
 /* Does the factor of a way count? */
@@ -47,10 +45,11 @@ typedef enum tp_factor_standing {
   TP_FACTOR_PREVENTED, /* no: contact forces prevent this motion where the factor is 1, or below */
   TP_FACTOR_UNEVEN,    /* no: facets along which it would slide differ in friction, and how they
                           share the load is not given; by strength they count as they are */
-  TP_FACTOR_SMOOTH     /* no: there is no shear strength to divide */
+  TP_FACTOR_SMOOTH,    /* no: there is no shear strength to divide */
+  TP_FACTOR_UNAFFECTED /* no: a change of strength does not decide when the motion begins */
 } tp_factor_standing;
 
-/* counts, blocked, prevented, uneven or smooth. */
+/* counts, blocked, prevented, uneven, smooth or unaffected. */
 const char *tp_factor_standing_name(tp_factor_standing standing);
 
 /* The factor against one way to move. */
@@ -65,9 +64,9 @@ typedef struct tp_factor {
   bool raised; /* by strength: more of it lets a motion begin, or less would stop it */
 } tp_factor;
 
-/* How many there are. Of one block there is one by each of the first five at most, and one by
- * moments that does not count. */
-enum { TP_FOS_DEFINITIONS = 6, TP_FACTORS_MAX = 6 };
+/* How many there are. Of one block there is one by each at most, and one by moments that does not
+ * count. */
+enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = 6 };
 
 /* Has a case the factor of safety that is required? Open: undecided. */
 typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
@@ -88,11 +87,13 @@ typedef struct tp_governing_fos {
                                     factors E_d / R_d */
   bool tie;    /* one against another mechanism is the same, as far as their bounds decide */
   bool up_dip; /* none: at this tilt it fails up-dip */
-  bool beyond; /* none: it fails at a lower tilt, though forces would hold it at this one */
+  bool beyond; /* none: a motion can begin even without driving loads */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */
   tp_factor factors[TP_FACTORS_MAX]; /* those that there are */
+  double least, most; /* proven bounds of the factor, also where `fos` is undecided: 0 and infinite
+                         where nothing is known, both infinite where it is unbounded */
 } tp_governing_fos;
 
 #ifdef __cplusplus

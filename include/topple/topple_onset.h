@@ -139,6 +139,14 @@ typedef struct tp_onset {
                  strength. That no change lies nearer is searched, not proven */
   bool fos_raised;            /* what changes it is more strength, not less */
   tp_mechanism fos_mechanism; /* what begins, or ends, there */
+  tp_fos fos_driving; /* by which the loads that drive the block down-dip have to be multiplied
+                         until a motion can begin, while those that rest on the base stay: above 1
+                         where none can begin at the scene's tilt, unbounded where none begins at
+                         any multiple; below 1 where one can begin, TP_FOS_UNDEFINED where one can
+                         even without driving loads. For the weight alone tan(onset) / tan(tilt) */
+  tp_mechanism fos_driving_mechanism; /* if fos_driving.state == TP_FOS_NUMBER: what begins there */
+  bool has_driving_centre;            /* it turns: */
+  tp_bounded driving_centre_x_m, driving_centre_y_m; /* if has_driving_centre: about this point */
 } tp_onset;
 
 #ifdef __cplusplus

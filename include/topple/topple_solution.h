@@ -180,9 +180,9 @@ typedef struct tp_case {
   tp_bounded steepen_by_deg; /* if may_steepen: after so much, */
   tp_bounded steepen_to_deg; /* if may_steepen: at that dip, or tilt */
   tp_limit_balance balance;  /* of `limit` */
-  bool has_tilt_of_factor;   /* one of the factors is by the tilt (TP_FOS_BY_TILT): */
-  tp_bounded tilt_of_factor_deg; /* if has_tilt_of_factor: of that tilt, at which motions begin, or
-                                    end */
+  bool has_tilt_of_factor; /* the factor on driving loads is that of two tilts, of the weight alone:
+                            */
+  tp_bounded tilt_of_factor_deg; /* if has_tilt_of_factor: at which the motion begins */
 } tp_case;
 
 /* Bolts of one entry of the scene's anchors, or a pressure of a support, as the scene

@@ -10,7 +10,7 @@ import statistics
 from harness import main, run
 from study_case import STUDIES, StudyCase, slab
 
-DEFINITIONS = ("moments", "shear strength", "shear strength with roughness", "strength reduction", "tilt", "driving loads")
+DEFINITIONS = ("moments", "shear strength", "shear strength with roughness", "strength reduction", "driving loads")
 
 
 def quantile(values, probability):

@@ -110,7 +110,10 @@ static bool compare_factor(const tp_case_told_at *at, const tp_case *c) {
   ck_assert_int_eq(at->fos.state, g->fos.state);
   if (at->fos.state == TP_FOS_NUMBER) meets(at->fos.value, g->fos.value, "the factor");
   ck_assert_int_eq(at->fos_definition, g->factors[g->factor].definition);
-  ck_assert_int_eq(at->fos_mechanism, g->factors[g->factor].mechanism);
+  ck_assert_msg(at->fos_mechanism == g->factors[g->factor].mechanism, "%s, not %s: %s, %.9g",
+                tp_mechanism_name(at->fos_mechanism),
+                tp_mechanism_name(g->factors[g->factor].mechanism),
+                tp_fos_definition_name(at->fos_definition), g->fos.value.value);
   ck_assert(g->complete);
   return true;
 }

@@ -3,7 +3,9 @@
 
 /* The law of the factor that governs, over random scenes with all effects, at tilts of a sweep and
  * on both sides of every tilt at which motions begin or end: it is below 1 exactly where a motion
- * can begin at the tilt, it names a motion that can begin there, and it passes 1 without a leap.
+ * can begin at the tilt, it names a motion that can begin there, and it passes 1 without a leap
+ * where motions begin as the tilt rises. Where they end more load would stop them, which is no
+ * factor of safety.
  * The verdict, the windows and the motions are found by other rooms than the factor.
  */
 
@@ -129,15 +131,16 @@ static beside look(counts *seen, random_scene *scene, size_t number, double tilt
   return at;
 }
 
-/* Where motions begin or end, so that the verdict differs on both sides, the factor comes to 1 as
+/* Where motions begin, so that the verdict differs on both sides, the factor comes to 1 as
  * the tilt does: a hundredth of the way leaves less than a third of the distance, where any is left
  * to speak of. */
-static void claim_end(counts *seen, random_scene *scene, size_t number, double end) {
+static void claim_end(counts *seen, random_scene *scene, size_t number, double end, bool leaps) {
   static const double far = 1e-3, near = 1e-5, nothing = 0.01, part = 0.3, upright = 89.9;
   if (!(end > 2 * far && end < upright)) return;
   const beside below = look(seen, scene, number, end - near);
   const beside above = look(seen, scene, number, end + near);
-  if (below.stands == above.stands || isnan(below.distance) || isnan(above.distance)) return;
+  if (!leaps || below.stands == above.stands || isnan(below.distance) || isnan(above.distance))
+    return;
   for (int side = -1; side <= 1; side += 2) {
     const beside *own = side < 0 ? &below : &above;
     const beside farther = look(seen, scene, number, end + side * far);
@@ -192,8 +195,8 @@ static void claim_scene(counts *seen, random_numbers *state) {
     const tp_onset *onset = &first->cases[n].onset;
     for (size_t w = 0; w < onset->window_count && !first->friction_is_residual; w++) {
       const tp_window *own = onset->windows + w;
-      if (!own->from_below) claim_end(seen, &scene, n, own->from_deg.value);
-      if (!own->to_above) claim_end(seen, &scene, n, own->to_deg.value);
+      if (!own->from_below) claim_end(seen, &scene, n, own->from_deg.value, true);
+      if (!own->to_above) claim_end(seen, &scene, n, own->to_deg.value, false);
     }
   }
   for (int k = 0; first != NULL && k < SWEEP; k++) {

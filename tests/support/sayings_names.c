@@ -28,13 +28,13 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_LEVELS; k++) note_text(s, tp_level_name((tp_level)k));
   for (int k = 0; k <= TP_CAUTION + 1; k++) note_text(s, tp_note_kind_name((tp_note_kind)k));
   for (int k = 0; k <= TP_VERDICTS; k++) note_text(s, tp_verdict_name((tp_verdict)k));
-  for (int k = 0; k <= TP_FOS_BY_TILT + 1; k++) {
+  for (int k = 0; k <= TP_FOS_BY_DRIVING + 1; k++) {
     note_text(s, tp_fos_definition_name((tp_fos_definition)k));
   }
   for (int k = 0; k <= TP_BATCH_STANDINGS; k++) {
     note_text(s, tp_batch_standing_name((tp_batch_standing)k));
   }
-  for (int k = 0; k <= TP_FACTOR_SMOOTH + 1; k++) {
+  for (int k = 0; k <= TP_FACTOR_UNAFFECTED + 1; k++) {
     note_text(s, tp_factor_standing_name((tp_factor_standing)k));
   }
   for (int k = 0; k <= TP_MECHANISM_UNDECIDED + 1; k++) {

@@ -193,7 +193,7 @@ def write_c(sources, tables):
     shown += "".join(Columns(records).functions(name) for name in written if records.heads[name].layout == "csv")
     early = "".join(f"static void members_of_{name}(tp_json *, const {records.heads[name].value} *, tp_json_subject *);\n" for name in written)
     code, declarations = map(pathlib.Path, sources.split(","))
-    code.write_text(f"{MADE}#include \"report/results.h\"\n\n{early}\n{static}{shown}", encoding="utf-8")
+    code.write_text(f"{MADE}#include \"report/results.h\"\n\n#include <math.h>\n\n{early}\n{static}{shown}", encoding="utf-8")
     declared = "".join(f"{head};\n" for head in re.findall(r"^(\w[^{}]*\)) \{$", shown, re.MULTILINE))
     guard = "TP_RESULTS_JSON_H"
     declarations.write_text(f"{MADE}#ifndef {guard}\n#define {guard}\n\n#include \"report/row.h\"\n\n{declared}\n#endif\n", encoding="utf-8")

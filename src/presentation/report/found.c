@@ -38,7 +38,6 @@ static bool governs(const tp_governing_fos *g, tp_find_target target) {
     return target == TP_FIND_SLIDING_FOS;
   case TP_FOS_BY_REDUCTION:
     return target == TP_FIND_LIMIT_FOS;
-  case TP_FOS_BY_TILT:
   case TP_FOS_BY_DRIVING:
     break;
   }

@@ -9,6 +9,7 @@
 #include "report/parts_json.h"
 #include "report/words.h"
 
+#include <math.h>
 #include <stdio.h>
 
 void tp_text_against(tp_text *t, const tp_factor *factor) {
@@ -47,7 +48,7 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
     if (g->up_dip) {
       tp_text_add(t, "No FoS: at this tilt it fails up-dip");
     } else if (g->beyond) {
-      tp_text_add(t, "No FoS: it already fails at a lower tilt");
+      tp_text_add(t, "No FoS: a motion can begin even without driving loads");
     } else {
       tp_text_add(t, "No FoS");
       add_way(t, g);
@@ -56,6 +57,10 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
     return;
   case TP_FOS_UNDECIDED:
     tp_text_add(t, "FoS undecided at the precision allowed");
+    if (g->least > 0)
+      tp_text_add(t, ", at least %s", tp_text_fixed(n, (tp_bounded){.value = g->least}, 3));
+    if (isfinite(g->most))
+      tp_text_add(t, ", at most %s", tp_text_fixed(n, (tp_bounded){.value = g->most}, 3));
     return;
   case TP_FOS_NOT_ASKED:
     tp_text_add(t, "No FoS: turning is blocked about every pivot");
@@ -98,10 +103,9 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
     if (!factor->raised) return "strength reduction, by contact forces";
     return factor->fos.value.value < 1 ? "strength reduction: with less it would stand"
                                        : "strength raised: with more it can move";
-  case TP_FOS_BY_TILT:
-    return "tilt: tan α of the onset over tan α";
-  case TP_FOS_BY_DRIVING: /* of many blocks */
-    break;
+  case TP_FOS_BY_DRIVING:
+    return loaded ? "driving loads, by contact forces"
+                  : "driving loads: tan α_s/tan α, by contact forces";
   }
   return "";
 }
@@ -116,6 +120,8 @@ const char *tp_text_standing(tp_factor_standing standing) {
     return "its facets differ in friction";
   case TP_FACTOR_SMOOTH:
     return "no friction to reduce";
+  case TP_FACTOR_UNAFFECTED:
+    return "strength does not decide when it begins";
   case TP_FACTOR_COUNTS:
     break;
   }

@@ -91,6 +91,8 @@ const char *tp_text_sliding_method(const tp_solution *solution);
 
 /* What a factor by strength reduction is that is no number above 0; else NULL. */
 const char *tp_text_reduction(tp_fos fos);
+/* The same of a factor on driving loads. */
+const char *tp_text_driving(tp_fos fos);
 
 /* Why there is no governing factor, where more is known of that than a factor tells, else NULL; and
  * what the factor is, which is no number above 0, else NULL. */

@@ -51,10 +51,8 @@ static const char *definition_words(const tp_factor *factor, bool loaded) {
                ? "the factor by which all strength is multiplied until a "
                  "motion can just begin, or divided until none can"
                : "the factor by which all strength is divided until a motion can just begin";
-  case TP_FOS_BY_TILT:
-    return "tan of the tilt at which motions begin, or end, over tan α";
-  case TP_FOS_BY_DRIVING: /* of many blocks */
-    break;
+  case TP_FOS_BY_DRIVING:
+    return "the factor by which the driving loads are multiplied until a motion can just begin";
   }
   return "";
 }
@@ -64,12 +62,12 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   if (g->fos.state == TP_FOS_NO_TILT || g->factor_count == 0) return;
   tp_document_heading(d, 3, "Factors of safety");
-  tp_document_add(
-      d, TP_PASSAGE_PARAGRAPH,
-      "The governing factor is below 1 exactly where a motion can begin at the tilt. For a "
-      "block that stands it is the least of the factors that count, each by the "
-      "definition usual for its mode of failure; for a block that moves it is the least factor "
-      "of the modes that can begin, or that by strength reduction, whichever is nearer to 1.");
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The governing factor is the lesser of two: on driving loads and by strength "
+                  "reduction, each up "
+                  "to the first motion that can begin. It is below 1 exactly where a motion can "
+                  "begin at the tilt. "
+                  "Formulas of other motions are listed for comparison.");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2, "Factors of safety, the governing one marked");
   tp_document_cell(d, "Against");
   tp_document_cell(d, "FoS");

@@ -198,27 +198,35 @@ static void add_reduction(tp_sheet *s, const tp_case *c) {
       tp_text_significant((char[TP_NUMBER_SIZE]){0}, angle_of(reduced(f, design_friction(s))), 12));
 }
 
-/* ---- by the tilt -------------------------------------------------------------------------------
+/* ---- on driving loads --------------------------------------------------------------------------
  */
 
-static void add_tilt(tp_sheet *s, const tp_case *c) {
-  const tp_factor *f = find(c, TP_FOS_BY_TILT);
-  if (f == NULL || !c->has_tilt_of_factor) return;
-  const tp_bounded end = c->tilt_of_factor_deg, tilt = s->solution->tilt_angle_deg;
-  const bool over = (f->fos.value.value >= 1) == (end.value >= tilt.value);
-  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
-                  "Factor of safety by the tilt: of the tilt α_0 = %s at which motions begin, or "
-                  "end, and the tilt α.",
-                  tp_sheet_angle(end).text);
+static void add_driving(tp_sheet *s, const tp_case *c) {
+  const tp_factor *f = find(c, TP_FOS_BY_DRIVING);
+  if (f == NULL || f->fos.state != TP_FOS_NUMBER) return;
+  if (!c->has_tilt_of_factor) {
+    tp_document_add(
+        &s->document, TP_PASSAGE_PARAGRAPH,
+        "Factor of safety on driving loads: the first motion begins where the loads that "
+        "drive the block are multiplied by FoS = %s, while those that rest on the base "
+        "stay.",
+        tp_sheet_factor(f->fos.value).text);
+    return;
+  }
   tp_document_add(
-      &s->document, TP_PASSAGE_EQUATION,
-      over ? "\\text{FoS} = \\frac{\\tan α_0}{\\tan α} = \\frac{\\tan %s}{\\tan %s} = %s"
-           : "\\text{FoS} = \\frac{\\tan α}{\\tan α_0} = \\frac{\\tan %2$s}{\\tan %1$s} = %3$s",
-      tp_sheet_angle(end).text, tp_sheet_angle(tilt).text, tp_sheet_factor(f->fos.value).text);
+      &s->document, TP_PASSAGE_PARAGRAPH,
+      "Factor of safety on driving loads: of the tilt α_s = %s at which the motion begins, "
+      "and the tilt α.",
+      tp_sheet_angle(c->tilt_of_factor_deg).text);
+  tp_document_add(&s->document, TP_PASSAGE_EQUATION,
+                  "\\text{FoS} = \\frac{\\tan α_s}{\\tan α} = \\frac{\\tan %s}{\\tan %s} = %s",
+                  tp_sheet_angle(c->tilt_of_factor_deg).text,
+                  tp_sheet_angle(s->solution->tilt_angle_deg).text,
+                  tp_sheet_factor(f->fos.value).text);
 }
 
 void tp_sheet_add_strength_formulas(tp_sheet *s, const tp_case *c) {
   if (!s->solution->has_tilt_angle) return;
   add_reduction(s, c);
-  add_tilt(s, c);
+  add_driving(s, c);
 }

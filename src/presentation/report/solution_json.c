@@ -95,9 +95,14 @@ const char *tp_text_reduction(tp_fos fos) {
                                        : tp_text_fos(fos);
 }
 
+const char *tp_text_driving(tp_fos fos) {
+  return fos.state == TP_FOS_UNDEFINED ? "none: a motion can begin even without driving loads"
+                                       : tp_text_fos(fos);
+}
+
 const char *tp_text_no_factor(const tp_governing_fos *g) {
   if (g->up_dip) return "none: at this tilt it fails up-dip";
-  if (g->beyond) return "none: it already fails at a lower tilt";
+  if (g->beyond) return "none: a motion can begin even without driving loads";
   if (g->fos.state == TP_FOS_NO_TILT) return "none: the scene gives no tilt";
   if (g->fos.state == TP_FOS_NOT_ASKED) return "none: turning is blocked about every pivot";
   return NULL;

@@ -236,7 +236,8 @@ bool tp_block_filter_init(tp_case_filter *f, const tp_block_underside *u, tp_dir
   const int facets = u->count - 1;
   if (facets < 1 || facets > TP_REST_FACETS) return false;
   f->shape.gyration = u->gyration;
-  f->varies = false;
+  f->varies = f->rests = false;
+  f->variable_count = 0;
   f->loads = (tp_load_plan){.called_for = false};
   f->capacities.acts = false;
   f->rest.count = 0;

@@ -36,9 +36,11 @@ typedef struct tp_case_filter {
   tp_case_shape shape;  /* of the scene as it is */
   tp_contact_rest rest; /* points that the plan leaves out */
   tp_near tilt_deg;     /* of the scene as it is, its dip included */
+  bool rests;           /* the state without the earthquake counts, too */
   tp_load_plan loads;
   tp_capacity_plan capacities;
-  bool varies; /* the block does, by this map: */
+  size_t variable_count; /* by which the block varies */
+  bool varies;           /* it does, by this map: */
   tp_outline_map map;
   int pivot_count, facet_count;
   tp_filter_pivot pivots[TP_PLAN_POINTS];
@@ -63,6 +65,8 @@ typedef struct tp_case_sample {
 /* At any tilt. */
 typedef struct tp_case_told {
   const tp_case_filter *filter;
+  tp_case_sample sample; /* of which this is, with these variables */
+  tp_near variables[TP_AFFINE_VARIABLES];
   tp_filter_case of; /* the filter's shape, or this: */
   tp_case_shape own;
   tp_filter_loads loads;

@@ -30,11 +30,21 @@ typedef enum tp_load_number {
   TP_LOAD_NUMBERS
 } tp_load_number;
 
+/* On which side a load counts as driving loads are multiplied (onset/onset_driving.c). */
+typedef enum tp_filter_side {
+  TP_FILTER_GRAVITY,    /* by its components along the base and across */
+  TP_FILTER_EARTHQUAKE, /* it drives */
+  TP_FILTER_WATER,      /* all of it as one, by its direction */
+  TP_FILTER_PUSH,       /* by its direction */
+  TP_FILTER_SUPPORT     /* it rests, or, active, is taken from what drives */
+} tp_filter_side;
+
 /* Anchors and supports: what an `active` one holds back is taken from what overturns, what a
  * `passive` one does is resistance (load/loads.h). */
 typedef struct tp_filter_load {
   tp_near at[3], rise[3], fixed[3];
   bool active, passive;
+  tp_filter_side side;
 } tp_filter_load;
 
 typedef struct tp_filter_loads {

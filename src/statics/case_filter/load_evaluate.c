@@ -15,6 +15,7 @@ static bool add_earthquake(tp_filter_loads *loads, tp_near horizontal, tp_near v
   const tp_filter_load own = {
       .at = {horizontal, tp_near_neg(vertical), zero},
       .rise = {tp_near_neg(vertical), tp_near_neg(horizontal), zero},
+      .side = TP_FILTER_EARTHQUAKE,
   };
   return tp_filter_loads_add(loads, &own);
 }
@@ -36,13 +37,15 @@ static bool add_water(tp_filter_loads *loads, const tp_load_plan *plan,
   const tp_near push = tp_near_times(head, height);
   const tp_near over = tp_near_plus(plan->heel_y, tp_near_div(height, three));
   const tp_filter_load face = {
-      .at = {push, zero, in_units(tp_near_neg(tp_near_times(over, push)), plan)}};
+      .at = {push, zero, in_units(tp_near_neg(tp_near_times(over, push)), plan)},
+      .side = TP_FILTER_WATER};
   if (!tp_filter_loads_add(loads, &face)) return false;
   if (!plan->lifts) return true;
   const tp_near lift = tp_near_times(head, plan->joint);
   const tp_near x = tp_near_minus(plan->heel_x, tp_near_div(plan->joint, three));
   const tp_filter_load uplift = {
-      .at = {zero, tp_near_neg(lift), in_units(tp_near_neg(tp_near_times(x, lift)), plan)}};
+      .at = {zero, tp_near_neg(lift), in_units(tp_near_neg(tp_near_times(x, lift)), plan)},
+      .side = TP_FILTER_WATER};
   return tp_filter_loads_add(loads, &uplift);
 }
 

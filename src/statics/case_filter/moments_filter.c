@@ -4,7 +4,7 @@
 /* Moments about a pivot, over the weight and cos(tilt): of the weight alone by its arms, x / y over
  * tan(tilt) (docs/mechanics.md section 3); of loads what stabilises over what overturns, each with
  * the sign of its moment, but what an active one holds back is taken from what overturns (section
- * 5). Which motion turns about the pivot is told by the modes. */
+ * 5). */
 
 #include "case_filter/moments_filter.h"
 
@@ -34,33 +34,6 @@ bool tp_filter_turns(tp_filter_turning *turning, const tp_filter_case *of,
   if (tp_near_sign(moment.level) <= 0 || tp_near_sign(moment.rise) >= 0) return false;
   *turning = (tp_filter_turning){false, tp_near_div(moment.level, tp_near_neg(moment.rise))};
   return true;
-}
-
-/* Does a mode turn about the point: sticking there, or slipping there alone? */
-static bool turns_about(const tp_contact_plan *plan, const tp_plan_mode *mode, long point) {
-  const long site = plan->points[point].site;
-  bool alone = mode->mechanism != TP_SLIDES && mode->edge_count > 0;
-  for (int k = 0; k < mode->edge_count; k++) {
-    alone = alone && plan->points[mode->edges[k].point].site == site;
-  }
-  const tp_plan_ray *ray = plan->rays + mode->rays[0];
-  const bool sticks = mode->mechanism == TP_TOPPLES && mode->ray_count == 1 &&
-                      ray->kind == TP_RAY_TURNS && plan->points[ray->point].site == site;
-  return alone || sticks;
-}
-
-/* How it can begin to turn about the pivot, if it can: sticking there, or else slipping. */
-static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *pivot,
-                               tp_near tangent) {
-  const tp_contact_plan *plan = &told->filter->plan;
-  tp_mechanism found = TP_MECHANISM_UNDECIDED;
-  for (int k = 0; k < plan->mode_count && found != TP_TOPPLES; k++) {
-    if (turns_about(plan, plan->modes + k, pivot->point) &&
-        tp_filter_holds(&told->onset.modes[k].with_rays, tangent)) {
-      found = plan->modes[k].mechanism;
-    }
-  }
-  return found;
 }
 
 /* What holds and what drives, by sums of moments. */
@@ -116,17 +89,10 @@ static tp_fos_told by_arms(const tp_tilt_form *moment, tp_near tangent) {
 
 bool tp_moments_filter(tp_filter_way *way, const tp_case_told *told, const tp_filter_state *s,
                        const tp_filter_pivot *pivot) {
-  tp_filter_turning turning;
   tp_tilt_form moment;
-  if (!tp_filter_turns(&turning, &told->of, pivot)) return false;
   moment_of_all(&moment, &told->of, pivot);
-  const tp_mechanism turn = s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
-  const bool begins = turn != TP_MECHANISM_UNDECIDED;
   *way = (tp_filter_way){.fos = by_arms(&moment, s->tangent),
-                         .has_critical = !turning.never,
-                         .critical = turning.tangent,
-                         .begins = begins,
                          .definition = TP_FOS_BY_MOMENTS,
-                         .mechanism = begins ? turn : TP_TOPPLES};
+                         .mechanism = TP_TOPPLES};
   return !told->of.loads->called_for || balance_of(&way->fos, &told->of, pivot, s->tangent);
 }

@@ -11,6 +11,7 @@
 #include "number/ball.h"
 #include "onset/onset_question.h"
 #include "stability/solution.h"
+#include "stability/static_state.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -158,6 +159,8 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
   const slong unit = unit_of(&asked.cones);
   set_shape(&f->shape, &asked, unit);
   f->varies = count > 0;
+  f->variable_count = count;
+  f->rests = tp_static_state_counts(problem->scene);
   *fits = tp_load_plan_init(&f->loads, e, &asked, towards, unit) &&
           tp_capacity_plan_init(&f->capacities, e, &asked, &f->plan, f->varies);
   tp_onset_asked_clear(&asked);

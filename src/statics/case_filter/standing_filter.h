@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Does the factor of a way to move count (stability/governing_factors.h), in doubles with bounds?
+/* The state of a block at its tilt, and the factor against one way to move, in doubles with bounds.
  */
 
 #ifndef TP_CASE_FILTER_STANDING_FILTER_H
@@ -20,9 +20,6 @@ typedef struct tp_filter_state {
 /* A factor against one way to move. */
 typedef struct tp_filter_way {
   tp_fos_told fos;
-  bool has_critical; /* it is 1 at a tilt, */
-  tp_near critical;  /* with this tangent */
-  bool begins;       /* its motion can at the block's own */
   tp_fos_definition definition;
   tp_mechanism mechanism;
 } tp_filter_way;
@@ -33,15 +30,11 @@ typedef enum tp_filter_standing {
   TP_FILTER_OPEN /* doubles do not tell */
 } tp_filter_standing;
 
-/* By its side of 1, and whether its motion can begin. */
-tp_filter_standing tp_standing_filter(const tp_case_told *told, const tp_filter_state *state,
-                                      const tp_filter_way *way);
-
 /* Does the interval hold the tangent for certain? */
 bool tp_filter_holds(const tp_near_interval *interval, tp_near tangent);
 
 /* Can motions begin at all tilts from a critical one up to the block's? */
-tp_filter_standing tp_filter_begins_from(const tp_case_told *told, tp_near critical,
+tp_filter_standing tp_filter_begins_from(const tp_onset_filter *onset, tp_near critical,
                                          tp_near tangent);
 
 #endif

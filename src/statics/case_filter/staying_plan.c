@@ -31,6 +31,20 @@ static bool stays(const tp_load *load, const tp_loads_description *loads) {
   return false;
 }
 
+static tp_filter_side side_of(const tp_load *load) {
+  switch (load->kind) {
+  case TP_LOAD_WATER:
+  case TP_LOAD_UPLIFT:
+  case TP_LOAD_ICE:
+    return TP_FILTER_WATER;
+  case TP_LOAD_SUPPORT:
+  case TP_LOAD_ANCHOR:
+    return TP_FILTER_SUPPORT;
+  default:
+    return TP_FILTER_PUSH;
+  }
+}
+
 static tp_load_number with_of(const tp_load *load, const tp_loads_description *loads) {
   const bool is_water = load->kind == TP_LOAD_WATER || load->kind == TP_LOAD_UPLIFT;
   const bool is_first = load->kind == TP_LOAD_ANCHOR && load->anchor == loads->anchors;
@@ -51,8 +65,9 @@ static bool plan_load(tp_staying_load *own, const tp_load *load, const tp_loads_
   arb_init(share);
   tp_wrench_moment(&moment, w, centroid_x, centroid_y, BITS);
   parts[2] = &moment;
-  *own = (tp_staying_load){.load = {.active = load->active, .passive = load->passive},
-                           .with = with_of(load, loads)};
+  *own = (tp_staying_load){
+      .load = {.active = load->active, .passive = load->passive, .side = side_of(load)},
+      .with = with_of(load, loads)};
   for (int k = 0; k < 3; k++) {
     for (int part = 0; part < TP_BASIS; part++) {
       is_fixed = is_fixed && (part == TP_ONE || arb_is_zero(parts[k]->of + part));

@@ -107,6 +107,8 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   tp_near_outline outline;
   outline.x[0] = outline.y[0] = level;
   told->filter = f;
+  told->sample = *sample;
+  for (size_t k = 0; k < f->variable_count; k++) told->variables[k] = sample->variables[k];
   told->of.plan = &f->plan;
   told->of.rest = &f->rest;
   told->of.loads = &told->loads;
@@ -164,13 +166,44 @@ static bool tell_at(tp_mechanism *mechanism, tp_filter_state *state, const tp_ca
          tell_mechanism(mechanism, state, told, tangent);
 }
 
+/* ---- without the earthquake --------------------------------------------------------------------
+ */
+
+/* The state without the earthquake, where that counts and is not certainly the safer one of a block
+ * that stands, is left to a solve; so is an earthquake whose sign makes it count. */
+static bool is_safer_at_rest(const tp_case_told *told, tp_mechanism mechanism,
+                             const tp_fos_told *fos, tp_near tilt_deg) {
+  static const tp_near none = {0, 0};
+  const tp_case_filter *f = told->filter;
+  const tp_near *numbers = told->sample.numbers;
+  const bool shakes = f->loads.shakes;
+  if (shakes && !f->rests && numbers[TP_NUMBER_HORIZONTAL].value < 0) return false;
+  if (!shakes || !f->rests || mechanism != TP_STANDS) return true;
+  tp_case_sample still = told->sample;
+  still.variables = told->variables;
+  still.numbers[TP_NUMBER_HORIZONTAL] = still.numbers[TP_NUMBER_VERTICAL] = none;
+  tp_case_told rest;
+  tp_case_told_at at;
+  tp_filter_state state;
+  if (!tp_case_filter_tell(&rest, f, &still) || !tell_at(&at.mechanism, &state, &rest, tilt_deg) ||
+      at.mechanism != TP_STANDS) {
+    return false;
+  }
+  if (fos == NULL) return true;
+  if (!tp_factor_filter(&at, &rest, &state)) return false;
+  return at.fos.state != TP_FOS_NUMBER ||
+         (fos->state == TP_FOS_NUMBER && tp_near_sign(tp_near_sub(at.fos.value, fos->value)) > 0);
+}
+
 bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *told,
                                    tp_near tilt_deg) {
   tp_filter_state state;
-  return tell_at(mechanism, &state, told, tilt_deg);
+  return tell_at(mechanism, &state, told, tilt_deg) &&
+         is_safer_at_rest(told, *mechanism, NULL, tilt_deg);
 }
 
 bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told, tp_near tilt_deg) {
   tp_filter_state state;
-  return tell_at(&at->mechanism, &state, told, tilt_deg) && tp_factor_filter(at, told, &state);
+  return tell_at(&at->mechanism, &state, told, tilt_deg) && tp_factor_filter(at, told, &state) &&
+         is_safer_at_rest(told, at->mechanism, &at->fos, tilt_deg);
 }

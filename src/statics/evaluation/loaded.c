@@ -149,17 +149,22 @@ void tp_loaded_local_metres(arb_t x, arb_t y, const tp_evaluation *e) {
   mul_fmpq(y, e->problem->lattice.step_m, e->rung.bits);
 }
 
-void tp_loaded_local_sum(tp_wrench *sum, const tp_loaded *loaded, const tp_evaluation *e) {
+void tp_loaded_local(tp_wrench *local, const tp_wrench *loads, const tp_loaded *loaded,
+                     const tp_evaluation *e) {
   arb_t x, y;
   arb_init(x);
   arb_init(y);
   tp_loaded_metres(x, y, e);
   if (loaded->mirrored) arb_neg(x, x);
-  tp_trig_add(&sum->x, &loaded->sum.x, e->rung.bits);
-  tp_trig_add(&sum->y, &loaded->sum.y, e->rung.bits);
-  tp_wrench_moment(&sum->moment, &loaded->sum, x, y, e->rung.bits);
+  tp_trig_add(&local->x, &loads->x, e->rung.bits);
+  tp_trig_add(&local->y, &loads->y, e->rung.bits);
+  tp_wrench_moment(&local->moment, loads, x, y, e->rung.bits);
   arb_clear(x);
   arb_clear(y);
+}
+
+void tp_loaded_local_sum(tp_wrench *sum, const tp_loaded *loaded, const tp_evaluation *e) {
+  tp_loaded_local(sum, &loaded->sum, loaded, e);
 }
 
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *e, long k) {

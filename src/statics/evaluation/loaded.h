@@ -40,6 +40,10 @@ void tp_loaded_local_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
  * moments about that that cancel, and friction is known only to so many bits. */
 void tp_loaded_local_sum(tp_wrench *sum, const tp_loaded *loaded, const tp_evaluation *evaluation);
 
+/* The same of loads that are given, about the origin of the scene. */
+void tp_loaded_local(tp_wrench *local, const tp_wrench *loads, const tp_loaded *loaded,
+                     const tp_evaluation *evaluation);
+
 /* The moment of the contact's tensile bond about the axis at a contact point, positive, in N m:
  * against overturning, or against turning `back`. */
 void tp_loaded_bond(arb_t moment, long k, bool back, const tp_loaded *loaded,

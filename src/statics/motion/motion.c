@@ -82,7 +82,8 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   zero.rays = bound->rays;
   double log2_scale = set_work(&f, &bound->h, c->q);
   if (!arb_is_zero(bound->held)) {
-    arb_sub(f.of + TP_ONE, f.of + TP_ONE, bound->held, c->q->judge.precision);
+    arb_struct *capacity = f.of + c->q->capacity_basis;
+    arb_sub(capacity, capacity, bound->held, c->q->judge.precision);
     log2_scale = fmax(log2_scale, tp_ball_log2_above(bound->held));
   }
   const tp_answer nothing = is_nothing(&f, log2_scale, judge);

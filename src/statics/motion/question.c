@@ -10,6 +10,7 @@
 void tp_motion_question_init(tp_motion_question *q, const tp_cones *cones) {
   memset(q, 0, sizeof *q);
   q->cones = cones;
+  q->capacity_basis = TP_ONE;
   arb_init(q->scale);
   arb_init(q->x);
   arb_init(q->y);

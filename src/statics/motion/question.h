@@ -21,8 +21,9 @@ typedef struct tp_motion_question {
   tp_wrench load; /* of all loads, about the centroid, as functions of the tilt; any factor */
   bool through_centroid; /* the loads have no moment about it */
   const tp_cones
-      *strong;    /* the same cones with their capacities, for cohesion and bonds; or NULL */
-  bool keeps_all; /* all modes, not those alone that can begin at some tilt */
+      *strong;        /* the same cones with their capacities, for cohesion and bonds; or NULL */
+  int capacity_basis; /* with which function of the tilt capacities go: TP_ONE, unless changed */
+  bool keeps_all;     /* all modes, not those alone that can begin at some tilt */
   tp_judge judge;
   tp_work *work;
 } tp_motion_question;

@@ -8,6 +8,7 @@
 #include "onset/onset.h"
 
 #include "evaluation/friction.h"
+#include "onset/onset_driving.h"
 #include "onset/onset_motions.h"
 #include "onset/onset_question.h"
 #include "onset/onset_ranges.h"
@@ -45,7 +46,9 @@ void tp_onset_clear(tp_onset *onset) {
   free(onset->windows);
   clear_ranges(onset);
   clear_motions(onset);
-  *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED, .fos = {.state = TP_FOS_NOT_ASKED}};
+  *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED,
+                      .fos = {.state = TP_FOS_NOT_ASKED},
+                      .fos_driving = {.state = TP_FOS_NOT_ASKED}};
 }
 
 /* One case at work. */
@@ -183,12 +186,23 @@ static void set_strength(asking *a, const arb_t tilt) {
   if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
 }
 
+/* By how much the driving loads have to change until that changes. */
+static void set_driving(asking *a, const arb_t tilt) {
+  const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
+                              &a->motions, &a->windows};
+  const tp_motion_outcome outcome = tp_onset_driving(&t, &a->asked, tilt, a->found->at_tilt);
+  if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
+}
+
 /* Can a motion begin at the scene's tilt, with the friction there, and which? */
 static void look_at_tilt(asking *a) {
   const tp_quantity *given = &a->e->problem->scene->tilt_angle_deg;
   tp_onset *onset = &a->result->onset;
   onset->fos = (tp_fos){.state = given->given ? TP_FOS_NOT_ASKED : TP_FOS_NO_TILT};
+  onset->fos_driving = onset->fos;
   if (!given->given) return;
+  onset->fos_driving.state = TP_FOS_UNDECIDED;
   if (tp_onset_asks_strength(a->e)) onset->fos.state = TP_FOS_UNDECIDED;
   arb_t tilt, friction;
   arb_init(tilt);
@@ -200,6 +214,7 @@ static void look_at_tilt(asking *a) {
       a->found->at_tilt = tp_window_holds(a->windows.items + k, tilt);
     }
     if (a->found->at_tilt != TP_OPEN) set_motions(a, tilt);
+    set_driving(a, tilt);
     set_strength(a, tilt);
   }
   arb_clear(tilt);
@@ -214,6 +229,7 @@ static void leave_open(asking *a) {
   clear_motions(onset);
   *onset = (tp_onset){.kind = TP_ONSET_UNDECIDED,
                       .fos = {.state = TP_FOS_UNDECIDED},
+                      .fos_driving = {.state = TP_FOS_UNDECIDED},
                       .mechanism = TP_MECHANISM_UNDECIDED,
                       .friction_angle_deg = onset->friction_angle_deg,
                       .too_dear = a->outcome == TP_MOTION_TOO_DEAR};

@@ -29,7 +29,7 @@ static void set_inertia(tp_motion_question *q, const tp_evaluation *e, tp_direct
 }
 
 /* Weight and inertia act at the centroid. */
-static bool acts_at_centroid(const tp_load *load) {
+bool tp_onset_load_is_central(const tp_load *load) {
   return load->kind == TP_LOAD_WEIGHT || load->kind == TP_LOAD_SEISMIC;
 }
 
@@ -39,7 +39,7 @@ static bool add_others(tp_wrench *sum, const tp_evaluation *e) {
   bool any = false;
   for (long k = 0; k < e->loaded->count; k++) {
     const tp_load *own = e->loaded->items + k;
-    if (acts_at_centroid(own)) continue;
+    if (tp_onset_load_is_central(own)) continue;
     any = true;
     tp_trig_add(&sum->x, &own->wrench.x, bits);
     tp_trig_add(&sum->y, &own->wrench.y, bits);
@@ -73,6 +73,16 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, const tp_w
   arb_clear(factor);
 }
 
+void tp_onset_question_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards,
+                            const tp_wrench *all, const tp_wrench *others) {
+  tp_wrench_clear(&q->load);
+  tp_wrench_init(&q->load);
+  tp_trig_add(&q->load.x, &all->x, e->rung.bits);
+  tp_trig_add(&q->load.y, &all->y, e->rung.bits);
+  q->through_centroid = others == NULL;
+  if (others != NULL) set_moment(q, e, others, towards);
+}
+
 static void set_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
   if (e->loaded == NULL) {
     q->through_centroid = true;
@@ -80,12 +90,10 @@ static void set_load(tp_motion_question *q, const tp_evaluation *e, tp_direction
     arb_set_si(q->load.y.of + TP_COS, -1);
     return;
   }
-  tp_trig_add(&q->load.x, &e->loaded->sum.x, e->rung.bits);
-  tp_trig_add(&q->load.y, &e->loaded->sum.y, e->rung.bits);
   tp_wrench others;
   tp_wrench_init(&others);
-  q->through_centroid = !add_others(&others, e);
-  if (!q->through_centroid) set_moment(q, e, &others, towards);
+  const bool any = add_others(&others, e);
+  tp_onset_question_load(q, e, towards, &e->loaded->sum, any ? &others : NULL);
   tp_wrench_clear(&others);
 }
 

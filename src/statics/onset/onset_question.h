@@ -7,6 +7,7 @@
 #define TP_ONSET_ONSET_QUESTION_H
 
 #include "evaluation/evaluation.h"
+#include "load/loads.h"
 #include "motion/motion.h"
 
 /* A question and what it points to; its own friction is that of its cones, zero to begin with. */
@@ -22,6 +23,14 @@ typedef struct tp_onset_asked {
 TP_MUST_USE bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *evaluation,
                                      tp_direction towards, tp_cones *known);
 void tp_onset_asked_clear(tp_onset_asked *asked);
+
+/* Does a load act at the centroid: weight, earthquake? */
+bool tp_onset_load_is_central(const tp_load *load);
+
+/* Put other loads in place of those of the question: their sum, and the sum of those that do not
+ * act at the centroid, or NULL where all do. */
+void tp_onset_question_load(tp_motion_question *question, const tp_evaluation *evaluation,
+                            tp_direction towards, const tp_wrench *all, const tp_wrench *others);
 
 /* Does cohesion or a bond act? */
 bool tp_onset_has_strength(const tp_evaluation *evaluation);

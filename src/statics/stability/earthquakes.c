@@ -8,8 +8,8 @@
 #include "stability/earthquakes.h"
 
 #include "common/notes.h"
+#include "stability/governing.h"
 
-#include <math.h>
 #include <string.h>
 
 static bool shakes(const tp_scene *scene) {
@@ -71,51 +71,33 @@ tp_status tp_earthquake_note_water(tp_notes *notes, const tp_water_description *
 /* ---- which is worse ----------------------------------------------------------------------------
  */
 
-/* Less is worse. */
-static int rank_of(tp_mechanism mechanism) {
-  switch (mechanism) {
-  case TP_STANDS:
-  case TP_INTERLOCKED:
-    return 2;
-  case TP_MAY_MOVE:
-  case TP_MECHANISM_UNDECIDED:
-    return 1;
-  default:
-    return 0;
-  }
-}
+/* An earthquake with its state. */
+typedef struct shaken_state {
+  tp_earthquake earthquake;
+  tp_safety safety;
+} shaken_state;
 
-/* As a number: one that is not defined, since the block begins to move in any case, is the least.
- * Of a block that fails against the shaking, as it does under that in the other direction, which
- * drives it, it is no measure. */
-static double factor_of(tp_fos fos, bool fails_against) {
-  if (fails_against) return INFINITY;
-  switch (fos.state) {
-  case TP_FOS_NUMBER:
-    return fos.value.value;
-  case TP_FOS_NO_OVERTURNING:
-    return INFINITY;
-  default:
-    return 0;
+/* Of a block that fails against the shaking, as it does under that in the other direction, which
+ * drives it, the factor is no measure. */
+static bool is_worse(const shaken_state *one, const shaken_state *than) {
+  const bool against = one->earthquake.fails_against;
+  if (one->safety.verdict == than->safety.verdict && against != than->earthquake.fails_against) {
+    return !against;
   }
-}
-
-static bool is_worse(const tp_earthquake *own, const tp_earthquake *than) {
-  const int rank = rank_of(own->mechanism), other = rank_of(than->mechanism);
-  if (rank != other) return rank < other;
-  return factor_of(own->fos, own->fails_against) < factor_of(than->fos, than->fails_against);
+  return tp_safety_compare(&one->safety, &than->safety) < 0;
 }
 
 /* The worst of its cases. */
-static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool vertical) {
-  tp_earthquake worst = {.fails_against = false};
+static shaken_state result_of(const tp_solution *solution, bool up_dip, bool vertical) {
+  shaken_state worst = {.safety = {.least = 0}};
   for (size_t k = 0; k < solution->case_count; k++) {
     const tp_case *c = solution->cases + k;
     tp_fos fos = c->governing_fos.fos;
     fos.value.digits = NULL; /* of the solution, which may go before the others */
-    const tp_earthquake own = {c->towards,   up_dip, vertical,
-                               c->mechanism, fos,    c->governing_fos.up_dip};
-    if (k == 0 || is_worse(&own, &worst)) worst = own;
+    const shaken_state state = {
+        {c->towards, up_dip, vertical, c->mechanism, fos, c->governing_fos.up_dip},
+        tp_case_safety(c)};
+    if (k == 0 || is_worse(&state, &worst)) worst = state;
   }
   return worst;
 }
@@ -126,12 +108,12 @@ static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool ve
 typedef struct looking {
   tp_solution *governs; /* NULL: none yet */
   size_t count;
-  tp_earthquake all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
+  shaken_state all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
 } looking;
 
 /* Take a solution over, or give it back. */
 static void take(looking *l, tp_solution *solution, bool up_dip, bool vertical) {
-  const tp_earthquake own = result_of(solution, up_dip, vertical);
+  const shaken_state own = result_of(solution, up_dip, vertical);
   if (l->count == 0 || is_worse(&own, l->all)) {
     memmove(l->all + 1, l->all, l->count * sizeof own);
     l->all[0] = own;
@@ -176,7 +158,7 @@ static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_
   const tp_status status = solve_way(l, scene, true, options, solve, &why);
   const bool sited = tp_water_is_sited(water) && water->faces != TP_WATER_IN_FRONT;
   const bool wets = sited || (water->given && !fmpq_is_zero(water->height.value));
-  if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
+  if (status == TP_OK && wets && !l->all->earthquake.up_dip) { /* else the solution has it */
     return tp_earthquake_note_water(&l->governs->notes, water, message);
   }
   if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) {
@@ -205,7 +187,7 @@ tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
     return status;
   }
   l.governs->earthquake_count = l.count > 1 ? l.count : 0;
-  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k];
+  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k].earthquake;
   *solution = l.governs;
   return TP_OK;
 }

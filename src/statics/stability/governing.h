@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which factor of safety governs: the least over what can happen, each by the definition that its
- * mode has in practice. */
+/* Which factor of safety governs a case of one block: the least of those that count. */
 
 #ifndef TP_STABILITY_GOVERNING_H
 #define TP_STABILITY_GOVERNING_H
 
 #include "topple.h"
+#include "verdict/safety.h"
 
 /* The factor of safety that governs each case, from what the solution holds. */
 void tp_solution_govern(tp_solution *solution, const tp_scene *scene);
+
+/* The state of a case, for the rule that chooses among cases, directions and earthquakes. */
+tp_safety tp_case_safety(const tp_case *of);
 
 #endif

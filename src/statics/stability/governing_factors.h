@@ -33,11 +33,12 @@ typedef struct tp_at_scene {
 
 tp_at_scene tp_at_scene_of(const tp_case *own, const tp_solution *solution);
 
-/* Fills in the factors that are known: by moments and by shear strength; and, where the onset was
- * asked for, by strength and by the tilt: then true, with the tilt at which motions begin, or end.
- */
-void tp_governing_add_formulas(tp_governing_fos *governing, const tp_at_scene *at);
-bool tp_governing_add_onset(tp_governing_fos *governing, const tp_at_scene *at,
-                            tp_bounded *end_deg);
+/* Fills in the factors that are known, in this order: by moments, by shear strength, on driving
+ * loads and by strength reduction. Where the onset was not asked for the formulas alone are known,
+ * and all of them count. */
+void tp_governing_add_factors(tp_governing_fos *governing, const tp_at_scene *at);
+
+/* The tilt at which the factor on driving loads is 1, of the weight alone; false: there is none. */
+bool tp_governing_tilt(tp_bounded *degrees, const tp_at_scene *at);
 
 #endif

@@ -5,27 +5,32 @@
 
 #include "stability/severity.h"
 
+#include "stability/governing.h"
+
 #include <math.h>
 
-static int rank_of(const tp_case *own) {
-  const tp_governing_fos *g = &own->governing_fos;
-  const tp_design met = g->has_required_fos ? g->meets_required : tp_case_meets(own, 0);
-  return met == TP_DESIGN_NOT_MET ? 2 : met == TP_DESIGN_OPEN ? 1 : 0;
+/* By the verdict, and of those that stand by what is required. */
+static int rank_of(const tp_case *c) {
+  enum { UNSTABLE = 4, UNDECIDED = 2 };
+  const tp_governing_fos *g = &c->governing_fos;
+  const tp_motion_verdict verdict = tp_case_safety(c).verdict;
+  if (verdict == TP_VERDICT_OPEN) return UNDECIDED;
+  if (verdict != TP_VERDICT_STANDS) return UNSTABLE - (int)verdict;
+  return g->has_required_fos && g->meets_required == TP_DESIGN_NOT_MET ? 1 : 0;
 }
 
-tp_severity tp_severity_of(const tp_case *own) {
-  const tp_governing_fos *g = &own->governing_fos;
+tp_severity tp_severity_of(const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
   const double required = g->has_required_fos ? g->required_fos.value : 1;
-  const bool number = g->fos.state == TP_FOS_NUMBER && g->fos.value.value > 0;
-  const double need = number                                  ? required / g->fos.value.value
-                      : g->fos.state == TP_FOS_NO_OVERTURNING ? 0
-                                                              : INFINITY;
-  return (tp_severity){rank_of(own), need};
+  const double most = g->most > 0 ? required / g->most : INFINITY;
+  const double least = g->least > 0 ? required / g->least : INFINITY;
+  return (tp_severity){rank_of(c), most, least};
 }
 
 int tp_severity_compare(tp_severity one, tp_severity other) {
   if (one.rank != other.rank) return other.rank - one.rank;
-  return one.need > other.need ? -1 : one.need < other.need;
+  if (one.need != other.need) return one.need > other.need ? -1 : 1;
+  return one.most_need > other.most_need ? -1 : one.most_need < other.most_need;
 }
 
 size_t tp_severity_worst(const tp_solution *solution) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which of several results is the worse one: what is not met, or does not stand, before what is
- * open, that before what is met; among these by the greater required factor over the factor, 1
- * where none is required. What has no number counts as infinite, and what nothing drives as zero.
- */
+/* Which of several results is the worst: what collapses comes first, then what can begin to move,
+ * what is undecided, what misses the required factor, and the rest. Among equals the greater
+ * required factor over the factor comes first, 1 where none is required; of an undecided factor its
+ * upper bound counts, then its lower bound (verdict/safety.h). */
 
 #ifndef TP_STABILITY_SEVERITY_H
 #define TP_STABILITY_SEVERITY_H
@@ -12,8 +12,8 @@
 #include "topple.h"
 
 typedef struct tp_severity {
-  int rank; /* 2: not met, 1: open, 0: met */
-  double need;
+  int rank;               /* from the greatest on */
+  double need, most_need; /* by the upper and by the lower bound of the factor */
 } tp_severity;
 
 tp_severity tp_severity_of(const tp_case *own);

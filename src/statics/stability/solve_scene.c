@@ -17,6 +17,7 @@
 #include "stability/poses.h"
 #include "stability/solution.h"
 #include "stability/solve.h"
+#include "stability/static_state.h"
 
 #include <stdlib.h>
 
@@ -92,10 +93,17 @@ static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *
   if (tp_combinations_asked(scene)) {
     return tp_combinations_solve(solution, scene, options, solve_combination, message);
   }
-  const tp_status status = tp_earthquakes_asked(&several, scene, message);
+  tp_status status = tp_earthquakes_asked(&several, scene, message);
   if (status != TP_OK) return status;
-  return several ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
-                 : solve_one(solution, tilts, scene, options, message);
+  const bool rests = tp_static_state_counts(scene); /* then each tilt is solved by itself, too */
+  status = several ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
+                   : solve_one(solution, rests ? NULL : tilts, scene, options, message);
+  if (status != TP_OK || !rests) return status;
+  status = tp_static_state_join(*solution, scene, options, solve_alone, message);
+  if (status == TP_OK) return TP_OK;
+  tp_solution_free(*solution);
+  *solution = NULL;
+  return status;
 }
 
 static tp_status solve_combination(tp_solution **solution, const tp_scene *scene,
