@@ -42,7 +42,8 @@ const char *tp_fos_definition_name(tp_fos_definition definition);
 typedef enum tp_factor_standing {
   TP_FACTOR_COUNTS,
   TP_FACTOR_BLOCKED,   /* no: this motion is blocked by a facet */
-  TP_FACTOR_PREVENTED, /* no: contact forces prevent this motion where the factor is 1, or below */
+  TP_FACTOR_PREVENTED, /* no: another motion begins before this one, which is no factor of the onset
+                        */
   TP_FACTOR_UNEVEN,    /* no: facets along which it would slide differ in friction, and how they
                           share the load is not given; by strength they count as they are */
   TP_FACTOR_SMOOTH,    /* no: there is no shear strength to divide */

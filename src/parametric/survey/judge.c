@@ -8,6 +8,7 @@
 #include "common/message.h"
 #include "evaluation/case_numbers.h"
 #include "output/text.h"
+#include "stability/severity.h"
 #include "survey/cell_check.h"
 #include "topple_solve.h"
 
@@ -46,20 +47,6 @@ static tp_batch_standing standing_of(const tp_case *c, bool factored) {
   return TP_BATCH_HOLDS;
 }
 
-static const tp_case *worst_case(const tp_solution *s) {
-  const tp_case *worst = s->cases;
-  const bool factored = s->partial_factors != NULL;
-  for (size_t k = 1; k < s->case_count; k++) {
-    const tp_case *own = s->cases + k;
-    const tp_batch_standing one = standing_of(own, factored), other = standing_of(worst, factored);
-    if (one < other ||
-        (one == other && share_of(&own->governing_fos) < share_of(&worst->governing_fos))) {
-      worst = own;
-    }
-  }
-  return worst;
-}
-
 /* The cautions, one after the other. */
 static char *make_remark(const tp_solution *s) {
   tp_text text = {0};
@@ -88,7 +75,7 @@ static tp_status check(const tp_solution *s, tp_message *message) {
 tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *message) {
   const tp_status status = check(s, message);
   if (status != TP_OK) return status;
-  const tp_case *c = worst_case(s);
+  const tp_case *c = s->cases + tp_severity_worst(s);
   const tp_governing_fos *g = &c->governing_fos;
   const tp_factor *factor = tp_case_factor(c);
   char *remark = make_remark(s);

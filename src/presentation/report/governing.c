@@ -115,7 +115,7 @@ const char *tp_text_standing(tp_factor_standing standing) {
   case TP_FACTOR_BLOCKED:
     return "sliding is blocked by a facet";
   case TP_FACTOR_PREVENTED:
-    return "contact forces prevent it";
+    return "another motion begins first";
   case TP_FACTOR_UNEVEN:
     return "its facets differ in friction";
   case TP_FACTOR_SMOOTH:

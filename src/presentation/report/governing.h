@@ -19,7 +19,7 @@ void tp_text_factor(tp_text *text, const tp_governing_fos *governing);
 /* "toppling about the toe" */
 void tp_text_against(tp_text *text, const tp_factor *factor);
 
-/* "contact forces prevent it", why a factor does not count. */
+/* "another motion begins first", why a factor does not count. */
 const char *tp_text_standing(tp_factor_standing standing);
 
 /* The line, and all factors with their definitions. */

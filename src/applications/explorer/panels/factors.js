@@ -11,7 +11,8 @@ import { say } from "../words/language.js";
 
 const STANDINGS = {
   blocked: say("excluded: blocked by a contact"),
-  prevented: say("excluded: contact forces prevent it"),
+  prevented: say("excluded: another motion begins first"),
+  unaffected: say("excluded: strength does not decide when it begins"),
   uneven: say("excluded: its facets differ in friction"),
   smooth: say("excluded: no friction to reduce"),
 };

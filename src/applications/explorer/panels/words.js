@@ -11,13 +11,14 @@ const DEFINITIONS = {
   "shear strength": say("shear strength on the facet: tan φ/tan(α−i)"),
   "shear strength with roughness": say("shear strength, mean plane: tan(φ+i)/tan α"),
   "strength reduction": say("strength reduction, by contact forces"),
-  "tilt": say("tilt: tan α of the onset over tan α"),
+  "driving loads": say("driving loads: tan α_s/tan α"),
 };
 
 /** Under loads no angle alone says it. */
 const DEFINITIONS_UNDER_LOADS = {
   ...DEFINITIONS,
   "shear strength": say("shear strength on the facet, under loads"),
+  "driving loads": say("driving loads, by contact forces"),
 };
 
 const AGAINST = {
@@ -33,7 +34,7 @@ const TERM_OF_DEFINITION = {
   "shear strength": "sliding",
   "shear strength with roughness": "Patton's law",
   "strength reduction": "strength reduction",
-  "tilt": "onset of motion",
+  "driving loads": "onset of motion",
 };
 
 export const COLOUR_CLASS = {
