@@ -88,7 +88,7 @@ typedef struct tp_governing_fos {
                                     factors E_d / R_d */
   bool tie;    /* one against another mechanism is the same, as far as their bounds decide */
   bool up_dip; /* none: at this tilt it fails up-dip */
-  bool beyond; /* none: a motion can begin even without driving loads */
+  bool beyond; /* none: it fails at a lower tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */

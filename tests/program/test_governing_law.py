@@ -54,8 +54,7 @@ class Law(GoverningCase):
 
     def test_certain_to_stand(self):
         """Contact forces prevent the turn, or the slide, that the factor below 1 is about."""
-        for name in ("behind_a_step", "behind_a_step_leaning", "facets_of_two_frictions", "pressed_behind_a_step",
-                     "between_two_windows"):
+        for name in ("behind_a_step", "behind_a_step_leaning", "facets_of_two_frictions", "pressed_behind_a_step"):
             with self.subTest(name):
                 text = text_of(name)
                 case = self.case(text)
@@ -66,7 +65,18 @@ class Law(GoverningCase):
                 self.assertLess(moments[0]["fos"]["value"], 1)
                 self.check_strength(text, case)
         report = run("solve", self.scene(text_of("behind_a_step")))[1]
-        self.assertIn("(excluded: contact forces prevent it)", report)
+        self.assertIn("(excluded: another motion begins first)", report)
+
+    def test_static_state(self):
+        """Under its earthquake the block stands between two windows of motions; without it, it can move. An earthquake that holds a
+        block is no support: the state without it governs, and a caution says so."""
+        text = text_of("between_two_windows")
+        self.assertEqual(self.case(text)["mechanism"], "may move")
+        status, out, _ = run("solve", "--fail-below", "1", self.scene(text))
+        self.assertEqual(status, 1)
+        self.assertRegex(out, r"the state without the\s+earthquake\s+governs")
+        alone = self.case(re.sub(r" *seismic: .*\n", "", text))
+        self.assertEqual(alone["governing_fos"], self.case(text)["governing_fos"])
 
     def test_half_on_clay(self):
         """On facets of two frictions no one of them has the whole load. It slides from 21.8 degrees on, whatever the

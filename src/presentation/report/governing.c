@@ -48,6 +48,8 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
     if (g->up_dip) {
       tp_text_add(t, "No FoS: at this tilt it fails up-dip");
     } else if (g->beyond) {
+      tp_text_add(t, "No FoS: it already fails at a lower tilt");
+    } else if (g->has_factor && g->factors[g->factor].definition == TP_FOS_BY_DRIVING) {
       tp_text_add(t, "No FoS: a motion can begin even without driving loads");
     } else {
       tp_text_add(t, "No FoS");
@@ -105,7 +107,7 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
                                        : "strength raised: with more it can move";
   case TP_FOS_BY_DRIVING:
     return loaded ? "driving loads, by contact forces"
-                  : "driving loads: tan α_s/tan α, by contact forces";
+                  : "driving loads: tan α_s/tan α";
   }
   return "";
 }
@@ -121,7 +123,7 @@ const char *tp_text_standing(tp_factor_standing standing) {
   case TP_FACTOR_SMOOTH:
     return "no friction to reduce";
   case TP_FACTOR_UNAFFECTED:
-    return "strength does not decide when it begins";
+    return "strength does not decide it";
   case TP_FACTOR_COUNTS:
     break;
   }

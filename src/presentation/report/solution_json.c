@@ -102,7 +102,7 @@ const char *tp_text_driving(tp_fos fos) {
 
 const char *tp_text_no_factor(const tp_governing_fos *g) {
   if (g->up_dip) return "none: at this tilt it fails up-dip";
-  if (g->beyond) return "none: a motion can begin even without driving loads";
+  if (g->beyond) return "none: it already fails at a lower tilt";
   if (g->fos.state == TP_FOS_NO_TILT) return "none: the scene gives no tilt";
   if (g->fos.state == TP_FOS_NOT_ASKED) return "none: turning is blocked about every pivot";
   return NULL;

@@ -147,28 +147,30 @@ typedef struct finding {
   const tp_onset_telling *of;
 } finding;
 
-/* The window whose lower end is sought: of a block that moves the one that holds the tilt, of one
- * that stands the next one above it. NULL: there is none; `*open`: that is not known. */
+/* The window whose lower end is sought: that which holds the tilt, or else the next one above it. A
+ * tilt that bounds do not tell from a lower end is at that end. NULL: there is none; `*open`: that
+ * is not known, or is not as the state of the block has it. */
 static const tp_motion_window *window_at(bool *open, const tp_motion_windows *windows,
-                                         const arb_t degrees, bool moves) {
+                                         const arb_t degrees, tp_answer moves) {
   *open = false;
   for (long k = 0; k < windows->count; k++) {
     const tp_motion_window *w = windows->items + k;
     const tp_answer holds = tp_window_holds(w, degrees);
-    *open = holds == TP_OPEN || (holds == TP_YES && !moves);
-    if (*open) return NULL;
-    if (holds == TP_YES) return w;
-    if (!moves && !w->from.endless && arb_gt(w->from.degrees, degrees)) return w;
+    const bool above = !w->from.endless && arb_gt(w->from.degrees, degrees);
+    if (holds == TP_NO && !above) continue;
+    const bool at_end = holds != TP_NO && !w->from.endless && !arb_lt(w->from.degrees, degrees);
+    *open = !at_end && (holds == TP_OPEN || (holds == TP_YES && moves == TP_NO) ||
+                        (holds == TP_NO && moves == TP_YES));
+    return *open ? NULL : w;
   }
-  *open = moves; /* one should hold it */
+  *open = moves == TP_YES; /* one should hold it */
   return NULL;
 }
 
 /* From `factor`, which may not be finite or of no certain sign. */
 static void set_number(finding *f, const tp_motion_window *w, const tp_onset_telling *of) {
-  const bool moves = f->moves == TP_YES;
   if (arb_is_nonpositive(f->factor)) {
-    f->state = moves ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
+    f->state = f->moves == TP_YES ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
   } else if (arb_is_finite(f->factor) && arb_is_positive(f->factor)) {
     f->state = TP_FOS_NUMBER;
     f->mechanism = w->mechanism;
@@ -179,6 +181,7 @@ static void set_number(finding *f, const tp_motion_window *w, const tp_onset_tel
 
 /* A motion begins at every lesser multiple, too; or at no greater one. */
 static void set_endless(finding *f) {
+  if (f->moves == TP_OPEN) return;
   f->state = f->moves == TP_YES ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
 }
 
@@ -190,7 +193,7 @@ static void find_by_weight(finding *f, const arb_t tilt) {
     if (arb_is_nonpositive(tilt)) set_endless(f);
     return;
   }
-  const tp_motion_window *w = window_at(&open, f->t->windows, tilt, f->moves == TP_YES);
+  const tp_motion_window *w = window_at(&open, f->t->windows, tilt, f->moves);
   if (open) return;
   if (w == NULL || w->from.endless) {
     set_endless(f);
@@ -223,7 +226,7 @@ static void find_by_direction(finding *f, const split *s, const arb_t tilt) {
   const tp_loaded *loaded = f->t->e->loaded;
   const long bits = s->bits;
   bool open;
-  const tp_motion_window *w = window_at(&open, f->t->windows, tilt, f->moves == TP_YES);
+  const tp_motion_window *w = window_at(&open, f->t->windows, tilt, f->moves);
   if (open) return;
   if (w == NULL || w->from.endless) {
     set_endless(f);
@@ -278,7 +281,7 @@ static tp_motion_outcome find_by_modes(finding *f, const split *s) {
     arb_t one;
     arb_init(one);
     arb_set_ui(one, LEVEL_OF_ONE);
-    const tp_motion_window *w = window_at(&open, &windows, one, f->moves == TP_YES);
+    const tp_motion_window *w = window_at(&open, &windows, one, f->moves);
     const tp_onset_telling t = {e, f->t->certainty, f->t->result, &q, &motions, &windows};
     if (!open && (w == NULL || w->from.endless)) set_endless(f);
     if (!open && w != NULL && !w->from.endless) {
@@ -400,13 +403,13 @@ tp_motion_outcome tp_onset_driving(const tp_onset_telling *t, tp_onset_asked *as
                                    const arb_t tilt, tp_answer moves) {
   tp_onset *onset = &t->result->onset;
   finding f = {.t = t, .asked = asked, .moves = moves, .state = TP_FOS_UNDECIDED};
-  tp_motion_outcome done = moves == TP_OPEN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
   arb_init(f.factor);
   onset->has_driving_centre = false;
   f.mechanism = TP_MECHANISM_UNDECIDED;
-  if (done == TP_MOTION_PROVEN && t->e->loaded == NULL) {
+  if (t->e->loaded == NULL) {
     find_by_weight(&f, tilt);
-  } else if (done == TP_MOTION_PROVEN) {
+  } else {
     done = find_loaded(&f, tilt);
   }
   if (done != TP_MOTION_PROVEN) f.state = TP_FOS_UNDECIDED;

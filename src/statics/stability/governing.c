@@ -92,9 +92,22 @@ static void add_utilisation(tp_governing_fos *g) {
   if (g->has_utilisation) g->utilisation = tp_bounded_over(one, g->fos.value);
 }
 
+/* Are all factors that count above 1? What moves at a lesser tilt does not come to this one, though
+ * forces would hold it here: under loads that do not turn with it, or friction that grows as the
+ * stress falls. */
+static bool are_above(const tp_governing_fos *g) {
+  bool above = g->factor_count > 0;
+  for (size_t k = 0; k < g->factor_count; k++) {
+    above = above && (!g->factors[k].counts || tp_fos_is_above(g->factors[k].fos));
+  }
+  return above;
+}
+
 /* Sets what follows from the factors: their bounds, the number, and which of them it is. */
 static void take_bounds(tp_governing_fos *g, tp_safety safety) {
-  g->least = g->complete ? safety.least : 0;
+  /* a factor that was not asked for is no number, but may be less */
+  g->least =
+      g->complete ? safety.least : fmin(safety.least, safety.verdict == TP_VERDICT_STANDS ? 1 : 0);
   g->most = safety.most;
   g->has_factor = g->tie = false;
   name_least(g);
@@ -124,8 +137,12 @@ static void govern(tp_case *c, const tp_solution *solution) {
     return;
   }
   take_bounds(g, bounds_of(g, is_asked(c) ? verdict_of(c) : TP_VERDICT_OPEN));
+  g->beyond = at.moves && !c->falls_backwards && are_above(g);
+  if (g->beyond) {
+    g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
+    g->has_factor = false;
+  }
   g->up_dip = c->falls_backwards && g->fos.state == TP_FOS_UNDEFINED;
-  g->beyond = at.moves && !g->up_dip && g->fos.state == TP_FOS_UNDEFINED;
 }
 
 /* Of moments alone, whether other forces would prevent the turning or not; sliding is not asked. */

@@ -48,6 +48,7 @@ tp_safety tp_safety_of(tp_motion_verdict verdict, const tp_factor_range *ranges,
     s.least = fmin(s.least, r->least);
     s.most = fmin(s.most, r->most);
   }
+  if (verdict < TP_VERDICT_OPEN && s.least > 1) s.least = 0; /* of other states than this one */
   if (verdict < TP_VERDICT_OPEN) s.most = fmin(s.most, 1);
   if (verdict == TP_VERDICT_STANDS) s.least = fmax(s.least, fmin(1, s.most));
   s.least = fmin(s.least, s.most);
