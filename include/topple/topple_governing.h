@@ -93,8 +93,8 @@ typedef struct tp_governing_fos {
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count; /* of those that are known */
   tp_factor factors[TP_FACTORS_MAX]; /* those that there are */
-  double least, most; /* proven bounds of the factor, also where `fos` is undecided: 0 and infinite
-                         where nothing is known, both infinite where it is unbounded */
+  double at_least, at_most; /* proven bounds of the factor, also where `fos` is undecided: 0 and
+                         infinite where nothing is known, both infinite where it is unbounded */
 } tp_governing_fos;
 
 #ifdef __cplusplus

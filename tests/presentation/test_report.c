@@ -117,7 +117,7 @@ START_TEST(design_factors) {
   ck_assert_int_eq(tp_solution_meets(&s, 2.1), TP_DESIGN_NOT_MET);
   ck_assert_int_eq(tp_solution_meets(&s, 2), TP_DESIGN_OPEN); /* within the bound */
   s.cases[0].governing_fos.complete = false;
-  s.cases[0].governing_fos.least = 0;
+  s.cases[0].governing_fos.at_least = 0;
   ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_OPEN);
   ck_assert_int_eq(tp_solution_meets(&s, 2.1), TP_DESIGN_NOT_MET);
   says(&s, "FoS at most 2.000", NULL);
@@ -128,10 +128,10 @@ START_TEST(design_factors) {
   s.cases[1] = s.cases[0]; /* the worse of two directions tells */
   s.case_count = 2;
   s.cases[1].governing_fos.fos.state = TP_FOS_UNDECIDED;
-  s.cases[1].governing_fos.least = 0;
+  s.cases[1].governing_fos.at_least = 0;
   ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_OPEN);
   s.cases[1].governing_fos.fos.state = TP_FOS_UNDEFINED;
-  s.cases[1].governing_fos.most = 0;
+  s.cases[1].governing_fos.at_most = 0;
   ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_NOT_MET);
 }
 END_TEST

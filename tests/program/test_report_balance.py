@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Forces at the limit on the second page of a sheet, and the factors by strength and by the tilt.
+"""Forces at the limit on the second page of a sheet, and the factors by strength and on driving loads.
 
 The story: a reviewer adds up the forces at the limit with a pocket calculator, and what is left is less than the last printed
 digit; the program says that they cancel within a bound, and the bound is kept by rationals. The loads among these forces are
@@ -149,16 +149,17 @@ class Balance(unittest.TestCase):
             tilt = case["tilt_angle_deg"]["value"]
             self.assertAlmostEqual(case["onset"]["critical_angle_deg"]["value"], tilt, delta=0.01, msg=name)
 
-    def test_by_the_tilt(self):
-        """An anchor that pulls a block down-dip when it lies flat: motions end at 3.19°, and the factor by that tilt is the quotient of
-        tangents that stands on the sheet and in JSON."""
-        scene = ROOT / "examples" / "slope" / "anchored_block.yaml"
+    def test_on_driving_loads(self):
+        """Block E begins to slide and topple at 28.735°: the factor on driving loads is the quotient of tangents that stands on the sheet
+        and in JSON."""
+        scene = ROOT / "examples" / "block_e_valley.yaml"
         case = solve(scene)["cases"][0]
         end, tilt = case["tilt_of_factor_deg"]["value"], case["tilt_angle_deg"]["value"]
-        factor = next(own for own in case["factors"] if own["definition"] == "tilt")
-        self.assertAlmostEqual(factor["fos"]["value"], math.tan(math.radians(tilt)) / math.tan(math.radians(end)), 9)
+        self.assertAlmostEqual(end, case["onset"]["critical_angle_deg"]["value"], 9)
+        factor = next(own for own in case["factors"] if own["definition"] == "driving loads")
+        self.assertAlmostEqual(factor["fos"]["value"], math.tan(math.radians(end)) / math.tan(math.radians(tilt)), 9)
         page = self.sheet(scene)
-        told = [line for line in page.lines() if any("α0" in side for side, _ in line)]
+        told = [line for line in page.lines() if any("αs" in side for side, _ in line)]
         self.assertEqual(len(told), 1)
         value = told[0][-1][1]
         self.assertLess(abs((value.low + value.high) / 2 - factor["fos"]["value"]), 0.001)

@@ -39,8 +39,8 @@ tp_solution filled(void) {
   c->margin_deg = c->margin_to_first_deg = number(20);
   c->governing_fos.fos.state = TP_FOS_NUMBER;
   c->governing_fos.fos.value = number(2);
-  c->governing_fos.least = 2 - c->governing_fos.fos.value.error;
-  c->governing_fos.most = 2 + c->governing_fos.fos.value.error;
+  c->governing_fos.at_least = 2 - c->governing_fos.fos.value.error;
+  c->governing_fos.at_most = 2 + c->governing_fos.fos.value.error;
   c->governing_fos.sliding_judged = c->governing_fos.complete = true;
   return s;
 }

@@ -59,10 +59,10 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
     return;
   case TP_FOS_UNDECIDED:
     tp_text_add(t, "FoS undecided at the precision allowed");
-    if (g->least > 0)
-      tp_text_add(t, ", at least %s", tp_text_fixed(n, (tp_bounded){.value = g->least}, 3));
-    if (isfinite(g->most))
-      tp_text_add(t, ", at most %s", tp_text_fixed(n, (tp_bounded){.value = g->most}, 3));
+    if (g->at_least > 0)
+      tp_text_add(t, ", at least %s", tp_text_fixed(n, (tp_bounded){.value = g->at_least}, 3));
+    if (isfinite(g->at_most))
+      tp_text_add(t, ", at most %s", tp_text_fixed(n, (tp_bounded){.value = g->at_most}, 3));
     return;
   case TP_FOS_NOT_ASKED:
     tp_text_add(t, "No FoS: turning is blocked about every pivot");
@@ -106,8 +106,7 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
     return factor->fos.value.value < 1 ? "strength reduction: with less it would stand"
                                        : "strength raised: with more it can move";
   case TP_FOS_BY_DRIVING:
-    return loaded ? "driving loads, by contact forces"
-                  : "driving loads: tan α_s/tan α";
+    return loaded ? "driving loads, by contact forces" : "driving loads: tan α_s/tan α";
   }
   return "";
 }

@@ -172,7 +172,12 @@ static void add_worst(tp_page *p) {
         differ || tp_severity_compare(tp_severity_of(worst), tp_severity_of(s->cases + k)) != 0;
   }
   if (!differ || worst->governing_fos.fos.state == TP_FOS_NO_TILT) return;
-  tp_text_add(&p->text, "Governs  towards the %s: ", tp_direction_name(worst->towards));
+  enum { MOST = 51 }; /* characters that fit behind the direction on a line of 80 */
+  tp_text factor = {0};
+  tp_text_factor(&factor, &worst->governing_fos);
+  tp_text_add(&p->text, "Governs  towards the %s:%s", tp_direction_name(worst->towards),
+              factor.length > MOST ? "\n         " : " ");
+  tp_text_drop(&factor);
   tp_text_governing(&p->text, worst, "\n         ");
   tp_text_add(&p->text, "\n");
 }

@@ -54,15 +54,14 @@ static bool take_factor(double *number, tp_fos_told told) {
   return told.state != TP_FOS_NUMBER || take_number(number, told.value);
 }
 
-static bool take_at(tp_study_at *at, tp_case_told_at *of, const tp_case_told *told,
-                    tp_near tilt_deg) {
+static bool take_at(tp_study_at *at, tp_case_told_at *of, tp_case_told *told, tp_near tilt_deg) {
   if (!tp_case_filter_tell_at(of, told, tilt_deg)) return false;
   at->outcome = tp_study_outcome_of(of->mechanism);
   return take_factor(&at->fos, of->fos);
 }
 
 /* At the scene's own tilt; of a scene without one what happens first stands for it. */
-static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_deg, bool has_tilt) {
+static bool take_own(tp_study_row *row, tp_case_told *told, tp_near tilt_deg, bool has_tilt) {
   tp_case_told_at own;
   row->tilt_deg = NAN;
   row->fos_mechanism = "";
@@ -79,18 +78,40 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
          take_factor(&row->fos_sliding, own.by_shear);
 }
 
+/* At the scene's own tilt, and what does not depend on it, which follows the state that governs
+ * there. */
+static bool take_row(tp_study_row *row, tp_case_told *told, tp_near tilt_deg, bool has_tilt) {
+  return take_own(row, told, tilt_deg, has_tilt) && take_case(row, told);
+}
+
+/* The same of a copy, as another tilt may have another state that governs. */
+static bool take_copy(tp_study_row *row, tp_study_at *at, const tp_case_told *told,
+                      tp_near tilt_deg, bool has_tilt) {
+  tp_case_told copy = *told;
+  tp_case_told_at of;
+  return at == NULL ? take_row(row, &copy, tilt_deg, has_tilt) : take_at(at, &of, &copy, tilt_deg);
+}
+
 bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilts) {
   const tp_keyed_filter *f = study->filter;
   tp_case_told told;
   tp_near tilt_deg;
   if (f == NULL || (f->lies_in_place && tilts > 0) ||
-      !tp_keyed_filter_tell(&told, &tilt_deg, f, row->values) || !take_case(row, &told) ||
-      !take_own(row, &told, tilt_deg, f->has_tilt)) {
+      !tp_keyed_filter_tell(&told, &tilt_deg, f, row->values)) {
+    return false;
+  }
+  const bool shares = f->of->rests && tilts > 0;
+  if (!(shares ? take_copy(row, NULL, &told, tilt_deg, f->has_tilt)
+               : take_row(row, &told, tilt_deg, f->has_tilt))) {
     return false;
   }
   for (size_t k = 0; k < tilts; k++) {
     tp_case_told_at at;
-    if (!take_at(row->at + k + 1, &at, &told, tp_keyed_number(study->tilts[k]))) return false;
+    const tp_near tilt = tp_keyed_number(study->tilts[k]);
+    tp_study_at *of = row->at + k + 1;
+    if (!(shares ? take_copy(row, of, &told, tilt, true) : take_at(of, &at, &told, tilt))) {
+      return false;
+    }
   }
   row->open = false;
   row->why = NULL;

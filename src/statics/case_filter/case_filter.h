@@ -60,6 +60,7 @@ typedef struct tp_case_sample {
   tp_near friction_deg;
   tp_near numbers[TP_LOAD_NUMBERS];
   const tp_near *variables; /* at the keys */
+  bool at_rest;             /* without the earthquake */
 } tp_case_sample;
 
 /* At any tilt. */
@@ -103,8 +104,8 @@ typedef struct tp_case_told_at {
   tp_fos_told by_moments, by_shear; /* as tp_case_fos_moments, tp_case_fos_sliding */
 } tp_case_told_at;
 
-/* With its factors, likewise. */
-TP_MUST_USE bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told,
-                                        tp_near tilt_deg);
+/* With its factors, likewise. Where the state without the earthquake is the less safe one, `told`
+ * becomes that. */
+TP_MUST_USE bool tp_case_filter_tell_at(tp_case_told_at *at, tp_case_told *told, tp_near tilt_deg);
 
 #endif

@@ -101,10 +101,11 @@ static bool is_next(const tp_onset_filter *o, tp_near own, bool moves) {
   return o->never || tp_near_sign(tp_near_sub(o->tangent, own)) > 0;
 }
 
-static bool finish(tp_driving_told *d, const tp_onset_filter *o, tp_near factor) {
+/* A motion begins there, at `end` of the question's tangents. */
+static bool finish(tp_driving_told *d, const tp_onset_filter *o, tp_near end, tp_near factor) {
   if (!isfinite(factor.error) || tp_near_sign(factor) <= 0) return false;
   d->fos = (tp_fos_told){TP_FOS_NUMBER, factor};
-  set_mechanism(d, o, o->tangent);
+  set_mechanism(d, o, end);
   return true;
 }
 
@@ -120,7 +121,7 @@ static bool find_by_direction(tp_driving_told *d, const tp_case_told *told, cons
   if (tp_near_sign(over) == 0) return false;
   const tp_near factor = tp_near_neg(tp_near_div(cross(s->rests, at), over));
   if (tp_near_sign(factor) < 0) return true; /* at no multiple */
-  return finish(d, &told->onset, factor);
+  return finish(d, &told->onset, told->onset.tangent, factor);
 }
 
 /* Of any loads without cohesion or bonds. */
@@ -136,8 +137,13 @@ static bool find_by_modes(tp_driving_told *d, const tp_case_told *told, const sp
     loads.sum.fixed[k] = zero;
   }
   of.loads = &loads;
-  if (!tp_onset_filter_find(&onset, &of) || !is_next(&onset, one, moves)) return false;
-  return onset.never || finish(d, &onset, onset.tangent);
+  bool never = false;
+  tp_near end;
+  if (!tp_onset_filter_modes(&onset, &of) ||
+      !tp_onset_filter_end(&never, &end, &onset, one, moves)) {
+    return false;
+  }
+  return never || finish(d, &onset, end, end);
 }
 
 /* Under cohesion and bonds, where forces have to hold the block up to there. */
@@ -155,18 +161,20 @@ static bool find_by_strong_modes(tp_driving_told *d, const tp_case_told *told, c
   }
   of.loads = &loads;
   const tp_near own = tp_near_div(one, tp_near_sqrt((tp_near){most * most - 1, 0}));
-  if (!tp_onset_filter_find(&onset, &of) || onset.never || !is_next(&onset, own, moves)) {
+  bool never = false;
+  tp_near end;
+  if (!tp_onset_filter_modes(&onset, &of) ||
+      !tp_onset_filter_end(&never, &end, &onset, own, moves) || never) {
     return false;
   }
   tp_edge_set edges;
   tp_limit_filter limit;
   tp_edge_set_init(&edges, &of);
-  if (!tp_limit_filter_find(&limit, &edges) ||
-      tp_near_sign(tp_near_sub(onset.tangent, limit.value)) > 0) {
+  if (!tp_limit_filter_find(&limit, &edges) || tp_near_sign(tp_near_sub(end, limit.value)) > 0) {
     return false;
   }
-  const tp_near sine = tp_near_div(onset.tangent, tp_tilt_secant(onset.tangent));
-  return finish(d, &onset, tp_near_mul((tp_near){most, 0}, sine));
+  const tp_near sine = tp_near_div(end, tp_tilt_secant(end));
+  return finish(d, &onset, end, tp_near_mul((tp_near){most, 0}, sine));
 }
 
 bool tp_driving_filter(tp_driving_told *d, const tp_case_told *told, const tp_filter_state *s) {
@@ -176,7 +184,8 @@ bool tp_driving_filter(tp_driving_told *d, const tp_case_told *told, const tp_fi
   if (!loads->called_for && !told->of.capacities->acts) {
     if (!is_next(&told->onset, s->tangent, s->moves)) return false;
     if (told->onset.never || tp_near_is_zero(s->tangent)) return true;
-    return finish(d, &told->onset, tp_near_div(told->onset.tangent, s->tangent));
+    return finish(d, &told->onset, told->onset.tangent,
+                  tp_near_div(told->onset.tangent, s->tangent));
   }
   split split;
   if (!set_split(&split, loads, s->tangent)) return false;

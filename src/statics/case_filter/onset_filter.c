@@ -158,7 +158,7 @@ static bool take(tp_onset_filter *found, const tp_near_interval *own) {
   return true;
 }
 
-bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of) {
+bool tp_onset_filter_modes(tp_onset_filter *found, const tp_filter_case *of) {
   const tp_contact_plan *plan = of->plan;
   const bool strong = of->capacities->acts;
   tp_near edges[TP_PLAN_POINTS][2][3];
@@ -167,16 +167,22 @@ bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of) {
     tp_shape_edge(edges[k][1], of->shape, (tp_cone_edge){k, true}, of->friction);
   }
   found->plan = plan;
-  found->never = true;
-  found->has_perhaps = false;
   bool told =
       strong ? tp_strong_leaving_find(&found->leaves, of) : find_leaving(&found->leaves, of);
-  if (!told || !take(found, &found->leaves)) return false;
-  for (int k = 0; k < plan->mode_count; k++) {
+  for (int k = 0; k < plan->mode_count && told; k++) {
     tp_mode_interval *own = found->modes + k;
     told = strong ? tp_strong_mode_find(own, plan->modes + k, of)
                   : find_mode(own, plan->modes + k, of, edges);
-    if (!told || !take(found, &own->all)) return false;
+  }
+  return told;
+}
+
+bool tp_onset_filter_find(tp_onset_filter *found, const tp_filter_case *of) {
+  found->never = true;
+  found->has_perhaps = false;
+  if (!tp_onset_filter_modes(found, of) || !take(found, &found->leaves)) return false;
+  for (int k = 0; k < found->plan->mode_count; k++) {
+    if (!take(found, &found->modes[k].all)) return false;
   }
   return !found->has_perhaps ||
          (!found->never && tp_near_sign(tp_near_sub(found->perhaps, found->tangent)) > 0);
@@ -207,4 +213,55 @@ bool tp_onset_filter_look(bool *moves, unsigned *beginnings, const tp_onset_filt
     if (start > 0) *beginnings |= 1U << found->plan->modes[k].mechanism;
   }
   return told;
+}
+
+/* All of what opens everything, and of the k-th mode behind it. */
+static const tp_near_interval *interval_of(const tp_onset_filter *o, int k) {
+  return k == 0 ? &o->leaves : &o->modes[k - 1].all;
+}
+
+/* The least lower end above a tilt that no interval holds. */
+static bool find_above(bool *never, tp_near *end, const tp_onset_filter *o, tp_near tangent) {
+  tp_near perhaps = {INFINITY, 0};
+  *never = true;
+  for (int k = 0; k <= o->plan->mode_count; k++) {
+    const tp_near_interval *own = interval_of(o, k);
+    if (own->empty) continue;
+    if (side_of(own, tangent) >= 0) return false;
+    if (!own->has_low || tp_near_sign(tp_near_sub(own->low, tangent)) < 0) continue;
+    if (own->perhaps) {
+      perhaps = isinf(perhaps.value) ? own->low : tp_near_lesser(perhaps, own->low);
+      continue;
+    }
+    *end = *never ? own->low : tp_near_lesser(*end, own->low);
+    *never = false;
+  }
+  return isinf(perhaps.value) || (!*never && tp_near_sign(tp_near_sub(perhaps, *end)) > 0);
+}
+
+/* From a tilt that some hold down through those that meet. */
+static bool find_below(tp_near *end, const tp_onset_filter *o, tp_near tangent) {
+  static const double beside = 0x1p-30;
+  tp_near at = tangent;
+  *end = tangent;
+  for (int step = 0; step <= o->plan->mode_count + 1; step++) {
+    bool held = false;
+    for (int k = 0; k <= o->plan->mode_count; k++) {
+      const tp_near_interval *own = interval_of(o, k);
+      const int side = own->empty ? -1 : side_of(own, at);
+      if (side == 0 || (side > 0 && !own->has_low)) return false;
+      if (side < 0 || tp_near_sign(tp_near_sub(*end, own->low)) <= 0) continue;
+      held = true;
+      *end = own->low;
+    }
+    if (!held) return step > 0;
+    at = tp_near_sub(*end, (tp_near){beside * fabs(end->value), 0});
+  }
+  return false;
+}
+
+bool tp_onset_filter_end(bool *never, tp_near *end, const tp_onset_filter *found, tp_near tangent,
+                         bool moves) {
+  *never = false;
+  return moves ? find_below(end, found, tangent) : find_above(never, end, found, tangent);
 }

@@ -76,6 +76,18 @@ static bool take_shape(tp_case_told *told, tp_near_outline *outline, const tp_ne
                         tp_shape_complete(&told->own, &f->plan));
 }
 
+/* Loads of the sample. Without an earthquake that was the only one the weight is left, and no load
+ * is called for but what cohesion and bonds are. */
+static bool take_loads(tp_case_told *told, const tp_case_sample *sample) {
+  enum { WEIGHT_AND_EARTHQUAKE = 2 };
+  const tp_case_filter *f = told->filter;
+  if (!tp_load_plan_evaluate(&told->loads, &f->loads, sample->numbers)) return false;
+  if (!sample->at_rest || told->loads.count > WEIGHT_AND_EARTHQUAKE) return true;
+  tp_filter_loads_init(&told->loads);
+  told->loads.called_for = f->capacities.acts;
+  return true;
+}
+
 /* Cohesion and bonds, which stay with the block. */
 static bool take_capacities(tp_case_told *told, const tp_near numbers[TP_LOAD_NUMBERS]) {
   const tp_case_filter *f = told->filter;
@@ -115,8 +127,7 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
   told->of.capacities = &told->capacities;
   told->of.friction = tangent_of(sample->friction_deg);
   if (tp_near_sign(told->of.friction) <= 0 || !take_shape(told, &outline, sample->variables) ||
-      !tp_load_plan_evaluate(&told->loads, &f->loads, sample->numbers) ||
-      !take_capacities(told, sample->numbers) || !find_pivot(told)) {
+      !take_loads(told, sample) || !take_capacities(told, sample->numbers) || !find_pivot(told)) {
     return false;
   }
   place_pivot(told, &outline);
@@ -169,41 +180,70 @@ static bool tell_at(tp_mechanism *mechanism, tp_filter_state *state, const tp_ca
 /* ---- without the earthquake --------------------------------------------------------------------
  */
 
-/* The state without the earthquake, where that counts and is not certainly the safer one of a block
- * that stands, is left to a solve; so is an earthquake whose sign makes it count. */
-static bool is_safer_at_rest(const tp_case_told *told, tp_mechanism mechanism,
-                             const tp_fos_told *fos, tp_near tilt_deg) {
-  static const tp_near none = {0, 0};
+/* Does the state without the earthquake count beside that of a block which stands? An earthquake
+ * whose sign makes it count where the scene's does not is left to a solve: false. */
+static bool asks_rest(bool *asked, const tp_case_told *told, tp_mechanism mechanism) {
   const tp_case_filter *f = told->filter;
-  const tp_near *numbers = told->sample.numbers;
-  const bool shakes = f->loads.shakes;
-  if (shakes && !f->rests && numbers[TP_NUMBER_HORIZONTAL].value < 0) return false;
-  if (!shakes || !f->rests || mechanism != TP_STANDS) return true;
+  *asked = f->loads.shakes && f->rests && mechanism == TP_STANDS;
+  return !f->loads.shakes || f->rests || told->sample.numbers[TP_NUMBER_HORIZONTAL].value >= 0;
+}
+
+static bool tell_rest(tp_case_told *rest, tp_case_told_at *at, tp_filter_state *state,
+                      const tp_case_told *told, tp_near tilt_deg) {
+  static const tp_near none = {0, 0};
   tp_case_sample still = told->sample;
   still.variables = told->variables;
+  still.at_rest = true;
   still.numbers[TP_NUMBER_HORIZONTAL] = still.numbers[TP_NUMBER_VERTICAL] = none;
-  tp_case_told rest;
-  tp_case_told_at at;
-  tp_filter_state state;
-  if (!tp_case_filter_tell(&rest, f, &still) || !tell_at(&at.mechanism, &state, &rest, tilt_deg) ||
-      at.mechanism != TP_STANDS) {
-    return false;
-  }
-  if (fos == NULL) return true;
-  if (!tp_factor_filter(&at, &rest, &state)) return false;
-  return at.fos.state != TP_FOS_NUMBER ||
-         (fos->state == TP_FOS_NUMBER && tp_near_sign(tp_near_sub(at.fos.value, fos->value)) > 0);
+  return tp_case_filter_tell(rest, told->filter, &still) &&
+         tell_at(&at->mechanism, state, rest, tilt_deg);
 }
 
 bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *told,
                                    tp_near tilt_deg) {
   tp_filter_state state;
-  return tell_at(mechanism, &state, told, tilt_deg) &&
-         is_safer_at_rest(told, *mechanism, NULL, tilt_deg);
+  bool asked = false;
+  if (!tell_at(mechanism, &state, told, tilt_deg) || !asks_rest(&asked, told, *mechanism)) {
+    return false;
+  }
+  if (!asked) return true;
+  tp_case_told rest;
+  tp_case_told_at at;
+  if (!tell_rest(&rest, &at, &state, told, tilt_deg)) return false;
+  *mechanism = at.mechanism;
+  return true;
 }
 
-bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told, tp_near tilt_deg) {
+/* The sign of one factor less the other; 0 where doubles do not tell. */
+static int order_of(const tp_fos_told *one, const tp_fos_told *other) {
+  const bool number = one->state == TP_FOS_NUMBER, also = other->state == TP_FOS_NUMBER;
+  if (number && also) return tp_near_sign(tp_near_sub(one->value, other->value));
+  return number ? -1 : 1; /* of two that are unbounded the first stays */
+}
+
+bool tp_case_filter_tell_at(tp_case_told_at *at, tp_case_told *told, tp_near tilt_deg) {
   tp_filter_state state;
-  return tell_at(&at->mechanism, &state, told, tilt_deg) && tp_factor_filter(at, told, &state) &&
-         is_safer_at_rest(told, at->mechanism, &at->fos, tilt_deg);
+  bool asked = false;
+  if (!tell_at(&at->mechanism, &state, told, tilt_deg) || !tp_factor_filter(at, told, &state) ||
+      !asks_rest(&asked, told, at->mechanism)) {
+    return false;
+  }
+  if (!asked) return true;
+  tp_case_told rest;
+  tp_case_told_at rest_at;
+  if (!tell_rest(&rest, &rest_at, &state, told, tilt_deg) ||
+      !tp_factor_filter(&rest_at, &rest, &state)) {
+    return false;
+  }
+  const int order = rest_at.mechanism != TP_STANDS ? -1 : order_of(&rest_at.fos, &at->fos);
+  if (order < 0) {
+    const tp_case_sample sample = told->sample;
+    *told = rest;
+    told->of.loads = &told->loads;
+    told->of.capacities = &told->capacities;
+    if (told->filter->varies) told->of.shape = &told->own;
+    told->sample = sample;
+    *at = rest_at;
+  }
+  return order != 0;
 }

@@ -295,10 +295,10 @@ static tp_motion_outcome find_by_modes(finding *f, const split *s) {
       set_number(f, w, &t);
     }
     tp_onset *onset = &f->t->result->onset;
-    onset->has_driving_centre =
+    onset->has_fos_driving_centre =
         f->begins != NULL && w->has_ray && motions.twists.rays[w->ray].axis < 0;
-    if (onset->has_driving_centre) {
-      tp_onset_centre(&onset->driving_centre_x_m, &onset->driving_centre_y_m, &t,
+    if (onset->has_fos_driving_centre) {
+      tp_onset_centre(&onset->fos_driving_centre_x_m, &onset->fos_driving_centre_y_m, &t,
                       &motions.twists.rays[w->ray].twist);
     }
     f->begins = NULL;
@@ -313,22 +313,31 @@ static tp_motion_outcome find_by_modes(finding *f, const split *s) {
 /* ---- up to where forces hold --------------------------------------------------------------------
  */
 
-/* Takes the lesser of the factor and of the multiple up to which forces hold the block. */
-static tp_motion_outcome take_limit(finding *f, const split *s) {
+/* The multiple up to which forces hold the block. Capacities stay, so that lambda has to be a
+ * function of the tilt by which a search from level begins where forces hold: 1 / cos t from the
+ * scene's own loads on, or sin t from no driving loads up to these. */
+typedef struct held {
+  bool beyond;            /* the first of these */
+  bool bounded;           /* there is such a multiple: */
+  arb_t multiple;         /* if bounded: that, */
+  tp_mechanism mechanism; /* and what moves beyond it */
+} held;
+
+static tp_limit_outcome find_held(held *h, tp_limit_kind *kind, const finding *f, const split *s) {
   static const double all_but_upright = 90 * (1 - 0x1p-20);
   const tp_evaluation *e = f->t->e;
   tp_cones *cones = &f->asked->strong;
   tp_wrench load, local;
   tp_limit_answer answer;
-  if (!tp_limit_answer_init(&answer, cones)) return TP_MOTION_OUT_OF_MEMORY;
+  if (!tp_limit_answer_init(&answer, cones)) return TP_LIMIT_OUT_OF_MEMORY;
   arb_set(cones->friction, f->asked->cones.friction);
   tp_wrench_init(&load);
   tp_wrench_init(&local);
   const tp_trig *from[] = {&s->all.x, &s->all.y, &s->all.moment};
   tp_trig *to[] = {&load.x, &load.y, &load.moment};
   for (int k = 0; k < 3; k++) {
-    arb_sub(to[k]->of + TP_ONE, from[k]->of + TP_COS, from[k]->of + TP_SIN, s->bits);
-    arb_set(to[k]->of + TP_SEC, from[k]->of + TP_SIN);
+    arb_set(to[k]->of + TP_ONE, from[k]->of + TP_COS);
+    arb_set(to[k]->of + (h->beyond ? TP_SEC : TP_SIN), from[k]->of + TP_SIN);
   }
   tp_loaded_local(&local, &load, e->loaded, e);
   const tp_limit_question question = {.cones = cones,
@@ -339,34 +348,55 @@ static tp_motion_outcome take_limit(finding *f, const split *s) {
                                       .judge = f->asked->question.judge};
   tp_work_begin(e->work, tp_cones_column_count(cones));
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  tp_motion_outcome done = TP_MOTION_PROVEN;
-  if (outcome == TP_LIMIT_OUT_OF_MEMORY) done = TP_MOTION_OUT_OF_MEMORY;
-  if (outcome == TP_LIMIT_OPEN || outcome == TP_LIMIT_FAILED) done = TP_MOTION_OPEN;
-  if (outcome == TP_LIMIT_PROVEN && answer.kind == TP_LIMIT_NOWHERE) f->state = TP_FOS_UNDEFINED;
-  if (outcome == TP_LIMIT_PROVEN && answer.kind == TP_LIMIT_AT_ANGLE) {
-    arb_t sine, held;
-    arb_init(sine);
-    arb_init(held);
-    tp_ball_sin_cos(sine, held, answer.degrees, s->bits);
-    arb_inv(held, held, s->bits);
-    arb_sub_ui(held, held, 1, s->bits);
-    const bool less =
-        f->state == TP_FOS_NO_OVERTURNING || (f->state == TP_FOS_NUMBER && arb_lt(held, f->factor));
-    if (less) {
-      arb_set(f->factor, held);
-      f->state = TP_FOS_NUMBER;
-      f->mechanism = tp_limit_mechanism(answer.face.motion);
-      f->t->result->onset.has_driving_centre = false;
-    } else if (f->state == TP_FOS_NUMBER) {
-      arb_min(f->factor, f->factor, held, s->bits);
+  *kind = answer.kind;
+  h->bounded = outcome == TP_LIMIT_PROVEN && answer.kind == TP_LIMIT_AT_ANGLE;
+  if (h->bounded) {
+    arb_t other;
+    arb_init(other);
+    if (h->beyond) {
+      tp_ball_sin_cos(other, h->multiple, answer.degrees, s->bits);
+      arb_inv(h->multiple, h->multiple, s->bits);
+    } else {
+      tp_ball_sin_cos(h->multiple, other, answer.degrees, s->bits);
     }
-    arb_clear(sine);
-    arb_clear(held);
+    arb_clear(other);
+    h->mechanism = tp_limit_mechanism(answer.face.motion);
   }
   tp_wrench_clear(&load);
   tp_wrench_clear(&local);
   tp_limit_answer_clear(&answer);
-  return done;
+  return outcome;
+}
+
+static void take_lesser(finding *f, const held *h, long bits) {
+  const bool less = f->state == TP_FOS_NO_OVERTURNING ||
+                    (f->state == TP_FOS_NUMBER && arb_lt(h->multiple, f->factor));
+  if (less) {
+    arb_set(f->factor, h->multiple);
+    f->state = TP_FOS_NUMBER;
+    f->mechanism = h->mechanism;
+    f->t->result->onset.has_fos_driving_centre = false;
+  } else if (f->state == TP_FOS_NUMBER) {
+    arb_min(f->factor, f->factor, h->multiple, bits);
+  }
+}
+
+/* Takes the lesser of the factor and of that multiple. */
+static tp_motion_outcome take_held(finding *f, const split *s) {
+  tp_limit_kind kind = TP_LIMIT_UNDECIDED;
+  held h = {.beyond = f->moves != TP_YES};
+  arb_init(h.multiple);
+  tp_limit_outcome outcome = find_held(&h, &kind, f, s);
+  if (h.beyond && outcome == TP_LIMIT_PROVEN && kind == TP_LIMIT_NOWHERE) {
+    h.beyond = false;
+    outcome = find_held(&h, &kind, f, s);
+  }
+  if (h.bounded) take_lesser(f, &h, s->bits);
+  if (outcome == TP_LIMIT_PROVEN && kind == TP_LIMIT_NOWHERE) f->state = TP_FOS_UNDEFINED;
+  arb_clear(h.multiple);
+  return outcome == TP_LIMIT_PROVEN          ? TP_MOTION_PROVEN
+         : outcome == TP_LIMIT_OUT_OF_MEMORY ? TP_MOTION_OUT_OF_MEMORY
+                                             : TP_MOTION_OPEN;
 }
 
 /* ---- result -------------------------------------------------------------------------------------
@@ -383,8 +413,7 @@ static tp_motion_outcome find_loaded(finding *f, const arb_t tilt) {
     find_by_direction(f, &s, tilt);
   } else {
     done = find_by_modes(f, &s);
-    if (strong && done == TP_MOTION_PROVEN && f->state != TP_FOS_UNDECIDED)
-      done = take_limit(f, &s);
+    if (strong && done == TP_MOTION_PROVEN && f->state != TP_FOS_UNDECIDED) done = take_held(f, &s);
   }
   split_clear(&s);
   return done;
@@ -394,8 +423,8 @@ static void set_centre(const finding *f) {
   tp_onset *onset = &f->t->result->onset;
   const tp_motion_window *w = f->begins;
   if (w == NULL || !w->has_ray || f->of->motions->twists.rays[w->ray].axis >= 0) return;
-  onset->has_driving_centre = true;
-  tp_onset_centre(&onset->driving_centre_x_m, &onset->driving_centre_y_m, f->of,
+  onset->has_fos_driving_centre = true;
+  tp_onset_centre(&onset->fos_driving_centre_x_m, &onset->fos_driving_centre_y_m, f->of,
                   &f->of->motions->twists.rays[w->ray].twist);
 }
 
@@ -405,7 +434,7 @@ tp_motion_outcome tp_onset_driving(const tp_onset_telling *t, tp_onset_asked *as
   finding f = {.t = t, .asked = asked, .moves = moves, .state = TP_FOS_UNDECIDED};
   tp_motion_outcome done = TP_MOTION_PROVEN;
   arb_init(f.factor);
-  onset->has_driving_centre = false;
+  onset->has_fos_driving_centre = false;
   f.mechanism = TP_MECHANISM_UNDECIDED;
   if (t->e->loaded == NULL) {
     find_by_weight(&f, tilt);

@@ -106,9 +106,9 @@ static bool are_above(const tp_governing_fos *g) {
 /* Sets what follows from the factors: their bounds, the number, and which of them it is. */
 static void take_bounds(tp_governing_fos *g, tp_safety safety) {
   /* a factor that was not asked for is no number, but may be less */
-  g->least =
+  g->at_least =
       g->complete ? safety.least : fmin(safety.least, safety.verdict == TP_VERDICT_STANDS ? 1 : 0);
-  g->most = safety.most;
+  g->at_most = safety.most;
   g->has_factor = g->tie = false;
   name_least(g);
   g->fos = fos_of(g, &safety);
@@ -121,7 +121,7 @@ static void govern(tp_case *c, const tp_solution *solution) {
   *g = (tp_governing_fos){.fos = {.state = TP_FOS_NO_TILT},
                           .sliding_judged = solution->has_friction,
                           .complete = solution->has_friction && is_asked(c),
-                          .most = INFINITY};
+                          .at_most = INFINITY};
   c->has_tilt_of_factor = false;
   if (!solution->has_tilt_angle) return;
   const tp_at_scene at = tp_at_scene_of(c, solution);
@@ -177,7 +177,7 @@ void tp_solution_govern(tp_solution *solution, const tp_scene *scene) {
 
 tp_safety tp_case_safety(const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
-  return (tp_safety){.verdict = verdict_of(c), .least = g->least, .most = g->most};
+  return (tp_safety){.verdict = verdict_of(c), .least = g->at_least, .most = g->at_most};
 }
 
 tp_design tp_case_meets(const tp_case *c, double design_fos) {

@@ -22,8 +22,8 @@ static int rank_of(const tp_case *c) {
 tp_severity tp_severity_of(const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   const double required = g->has_required_fos ? g->required_fos.value : 1;
-  const double most = g->most > 0 ? required / g->most : INFINITY;
-  const double least = g->least > 0 ? required / g->least : INFINITY;
+  const double most = g->at_most > 0 ? required / g->at_most : INFINITY;
+  const double least = g->at_least > 0 ? required / g->at_least : INFINITY;
   return (tp_severity){rank_of(c), most, least};
 }
 

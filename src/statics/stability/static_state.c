@@ -53,7 +53,8 @@ tp_status tp_static_state_join(tp_solution *solution, const tp_scene *scene,
   tp_scene at_rest;
   tp_solution *other = NULL;
   bool any = false;
-  for (size_t k = 0; k < solution->case_count; k++) any = any || may_give_way(solution->cases + k);
+  for (size_t k = 0; solution->has_tilt_angle && k < solution->case_count; k++)
+    any = any || may_give_way(solution->cases + k);
   if (!any) return TP_OK;
   still(&at_rest, scene);
   tp_status status = solve(&other, &at_rest, options, message);
