@@ -127,7 +127,7 @@ class Verdict(unittest.TestCase):
         self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 3, height: 2}}\nfriction_angle_deg: 35\n"
                              "tilt: {towards: left, angle_deg: 62}\n")
         self.assertIn("  none      sliding                 strength reduction, by contact forces\n" + " " * 36 +
-                      "(not certain to stand at any strength)\n", run("solve", self.path)[1])
+                      "(excluded: strength does not decide it)\n" + " " * 36 + "(not certain to stand at any strength)\n", run("solve", self.path)[1])
 
     def test_motions(self):
         """Of a block that turns about a toe that sticks, the weight's moment over the inertia about it; the centroid

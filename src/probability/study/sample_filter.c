@@ -100,7 +100,7 @@ bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilt
       !tp_keyed_filter_tell(&told, &tilt_deg, f, row->values)) {
     return false;
   }
-  const bool shares = f->of->rests && tilts > 0;
+  const bool shares = f->of->loads.shakes && tilts > 0;
   if (!(shares ? take_copy(row, NULL, &told, tilt_deg, f->has_tilt)
                : take_row(row, &told, tilt_deg, f->has_tilt))) {
     return false;

@@ -180,12 +180,14 @@ static bool tell_at(tp_mechanism *mechanism, tp_filter_state *state, const tp_ca
 /* ---- without the earthquake --------------------------------------------------------------------
  */
 
-/* Does the state without the earthquake count beside that of a block which stands? An earthquake
- * whose sign makes it count where the scene's does not is left to a solve: false. */
-static bool asks_rest(bool *asked, const tp_case_told *told, tp_mechanism mechanism) {
+/* Does the state without the earthquake count, too (stability/static_state.h)? Not where a motion
+ * can begin anyway. */
+static bool asks_rest(const tp_case_told *told, tp_mechanism mechanism) {
   const tp_case_filter *f = told->filter;
-  *asked = f->loads.shakes && f->rests && mechanism == TP_STANDS;
-  return !f->loads.shakes || f->rests || told->sample.numbers[TP_NUMBER_HORIZONTAL].value >= 0;
+  const tp_near *numbers = told->sample.numbers;
+  return f->loads.shakes && mechanism == TP_STANDS &&
+         (f->rests || numbers[TP_NUMBER_HORIZONTAL].value < 0 ||
+          !tp_near_is_zero(numbers[TP_NUMBER_VERTICAL]));
 }
 
 static bool tell_rest(tp_case_told *rest, tp_case_told_at *at, tp_filter_state *state,
@@ -202,11 +204,8 @@ static bool tell_rest(tp_case_told *rest, tp_case_told_at *at, tp_filter_state *
 bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *told,
                                    tp_near tilt_deg) {
   tp_filter_state state;
-  bool asked = false;
-  if (!tell_at(mechanism, &state, told, tilt_deg) || !asks_rest(&asked, told, *mechanism)) {
-    return false;
-  }
-  if (!asked) return true;
+  if (!tell_at(mechanism, &state, told, tilt_deg)) return false;
+  if (!asks_rest(told, *mechanism)) return true;
   tp_case_told rest;
   tp_case_told_at at;
   if (!tell_rest(&rest, &at, &state, told, tilt_deg)) return false;
@@ -223,12 +222,10 @@ static int order_of(const tp_fos_told *one, const tp_fos_told *other) {
 
 bool tp_case_filter_tell_at(tp_case_told_at *at, tp_case_told *told, tp_near tilt_deg) {
   tp_filter_state state;
-  bool asked = false;
-  if (!tell_at(&at->mechanism, &state, told, tilt_deg) || !tp_factor_filter(at, told, &state) ||
-      !asks_rest(&asked, told, at->mechanism)) {
+  if (!tell_at(&at->mechanism, &state, told, tilt_deg) || !tp_factor_filter(at, told, &state)) {
     return false;
   }
-  if (!asked) return true;
+  if (!asks_rest(told, at->mechanism)) return true;
   tp_case_told rest;
   tp_case_told_at rest_at;
   if (!tell_rest(&rest, &rest_at, &state, told, tilt_deg) ||
