@@ -15,6 +15,7 @@
 #include "geom/boxes.hpp"
 #include "geom/rings.hpp"
 
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace {
 
@@ -163,38 +165,14 @@ private:
   const int *triangles_;
 };
 
-/* Of four points CGAL (5.5) makes a tetrahedron as they come, which turns it inside out for half of
- * them: do its faces run clockwise seen from outside? */
+/* Which of all points each corner equals, the first of equal ones; -1: none. */
 template <class Point>
-bool is_inside_out(const std::vector<Point> &corners,
-                   const std::vector<std::array<int, 3>> &faces) {
-  const auto &face = faces.front();
-  for (const Point &corner : corners) {
-    const auto side = CGAL::orientation(corners[static_cast<size_t>(face[0])],
-                                        corners[static_cast<size_t>(face[1])],
-                                        corners[static_cast<size_t>(face[2])], corner);
-    if (side != CGAL::COPLANAR) return side == CGAL::POSITIVE;
-  }
-  return false;
-}
-
-template <class Kernel> tp_geom_status hull_of(tp_geom_hull *hull, const tp_geom_points &points) {
-  using Point = typename Kernel::Point_3;
-  const Space<Kernel> space(points);
-  std::vector<Point> all, corners;
-  all.reserve(points.count);
-  for (size_t k = 0; k < points.count; k++) all.push_back(space(k));
-  std::vector<std::array<int, 3>> faces;
-  CGAL::convex_hull_3(all.begin(), all.end(), corners, faces);
-  if (faces.size() < 4) return TP_GEOM_FAILED;
-
-  /* which of all points is a corner of the hull: the first that equals it */
+std::vector<int> find_points(const std::vector<Point> &corners, const std::vector<Point> &all) {
   std::vector<int> order(corners.size()), found(corners.size(), -1);
-  for (size_t k = 0; k < order.size(); k++) order[k] = static_cast<int>(k);
-  const auto less = [&](int a, int b) {
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
     return CGAL::lexicographically_xyz_smaller(corners[a], corners[b]);
-  };
-  std::sort(order.begin(), order.end(), less);
+  });
   for (size_t k = 0; k < all.size(); k++) {
     const auto place =
         std::lower_bound(order.begin(), order.end(), all[k], [&](int a, const Point &point) {
@@ -203,14 +181,32 @@ template <class Kernel> tp_geom_status hull_of(tp_geom_hull *hull, const tp_geom
     if (place == order.end() || corners[*place] != all[k] || found[*place] >= 0) continue;
     found[*place] = static_cast<int>(k);
   }
+  return found;
+}
 
-  auto *own = static_cast<int *>(std::malloc(3 * faces.size() * sizeof(int)));
+/* CGAL chooses the predicates by the type of what it fills: for a Surface_mesh exact ones. (For two
+ * arrays it takes, in 5.5, planes with rounded coefficients, which made hulls with dents and
+ * crashed.) */
+template <class Kernel> tp_geom_status propose(tp_geom_hull *hull, const tp_geom_points &points) {
+  using Point = typename Kernel::Point_3;
+  const Space<Kernel> space(points);
+  std::vector<Point> all, corners;
+  all.reserve(points.count);
+  for (size_t k = 0; k < points.count; k++) all.push_back(space(k));
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::convex_hull_3(all.begin(), all.end(), mesh);
+  if (mesh.number_of_faces() < 4) return TP_GEOM_FAILED;
+  corners.reserve(mesh.number_of_vertices());
+  for (const auto vertex : mesh.vertices()) corners.push_back(mesh.point(vertex));
+  const std::vector<int> found = find_points(corners, all);
+  auto *own = static_cast<int *>(std::malloc(3 * mesh.number_of_faces() * sizeof(int)));
   if (own == nullptr) return TP_GEOM_OUT_OF_MEMORY;
-  const bool turned = is_inside_out(corners, faces);
-  for (size_t k = 0; k < faces.size(); k++) {
-    for (size_t c = 0; c < 3; c++) own[3 * k + (turned ? 2 - c : c)] = found[faces[k][c]];
+  size_t count = 0;
+  for (const auto face : mesh.faces()) {
+    auto side = mesh.halfedge(face);
+    for (int c = 0; c < 3; c++, side = mesh.next(side)) own[count++] = found[mesh.target(side)];
   }
-  *hull = tp_geom_hull{faces.size(), own};
+  *hull = tp_geom_hull{count / 3, own};
   return TP_GEOM_OK;
 }
 
@@ -229,10 +225,11 @@ tp_geom_status tp_geom_find_clashes(tp_geom_clashes *clashes, const tp_geom_poin
   });
 }
 
-tp_geom_status tp_geom_find_hull(tp_geom_hull *hull, const tp_geom_points *points) {
+tp_geom_status tp_geom_propose_hull(tp_geom_hull *hull, const tp_geom_points *points, bool exact) {
   *hull = tp_geom_hull{0, nullptr};
   return tp::guard([&] {
-    return points->small ? hull_of<tp::Small>(hull, *points) : hull_of<tp::Large>(hull, *points);
+    return points->small && !exact ? propose<tp::Small>(hull, *points)
+                                   : propose<tp::Large>(hull, *points);
   });
 }
 

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Exact geometry of triangles between points of space, by CGAL behind a C face: which of them meet,
- * and their convex hull.
+/* Triangles between points of space, by CGAL behind a C interface: which of them meet, and a
+ * proposal of their convex hull.
  *
- * Every predicate is exact: coordinates are doubles that are taken as they are, or whole numbers of
- * any size with an interval in front; no point is ever constructed. Nothing that CGAL throws
- * crosses this face. Cost for a million triangles of a boulder, in doubles: meetings 3 s, hull
- * 0.7 s. */
+ * Whether two triangles meet is decided by exact predicates: coordinates are doubles that are taken
+ * as they are, or whole numbers of any size with an interval in front; no point is constructed. The
+ * search for the hull constructs planes, which are rounded where the coordinates are doubles: what
+ * it returns is to be proven (solid/hull.h). Nothing that CGAL throws crosses this interface. Cost
+ * for a million triangles of a boulder, in doubles: meetings 3 s, hull 0.7 s. */
 
 #ifndef TP_GEOM_SOLID_H
 #define TP_GEOM_SOLID_H
@@ -37,15 +38,17 @@ typedef struct tp_geom_clashes {
 tp_geom_status tp_geom_find_clashes(tp_geom_clashes *clashes, const tp_geom_points *points,
                                     const int *triangles, size_t count, bool *marks);
 
-/* The convex hull: triangles whose corners run counter-clockwise seen from outside; several lie in
- * one plane where a facet has more corners. */
+/* A convex hull as it is proposed: triangles whose corners run counter-clockwise seen from outside;
+ * several are in one plane where a facet has more corners. */
 typedef struct tp_geom_hull {
   size_t count;
-  int *triangles; /* three points each, to be freed */
+  int *triangles; /* three points each, the first of equal ones, to be freed; -1: no given point */
 } tp_geom_hull;
 
-/* TP_GEOM_FAILED where all points lie in one plane. Of equal points any one is taken. */
-tp_geom_status tp_geom_find_hull(tp_geom_hull *hull, const tp_geom_points *points);
+/* `exact`: by exact numbers also where the coordinates are doubles, which takes some hundred times
+ * as long. TP_GEOM_FAILED where CGAL fails, and where it finds no four triangles, as of points in
+ * one plane. On failure the hull is empty. */
+tp_geom_status tp_geom_propose_hull(tp_geom_hull *hull, const tp_geom_points *points, bool exact);
 void tp_geom_hull_clear(tp_geom_hull *hull);
 
 #ifdef __cplusplus

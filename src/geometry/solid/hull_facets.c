@@ -2,10 +2,12 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Triangles of the hull that share an edge and a plane are joined; what is left of their edges is
- * put in a ring for each facet, and the rings in order. */
+ * put in a ring for each facet, and the rings in order. The hull is proven (solid/hull.h): a facet
+ * is convex, and its edges are one ring. */
 
 #include "solid/hull_facets.h"
 
+#include "solid/hull.h"
 #include "solid/sides.h"
 #include "solid/turns.h"
 
@@ -19,8 +21,7 @@ typedef struct ring {
 
 typedef struct maker {
   const tp_surface *surface;
-  tp_geom_hull hull;
-  tp_sides edges;
+  tp_hull hull;
   int *facet_of; /* of each triangle: another one of its facet; then the facet's number */
   long facet_count;
   ring *rings;
@@ -38,30 +39,11 @@ void tp_hull_facets_clear(tp_hull_facets *facets) {
 /* ---- facets ------------------------------------------------------------------------------------
  */
 
-/* The corner of a triangle that two vertices are not. */
-static int opposite(const int *triangle, int a, int b) {
-  for (int c = 0; c < 3; c++) {
-    if (triangle[c] != a && triangle[c] != b) return triangle[c];
-  }
-  return triangle[0];
-}
-
-/* Both sides of an edge of the hull, and its lesser vertex. */
-typedef void (*edge_visitor)(maker *m, int low, const tp_side sides[2]);
-
-static void each_edge(maker *m, edge_visitor visit) {
-  for (int v = 0; v < m->surface->vertex_count; v++) {
-    for (long k = m->edges.starts[v]; k + 1 < m->edges.starts[v + 1]; k += 2) {
-      visit(m, v, m->edges.items + k);
+static void join_level(maker *m) {
+  for (int t = 0; t < (int)m->hull.count; t++) {
+    for (int c = 0; c < 3; c++) {
+      if (m->hull.level[3L * t + c]) tp_sides_join(m->facet_of, t, m->hull.across[3L * t + c]);
     }
-  }
-}
-
-static void join_level(maker *m, int low, const tp_side sides[2]) {
-  const int one = sides[0].triangle, other = sides[1].triangle;
-  const int beyond = opposite(m->hull.triangles + 3L * other, low, sides[0].other);
-  if (tp_surface_side(m->surface, m->hull.triangles + 3L * one, beyond) == 0) {
-    tp_sides_join(m->facet_of, one, other);
   }
 }
 
@@ -71,27 +53,31 @@ static void number_facets(maker *m) {
     const int leader = tp_sides_leader(m->facet_of, t);
     m->places[t] = leader == t ? (int)m->facet_count++ : m->places[leader];
   }
-  memcpy(m->facet_of, m->places, m->hull.count * sizeof *m->places);
+  memcpy(m->facet_of, m->places, (size_t)m->hull.count * sizeof *m->places);
 }
 
-static bool is_inner(const maker *m, const tp_side sides[2]) {
-  return m->facet_of[sides[0].triangle] == m->facet_of[sides[1].triangle];
+/* The facet beyond a side of a triangle; below 0: its own. */
+static int facet_beyond(const maker *m, long side) {
+  const int other = m->facet_of[m->hull.across[side]];
+  return other == m->facet_of[side / 3] ? -1 : other;
 }
 
-static void count_sides(maker *m, int low, const tp_side sides[2]) {
-  (void)low;
-  if (is_inner(m, sides)) return;
-  for (int k = 0; k < 2; k++) m->rings[m->facet_of[sides[k].triangle]].count++;
-}
-
-static void put_sides(maker *m, int low, const tp_side sides[2]) {
-  if (is_inner(m, sides)) return;
-  for (int k = 0; k < 2; k++) {
-    ring *own = m->rings + m->facet_of[sides[k].triangle];
-    const int high = sides[k].other;
-    const bool ahead = sides[k].is_ahead;
-    m->sides[own->start + own->count++] =
-        (tp_hull_side){ahead ? low : high, ahead ? high : low, m->facet_of[sides[1 - k].triangle]};
+static void put_sides(maker *m) {
+  const long count = 3 * m->hull.count;
+  for (long k = 0; k < count; k++) {
+    if (facet_beyond(m, k) >= 0) m->rings[m->facet_of[k / 3]].count++;
+  }
+  for (long f = 0, start = 0; f < m->facet_count; f++) {
+    m->rings[f].start = start;
+    start += m->rings[f].count;
+    m->rings[f].count = 0; /* to be counted again as they are put */
+  }
+  for (long k = 0; k < count; k++) {
+    const int beyond = facet_beyond(m, k);
+    if (beyond < 0) continue;
+    ring *own = m->rings + m->facet_of[k / 3];
+    const int from = m->hull.corners[k], to = m->hull.corners[k - k % 3 + (k + 1) % 3];
+    m->sides[own->start + own->count++] = (tp_hull_side){from, to, beyond};
   }
 }
 
@@ -149,7 +135,7 @@ static int compare_rings(const void *one, const void *other) {
 static bool put_in_order(tp_hull_facets *facets, maker *m) {
   ordered *all = calloc((size_t)m->facet_count + 1, sizeof *all);
   facets->starts = calloc((size_t)m->facet_count + 1, sizeof *facets->starts);
-  facets->sides = malloc(3 * m->hull.count * sizeof *facets->sides);
+  facets->sides = malloc(3 * (size_t)m->hull.count * sizeof *facets->sides);
   const bool done = all != NULL && facets->starts != NULL && facets->sides != NULL;
   for (long f = 0; done && f < m->facet_count; f++) all[f] = (ordered){m->sides, m->rings[f], f};
   if (done) qsort(all, (size_t)m->facet_count, sizeof *all, compare_rings);
@@ -167,46 +153,33 @@ static bool put_in_order(tp_hull_facets *facets, maker *m) {
 }
 
 static bool gather(tp_hull_facets *facets, maker *m) {
-  const size_t count = m->hull.count;
+  const size_t count = (size_t)m->hull.count;
   m->facet_of = malloc(count * sizeof *m->facet_of);
   m->places = malloc(count * sizeof *m->places);
   m->rings = calloc(count, sizeof *m->rings);
   m->sides = malloc(3 * count * sizeof *m->sides);
   m->loop = malloc(3 * count * sizeof *m->loop);
   if (m->facet_of == NULL || m->places == NULL || m->rings == NULL || m->sides == NULL ||
-      m->loop == NULL ||
-      !tp_sides_init(&m->edges, m->hull.triangles, (long)count, m->surface->vertex_count)) {
+      m->loop == NULL) {
     return false;
   }
   for (size_t t = 0; t < count; t++) m->facet_of[t] = (int)t;
-  each_edge(m, join_level);
+  join_level(m);
   number_facets(m);
-  each_edge(m, count_sides);
-  for (long f = 0, start = 0; f < m->facet_count; f++) {
-    m->rings[f].start = start;
-    start += m->rings[f].count;
-    m->rings[f].count = 0; /* to be counted anew as they are put */
-  }
-  each_edge(m, put_sides);
+  put_sides(m);
   for (long f = 0; f < m->facet_count; f++) close_ring(m, m->rings + f);
   return put_in_order(facets, m);
 }
 
 tp_status tp_hull_facets_init(tp_hull_facets *facets, const tp_surface *surface,
                               tp_message *message) {
-  const tp_geom_points points = tp_surface_points(surface);
   maker m = {.surface = surface};
   *facets = (tp_hull_facets){.count = 0};
-  const tp_geom_status found = tp_geom_find_hull(&m.hull, &points);
-  tp_status status = TP_OK;
-  if (found == TP_GEOM_FAILED) {
-    status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){surface->mesh->file, 0, 0},
-                     "CGAL failed to find the convex hull of the solid");
-  } else if (found != TP_GEOM_OK || !gather(facets, &m)) {
+  tp_status status = tp_hull_find(&m.hull, surface, message);
+  if (status == TP_OK && !gather(facets, &m)) {
     status = tp_fail_memory(message, "the convex hull of a solid");
   }
-  tp_geom_hull_clear(&m.hull);
-  tp_sides_clear(&m.edges);
+  tp_hull_clear(&m.hull);
   free(m.facet_of);
   free(m.places);
   free(m.rings);

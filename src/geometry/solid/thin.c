@@ -7,6 +7,7 @@
 
 #include "solid/collapse.h"
 #include "solid/gate.h"
+#include "solid/hull.h"
 #include "solid/mending.h"
 
 #include <stdlib.h>
@@ -32,22 +33,15 @@ static tp_status fail_memory(const thinning *x) {
  */
 
 static tp_status keep_hull(thinning *x) {
-  const tp_geom_points points = tp_surface_points(x->surface);
-  tp_geom_hull hull;
-  const tp_geom_status found = tp_geom_find_hull(&hull, &points);
-  if (found == TP_GEOM_OUT_OF_MEMORY) return fail_memory(x);
-  if (found != TP_GEOM_OK) {
-    return tp_refuse(
-        x->message, TP_FAULT_GEOMETRY, tp_surface_place(x->surface, 0),
-        "the surface is flat: all its points lie in one plane; a solid needs a volume");
-  }
-  for (size_t k = 0; k < 3 * hull.count; k++) {
-    bool *own = x->stay + hull.triangles[k];
+  tp_hull hull;
+  const tp_status status = tp_hull_find(&hull, x->surface, x->message);
+  for (long k = 0; k < 3 * hull.count; k++) {
+    bool *own = x->stay + hull.corners[k];
     if (!*own) x->record->hull_corners++;
     *own = true;
   }
-  tp_geom_hull_clear(&hull);
-  return TP_OK;
+  tp_hull_clear(&hull);
+  return status;
 }
 
 /* What came to a vertex that is left stays as well; did all of it already? */

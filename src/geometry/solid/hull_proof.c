@@ -1,0 +1,352 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Signs of determinants of vectors from the inner point: by doubles with bounds, and by whole
+ * numbers where these do not decide. The triangle whose cone has a point is found by a walk from
+ * the one before it, over any side that the point is beyond; vertices of a mesh that follow each
+ * other are mostly near each other. A walk that takes long is followed by a search of all. */
+
+#include "solid/hull_proof.h"
+
+#include "solid/sides.h"
+#include "solid/turns.h"
+
+#include <stdlib.h>
+
+typedef struct proof {
+  tp_hull *hull;
+  const tp_surface *surface;
+  tp_near near[3]; /* o */
+  fmpz top[3];     /* o = top / bottom in whole numbers, bottom above 0 */
+  fmpz bottom;
+  fmpz exact[10]; /* room for three vectors and a sum */
+} proof;
+
+/* A vector from o: to a vertex, or to the middle of a triangle. */
+typedef struct aim {
+  tp_near near[3];
+  const int *vertices;
+  int count;
+} aim;
+
+const char *tp_hull_fault_text(tp_hull_fault fault) {
+  switch (fault) {
+  case TP_HULL_NO_POINT:
+    return "a corner is no point of the mesh";
+  case TP_HULL_OPEN:
+    return "it is not closed";
+  case TP_HULL_TURNED:
+    return "a facet does not face outwards";
+  case TP_HULL_DENTED:
+    return "it is not convex at an edge";
+  case TP_HULL_WOUND:
+    return "it goes round more than once";
+  case TP_HULL_BEYOND:
+    return "a point of the mesh is outside it";
+  default:
+    return "it is proven";
+  }
+}
+
+/* ---- signs -------------------------------------------------------------------------------------
+ */
+
+static aim aim_at(const proof *p, const int *vertices, int count) {
+  aim own = {.vertices = vertices, .count = count};
+  for (int k = 0; k < 3; k++) {
+    own.near[k] = tp_near_sub(tp_surface_near(p->surface, vertices[0], k), p->near[k]);
+    for (int n = 1; n < count; n++) {
+      own.near[k] = tp_near_add(
+          own.near[k], tp_near_sub(tp_surface_near(p->surface, vertices[n], k), p->near[k]));
+    }
+  }
+  return own;
+}
+
+/* The same times a number above 0; of a triangle, vectors to its corners times such numbers. */
+static void set_exact(fmpz *vector, const proof *p, const aim *own) {
+  const fmpz *weights = p->surface->weights;
+  for (int k = 0; k < 3; k++) fmpz_zero(vector + k);
+  for (int n = 0; n < own->count; n++) {
+    const long vertex = own->vertices[n];
+    for (int k = 0; k < 3; k++) {
+      fmpz_addmul(vector + k, &p->bottom, p->surface->whole + 3 * vertex + k);
+      if (weights == NULL) {
+        fmpz_sub(vector + k, vector + k, p->top + k);
+      } else {
+        fmpz_submul(vector + k, weights + vertex, p->top + k);
+      }
+    }
+  }
+}
+
+static int exact_sign(proof *p, const aim *a, const aim *b, const aim *c) {
+  fmpz *one = p->exact, *other = p->exact + 3, *last = p->exact + 6, *sum = p->exact + 9;
+  set_exact(one, p, a);
+  set_exact(other, p, b);
+  set_exact(last, p, c);
+  fmpz_t turn;
+  fmpz_init(turn);
+  fmpz_zero(sum);
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    fmpz_mul(turn, one + i, other + j);
+    fmpz_submul(turn, one + j, other + i);
+    fmpz_addmul(sum, turn, last + k);
+  }
+  fmpz_clear(turn);
+  return fmpz_sgn(sum);
+}
+
+/* Of (a x b) . c: above 0 where c is on the inner side of the plane through o that a side from a to
+ * b of a triangle spans. */
+static int sign_of(proof *p, const aim *a, const aim *b, const aim *c) {
+  tp_near sum = {0, 0};
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const tp_near turn =
+        tp_near_sub(tp_near_mul(a->near[i], b->near[j]), tp_near_mul(a->near[j], b->near[i]));
+    sum = tp_near_add(sum, tp_near_mul(turn, c->near[k]));
+  }
+  const int sign = tp_near_sign(sum);
+  return sign != 0 ? sign : exact_sign(p, a, b, c);
+}
+
+static int side_sign(proof *p, long triangle, int side, const aim *c) {
+  const int *corners = p->hull->corners + 3 * triangle;
+  const aim a = aim_at(p, corners + side, 1), b = aim_at(p, corners + (side + 1) % 3, 1);
+  return sign_of(p, &a, &b, c);
+}
+
+/* ---- a point within ----------------------------------------------------------------------------
+ */
+
+static double square(double x) {
+  return x * x;
+}
+
+/* Of `count` spanning points so far: the square of the length, area or volume that another adds. */
+static double spread(const tp_surface *s, const int *four, int count, long vertex) {
+  double way[3][3], turn[3];
+  for (int n = 0; n < count; n++) {
+    const long to = n + 1 < count ? four[n + 1] : vertex;
+    for (int k = 0; k < 3; k++) way[n][k] = s->near[3 * to + k] - s->near[3L * four[0] + k];
+  }
+  if (count == 1) return square(way[0][0]) + square(way[0][1]) + square(way[0][2]);
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    turn[k] = way[0][i] * way[1][j] - way[0][j] * way[1][i];
+  }
+  if (count == 2) return square(turn[0]) + square(turn[1]) + square(turn[2]);
+  return square(turn[0] * way[2][0] + turn[1] * way[2][1] + turn[2] * way[2][2]);
+}
+
+/* Does another point certainly add one? */
+static bool spans(const tp_surface *s, const int *four, int count, int vertex) {
+  fmpz way[3];
+  bool differs = false;
+  if (count == 2) return !tp_surface_is_straight(s, four[0], four[1], vertex);
+  if (count == 3) return tp_surface_side(s, four, vertex) != 0;
+  for (int k = 0; k < 3; k++) fmpz_init(way + k);
+  tp_surface_way(way, s, four[0], vertex);
+  for (int k = 0; k < 3; k++) differs = differs || !fmpz_is_zero(way + k);
+  for (int k = 0; k < 3; k++) fmpz_clear(way + k);
+  return differs;
+}
+
+bool tp_hull_span(int four[4], const tp_surface *surface) {
+  four[0] = 0;
+  for (int count = 1; count < 4; count++) {
+    int best = 0;
+    double most = -1;
+    for (int v = 0; v < surface->vertex_count; v++) {
+      const double own = spread(surface, four, count, v);
+      if (own > most) {
+        most = own;
+        best = v;
+      }
+    }
+    for (int v = 0; v < surface->vertex_count && !spans(surface, four, count, best); v++) best = v;
+    if (!spans(surface, four, count, best)) return false;
+    four[count] = best;
+  }
+  return true;
+}
+
+/* The mean of four points p / w: with b the product of all w, the sum of p b / w over 4 b. */
+static void set_centre(proof *p, const int four[4]) {
+  const tp_surface *s = p->surface;
+  static const tp_near quarter = {0.25, 0};
+  fmpz_one(&p->bottom);
+  for (int n = 0; n < 4 && s->weights != NULL; n++) {
+    fmpz_mul(&p->bottom, &p->bottom, s->weights + four[n]);
+  }
+  fmpz_t factor;
+  fmpz_init(factor);
+  for (int n = 0; n < 4; n++) {
+    fmpz_set(factor, &p->bottom);
+    if (s->weights != NULL) fmpz_divexact(factor, factor, s->weights + four[n]);
+    for (int k = 0; k < 3; k++) fmpz_addmul(p->top + k, factor, s->whole + 3L * four[n] + k);
+  }
+  fmpz_clear(factor);
+  fmpz_mul_ui(&p->bottom, &p->bottom, 4);
+  for (int k = 0; k < 3; k++) {
+    tp_near sum = tp_surface_near(s, four[0], k);
+    for (int n = 1; n < 4; n++) sum = tp_near_add(sum, tp_surface_near(s, four[n], k));
+    p->near[k] = tp_near_mul(sum, quarter);
+  }
+}
+
+/* ---- conditions --------------------------------------------------------------------------------
+ */
+
+static tp_hull_fault prove_corners(const proof *p) {
+  for (long k = 0; k < 3 * p->hull->count; k++) {
+    const int own = p->hull->corners[k];
+    if (own < 0 || own >= p->surface->vertex_count) return TP_HULL_NO_POINT;
+  }
+  return TP_HULL_PROVEN;
+}
+
+/* The side of a triangle from one vertex to another. */
+static long side_from(const tp_hull *hull, int triangle, int from) {
+  const int *corners = hull->corners + 3L * triangle;
+  return 3L * triangle + (corners[0] == from ? 0 : corners[1] == from ? 1 : 2);
+}
+
+static tp_hull_fault prove_closed(proof *p) {
+  tp_hull *hull = p->hull;
+  tp_sides sides;
+  if (!tp_sides_init(&sides, hull->corners, hull->count, p->surface->vertex_count)) {
+    tp_sides_clear(&sides);
+    return TP_HULL_NO_MEMORY;
+  }
+  bool closed = hull->count > 0;
+  for (int v = 0; closed && v < p->surface->vertex_count; v++) {
+    const long past = sides.starts[v + 1];
+    for (long k = sides.starts[v]; closed && k < past; k += 2) {
+      const tp_side *one = sides.items + k, *other = one + 1;
+      closed = k + 1 < past && one->other == other->other && one->other != v &&
+               one->is_ahead != other->is_ahead && (k + 2 >= past || other[1].other != one->other);
+      if (!closed) break;
+      hull->across[side_from(hull, one->triangle, one->is_ahead ? v : one->other)] =
+          other->triangle;
+      hull->across[side_from(hull, other->triangle, other->is_ahead ? v : other->other)] =
+          one->triangle;
+    }
+  }
+  tp_sides_clear(&sides);
+  return closed ? TP_HULL_PROVEN : TP_HULL_OPEN;
+}
+
+static tp_hull_fault prove_outwards(proof *p) {
+  for (long t = 0; t < p->hull->count; t++) {
+    const aim last = aim_at(p, p->hull->corners + 3 * t + 2, 1);
+    if (side_sign(p, t, 0, &last) <= 0) return TP_HULL_TURNED;
+  }
+  return TP_HULL_PROVEN;
+}
+
+/* Which side of a triangle is towards another. */
+static int side_towards(const tp_hull *hull, long triangle, long other) {
+  const int *across = hull->across + 3 * triangle;
+  return across[0] == other ? 0 : across[1] == other ? 1 : 2;
+}
+
+static tp_hull_fault prove_convex(proof *p) {
+  const tp_hull *hull = p->hull;
+  for (long t = 0; t < hull->count; t++) {
+    for (int c = 0; c < 3; c++) {
+      const long other = hull->across[3 * t + c];
+      if (other < t) continue;
+      const int side = side_towards(hull, other, t);
+      const int far_corner = hull->corners[3 * other + (side + 2) % 3];
+      const int sign = tp_surface_side(p->surface, hull->corners + 3 * t, far_corner);
+      if (sign > 0) return TP_HULL_DENTED;
+      hull->level[3 * t + c] = hull->level[3 * other + side] = sign == 0;
+    }
+  }
+  return TP_HULL_PROVEN;
+}
+
+static bool is_in_cone(proof *p, long triangle, const aim *own) {
+  for (int c = 0; c < 3; c++) {
+    if (side_sign(p, triangle, c, own) < 0) return false;
+  }
+  return true;
+}
+
+static tp_hull_fault prove_once(proof *p) {
+  const aim ray = aim_at(p, p->hull->corners, 3);
+  for (long t = 1; t < p->hull->count; t++) {
+    if (is_in_cone(p, t, &ray)) return TP_HULL_WOUND;
+  }
+  return TP_HULL_PROVEN;
+}
+
+/* The triangle whose cone has a point, from `start` on; below 0: none. */
+static long locate(proof *p, const aim *own, long start) {
+  const tp_hull *hull = p->hull;
+  const long most_steps = 64 + 8 * (long)sqrt((double)hull->count);
+  long at = start, before = -1;
+  for (long step = 0; step < most_steps; step++) {
+    int beyond = -1;
+    for (int n = 0; n < 3 && beyond < 0; n++) {
+      const int c = (int)((step + n) % 3); /* from another side each time: no walk runs in a ring */
+      if (hull->across[3 * at + c] != before && side_sign(p, at, c, own) < 0) beyond = c;
+    }
+    if (beyond < 0) return at;
+    before = at;
+    at = hull->across[3 * at + beyond];
+  }
+  for (long t = 0; t < hull->count; t++) {
+    if (is_in_cone(p, t, own)) return t;
+  }
+  return -1;
+}
+
+static tp_hull_fault prove_points(proof *p) {
+  const tp_hull *hull = p->hull;
+  bool *is_corner = calloc((size_t)p->surface->vertex_count, sizeof *is_corner);
+  if (is_corner == NULL) return TP_HULL_NO_MEMORY;
+  for (long k = 0; k < 3 * hull->count; k++) is_corner[hull->corners[k]] = true;
+  tp_hull_fault fault = TP_HULL_PROVEN;
+  long at = 0;
+  for (int v = 0; fault == TP_HULL_PROVEN && v < p->surface->vertex_count; v++) {
+    if (is_corner[v]) continue;
+    const aim own = aim_at(p, &v, 1);
+    const long found = locate(p, &own, at);
+    if (found >= 0) at = found;
+    if (found < 0 || tp_surface_side(p->surface, hull->corners + 3 * found, v) > 0) {
+      fault = TP_HULL_BEYOND;
+    }
+  }
+  free(is_corner);
+  return fault;
+}
+
+static bool make_room(tp_hull *hull) {
+  const size_t count = 3 * (size_t)hull->count + 1;
+  hull->across = malloc(count * sizeof *hull->across);
+  hull->level = calloc(count, sizeof *hull->level);
+  return hull->across != NULL && hull->level != NULL;
+}
+
+tp_hull_fault tp_hull_prove(tp_hull *hull, const tp_surface *surface, const int four[4]) {
+  proof p = {.hull = hull, .surface = surface};
+  if (!make_room(hull)) return TP_HULL_NO_MEMORY;
+  for (int k = 0; k < 3; k++) fmpz_init(p.top + k);
+  for (int k = 0; k < 10; k++) fmpz_init(p.exact + k);
+  fmpz_init(&p.bottom);
+  set_centre(&p, four);
+  tp_hull_fault fault = prove_corners(&p);
+  if (fault == TP_HULL_PROVEN) fault = prove_closed(&p);
+  if (fault == TP_HULL_PROVEN) fault = prove_outwards(&p);
+  if (fault == TP_HULL_PROVEN) fault = prove_convex(&p);
+  if (fault == TP_HULL_PROVEN) fault = prove_once(&p);
+  if (fault == TP_HULL_PROVEN) fault = prove_points(&p);
+  for (int k = 0; k < 3; k++) fmpz_clear(p.top + k);
+  for (int k = 0; k < 10; k++) fmpz_clear(p.exact + k);
+  fmpz_clear(&p.bottom);
+  return fault;
+}
