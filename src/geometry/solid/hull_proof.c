@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Signs of determinants of vectors from the inner point: by doubles with bounds, and by whole
- * numbers where these do not decide. The triangle whose cone has a point is found by a walk from
- * the one before it, over any side that the point is beyond; vertices of a mesh that follow each
- * other are mostly near each other. A walk that takes long is followed by a search of all. */
+/* Signs of determinants of vectors from the inner point: by doubles with one bound for all, by
+ * doubles with bounds of their own, and by whole numbers where neither decides. The triangle whose
+ * cone has a point is found by a walk over any side that the point is beyond, from the triangle
+ * found last in about that direction. A walk that takes long is followed by a search of all.
+ *
+ * The bound for all: with u = 2^-53, a coordinate is at most 1 and off by u, the inner point by 4
+ * u, a vector from it by 7 u and at most 2, the sum of three of these by 33 u and at most 6. A
+ * product of two is off by 32 u, a component of the cross product of two by 72 u and at most 8, its
+ * product with the third vector by 6 (72 u) + 8 (33 u) + 48 u, less than 750 u, and the sum of
+ * three, with its roundings, by less than 2550 u: less than 2^12 u = 2^-41. */
 
 #include "solid/hull_proof.h"
 
@@ -19,12 +25,12 @@ typedef struct proof {
   tp_near near[3]; /* o */
   fmpz top[3];     /* o = top / bottom in whole numbers, bottom above 0 */
   fmpz bottom;
-  fmpz exact[10]; /* room for three vectors and a sum */
+  fmpz exact[11]; /* room for three vectors, a sum and a term of it */
 } proof;
 
-/* A vector from o: to a vertex, or to the middle of a triangle. */
+/* A vector from o: to a vertex, or the sum of those to the corners of a triangle. */
 typedef struct aim {
-  tp_near near[3];
+  double at[3];
   const int *vertices;
   int count;
 } aim;
@@ -51,16 +57,26 @@ const char *tp_hull_fault_text(tp_hull_fault fault) {
 /* ---- signs -------------------------------------------------------------------------------------
  */
 
+static const double bound_for_all = 0x1p-41;
+
 static aim aim_at(const proof *p, const int *vertices, int count) {
   aim own = {.vertices = vertices, .count = count};
-  for (int k = 0; k < 3; k++) {
-    own.near[k] = tp_near_sub(tp_surface_near(p->surface, vertices[0], k), p->near[k]);
-    for (int n = 1; n < count; n++) {
-      own.near[k] = tp_near_add(
-          own.near[k], tp_near_sub(tp_surface_near(p->surface, vertices[n], k), p->near[k]));
-    }
+  for (int n = 0; n < count; n++) {
+    const double *at = p->surface->near + 3L * vertices[n];
+    for (int k = 0; k < 3; k++) own.at[k] += at[k] - p->near[k].value;
   }
   return own;
+}
+
+/* The same with bounds of its own. */
+static void set_near(tp_near vector[3], const proof *p, const aim *own) {
+  for (int k = 0; k < 3; k++) {
+    vector[k] = (tp_near){0, 0};
+    for (int n = 0; n < own->count; n++) {
+      const tp_near at = tp_surface_near(p->surface, own->vertices[n], k);
+      vector[k] = tp_near_add(vector[k], tp_near_sub(at, p->near[k]));
+    }
+  }
 }
 
 /* The same times a number above 0; of a triangle, vectors to its corners times such numbers. */
@@ -82,11 +98,10 @@ static void set_exact(fmpz *vector, const proof *p, const aim *own) {
 
 static int exact_sign(proof *p, const aim *a, const aim *b, const aim *c) {
   fmpz *one = p->exact, *other = p->exact + 3, *last = p->exact + 6, *sum = p->exact + 9;
+  fmpz *turn = p->exact + 10;
   set_exact(one, p, a);
   set_exact(other, p, b);
   set_exact(last, p, c);
-  fmpz_t turn;
-  fmpz_init(turn);
   fmpz_zero(sum);
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -94,22 +109,49 @@ static int exact_sign(proof *p, const aim *a, const aim *b, const aim *c) {
     fmpz_submul(turn, one + j, other + i);
     fmpz_addmul(sum, turn, last + k);
   }
-  fmpz_clear(turn);
   return fmpz_sgn(sum);
+}
+
+static int near_sign(const proof *p, const aim *a, const aim *b, const aim *c) {
+  tp_near one[3], other[3], last[3], sum = {0, 0};
+  set_near(one, p, a);
+  set_near(other, p, b);
+  set_near(last, p, c);
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const tp_near turn = tp_near_sub(tp_near_mul(one[i], other[j]), tp_near_mul(one[j], other[i]));
+    sum = tp_near_add(sum, tp_near_mul(turn, last[k]));
+  }
+  return tp_near_sign(sum);
+}
+
+static double determinant(const double a[3], const double b[3], const double c[3]) {
+  return (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
+         (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
 /* Of (a x b) . c: above 0 where c is on the inner side of the plane through o that a side from a to
  * b of a triangle spans. */
 static int sign_of(proof *p, const aim *a, const aim *b, const aim *c) {
-  tp_near sum = {0, 0};
-  for (int k = 0; k < 3; k++) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const tp_near turn =
-        tp_near_sub(tp_near_mul(a->near[i], b->near[j]), tp_near_mul(a->near[j], b->near[i]));
-    sum = tp_near_add(sum, tp_near_mul(turn, c->near[k]));
-  }
-  const int sign = tp_near_sign(sum);
+  const double value = determinant(a->at, b->at, c->at);
+  if (fabs(value) > bound_for_all) return value > 0 ? 1 : -1;
+  const int sign = near_sign(p, a, b, c);
   return sign != 0 ? sign : exact_sign(p, a, b, c);
+}
+
+/* tp_surface_side of a triangle of the hull: above 0 where the vertex is beyond its plane. */
+static int plane_side(const proof *p, long triangle, int vertex) {
+  const int *corners = p->hull->corners + 3 * triangle;
+  const double *near = p->surface->near, *from = near + 3L * corners[0];
+  double way[3][3];
+  for (int k = 0; k < 3; k++) {
+    way[0][k] = near[3L * corners[1] + k] - from[k];
+    way[1][k] = near[3L * corners[2] + k] - from[k];
+    way[2][k] = near[3L * vertex + k] - from[k];
+  }
+  const double value = determinant(way[0], way[1], way[2]);
+  if (fabs(value) > bound_for_all) return value > 0 ? 1 : -1;
+  return tp_surface_side(p->surface, corners, vertex);
 }
 
 static int side_sign(proof *p, long triangle, int side, const aim *c) {
@@ -261,7 +303,7 @@ static tp_hull_fault prove_convex(proof *p) {
       if (other < t) continue;
       const int side = side_towards(hull, other, t);
       const int far_corner = hull->corners[3 * other + (side + 2) % 3];
-      const int sign = tp_surface_side(p->surface, hull->corners + 3 * t, far_corner);
+      const int sign = plane_side(p, t, far_corner);
       if (sign > 0) return TP_HULL_DENTED;
       hull->level[3 * t + c] = hull->level[3 * other + side] = sign == 0;
     }
@@ -305,19 +347,37 @@ static long locate(proof *p, const aim *own, long start) {
   return -1;
 }
 
+enum { BINS = 8 }; /* of directions, along each edge of a cube around o */
+
+/* The bin of a direction. */
+static int bin_of(const double at[3]) {
+  const double sizes[3] = {fabs(at[0]), fabs(at[1]), fabs(at[2])};
+  const int axis = sizes[0] > sizes[1]   ? (sizes[0] > sizes[2] ? 0 : 2)
+                   : sizes[1] > sizes[2] ? 1
+                                         : 2;
+  if (!(sizes[axis] > 0)) return 0;
+  int bin = 2 * axis + (at[axis] > 0);
+  for (int k = 1; k < 3; k++) {
+    const int own = (int)((at[(axis + k) % 3] / sizes[axis] + 1) * (BINS / 2));
+    bin = bin * BINS + (own < BINS ? own : BINS - 1);
+  }
+  return bin;
+}
+
 static tp_hull_fault prove_points(proof *p) {
   const tp_hull *hull = p->hull;
+  int found_last[6 * BINS * BINS] = {0};
   bool *is_corner = calloc((size_t)p->surface->vertex_count, sizeof *is_corner);
   if (is_corner == NULL) return TP_HULL_NO_MEMORY;
   for (long k = 0; k < 3 * hull->count; k++) is_corner[hull->corners[k]] = true;
   tp_hull_fault fault = TP_HULL_PROVEN;
-  long at = 0;
   for (int v = 0; fault == TP_HULL_PROVEN && v < p->surface->vertex_count; v++) {
     if (is_corner[v]) continue;
     const aim own = aim_at(p, &v, 1);
-    const long found = locate(p, &own, at);
-    if (found >= 0) at = found;
-    if (found < 0 || tp_surface_side(p->surface, hull->corners + 3 * found, v) > 0) {
+    int *last = found_last + bin_of(own.at);
+    const long found = locate(p, &own, *last);
+    if (found >= 0) *last = (int)found;
+    if (found < 0 || plane_side(p, found, v) > 0) {
       fault = TP_HULL_BEYOND;
     }
   }
@@ -336,7 +396,7 @@ tp_hull_fault tp_hull_prove(tp_hull *hull, const tp_surface *surface, const int 
   proof p = {.hull = hull, .surface = surface};
   if (!make_room(hull)) return TP_HULL_NO_MEMORY;
   for (int k = 0; k < 3; k++) fmpz_init(p.top + k);
-  for (int k = 0; k < 10; k++) fmpz_init(p.exact + k);
+  for (int k = 0; k < 11; k++) fmpz_init(p.exact + k);
   fmpz_init(&p.bottom);
   set_centre(&p, four);
   tp_hull_fault fault = prove_corners(&p);
@@ -346,7 +406,7 @@ tp_hull_fault tp_hull_prove(tp_hull *hull, const tp_surface *surface, const int 
   if (fault == TP_HULL_PROVEN) fault = prove_once(&p);
   if (fault == TP_HULL_PROVEN) fault = prove_points(&p);
   for (int k = 0; k < 3; k++) fmpz_clear(p.top + k);
-  for (int k = 0; k < 10; k++) fmpz_clear(p.exact + k);
+  for (int k = 0; k < 11; k++) fmpz_clear(p.exact + k);
   fmpz_clear(&p.bottom);
   return fault;
 }
