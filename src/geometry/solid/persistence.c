@@ -25,6 +25,7 @@ typedef struct landscape {
   pass *passes;
   long pass_count;
   int *leaders, *lowest; /* sets of facets, and the lowest of each at its leader */
+  bool is_open;          /* a side has no twin: no closed surface, which a proven hull is */
 } landscape;
 
 static void measure_facet(landscape *l, long facet) {
@@ -44,17 +45,24 @@ static void measure_facet(landscape *l, long facet) {
   tp_rest_plane_clear(&plane);
 }
 
-/* Of a side, the same edge as a side of its neighbour. */
+/* Of a side, the same edge as a side of its neighbour; below 0: there is none. */
 static long find_twin(const landscape *l, long side) {
   const tp_hull_side *sides = l->facets->sides;
-  long k = l->facets->starts[sides[side].neighbour];
-  while (sides[k].from != sides[side].to || sides[k].to != sides[side].from) k++;
-  return k;
+  const int facet = sides[side].neighbour;
+  for (long k = l->facets->starts[facet]; k < l->facets->starts[facet + 1]; k++) {
+    if (sides[k].from == sides[side].to && sides[k].to == sides[side].from) return k;
+  }
+  return -1;
 }
 
 static void set_pass(landscape *l, long facet, long side) {
   const int other = l->facets->sides[side].neighbour;
-  const tp_near own = l->arms[side], beyond = l->arms[find_twin(l, side)];
+  const long twin = find_twin(l, side);
+  if (twin < 0) {
+    l->is_open = true;
+    return;
+  }
+  const tp_near own = l->arms[side], beyond = l->arms[twin];
   tp_near height = tp_near_larger(l->heights[facet], l->heights[other]);
   if (own.value > 0 && beyond.value > 0) {
     height = tp_near_larger(height, tp_near_length(l->heights[facet], own));
@@ -118,7 +126,7 @@ tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *c
       if (facets->sides[k].neighbour > f) set_pass(&l, f, k);
     }
   }
-  if (done) {
+  if (done && !l.is_open) {
     qsort(l.passes, (size_t)l.pass_count, sizeof *l.passes, compare_passes);
     join_facets(own, &l);
     *persistences = own;
@@ -130,5 +138,9 @@ tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *c
   free(l.passes);
   free(l.leaders);
   free(l.lowest);
-  return done ? TP_OK : tp_fail_memory(message, "the poses of a solid");
+  if (!done) return tp_fail_memory(message, "the poses of a solid");
+  if (!l.is_open) return TP_OK;
+  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){centre->surface->mesh->file, 0, 0},
+                 "facets of the convex hull of the solid do not close; please report this together "
+                 "with the mesh");
 }

@@ -12,6 +12,7 @@
 #include "solid_tilt/on_contacts.h"
 #include "solid_tilt/on_ground.h"
 #include "solid_tilt/repaired.h"
+#include "solid_tilt/results_check.h"
 #include "solid_tilt/rose.h"
 #include "solid_tilt/solid_parts.h"
 #include "solid_tilt/stance.h"
@@ -133,6 +134,7 @@ static tp_status climb(work *w) {
     status = tp_fail(w->message, TP_UNDECIDED, (tp_place){w->body->mesh->file, 0, 0},
                      "coordinates of sizes too unlike for the range of doubles");
   }
+  if (status == TP_OK) status = tp_solid_results_check(w->solid, w->message);
   if (status == TP_OK) {
     status = w->given->ground_band_count > 0
                  ? tp_on_ground_find(w->solid, w->body, &moments.centre, w->given, w->message)
