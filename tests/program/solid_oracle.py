@@ -152,7 +152,8 @@ class Oracle:
                 for b in range(len(facets)):
                     lowest[a][b] = min(lowest[a][b], max(lowest[a][via], lowest[via][b]))
         poses = [k for k, f in enumerate(facets) if min(self.arm2(f, edge) for edge in self.edges(f)) > 0]
-        order = sorted(poses, key=lambda k: heights[k])
+        order = sorted(poses, key=lambda k: Fraction(dot(self.facets[facets[k]], minus(self.points[min(facets[k])], self.centroid))) ** 2
+                       / dot(self.facets[facets[k]], self.facets[facets[k]]))  # exact: a pose may be lower by less than a double tells
         return sorted(min(lowest[k][g] for g in order[:n]) - heights[k] for n, k in enumerate(order) if n > 0)
 
     def lies(self, band):
@@ -173,3 +174,67 @@ class Oracle:
             reaches = [float(a) / (float(dy) * east - float(dx) * north) for a, dx, dy in arms if float(dy) * east - float(dx) * north > 1e-12]
             return math.degrees(math.atan(min(reaches) / float(height)))
         return True, min(Fraction(a) ** 2 / (dx * dx + dy * dy) for a, dx, dy in arms) / Fraction(height) ** 2, towards
+
+
+def wrapped(points):
+    """Facets as of Oracle, by wrapping: from a facet over each of its edges to the next (Chand and Kapur 1970). Exact for whole
+    numbers; each edge takes one pass over all points, so that hundreds of points are soon done."""
+    def plane(a, normal):
+        return frozenset(k for k, p in enumerate(points) if dot(normal, minus(p, a)) == 0)
+
+    def over(i, j, normal):
+        """The normal of the plane through an edge, from i to j, of the facet beyond it."""
+        a, best = points[j], None
+        way = minus(points[i], a)
+        for p in points:
+            if dot(normal, minus(p, a)) == 0:
+                continue
+            if best is None or dot(cross(way, minus(best, a)), minus(p, a)) > 0:
+                best = p
+        return cross(way, minus(best, a))
+
+    def ring(facet, normal):
+        """Corners, counter-clockwise: from each to the one that has none of the others to its right, of those the farthest."""
+        first = min(facet, key=lambda k: points[k])
+        corners = [first]
+        while True:
+            at, best = points[corners[-1]], None
+            for k in facet - {corners[-1]}:
+                way = minus(points[k], at)
+                side = -1 if best is None else dot(cross(minus(points[best], at), way), normal)
+                if side < 0 or (side == 0 and dot(way, way) > dot(minus(points[best], at), minus(points[best], at))):
+                    best = k
+            if best == first:
+                return corners
+            corners.append(best)
+
+    low = min(range(len(points)), key=lambda k: points[k])
+    a = points[low]
+    ahead = None  # seen from above, all are left of the way from the first point to this one
+    for p in points:
+        if p[:2] == a[:2]:
+            continue
+        if ahead is None or (ahead[0] - a[0]) * (p[1] - a[1]) - (ahead[1] - a[1]) * (p[0] - a[0]) < 0:
+            ahead = p
+    upright = (ahead[1] - a[1], a[0] - ahead[0], 0)
+    on = sorted(plane(a, upright), key=lambda k: points[k])
+    line = [k for k in on if cross(minus(points[on[-1]], a), minus(points[k], a)) != (0, 0, 0)]
+    first = upright if line else over(on[0], on[-1], upright)
+    found, waiting = {}, [(a, first)]
+    while waiting:
+        at, normal = waiting.pop()
+        facet = plane(at, normal)
+        if facet in found:
+            continue
+        assert all(dot(normal, minus(p, at)) <= 0 for p in points)
+        found[facet] = normal
+        corners = ring(facet, normal)
+        waiting += [(points[i], over(i, j, normal)) for i, j in zip(corners, corners[1:] + corners[:1])]
+    return found
+
+
+class Wrapped(Oracle):
+    """The same of many points, by wrapping."""
+
+    def _facets(self):
+        return wrapped(self.points)

@@ -238,6 +238,41 @@ tp_near tp_centre_arm(const tp_centre *centre, const tp_rest_plane *plane, long 
   return told;
 }
 
+/* With n = up . (M - 4 V6 p) w, of the weight w of p: n^2 / (w |up|)^2 is the squared height times
+ * a number that is the same for all planes: `top` over `bottom`. */
+static void square_height(fmpz_t top, fmpz_t bottom, const tp_centre *centre,
+                          const tp_rest_plane *plane) {
+  const fmpz *weights = centre->surface->weights;
+  fmpz way[3];
+  init_vector(way);
+  exact_from(way, centre, plane->vertex);
+  dot(top, plane->up, way);
+  fmpz_mul(top, top, top);
+  dot(bottom, plane->up, plane->up);
+  for (int k = 0; k < 2 && weights != NULL; k++) {
+    fmpz_mul(bottom, bottom, weights + plane->vertex);
+  }
+  clear_vector(way);
+}
+
+int tp_centre_compare_heights(const tp_centre *centre, const tp_rest_plane *one,
+                              const tp_rest_plane *other) {
+  fmpz tops[2], bottoms[2];
+  for (int k = 0; k < 2; k++) {
+    fmpz_init(tops + k);
+    fmpz_init(bottoms + k);
+    square_height(tops + k, bottoms + k, centre, k == 0 ? one : other);
+  }
+  fmpz_mul(tops, tops, bottoms + 1);
+  fmpz_mul(tops + 1, tops + 1, bottoms);
+  const int order = fmpz_cmp(tops, tops + 1);
+  for (int k = 0; k < 2; k++) {
+    fmpz_clear(tops + k);
+    fmpz_clear(bottoms + k);
+  }
+  return (order > 0) - (order < 0);
+}
+
 void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
                            const tp_rest_plane *plane, long from, long to) {
   static const double accuracy = 1e-14;

@@ -49,6 +49,11 @@ tp_near tp_centre_height(const tp_centre *centre, const tp_rest_plane *plane, do
 tp_near tp_centre_arm(const tp_centre *centre, const tp_rest_plane *plane, long from, long to,
                       double accuracy);
 
+/* At the level exact: the sign of the height over one plane less that over another, both above 0.
+ */
+int tp_centre_compare_heights(const tp_centre *centre, const tp_rest_plane *one,
+                              const tp_rest_plane *other);
+
 /* (to - from) x up, in the plane across the edge and out of the support. */
 void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
                            const tp_rest_plane *plane, long from, long to);

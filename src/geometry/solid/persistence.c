@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Heights of facets and arms about their sides in doubles with bounds; passes in their order; sets
- * of facets that are joined, each with its lowest. */
+ * of facets that are joined, each with its lowest pose. */
 
 #include "solid/persistence.h"
 
@@ -20,22 +20,31 @@ typedef struct pass {
 typedef struct landscape {
   const tp_centre *centre;
   const tp_hull_facets *facets;
+  const bool *is_pose;
   tp_near *heights; /* of facets */
   tp_near *arms;    /* about sides, above 0 where the foot lies within */
   pass *passes;
   long pass_count;
-  int *leaders, *lowest; /* sets of facets, and the lowest of each at its leader */
+  double most_error;     /* of passes */
+  int *leaders, *lowest; /* sets of facets, and the lowest pose of each at its leader; -1: none */
+  bool is_undecided;     /* the level does not tell heights apart */
   bool is_open;          /* a side has no twin: no closed surface, which a proven hull is */
 } landscape;
+
+static void set_plane(tp_rest_plane *plane, const landscape *l, long facet) {
+  const tp_hull_side *sides = l->facets->sides + l->facets->starts[facet];
+  const int corners[3] = {sides[0].from, sides[1].from, sides[2].from};
+  tp_rest_plane_below(plane, l->centre->surface, corners);
+}
 
 static void measure_facet(landscape *l, long facet) {
   const tp_hull_side *sides = l->facets->sides;
   const long first = l->facets->starts[facet], past = l->facets->starts[facet + 1];
-  const int corners[3] = {sides[first].from, sides[first + 1].from, sides[first + 2].from};
   tp_rest_plane plane;
-  tp_rest_plane_below(&plane, l->centre->surface, corners);
+  set_plane(&plane, l, facet);
   l->heights[facet] = tp_near_div(tp_centre_height(l->centre, &plane, tp_solid_accuracy),
                                   tp_near_norm(plane.near_up));
+  if (!tp_near_tells(l->heights[facet], 100 * tp_solid_accuracy)) l->is_undecided = true;
   for (long k = first; k < past; k++) {
     tp_near outward[3]; /* seen from above the sides of a facet run the other way */
     tp_rest_plane_outward(outward, l->centre->surface, &plane, sides[k].to, sides[k].from);
@@ -67,6 +76,7 @@ static void set_pass(landscape *l, long facet, long side) {
   if (own.value > 0 && beyond.value > 0) {
     height = tp_near_larger(height, tp_near_length(l->heights[facet], own));
   }
+  l->most_error = fmax(l->most_error, height.error);
   l->passes[l->pass_count++] = (pass){height, (int)facet, other};
 }
 
@@ -77,30 +87,47 @@ static int compare_passes(const void *one, const void *other) {
   return (a->other > b->other) - (a->other < b->other);
 }
 
-static bool is_lower_facet(const landscape *l, int a, int b) {
-  const double one = l->heights[a].value, other = l->heights[b].value;
-  return one != other ? one < other : a < b;
+/* Of two poses of the same height the first counts as the lower one. */
+static bool is_lower_pose(landscape *l, int a, int b) {
+  int order = tp_near_sign(tp_near_sub(l->heights[a], l->heights[b]));
+  if (order == 0 && l->centre->level == TP_LEVEL_EXACT) {
+    tp_rest_plane one, other;
+    set_plane(&one, l, a);
+    set_plane(&other, l, b);
+    order = tp_centre_compare_heights(l->centre, &one, &other);
+    tp_rest_plane_clear(&one);
+    tp_rest_plane_clear(&other);
+  } else if (order == 0) {
+    l->is_undecided = true;
+  }
+  return order != 0 ? order < 0 : a < b;
 }
 
-/* Which minimum ends here depends on the order of heights that bounds may not tell apart; what its
- * rise is off by for that is below their sum. */
 static tp_near rise_to(const landscape *l, const pass *own, int facet) {
-  const tp_near rise = tp_near_sub(own->height, l->heights[facet]);
-  return (tp_near){fmax(rise.value, 0), 2 * rise.error + fmax(-rise.value, 0)};
+  const tp_near way = {own->height.value, l->most_error};
+  const tp_near rise = tp_near_sub(way, l->heights[facet]);
+  return (tp_near){fmax(rise.value, 0), rise.error + fmax(-rise.value, 0)};
 }
 
 static void join_facets(tp_persistence *persistences, landscape *l) {
-  for (long k = 0; k < l->facets->count; k++) l->leaders[k] = l->lowest[k] = (int)k;
+  for (long k = 0; k < l->facets->count; k++) {
+    l->leaders[k] = (int)k;
+    l->lowest[k] = l->is_pose[k] ? (int)k : -1;
+  }
   for (long k = 0; k < l->pass_count; k++) {
     const pass *own = l->passes + k;
     const int one = tp_sides_leader(l->leaders, own->one);
     const int other = tp_sides_leader(l->leaders, own->other);
     if (one == other) continue;
     const int a = l->lowest[one], b = l->lowest[other];
-    const int ended = is_lower_facet(l, a, b) ? b : a;
-    persistences[ended] = (tp_persistence){true, rise_to(l, own, ended)};
+    int left = a >= 0 ? a : b;
+    if (a >= 0 && b >= 0) {
+      left = is_lower_pose(l, a, b) ? a : b;
+      const int ended = left == a ? b : a;
+      persistences[ended] = (tp_persistence){true, rise_to(l, own, ended)};
+    }
     tp_sides_join(l->leaders, one, other);
-    l->lowest[tp_sides_leader(l->leaders, one)] = ended == a ? b : a;
+    l->lowest[tp_sides_leader(l->leaders, one)] = left;
   }
 }
 
@@ -116,8 +143,9 @@ static bool make_landscape(landscape *l) {
 }
 
 tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *centre,
-                               const tp_hull_facets *facets, tp_message *message) {
-  landscape l = {.centre = centre, .facets = facets};
+                               const tp_hull_facets *facets, const bool *is_pose, bool *told,
+                               tp_message *message) {
+  landscape l = {.centre = centre, .facets = facets, .is_pose = is_pose};
   tp_persistence *own = calloc((size_t)facets->count, sizeof *own);
   const bool done = make_landscape(&l) && own != NULL;
   for (long f = 0; f < facets->count && done; f++) measure_facet(&l, f);
@@ -130,6 +158,7 @@ tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *c
     qsort(l.passes, (size_t)l.pass_count, sizeof *l.passes, compare_passes);
     join_facets(own, &l);
     *persistences = own;
+    if (l.is_undecided) *told = false;
   } else {
     free(own);
   }

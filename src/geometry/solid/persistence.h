@@ -10,7 +10,10 @@
  * between two facets over their edge, h rises to the distance of the centroid from that edge where
  * the foot lies within both, else to the larger of both heights. With edges in the order of that
  * height, what they join is joined (Kruskal 1956); the minimum that is less deep ends there: its
- * persistence is the rise to it (Edelsbrunner, Letscher and Zomorodian 2002).
+ * persistence is the rise to it (Edelsbrunner, Letscher and Zomorodian 2002). Which of two poses is
+ * the less deep is decided by their exact heights where bounds do not tell these apart: the other
+ * one has a persistence of another size. A pass is off by its bound, and the lowest way to a pose
+ * by the largest bound of any pass.
  *
  * Where each point of the surface moves by t at most, h over the same centroid changes by t at
  * most, and so a pose of a persistence above 2 t has one left (Cohen-Steiner, Edelsbrunner and
@@ -23,12 +26,14 @@
 #include "solid/hull_facets.h"
 
 typedef struct tp_persistence {
-  bool is_left; /* some facet lies lower */
-  tp_near rise; /* as the surface's `near`; 0 of a facet that is no pose, within its bound */
+  bool is_left; /* a pose, and there is another one with the centroid lower */
+  tp_near rise; /* as the surface's `near` */
 } tp_persistence;
 
-/* Of each facet, to be freed. */
+/* For each facet, to be freed; `is_pose` has one for each. `*told` becomes false where the level
+ * does not decide which of two poses is the lower one. */
 TP_MUST_USE tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *centre,
-                                           const tp_hull_facets *facets, tp_message *message);
+                                           const tp_hull_facets *facets, const bool *is_pose,
+                                           bool *told, tp_message *message);
 
 #endif

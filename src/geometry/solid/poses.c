@@ -23,6 +23,7 @@ typedef struct search {
   const tp_centre *centre;
   const tp_hull_facets *facets;
   place *places;
+  bool *is_pose; /* of each facet */
   tp_persistence *persistences;
   tp_support_edge *edges; /* of the facet at hand */
   bool open;              /* the level does not tell */
@@ -82,6 +83,7 @@ static void judge(search *s, long facet) {
       side == 1 || side == 2
           ? (int)facet
           : s->facets->sides[s->facets->starts[facet] + farthest(s, &plane, count)].neighbour;
+  s->is_pose[facet] = own->next == facet;
   tp_rest_plane_clear(&plane);
 }
 
@@ -220,12 +222,16 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
   }
   search s = {.centre = centre, .facets = facets};
   s.places = calloc((size_t)facets->count + 1, sizeof *s.places);
+  s.is_pose = calloc((size_t)facets->count + 1, sizeof *s.is_pose);
   s.edges = malloc((size_t)(most + 1) * sizeof *s.edges);
-  tp_status status =
-      s.places != NULL && s.edges != NULL ? TP_OK : tp_fail_memory(message, "the poses of a solid");
+  tp_status status = s.places != NULL && s.is_pose != NULL && s.edges != NULL
+                         ? TP_OK
+                         : tp_fail_memory(message, "the poses of a solid");
   for (long f = 0; f < facets->count && status == TP_OK && !s.open; f++) judge(&s, f);
   if (status == TP_OK && !s.open) {
-    status = tp_persistences_find(&s.persistences, centre, facets, message);
+    bool decided = true;
+    status = tp_persistences_find(&s.persistences, centre, facets, s.is_pose, &decided, message);
+    s.open = !decided;
   }
   if (status == TP_OK && !s.open) {
     measure_shares(&s);
@@ -239,6 +245,7 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
   }
   free(s.persistences);
   free(s.places);
+  free(s.is_pose);
   free(s.edges);
   return status;
 }
