@@ -127,6 +127,12 @@ tp_status tp_check_triangulate(tp_geom_triangulation *triangulation, const tp_se
     if (status == TP_OK) status = check_layers(triangulation, section, message);
     if (status == TP_OK) status = tp_check_in_one_piece(triangulation, section, message);
     if (status == TP_OK) keep_block(triangulation);
+    if (status == TP_OK && !tp_check_fills(triangulation, lattice, section->hole_count)) {
+      status =
+          tp_fail(message, TP_DEPENDENCY_FAILED, tp_polyline_place(section->rings, -1),
+                  "the triangles of the block, as CGAL found them, failed their check: they do "
+                  "not fill it; please report this scene");
+    }
   }
   free(start);
   free(layer);

@@ -30,4 +30,9 @@ TP_MUST_USE tp_status tp_check_triangulate(tp_geom_triangulation *triangulation,
                                            const tp_section *section, const tp_lattice *lattice,
                                            tp_message *message);
 
+/* Are all triangles counter-clockwise, with the area of the outline less that of its holes? These
+ * are the first chains of the lattice. A check of what CGAL found. */
+bool tp_check_fills(const tp_geom_triangulation *triangulation, const tp_lattice *lattice,
+                    long hole_count);
+
 #endif

@@ -32,22 +32,36 @@ static tp_status make_room(tp_planar_map *m, tp_message *message) {
   return done ? TP_OK : tp_fail_memory(message, "the blocks of the slope");
 }
 
+/* Half-edges follow each other in rings, each once, and each begins where the one before it ends.
+ */
+static bool set_previous(tp_planar_map *m) {
+  const size_t count = 2 * m->a.edge_count;
+  for (size_t h = 0; h < count; h++) m->previous[h] = NONE;
+  for (size_t h = 0; h < count; h++) {
+    const size_t next = m->a.next[h];
+    if (next >= count || m->previous[next] != NONE || m->a.origin[next] != m->a.origin[h ^ 1]) {
+      return false;
+    }
+    m->previous[next] = h;
+  }
+  return true;
+}
+
+static tp_status fail_library(tp_message *message) {
+  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){0},
+                 "the geometry library failed on the joints; please report this scene");
+}
+
 tp_status tp_planar_map_init(tp_planar_map *m, const fmpq *ends, size_t count,
                              tp_message *message) {
   memset(m, 0, sizeof *m);
   const tp_geom_status made = tp_geom_arrange(&m->a, ends, count);
-  if (made == TP_GEOM_FAILED) {
-    return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){0},
-                   "the geometry library failed on the joints; please report this scene");
-  }
-  const tp_status status = made == TP_GEOM_OK ? make_room(m, message)
-                                              : tp_fail_memory(message, "the blocks of the slope");
-  if (status != TP_OK) {
-    tp_planar_map_clear(m);
-    return status;
-  }
-  for (size_t h = 0; h < 2 * m->a.edge_count; h++) m->previous[m->a.next[h]] = h;
-  return TP_OK;
+  if (made == TP_GEOM_FAILED) return fail_library(message);
+  tp_status status = made == TP_GEOM_OK ? make_room(m, message)
+                                        : tp_fail_memory(message, "the blocks of the slope");
+  if (status == TP_OK && !set_previous(m)) status = fail_library(message);
+  if (status != TP_OK) tp_planar_map_clear(m);
+  return status;
 }
 
 static void link_half_edges(tp_planar_map *m, size_t before, size_t after) {

@@ -72,7 +72,8 @@ void tp_hold_basis_choose(tp_hold_basis *basis, const tp_friction_cones *cones) 
 typedef struct balance {
   const tp_friction_cones *cones;
   fmpq *forces;
-  fmpq_mat_t rows; /* of the basis, and what is missing */
+  fmpq_mat_t rows;  /* of the basis, and what is missing */
+  fmpq_mat_t given; /* the same before elimination */
   fmpq_t own;
 } balance;
 
@@ -81,6 +82,7 @@ static bool balance_init(balance *b, const tp_friction_cones *cones) {
   if (b->forces == NULL) return false;
   for (long k = 0; k < 3 * cones->count; k++) fmpq_init(b->forces + k);
   fmpq_mat_init(b->rows, TP_WRENCH, TP_WRENCH + 1);
+  fmpq_mat_init(b->given, TP_WRENCH, TP_WRENCH + 1);
   fmpq_init(b->own);
   return true;
 }
@@ -89,6 +91,7 @@ static void balance_clear(balance *b) {
   for (long k = 0; k < 3 * b->cones->count; k++) fmpq_clear(b->forces + k);
   free(b->forces);
   fmpq_mat_clear(b->rows);
+  fmpq_mat_clear(b->given);
   fmpq_clear(b->own);
 }
 
@@ -157,10 +160,24 @@ static void set_missing(balance *b, const tp_hold_basis *basis, const tp_hold_lo
   }
 }
 
-/* By elimination; false: the rows have no solution. */
+/* Do the numbers that elimination left in the last column satisfy the rows as they were given? */
+static bool is_solution(balance *b, int count) {
+  bool is = true;
+  for (int r = 0; r < TP_WRENCH && is; r++) {
+    fmpq_neg(b->own, fmpq_mat_entry(b->given, r, count));
+    for (int k = 0; k < count; k++) {
+      fmpq_addmul(b->own, fmpq_mat_entry(b->given, r, k), fmpq_mat_entry(b->rows, k, count));
+    }
+    is = fmpq_is_zero(b->own) != 0;
+  }
+  return is;
+}
+
+/* By elimination, and verified; false: the rows have no solution. */
 static bool solve_missing(balance *b, const tp_hold_basis *basis) {
+  fmpq_mat_set(b->given, b->rows);
   const slong rank = fmpq_mat_rref(b->rows, b->rows);
-  if (rank != basis->count) return false;
+  if (rank != basis->count || !is_solution(b, basis->count)) return false;
   for (int k = 0; k < basis->count; k++) {
     const fmpq *own = fmpq_mat_entry(b->rows, k, basis->count);
     const tp_friction_cone *cone = b->cones->cones + basis->cones[k];

@@ -78,7 +78,7 @@ static void add_polynomial(tp_conditions *c, const fmpz_mpoly_t polynomial) {
   fmpz_mpoly_factor_init(factors, ring);
   fmpz_mpoly_init(factor, ring);
   const bool spare = tp_field_spend(c->field, tp_field_factor_units(polynomial, c->field));
-  if (spare && fmpz_mpoly_factor(factors, polynomial, ring) != 0) {
+  if (spare && tp_field_factor(factors, polynomial, c->field)) {
     for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring); k++) {
       if (fmpz_mpoly_factor_get_exp_si(factors, k, ring) % 2 == 0) continue;
       fmpz_mpoly_factor_get_base(factor, factors, k, ring);

@@ -102,6 +102,16 @@ double tp_field_factor_units(const fmpz_mpoly_t p, const tp_field *field) {
   return 20 * tp_field_gcd_units(p, p, field) + 0.01 * used * count * count;
 }
 
+bool tp_field_factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t p, const tp_field *field) {
+  if (fmpz_mpoly_factor(factors, p, field->ring) == 0) return false;
+  fmpz_mpoly_t product;
+  fmpz_mpoly_init(product, field->ring);
+  const bool is = fmpz_mpoly_factor_expand(product, factors, field->ring) != 0 &&
+                  fmpz_mpoly_equal(product, p, field->ring) != 0;
+  fmpz_mpoly_clear(product, field->ring);
+  return is;
+}
+
 bool tp_field_spend(const tp_field *field, double units) {
   tp_field_work *work = field->work;
   if (work->problem != NULL) return false;

@@ -18,6 +18,7 @@
 #include "scene/scene.h"
 
 #include <calcium/fmpz_mpoly_q.h>
+#include <flint/fmpz_mpoly_factor.h>
 
 typedef struct tp_field_work {
   double spent, budget;
@@ -65,6 +66,10 @@ bool tp_field_spend(const tp_field *field, double units);
 /* What a greatest common divisor, or a factorisation, of polynomials of these sizes takes. */
 double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_field *field);
 double tp_field_factor_units(const fmpz_mpoly_t polynomial, const tp_field *field);
+
+/* The factors of a polynomial, whose product is verified to be it; false: they are not found. */
+bool tp_field_factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t polynomial,
+                     const tp_field *field);
 
 /* Why an operation was not done, NULL where all were; as a failure at a place of the file. */
 const char *tp_field_problem(const tp_field *field);

@@ -92,7 +92,7 @@ static int sign_of_factors(const fmpz_mpoly_t p, tp_subject *s) {
   fmpz_mpoly_q_init(factor, ring);
   int sign = 0;
   if (tp_field_spend(s->field, tp_field_factor_units(p, s->field)) &&
-      fmpz_mpoly_factor(factors, p, ring) != 0) {
+      tp_field_factor(factors, p, s->field)) {
     sign = fmpz_sgn(factors->constant);
     for (slong k = 0; k < factors->num && sign != 0; k++) {
       if (fmpz_is_even(factors->exp + k)) continue;

@@ -128,8 +128,7 @@ static int sign_of_polynomial(const fmpz_mpoly_t p, const tp_domain *domain, boo
   fmpz_mpoly_factor_t factors;
   fmpz_mpoly_factor_init(factors, ring);
   int sign = 0;
-  if (units > most_units || !tp_field_spend(field, units) ||
-      fmpz_mpoly_factor(factors, p, ring) == 0) {
+  if (units > most_units || !tp_field_spend(field, units) || !tp_field_factor(factors, p, field)) {
     sign = sign_of_factor(p, domain);
   } else {
     sign = fmpz_sgn(factors->constant);

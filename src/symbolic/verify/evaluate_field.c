@@ -67,14 +67,26 @@ static bool magnitude(fmpz_mpoly_q_t value, tp_evaluator *e) {
   return sign != 0;
 }
 
+/* The root of a polynomial that is a square, verified by its square. */
+static bool polynomial_root(fmpz_mpoly_t root, const fmpz_mpoly_t of,
+                            const fmpz_mpoly_ctx_struct *ring) {
+  if (!fmpz_mpoly_sqrt(root, of, ring)) return false;
+  fmpz_mpoly_t square;
+  fmpz_mpoly_init(square, ring);
+  fmpz_mpoly_mul(square, root, root, ring);
+  const bool is = fmpz_mpoly_equal(square, of, ring) != 0;
+  fmpz_mpoly_clear(square, ring);
+  return is;
+}
+
 /* The root of a perfect square that is not below zero. */
 static bool square_root(fmpz_mpoly_q_t value, tp_evaluator *e) {
   const fmpz_mpoly_ctx_struct *ring = ring_of(e);
   fmpz_mpoly_q_t root;
   fmpz_mpoly_q_init(root, ring);
   const bool square =
-      fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(value), ring) &&
-      fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(value), ring);
+      polynomial_root(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(value), ring) &&
+      polynomial_root(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(value), ring);
   bool known = false;
   if (square) {
     fmpz_mpoly_q_swap(value, root, ring);
