@@ -11,8 +11,8 @@
  */
 
 #include "random_numbers.h"
+#include "solid/hull.h"
 #include "solid/hull_facets.h"
-#include "solid/hull_proof.h"
 #include "suite.h"
 
 #include <stdio.h>

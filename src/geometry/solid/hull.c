@@ -5,18 +5,6 @@
 
 #include "solid/hull.h"
 
-#include "solid/hull_proof.h"
-
-#include <stdlib.h>
-#include <string.h>
-
-void tp_hull_clear(tp_hull *hull) {
-  free(hull->corners);
-  free(hull->across);
-  free(hull->level);
-  memset(hull, 0, sizeof *hull);
-}
-
 static tp_status fail_memory(tp_message *message) {
   return tp_fail_memory(message, "the convex hull of a solid");
 }

@@ -10,21 +10,11 @@
 #ifndef TP_SOLID_HULL_H
 #define TP_SOLID_HULL_H
 
-#include "solid/surface.h"
-
-/* Triangles whose corners run counter-clockwise seen from outside; several are in one plane where a
- * facet has more corners. Side 3 t + c runs from corner c of triangle t to the next one. */
-typedef struct tp_hull {
-  long count;
-  int *corners; /* vertices of the surface, three for each triangle */
-  int *across;  /* of each side: the triangle beyond it */
-  bool *level;  /* of each side: is that triangle in the same plane? */
-} tp_hull;
+#include "solid/hull_proof.h"
 
 /* Bad input where all points are in one plane; TP_DEPENDENCY_FAILED where no proposal is proven. On
  * failure the hull is empty. */
 TP_MUST_USE tp_status tp_hull_find(tp_hull *hull, const tp_surface *surface, tp_message *message);
-void tp_hull_clear(tp_hull *hull);
 
 /* What proposes a hull: tp_geom_propose_hull. A test damages what that returns. */
 typedef tp_geom_status (*tp_hull_search)(tp_geom_hull *hull, const tp_geom_points *points,

@@ -18,6 +18,7 @@
 #include "solid/turns.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct proof {
   tp_hull *hull;
@@ -34,6 +35,13 @@ typedef struct aim {
   const int *vertices;
   int count;
 } aim;
+
+void tp_hull_clear(tp_hull *hull) {
+  free(hull->corners);
+  free(hull->across);
+  free(hull->level);
+  memset(hull, 0, sizeof *hull);
+}
 
 const char *tp_hull_fault_text(tp_hull_fault fault) {
   switch (fault) {

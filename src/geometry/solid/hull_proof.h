@@ -19,7 +19,18 @@
 #ifndef TP_SOLID_HULL_PROOF_H
 #define TP_SOLID_HULL_PROOF_H
 
-#include "solid/hull.h"
+#include "solid/surface.h"
+
+/* Triangles whose corners run counter-clockwise seen from outside; several are in one plane where a
+ * facet has more corners. Side 3 t + c runs from corner c of triangle t to the next one. */
+typedef struct tp_hull {
+  long count;
+  int *corners; /* vertices of the surface, three for each triangle */
+  int *across;  /* of each side: the triangle beyond it */
+  bool *level;  /* of each side: is that triangle in the same plane? */
+} tp_hull;
+
+void tp_hull_clear(tp_hull *hull);
 
 /* The condition that failed, in the order in which they are tried. */
 typedef enum tp_hull_fault {
