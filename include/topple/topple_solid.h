@@ -209,8 +209,7 @@ typedef struct tp_solid {
 
 /* The solid of a mesh: an STL, PLY or OBJ by the ending of its name, taken exactly. Refused, by the
  * number of a triangle: a surface that is open, that meets itself, of which triangles have no area
- * or are oriented against each other or inwards, or that has several pieces.
- * TP_DEPENDENCY_FAILED where no convex hull is proven, or results contradict each other. */
+ * or are oriented against each other or inwards, or that has several pieces. */
 TP_MUST_USE tp_status tp_solid_of_file(tp_solid **solid, const char *path,
                                        const tp_solid_options *options, tp_message *message);
 

@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Exact plane geometry on rings of integer points, by CGAL behind a C interface.
- *
- * Every predicate on rings is exact: coordinates are integers, taken as doubles where they fit in
- * 53 bits and as big integers otherwise, and no new point is constructed, except by arrangements,
- * as exact rationals. Meetings of big integers are decided by doubles with bounds where these
- * suffice. What is made of predicates, as a triangulation, an arrangement or a basis, is what CGAL
- * returns: its users check it (docs/architecture.md). Nothing that CGAL throws crosses this
- * interface. Cost per vertex for a million: simplicity 0.3 us, meeting edges 0.2 to 1.7 us,
- * triangulation 0.4 to 6 us. */
+/* Plane geometry on rings of integer points, by CGAL behind a C interface; none of its exceptions
+ * passes. Predicates are exact: coordinates are taken as doubles where they fit in 53 bits and as
+ * big integers otherwise, meetings of these by doubles with bounds first. No point is constructed,
+ * except by arrangements, as exact rationals. A triangulation, an arrangement or a basis is what
+ * CGAL returns; docs/architecture.md says how each is checked. TP_GEOM_FAILED says that CGAL
+ * failed, never what is wrong with the input. Cost per vertex for a million: simplicity 0.3 us,
+ * meeting edges 0.2 to 1.7 us, triangulation 0.4 to 6 us. */
 
 #ifndef TP_GEOM_GEOM_H
 #define TP_GEOM_GEOM_H
@@ -24,8 +22,6 @@
 extern "C" {
 #endif
 
-/* TP_GEOM_FAILED: CGAL failed, or was asked for what does not exist. It never says what is wrong
- * with the input: its users find that out before they call. */
 typedef enum tp_geom_status { TP_GEOM_OK, TP_GEOM_OUT_OF_MEMORY, TP_GEOM_FAILED } tp_geom_status;
 
 /* Closed rings: ring r has the vertices start[r] … start[r + 1] - 1; edge k runs from vertex k to

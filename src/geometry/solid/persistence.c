@@ -114,7 +114,7 @@ static void join_facets(tp_persistence *persistences, landscape *l) {
     l->leaders[k] = (int)k;
     l->lowest[k] = l->is_pose[k] ? (int)k : -1;
   }
-  for (long k = 0; k < l->pass_count; k++) {
+  for (long k = 0; k < l->pass_count && !l->is_undecided; k++) {
     const pass *own = l->passes + k;
     const int one = tp_sides_leader(l->leaders, own->one);
     const int other = tp_sides_leader(l->leaders, own->other);
@@ -148,8 +148,8 @@ tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *c
   landscape l = {.centre = centre, .facets = facets, .is_pose = is_pose};
   tp_persistence *own = calloc((size_t)facets->count, sizeof *own);
   const bool done = make_landscape(&l) && own != NULL;
-  for (long f = 0; f < facets->count && done; f++) measure_facet(&l, f);
-  for (long f = 0; f < facets->count && done; f++) {
+  for (long f = 0; f < facets->count && done && !l.is_undecided; f++) measure_facet(&l, f);
+  for (long f = 0; f < facets->count && done && !l.is_undecided; f++) {
     for (long k = facets->starts[f]; k < facets->starts[f + 1]; k++) {
       if (facets->sides[k].neighbour > f) set_pass(&l, f, k);
     }
