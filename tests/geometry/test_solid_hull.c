@@ -46,9 +46,9 @@ static void close_cloud(cloud *c, bool is_large) {
   for (int k = 0; k < c->count; k++) {
     text[length++] = 'v';
     for (int i = 0; i < 3; i++) {
-      const long own = c->points[k][i], size = labs(own);
+      const long at = c->points[k][i], size = labs(at);
       length += (size_t)snprintf(text + length, TEXT - length, is_large ? " %s%ld%020ld" : " %s%ld",
-                                 own < 0 ? "-" : "", size, size);
+                                 at < 0 ? "-" : "", size, size);
     }
     text[length++] = '\n';
   }
@@ -92,18 +92,18 @@ static void add_cube(cloud *c, long half) {
   }
 }
 
-static void copy_cube(int (*own)[3]) {
-  memcpy(own, cube, sizeof cube);
+static void copy_cube(int (*faces)[3]) {
+  memcpy(faces, cube, sizeof cube);
 }
 
 /* Its upper side made of four triangles about point `apex`; 14 in all. */
-static void copy_cube_with_apex(int own[14][3], int apex) {
+static void copy_cube_with_apex(int faces[14][3], int apex) {
   static const int ring[5] = {4, 5, 7, 6, 4};
-  copy_cube(own);
-  memcpy(own[2], own[12 - 1], sizeof own[2]);
-  memcpy(own[3], own[12 - 2], sizeof own[3]);
+  copy_cube(faces);
+  memcpy(faces[2], faces[12 - 1], sizeof faces[2]);
+  memcpy(faces[3], faces[12 - 2], sizeof faces[3]);
   for (int k = 0; k < 4; k++)
-    memcpy(own[10 + k], (int[]){ring[k], ring[k + 1], apex}, sizeof own[0]);
+    memcpy(faces[10 + k], (int[]){ring[k], ring[k + 1], apex}, sizeof faces[0]);
 }
 
 START_TEST(a_sound_hull_passes) {
@@ -114,18 +114,18 @@ START_TEST(a_sound_hull_passes) {
   add(&c, 0, 0, 3); /* within */
   add(&c, 0, 0, 9); /* over the upper face: only the last of these hulls may have it outside */
   close_cloud(&c, _i != 0);
-  int own[14][3];
-  copy_cube_with_apex(own, 11);
-  ck_assert_int_eq(judge(&c, own[0], 14), TP_HULL_PROVEN);
-  copy_cube_with_apex(own, 8);
-  ck_assert_int_eq(judge(&c, own[0], 14), TP_HULL_BEYOND);
+  int faces[14][3];
+  copy_cube_with_apex(faces, 11);
+  ck_assert_int_eq(judge(&c, faces[0], 14), TP_HULL_PROVEN);
+  copy_cube_with_apex(faces, 8);
+  ck_assert_int_eq(judge(&c, faces[0], 14), TP_HULL_BEYOND);
   clear_cloud(&c);
   add_cube(&c, 6);
   add(&c, 0, 0, 6);
   close_cloud(&c, _i != 0);
   ck_assert_int_eq(judge(&c, cube[0], 12), TP_HULL_PROVEN);
-  copy_cube_with_apex(own, 8); /* the point in the face as a corner */
-  ck_assert_int_eq(judge(&c, own[0], 14), TP_HULL_PROVEN);
+  copy_cube_with_apex(faces, 8); /* the point in the face as a corner */
+  ck_assert_int_eq(judge(&c, faces[0], 14), TP_HULL_PROVEN);
   clear_cloud(&c);
 }
 END_TEST
@@ -136,39 +136,39 @@ START_TEST(each_damage_is_refused) {
   add_cube(&c, 4);
   add(&c, 0, 0, 3);
   close_cloud(&c, _i != 0);
-  int own[26][3];
-  copy_cube(own);
-  own[5][1] = -1; /* a corner that is no given point */
-  ck_assert_int_eq(judge(&c, own[0], 12), TP_HULL_NO_POINT);
-  own[5][1] = 17;
-  ck_assert_int_eq(judge(&c, own[0], 12), TP_HULL_NO_POINT);
-  copy_cube(own);
-  ck_assert_int_eq(judge(&c, own[0], 11), TP_HULL_OPEN); /* a triangle is missing */
-  ck_assert_int_eq(judge(&c, own[0], 0), TP_HULL_OPEN);
-  own[7][1] = 7; /* a triangle is flipped */
-  own[7][2] = 6;
-  ck_assert_int_eq(judge(&c, own[0], 12), TP_HULL_OPEN);
-  copy_cube(own);
-  memcpy(own[12], own[3], sizeof own[3]); /* a triangle is there twice */
-  ck_assert_int_eq(judge(&c, own[0], 13), TP_HULL_OPEN);
-  copy_cube(own);
-  memcpy(own[12], (int[]){0, 1, 5}, sizeof own[12]); /* and a flat flap of two triangles */
-  memcpy(own[13], (int[]){0, 5, 1}, sizeof own[13]);
-  ck_assert_int_ne(judge(&c, own[0], 14), TP_HULL_PROVEN);
+  int faces[26][3];
+  copy_cube(faces);
+  faces[5][1] = -1; /* a corner that is no given point */
+  ck_assert_int_eq(judge(&c, faces[0], 12), TP_HULL_NO_POINT);
+  faces[5][1] = 17;
+  ck_assert_int_eq(judge(&c, faces[0], 12), TP_HULL_NO_POINT);
+  copy_cube(faces);
+  ck_assert_int_eq(judge(&c, faces[0], 11), TP_HULL_OPEN); /* a triangle is missing */
+  ck_assert_int_eq(judge(&c, faces[0], 0), TP_HULL_OPEN);
+  faces[7][1] = 7; /* a triangle is flipped */
+  faces[7][2] = 6;
+  ck_assert_int_eq(judge(&c, faces[0], 12), TP_HULL_OPEN);
+  copy_cube(faces);
+  memcpy(faces[12], faces[3], sizeof faces[3]); /* a triangle is there twice */
+  ck_assert_int_eq(judge(&c, faces[0], 13), TP_HULL_OPEN);
+  copy_cube(faces);
+  memcpy(faces[12], (int[]){0, 1, 5}, sizeof faces[12]); /* and a flat flap of two triangles */
+  memcpy(faces[13], (int[]){0, 5, 1}, sizeof faces[13]);
+  ck_assert_int_ne(judge(&c, faces[0], 14), TP_HULL_PROVEN);
   for (int k = 0; k < 12; k++) { /* all triangles are flipped */
-    memcpy(own[k], (int[]){cube[k][0], cube[k][2], cube[k][1]}, sizeof own[k]);
+    memcpy(faces[k], (int[]){cube[k][0], cube[k][2], cube[k][1]}, sizeof faces[k]);
   }
-  ck_assert_int_eq(judge(&c, own[0], 12), TP_HULL_TURNED);
-  copy_cube_with_apex(own, 16); /* a dent in the upper side */
-  ck_assert_int_eq(judge(&c, own[0], 14), TP_HULL_DENTED);
+  ck_assert_int_eq(judge(&c, faces[0], 12), TP_HULL_TURNED);
+  copy_cube_with_apex(faces, 16); /* a dent in the upper side */
+  ck_assert_int_eq(judge(&c, faces[0], 14), TP_HULL_DENTED);
   for (int k = 0; k < 12; k++) { /* the smaller cube alone: the corners of the larger are outside */
-    for (int i = 0; i < 3; i++) own[k][i] = cube[k][i] + 8;
+    for (int i = 0; i < 3; i++) faces[k][i] = cube[k][i] + 8;
   }
-  ck_assert_int_eq(judge(&c, own[0], 12), TP_HULL_BEYOND);
-  memcpy(own[12], cube, sizeof cube); /* both cubes: two pieces, one in the other */
-  ck_assert_int_eq(judge(&c, own[0], 24), TP_HULL_WOUND);
-  memcpy(own[0], cube, sizeof cube); /* the same surface twice */
-  ck_assert_int_eq(judge(&c, own[0], 24), TP_HULL_OPEN);
+  ck_assert_int_eq(judge(&c, faces[0], 12), TP_HULL_BEYOND);
+  memcpy(faces[12], cube, sizeof cube); /* both cubes: two pieces, one in the other */
+  ck_assert_int_eq(judge(&c, faces[0], 24), TP_HULL_WOUND);
+  memcpy(faces[0], cube, sizeof cube); /* the same surface twice */
+  ck_assert_int_eq(judge(&c, faces[0], 24), TP_HULL_OPEN);
   clear_cloud(&c);
 }
 END_TEST
@@ -178,31 +178,31 @@ END_TEST
 START_TEST(a_surface_wound_twice_is_refused) {
   static const long star[5][2] = {{100, 0}, {-81, 59}, {31, -95}, {31, 95}, {-81, -59}};
   cloud c = {0};
-  int own[10][3];
+  int faces[10][3];
   for (int k = 0; k < 5; k++) add(&c, star[k][0], star[k][1], 0);
   add(&c, 0, 0, 50);
   add(&c, 0, 0, -50);
   close_cloud(&c, _i != 0);
   for (int k = 0; k < 5; k++) {
-    memcpy(own[2 * k], (int[]){k, (k + 1) % 5, 5}, sizeof own[0]);
-    memcpy(own[2 * k + 1], (int[]){(k + 1) % 5, k, 6}, sizeof own[0]);
+    memcpy(faces[2 * k], (int[]){k, (k + 1) % 5, 5}, sizeof faces[0]);
+    memcpy(faces[2 * k + 1], (int[]){(k + 1) % 5, k, 6}, sizeof faces[0]);
   }
-  ck_assert_int_eq(judge(&c, own[0], 10), TP_HULL_WOUND);
+  ck_assert_int_eq(judge(&c, faces[0], 10), TP_HULL_WOUND);
   clear_cloud(&c);
 }
 END_TEST
 
 START_TEST(two_pieces_apart_are_refused) {
   cloud c = {0};
-  int own[24][3];
+  int faces[24][3];
   add_cube(&c, 6);
   for (int k = 0; k < 8; k++) add(&c, c.points[k][0] + 20, c.points[k][1], c.points[k][2]);
   close_cloud(&c, _i != 0);
-  memcpy(own[0], cube, sizeof cube);
+  memcpy(faces[0], cube, sizeof cube);
   for (int k = 0; k < 12; k++) {
-    for (int i = 0; i < 3; i++) own[12 + k][i] = cube[k][i] + 8;
+    for (int i = 0; i < 3; i++) faces[12 + k][i] = cube[k][i] + 8;
   }
-  ck_assert_int_eq(judge(&c, own[0], 24), TP_HULL_TURNED);
+  ck_assert_int_eq(judge(&c, faces[0], 24), TP_HULL_TURNED);
   clear_cloud(&c);
 }
 END_TEST
@@ -353,12 +353,12 @@ static void check_facets(const cloud *c) {
   const uint64_t corners = find_corners(&all, c);
   ck_assert_int_eq(facets.count, all.count);
   for (long f = 0; f < facets.count; f++) {
-    uint64_t own = 0;
+    uint64_t found = 0;
     for (long k = facets.starts[f]; k < facets.starts[f + 1]; k++) {
-      own |= UINT64_C(1) << facets.sides[k].from;
+      found |= UINT64_C(1) << facets.sides[k].from;
     }
     int k = 0;
-    while (k < all.count && (all.on[k] & corners) != own) k++;
+    while (k < all.count && (all.on[k] & corners) != found) k++;
     ck_assert_int_lt(k, all.count);
     all.on[k] = 0; /* each is met once */
   }
@@ -369,11 +369,11 @@ static void check_facets(const cloud *c) {
 static void check_damage(const cloud *c, random_numbers *state) {
   tp_hull hull;
   ck_assert_int_eq(tp_hull_find(&hull, &c->surface, &message), TP_OK);
-  int *own = hull.corners + 3 * draw_below(state, hull.count);
-  const int place = (int)draw_below(state, 3), was = own[place];
-  own[place] = (int)((was + 1 + draw_below(state, c->count - 1)) % c->count);
+  int *triangle = hull.corners + 3 * draw_below(state, hull.count);
+  const int place = (int)draw_below(state, 3), was = triangle[place];
+  triangle[place] = (int)((was + 1 + draw_below(state, c->count - 1)) % c->count);
   ck_assert_int_ne(judge(c, hull.corners, hull.count), TP_HULL_PROVEN);
-  own[place] = was;
+  triangle[place] = was;
   for (int k = 0; k < 3; k++) { /* an edge turned to join the far corners of its two triangles */
     const long side = draw_below(state, 3 * hull.count), t = side / 3, other = hull.across[side];
     if (hull.level[side]) continue;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Triangles that CGAL finds in a block are checked before they are used: a square with two holes,
- * one of which touches the outline, and damage of each kind to its triangles. */
+/* Triangles that CGAL finds in a block are checked before they are used. Those of a square with two
+ * holes, one of which touches its outline, pass; with damage of each kind they do not. */
 
 #include "block/check.h"
 #include "suite.h"

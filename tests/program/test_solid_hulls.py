@@ -37,7 +37,7 @@ def mapped(points, draw):
 
 
 def ring(sides, radius, turn):
-    """A convex polygon about the origin: multiples of 60, of which halves to sixths are whole."""
+    """A convex polygon about the origin: multiples of 60, whose halves to sixths are whole."""
     return [tuple(60 * round(radius * f(turn + 2 * math.pi * k / sides)) for f in (math.cos, math.sin)) for k in range(sides)]
 
 
@@ -91,7 +91,7 @@ def tube(outer, inner, height, rows):
 
 
 def stairs(heights):
-    """Cubes in a grid: so many on each square, nowhere more than before it in either direction."""
+    """Cubes in a grid: a number of them on each square, nowhere more than before it in either direction."""
     mesh, size = Mesh(), len(heights)
 
     def tall(x, y):

@@ -199,14 +199,15 @@ template <class Kernel> tp_geom_status propose(tp_geom_hull *hull, const tp_geom
   corners.reserve(mesh.number_of_vertices());
   for (const auto vertex : mesh.vertices()) corners.push_back(mesh.point(vertex));
   const std::vector<int> found = find_points(corners, all);
-  auto *own = static_cast<int *>(std::malloc(3 * mesh.number_of_faces() * sizeof(int)));
-  if (own == nullptr) return TP_GEOM_OUT_OF_MEMORY;
+  auto *triangles = static_cast<int *>(std::malloc(3 * mesh.number_of_faces() * sizeof(int)));
+  if (triangles == nullptr) return TP_GEOM_OUT_OF_MEMORY;
   size_t count = 0;
   for (const auto face : mesh.faces()) {
     auto side = mesh.halfedge(face);
-    for (int c = 0; c < 3; c++, side = mesh.next(side)) own[count++] = found[mesh.target(side)];
+    for (int c = 0; c < 3; c++, side = mesh.next(side))
+      triangles[count++] = found[mesh.target(side)];
   }
-  *hull = tp_geom_hull{count / 3, own};
+  *hull = tp_geom_hull{count / 3, triangles};
   return TP_GEOM_OK;
 }
 

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Signs of determinants of vectors from the inner point: by doubles with one bound for all, by
- * doubles with bounds of their own, and by whole numbers where neither decides. The triangle whose
+ * doubles with a bound for each, and by whole numbers where neither decides. The triangle whose
  * cone has a point is found by a walk over any side that the point is beyond, from the triangle
  * found last in about that direction. A walk that takes long is followed by a search of all.
  *
@@ -68,31 +68,31 @@ const char *tp_hull_fault_text(tp_hull_fault fault) {
 static const double bound_for_all = 0x1p-41;
 
 static aim aim_at(const proof *p, const int *vertices, int count) {
-  aim own = {.vertices = vertices, .count = count};
+  aim sum = {.vertices = vertices, .count = count};
   for (int n = 0; n < count; n++) {
     const double *at = p->surface->near + 3L * vertices[n];
-    for (int k = 0; k < 3; k++) own.at[k] += at[k] - p->near[k].value;
+    for (int k = 0; k < 3; k++) sum.at[k] += at[k] - p->near[k].value;
   }
-  return own;
+  return sum;
 }
 
-/* The same with bounds of its own. */
-static void set_near(tp_near vector[3], const proof *p, const aim *own) {
+/* The same with a bound for each. */
+static void set_near(tp_near vector[3], const proof *p, const aim *to) {
   for (int k = 0; k < 3; k++) {
     vector[k] = (tp_near){0, 0};
-    for (int n = 0; n < own->count; n++) {
-      const tp_near at = tp_surface_near(p->surface, own->vertices[n], k);
+    for (int n = 0; n < to->count; n++) {
+      const tp_near at = tp_surface_near(p->surface, to->vertices[n], k);
       vector[k] = tp_near_add(vector[k], tp_near_sub(at, p->near[k]));
     }
   }
 }
 
 /* The same times a number above 0; of a triangle, vectors to its corners times such numbers. */
-static void set_exact(fmpz *vector, const proof *p, const aim *own) {
+static void set_exact(fmpz *vector, const proof *p, const aim *to) {
   const fmpz *weights = p->surface->weights;
   for (int k = 0; k < 3; k++) fmpz_zero(vector + k);
-  for (int n = 0; n < own->count; n++) {
-    const long vertex = own->vertices[n];
+  for (int n = 0; n < to->count; n++) {
+    const long vertex = to->vertices[n];
     for (int k = 0; k < 3; k++) {
       fmpz_addmul(vector + k, &p->bottom, p->surface->whole + 3 * vertex + k);
       if (weights == NULL) {
@@ -138,8 +138,8 @@ static double determinant(const double a[3], const double b[3], const double c[3
          (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
-/* Of (a x b) . c: above 0 where c is on the inner side of the plane through o that a side from a to
- * b of a triangle spans. */
+/* The sign of (a x b) . c: above 0 where c is on the inner side of the plane through o that a side
+ * from a to b of a triangle spans. */
 static int sign_of(proof *p, const aim *a, const aim *b, const aim *c) {
   const double value = determinant(a->at, b->at, c->at);
   if (fabs(value) > bound_for_all) return value > 0 ? 1 : -1;
@@ -175,7 +175,7 @@ static double square(double x) {
   return x * x;
 }
 
-/* Of `count` spanning points so far: the square of the length, area or volume that another adds. */
+/* The square of the length, area or volume that a vertex adds to `count` points. */
 static double spread(const tp_surface *s, const int *four, int count, long vertex) {
   double way[3][3], turn[3];
   for (int n = 0; n < count; n++) {
@@ -191,7 +191,7 @@ static double spread(const tp_surface *s, const int *four, int count, long verte
   return square(turn[0] * way[2][0] + turn[1] * way[2][1] + turn[2] * way[2][2]);
 }
 
-/* Does another point certainly add one? */
+/* Does it certainly add one? */
 static bool spans(const tp_surface *s, const int *four, int count, int vertex) {
   fmpz way[3];
   bool differs = false;
@@ -210,9 +210,9 @@ bool tp_hull_span(int four[4], const tp_surface *surface) {
     int best = 0;
     double most = -1;
     for (int v = 0; v < surface->vertex_count; v++) {
-      const double own = spread(surface, four, count, v);
-      if (own > most) {
-        most = own;
+      const double size = spread(surface, four, count, v);
+      if (size > most) {
+        most = size;
         best = v;
       }
     }
@@ -252,8 +252,8 @@ static void set_centre(proof *p, const int four[4]) {
 
 static tp_hull_fault prove_corners(const proof *p) {
   for (long k = 0; k < 3 * p->hull->count; k++) {
-    const int own = p->hull->corners[k];
-    if (own < 0 || own >= p->surface->vertex_count) return TP_HULL_NO_POINT;
+    const int corner = p->hull->corners[k];
+    if (corner < 0 || corner >= p->surface->vertex_count) return TP_HULL_NO_POINT;
   }
   return TP_HULL_PROVEN;
 }
@@ -319,9 +319,9 @@ static tp_hull_fault prove_convex(proof *p) {
   return TP_HULL_PROVEN;
 }
 
-static bool is_in_cone(proof *p, long triangle, const aim *own) {
+static bool is_in_cone(proof *p, long triangle, const aim *to) {
   for (int c = 0; c < 3; c++) {
-    if (side_sign(p, triangle, c, own) < 0) return false;
+    if (side_sign(p, triangle, c, to) < 0) return false;
   }
   return true;
 }
@@ -335,7 +335,7 @@ static tp_hull_fault prove_once(proof *p) {
 }
 
 /* The triangle whose cone has a point, from `start` on; below 0: none. */
-static long locate(proof *p, const aim *own, long start) {
+static long locate(proof *p, const aim *to, long start) {
   const tp_hull *hull = p->hull;
   const long most_steps = 64 + 8 * (long)sqrt((double)hull->count);
   long at = start, before = -1;
@@ -343,14 +343,14 @@ static long locate(proof *p, const aim *own, long start) {
     int beyond = -1;
     for (int n = 0; n < 3 && beyond < 0; n++) {
       const int c = (int)((step + n) % 3); /* from another side each time: no walk runs in a ring */
-      if (hull->across[3 * at + c] != before && side_sign(p, at, c, own) < 0) beyond = c;
+      if (hull->across[3 * at + c] != before && side_sign(p, at, c, to) < 0) beyond = c;
     }
     if (beyond < 0) return at;
     before = at;
     at = hull->across[3 * at + beyond];
   }
   for (long t = 0; t < hull->count; t++) {
-    if (is_in_cone(p, t, own)) return t;
+    if (is_in_cone(p, t, to)) return t;
   }
   return -1;
 }
@@ -366,8 +366,8 @@ static int bin_of(const double at[3]) {
   if (!(sizes[axis] > 0)) return 0;
   int bin = 2 * axis + (at[axis] > 0);
   for (int k = 1; k < 3; k++) {
-    const int own = (int)((at[(axis + k) % 3] / sizes[axis] + 1) * (BINS / 2));
-    bin = bin * BINS + (own < BINS ? own : BINS - 1);
+    const int place = (int)((at[(axis + k) % 3] / sizes[axis] + 1) * (BINS / 2));
+    bin = bin * BINS + (place < BINS ? place : BINS - 1);
   }
   return bin;
 }
@@ -381,9 +381,9 @@ static tp_hull_fault prove_points(proof *p) {
   tp_hull_fault fault = TP_HULL_PROVEN;
   for (int v = 0; fault == TP_HULL_PROVEN && v < p->surface->vertex_count; v++) {
     if (is_corner[v]) continue;
-    const aim own = aim_at(p, &v, 1);
-    int *last = found_last + bin_of(own.at);
-    const long found = locate(p, &own, *last);
+    const aim point = aim_at(p, &v, 1);
+    int *last = found_last + bin_of(point.at);
+    const long found = locate(p, &point, *last);
     if (found >= 0) *last = (int)found;
     if (found < 0 || plane_side(p, found, v) > 0) {
       fault = TP_HULL_BEYOND;

@@ -3,7 +3,7 @@
 
 /* The proof that triangles are the convex hull of the points of a surface, by exact signs alone.
  *
- * With o a point within, six conditions are proven, each of which may fail by itself:
+ * With o a point within, six conditions are proven, and any of them may fail alone:
  *   1. each corner is a point of the surface;
  *   2. the triangles are closed: each edge is passed once in either direction;
  *   3. o is strictly inside the plane of each triangle;

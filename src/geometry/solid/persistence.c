@@ -27,7 +27,7 @@ typedef struct landscape {
   long pass_count;
   double most_error;     /* of passes */
   int *leaders, *lowest; /* sets of facets, and the lowest pose of each at its leader; -1: none */
-  bool is_undecided;     /* the level does not tell heights apart */
+  bool is_undecided;     /* the level does not separate two heights */
   bool is_open;          /* a side has no twin: no closed surface, which a proven hull is */
 } landscape;
 
@@ -54,7 +54,7 @@ static void measure_facet(landscape *l, long facet) {
   tp_rest_plane_clear(&plane);
 }
 
-/* Of a side, the same edge as a side of its neighbour; below 0: there is none. */
+/* The same edge as a side of the neighbour; below 0: there is none. */
 static long find_twin(const landscape *l, long side) {
   const tp_hull_side *sides = l->facets->sides;
   const int facet = sides[side].neighbour;
@@ -87,7 +87,7 @@ static int compare_passes(const void *one, const void *other) {
   return (a->other > b->other) - (a->other < b->other);
 }
 
-/* Of two poses of the same height the first counts as the lower one. */
+/* The first of two poses of the same height counts as the lower one. */
 static bool is_lower_pose(landscape *l, int a, int b) {
   int order = tp_near_sign(tp_near_sub(l->heights[a], l->heights[b]));
   if (order == 0 && l->centre->level == TP_LEVEL_EXACT) {

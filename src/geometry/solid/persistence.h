@@ -11,7 +11,7 @@
  * the foot lies within both, else to the larger of both heights. With edges in the order of that
  * height, what they join is joined (Kruskal 1956); the minimum that is less deep ends there: its
  * persistence is the rise to it (Edelsbrunner, Letscher and Zomorodian 2002). Which of two poses is
- * the less deep is decided by their exact heights where bounds do not tell these apart: the other
+ * the less deep is decided by their exact heights where bounds do not separate them: the other
  * one has a persistence of another size. A pass is off by its bound, and the lowest way to a pose
  * by the largest bound of any pass.
  *

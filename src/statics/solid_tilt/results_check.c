@@ -19,27 +19,27 @@ static bool is_tilt(tp_bounded tilt) {
 static const char *fault_of_poses(const tp_solid *solid) {
   tp_near sum = {0, 0};
   for (size_t k = 0; k < solid->pose_count; k++) {
-    const tp_solid_pose *own = solid->poses + k;
-    if (!is_share(own->facet_share) || !is_share(own->share)) {
+    const tp_solid_pose *pose = solid->poses + k;
+    if (!is_share(pose->facet_share) || !is_share(pose->share)) {
       return "the share of a pose is not between 0 and 1";
     }
-    if (!is_tilt(own->least.tilt_deg)) return "the tilt of a pose is not between 0 and 90 degrees";
-    if (!(own->height_m.value > 0)) return "a centroid is not above its base";
-    if (own->has_persistence && !(own->persistence_m.value + own->persistence_m.error >= 0)) {
+    if (!is_tilt(pose->least.tilt_deg)) return "the tilt of a pose is not between 0 and 90 degrees";
+    if (!(pose->height_m.value > 0)) return "a centroid is not above its base";
+    if (pose->has_persistence && !(pose->persistence_m.value + pose->persistence_m.error >= 0)) {
       return "the persistence of a pose is below 0";
     }
-    sum = tp_near_add(sum, (tp_near){own->share.value, own->share.error});
+    sum = tp_near_add(sum, (tp_near){pose->share.value, pose->share.error});
   }
   return fabs(sum.value - 1) <= sum.error + DBL_EPSILON ? NULL : "the sum of all shares is not 1";
 }
 
 static const char *fault_of_bands(const tp_solid *solid) {
   for (size_t k = 0; k < solid->band_count; k++) {
-    const tp_solid_band *own = solid->bands + k;
-    if (!own->stands) continue;
-    bool are_tilts = is_tilt(own->least.tilt_deg);
-    for (size_t n = 0; n < own->rose_count; n++) {
-      are_tilts = are_tilts && is_tilt(own->rose[n].toppling_deg);
+    const tp_solid_band *band = solid->bands + k;
+    if (!band->stands) continue;
+    bool are_tilts = is_tilt(band->least.tilt_deg);
+    for (size_t n = 0; n < band->rose_count; n++) {
+      are_tilts = are_tilts && is_tilt(band->rose[n].toppling_deg);
     }
     if (!are_tilts) return "a tilt at which it topples is not between 0 and 90 degrees";
   }
