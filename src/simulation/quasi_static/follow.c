@@ -4,7 +4,12 @@
 /* The path followed. A step of the tilt that meets an event, or finds no equilibrium, is halved
  * until it is shorter than the tolerance; then the event is passed, or, where no equilibrium is
  * near, the block is released (drift.h). The cost is some log2(step / tolerance) balances an event,
- * each of a few sums over the facets. */
+ * each of a few sums over the facets.
+ *
+ * Towards a tilt at which the block topples the displacements of stiff springs grow without bound,
+ * while the balance is that of the undisplaced block. The tilt of the collapse is a limit, and
+ * stays exact. A displacement that is no longer small against the block is none that a block has:
+ * the history ends with the last state below `far`. */
 
 #include "quasi_static/follow.h"
 
@@ -20,6 +25,10 @@ static const double longest_step = 1e-2;
 /* Steps grow again. */
 static const double growth = 2;
 
+/* The history has states up to this displacement of the centroid and turn at the block's extent, in
+ * extents. Springs that the weight closes by a tenth of it are refused (run.c). */
+static const double far = 0.1;
+
 /* Where a drift stays undecided, at tilts beyond it: farther by so many times, as often as this. */
 static const double widening = 4;
 enum { MOST_WIDER = 8 };
@@ -30,7 +39,8 @@ typedef struct follower {
   tp_history *history;
   tp_path_result *result;
   tp_path_state now, next;
-  double recorded;      /* the tilt of the last moment */
+  tp_path_state kept; /* the last that is not far, where it is none of the moments yet */
+  bool has_kept;
   double step, barrier; /* the next event, or collapse, lies below `barrier` */
   bool memory;
 } follower;
@@ -40,15 +50,23 @@ static void record_events(follower *f, const tp_path_state *before, const tp_pat
       f->memory && tp_path_record_events(f->history, &f->result->events, before, after, f->model);
 }
 
+static bool is_far(const follower *f) {
+  const tp_three moved = tp_path_pose_of_centroid(&f->now.pose);
+  return !(tp_three_size(&moved) * f->model->closure_m <= far * f->model->body->extent_m);
+}
+
 static void record_moment(follower *f) {
-  f->recorded = f->now.tilt;
+  if (f->history == NULL || is_far(f)) return;
+  f->has_kept = false;
   f->memory = f->memory && tp_path_record_moment(f->history, &f->now, f->model);
 }
 
-/* The last equilibrium, where it is none of the moments yet. At the first tilt there may be none.
- */
+/* The last equilibrium that is not far, where it is none of the moments yet. At the first tilt
+ * there may be none. */
 static void record_last(follower *f) {
-  if (f->result->stood && f->now.tilt != f->recorded) record_moment(f);
+  if (!f->has_kept) return;
+  f->has_kept = false;
+  f->memory = f->memory && tp_path_record_moment(f->history, &f->kept, f->model);
 }
 
 static double largest_moved_m(const follower *f) {
@@ -70,6 +88,9 @@ static void accept(follower *f) {
   f->now = f->next;
   f->next = kept;
   f->result->imbalance = fmax(f->result->imbalance, f->now.imbalance);
+  if (f->history == NULL || is_far(f)) return;
+  tp_path_state_copy(&f->kept, &f->now, f->model);
+  f->has_kept = true;
 }
 
 /* The facets that slip and are about to stick are told as stuck: the next step finds them so. */
@@ -202,13 +223,15 @@ void tp_path_follow(tp_path_result *result, const tp_path_model *model,
                 .step = longest_step,
                 .barrier = INFINITY,
                 .memory = true};
-  const bool begun = tp_path_state_init(&f.now, model, settings->from_angle);
-  f.memory = begun && tp_path_state_init(&f.next, model, settings->from_angle);
+  f.memory = tp_path_state_init(&f.now, model, settings->from_angle) &&
+             tp_path_state_init(&f.next, model, settings->from_angle) &&
+             tp_path_state_init(&f.kept, model, settings->from_angle);
   if (f.memory) {
     follow(&f);
     if (result->stood) result->moved_m = largest_moved_m(&f);
-    tp_path_state_clear(&f.next);
   }
-  if (begun) tp_path_state_clear(&f.now);
+  tp_path_state_clear(&f.kept);
+  tp_path_state_clear(&f.next);
+  tp_path_state_clear(&f.now);
   if (!f.memory) result->end = TP_RUN_NO_MEMORY;
 }

@@ -103,6 +103,26 @@ static tp_status look(tp_tilt_verdict *verdict, tp_tilting *tilting, double angl
   return TP_OK;
 }
 
+/* Set down at the greatest tilt at which it stands; where it is displaced too far there to be a
+ * moment, at one below it. */
+static tp_status tell_highest(tp_tilting *tilting) {
+  enum { MOST = 40 };
+  const double highest_deg = tilting->own->stands_at_deg;
+  double below_deg = tilting->settings->tolerance_deg;
+  double angle_deg = highest_deg;
+  tp_path_result highest;
+  tp_status status = TP_OK;
+  for (int k = 0; k < MOST; k++) {
+    tp_history_clear(&tilting->history);
+    status = run(&highest, tilting, angle_deg, angle_deg, &tilting->history);
+    if (status == TP_OK && k == 0) take_path(tilting->own, &highest);
+    if (status != TP_OK || tilting->history.moment_count > 0 || !(angle_deg > 0)) break;
+    angle_deg = fmax(0, highest_deg - below_deg);
+    below_deg *= 2;
+  }
+  return status;
+}
+
 static tp_status steps(tp_tilting *tilting, double least_deg, double most_deg) {
   const double until = fmin(tilting->settings->until_deg, most_deg_of_path);
   tp_tilt_case *own = tilting->own;
@@ -110,12 +130,8 @@ static tp_status steps(tp_tilting *tilting, double least_deg, double most_deg) {
   const tp_status status = tp_tilting_bracket(tilting, look, least_deg, most_deg, until);
   if (status != TP_OK || own->end != TP_TILT_STANDS) return status;
   if (own->has_bracket) own->end = TP_TILT_COLLAPSES;
-  tp_path_result highest;
   if (own->has_bracket && own->lets_go_at_deg == 0) return TP_OK;
-  const tp_status told =
-      run(&highest, tilting, own->stands_at_deg, own->stands_at_deg, &tilting->history);
-  if (told == TP_OK) take_path(own, &highest);
-  return told;
+  return tell_highest(tilting);
 }
 
 tp_status tp_tilting_path(tp_tilting *tilting, double least_deg, double most_deg) {
