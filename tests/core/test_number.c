@@ -15,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool read_field(fmpq_t value, const char *text) {
+static bool read_fraction(fmpq_t value, const char *text) {
   const char *problem = NULL;
-  return tp_ratio_read_field(value, text, strlen(text), &problem);
+  return tp_ratio_read_fraction(value, text, strlen(text), &problem);
 }
 
 /* Decimal text is the truth: every spelling of a number is the rational that it says. */
@@ -41,7 +41,7 @@ START_TEST(decimals_are_exact) {
   fmpq_t value;
   fmpq_init(value);
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    ck_assert_msg(read_field(value, cases[k].text), "%s", cases[k].text);
+    ck_assert_msg(read_fraction(value, cases[k].text), "%s", cases[k].text);
     char *text = fmpq_get_str(NULL, 10, value);
     ck_assert_str_eq(text, cases[k].value);
     ck_assert(fmpq_is_canonical(value));
@@ -65,7 +65,7 @@ START_TEST(random_decimals_agree_with_gmp) {
     const int exponent = (int)draw_below(&state, 64) - 32;
     char text[64];
     snprintf(text, sizeof text, "%lue%d", mantissa, exponent);
-    ck_assert(read_field(value, text));
+    ck_assert(read_fraction(value, text));
     mpz_ui_pow_ui(power, 10, (unsigned long)abs(exponent));
     mpq_set_ui(expected, mantissa, 1);
     mpq_set_z(found, power);
@@ -92,10 +92,32 @@ START_TEST(no_numbers) {
   fmpq_init(value);
   for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
     const char *problem = NULL;
-    ck_assert_msg(!tp_ratio_read_field(value, texts[k], strlen(texts[k]), &problem), "%s",
+    ck_assert_msg(!tp_ratio_read_fraction(value, texts[k], strlen(texts[k]), &problem), "%s",
                   texts[k]);
     ck_assert_ptr_nonnull(problem);
   }
+  fmpq_clear(value);
+}
+END_TEST
+
+/* A field of a file is data: `30/120` may be a dip and its direction, and is no quotient. */
+START_TEST(fields_are_plain) {
+  static const struct {
+    const char *text, *problem;
+  } cases[] = {{"30/120", "two numbers"}, {"1/3", "two numbers"},  {"-1/2", "two numbers"},
+               {"4/0.5", "two numbers"},  {"35-28", "a range"},    {"2*3", "not a number"},
+               {"(3)", "not a number"},   {"1+1", "not a number"}, {"2^3", "not a number"},
+               {"1/", "not a number"},    {"1-", "not a number"},  {"1,5", "not a number"}};
+  fmpq_t value;
+  fmpq_init(value);
+  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    const char *text = cases[k].text, *problem = NULL;
+    ck_assert_msg(!tp_ratio_read_field(value, text, strlen(text), &problem), "%s", text);
+    ck_assert_msg(strstr(problem, cases[k].problem) != NULL, "%s: %s", text, problem);
+  }
+  const char *problem = NULL;
+  ck_assert(tp_ratio_read_field(value, "-2.50e1", 7, &problem));
+  ck_assert_int_eq(fmpq_cmp_si(value, -25), 0);
   fmpq_clear(value);
 }
 END_TEST
@@ -228,6 +250,7 @@ SUITE(number) {
   tcase_add_test(numbers, decimals_are_exact);
   tcase_add_test(numbers, random_decimals_agree_with_gmp);
   tcase_add_test(numbers, no_numbers);
+  tcase_add_test(numbers, fields_are_plain);
   tcase_add_test(numbers, texts_of_values);
   tcase_add_test(numbers, ladder);
   tcase_add_test(numbers, signs_of_roots);

@@ -15,14 +15,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fmpq_t value, again;
   fmpq_init(value);
   fmpq_init(again);
-  if (tp_ratio_read_field(value, text, size, &problem)) {
+  if (tp_ratio_read_fraction(value, text, size, &problem)) {
     FUZZ_EXPECT(fmpq_is_canonical(value));
     tp_ratio_text(printed, sizeof printed, value);
     FUZZ_EXPECT(printed[0] != '\0' && strlen(printed) < sizeof printed - 1);
     /* as long as all its digits fit, what is printed is the value, or names the same double */
     const bool exact = fmpz_bits(fmpq_numref(value)) <= 60 && fmpz_bits(fmpq_denref(value)) <= 60;
     FUZZ_EXPECT(!exact ||
-                (tp_ratio_read_field(again, printed, strlen(printed), &problem) &&
+                (tp_ratio_read_fraction(again, printed, strlen(printed), &problem) &&
                  (fmpq_equal(value, again) || strtod(printed, NULL) == fmpq_get_d(value))));
   } else {
     FUZZ_EXPECT(problem != NULL);

@@ -253,7 +253,7 @@ class Batch(unittest.TestCase):
 
     def test_faults_once(self):
         """Text in columns of numbers is told with its place and what stands there; what is wrong with many rows alike is told once,
-        with their lines; all that is wrong with a row is; and a cell may name a parameter of the scene, as before."""
+        with their lines; all that is wrong with a row is."""
         head = "name,width (m),height (m),dip (deg),friction (deg),loads.cohesion_kpa\n"
         table = self.write(head + "a,1,n/a,20,35,\nb,1,2,20,35,\nc,1,?,20,35,\nd,x,ca. 3,95,-1,\ne,1,n/a,20,35,\nf,1,2 m,,,\n")
         status, out, err = run("solve", "--batch", "--json", table)
@@ -282,10 +282,49 @@ class Batch(unittest.TestCase):
         err = run("solve", "--batch", many)[2]
         self.assertEqual(err.count("is not a number"), 1)
         self.assertIn("12 ('no 10') and 29 more", err)
-        template = self.write("topple: 1\nlength_unit: m\nparameters: {h: 2, phi: 35}\nblock: {slab: {width: 1, height: h}}\n"
-                              "friction_angle_deg: phi\n", "template.yaml")
-        found, _ = self.batch(self.write("name,width (m),height (m),dip (deg)\np,2*h,h/2,20\n"), "--template", template)
-        self.assertEqual(found["p"]["standing"], "holds")
+
+    def test_fields_are_data(self):
+        """`30/120` is a dip and its direction: evaluated, it was a dip of 0.25 degrees, at which every block holds. Nothing is
+        calculated in a table: no quotient, range, formula or parameter, in columns of numbers and of words alike."""
+        template = self.write("topple: 1\nlength_unit: m\nparameters: {h: 2, phi: 35}\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
+                              "slope: {dip_deg: 20, towards: left}\nfriction_angle_deg: phi\n", "template.yaml")
+        for head, cell, saying in (("dip", "30/120", "is two numbers"), ("slope.dip_deg", "45/310", "is two numbers"),
+                                   ("friction", "35/2", "is two numbers"), ("friction", "35-28", "is a range"), ("phi", "35 - 28", "is a range"),
+                                   ("phi", "28..35", "is a range"), ("phi", "28 to 35", "is a range"), ("phi", "28\u201335", "is a range"),
+                                   ("width", "2*h", "names a parameter"), ("width", "h", "names a parameter"), ("width", "1/3", "is two numbers"),
+                                   ("width", "(3)", "is not a number"), ("width", "2^2", "is not a number"), ("width", "1+1", "is not a number"),
+                                   ("parameters.h", "3*2", "is not a number"), ("required_fos", "3/2", "is two numbers"),
+                                   ("columns.width", "3*2", "is a formula"), ("columns.width", "h", "is a formula"),
+                                   ("columns.width", "2*h", "is a formula"), ("cases.1.friction_angle_deg", "30/2", "is two numbers")):
+            table = self.write(f"name,{head}\nC,{cell}\n")
+            found, err = self.batch(table, "--template", template, status=3)
+            self.assertEqual(found["C"]["standing"], "not solved", (head, cell))
+            self.assertIn(f"survey.csv:2:2: block 'C': column '{head}': '{cell}' {saying}", err)
+            self.assertEqual("name the column 'dip/dip direction'" in err, "dip" in head)
+        found, _ = self.batch(self.write("name,width,height,dip\nC,2e0,+1.0,30\n"), "--template", template)
+        self.assertAlmostEqual(float(found["C"]["fos"]), math.tan(math.radians(35)) / math.tan(math.radians(30)), delta=1e-9)
+
+    def test_dip_and_direction(self):
+        """A column that declares both has both: of 30/120 and 45/310 at 35 degrees of friction the factors are
+        tan 35/tan 30 = 1.213 and tan 35/tan 45 = 0.700."""
+        template = self.write("topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
+                              "slope: {dip_deg: 20, towards: left}\nfriction_angle_deg: 35\n", "template.yaml")
+        tangent = math.tan(math.radians(35))
+        for head, *cells in (("dip/dip direction", "30/120", "45/310"), ("Dip/DipDir", "30 / 120", "045/310"), ("dip / dip_direction (deg)", "30/120", "45/310"),
+                             ("Dip/Dip-Dir (\u00b0/\u00b0)", "30.0/120", "45/0"), ("dip direction/dip", "120/30", "310/45"), ("DipDir/Dip", "120/30", "005/45")):
+            found, _ = self.batch(self.write(f"name,width,height,{head}\nC,2,1,{cells[0]}\nD,2,1,{cells[1]}\n"), "--template", template)
+            for name, dip, standing in (("C", 30, "holds"), ("D", 45, "fails")):
+                self.assertEqual(found[name]["standing"], standing, head)
+                self.assertEqual(float(found[name]["dip_deg"]), dip)
+                self.assertAlmostEqual(float(found[name]["fos"]), tangent / math.tan(math.radians(dip)), delta=1e-9)
+        for cell, saying in (("30", "as 30/120"), ("35-28", "as 30/120"), ("30/", "as 30/120"), ("30/120/2", "as 30/120"), ("95/120", "dip_deg must lie"),
+                             ("30/400", "dip_direction_deg must lie")):
+            _, err = self.batch(self.write(f"name,dip/dip direction\nC,{cell}\n"), "--template", template, status=3)
+            self.assertIn("survey.csv:2:2: block 'C': column 'dip/dip direction': ", err)
+            self.assertIn(saying, err)
+        for other in ("dip", "slope.dip_direction_deg", "dip direction"):
+            self.refused(f"name,dip/dip direction,{other}\nC,30/120,30\n", "an earlier column says the same")
+            self.refused(f"name,{other},dip/dip direction\nC,30,30/120\n", "an earlier column says the same")
 
     def test_tables_that_are_wrong(self):
         """A head that is wrong is refused before work begins."""

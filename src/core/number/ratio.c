@@ -138,17 +138,39 @@ size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, cons
   return at + used;
 }
 
+/* Behind the sign, from `*at` on, which ends up behind the decimal. */
+static bool read_signed(fmpq_t value, size_t *at, const char *text, size_t length,
+                        const char **problem) {
+  const bool negative = length > 0 && text[0] == '-';
+  *at = length > 0 && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  const size_t used = tp_ratio_read_decimal(value, text + *at, length - *at, problem);
+  *at += used;
+  if (negative && used > 0) fmpq_neg(value, value);
+  return used > 0;
+}
+
+/* What stands behind the first number of a field that has more than one. */
+static const char *problem_behind(const char *text, size_t length) {
+  if (length > 1 && text[0] == '/') return "is two numbers, and nothing is calculated in a field";
+  if (length > 1 && text[0] == '-' && is_digit(text[1])) return "is a range, not one number";
+  return "is not a number";
+}
+
 bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const char **problem) {
   size_t at = 0;
-  const bool negative = length > 0 && text[0] == '-';
-  if (length > 0 && (text[0] == '-' || text[0] == '+')) at++;
-  size_t used = tp_ratio_read_decimal(value, text + at, length - at, problem);
-  if (used == 0) return false;
-  at += used;
+  if (!read_signed(value, &at, text, length, problem)) return false;
+  if (at == length) return true;
+  *problem = problem_behind(text + at, length - at);
+  return false;
+}
+
+bool tp_ratio_read_fraction(fmpq_t value, const char *text, size_t length, const char **problem) {
+  size_t at = 0;
+  if (!read_signed(value, &at, text, length, problem)) return false;
   if (at < length && text[at] == '/') {
     fmpq_t divisor;
     fmpq_init(divisor);
-    used = tp_ratio_read_decimal(divisor, text + at + 1, length - at - 1, problem);
+    size_t used = tp_ratio_read_decimal(divisor, text + at + 1, length - at - 1, problem);
     if (used > 0 && fmpq_is_zero(divisor)) {
       *problem = "divides by zero";
       used = 0;
@@ -158,12 +180,9 @@ bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const ch
     if (used == 0) return false;
     at += 1 + used;
   }
-  if (at != length) {
-    *problem = "is not a number";
-    return false;
-  }
-  if (negative) fmpq_neg(value, value);
-  return true;
+  if (at == length) return true;
+  *problem = "is not a number";
+  return false;
 }
 
 bool tp_ratio_read_double(fmpq_t value, double given) {

@@ -20,8 +20,12 @@ enum { TP_RATIO_DIGITS = 1000, TP_RATIO_EXPONENT = 308 };
  * number of characters read, 0 with `*problem` set (a static string) where there is no number. */
 size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, const char **problem);
 
-/* Read a whole field `[+-]decimal[/decimal]`; false with `*problem` set where it is none. */
+/* Read a whole field of a file, `[+-]decimal`; false with `*problem` set where it is none. A field
+ * is data: nothing is calculated in it, as `30/120` may be a dip and its direction. */
 bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const char **problem);
+
+/* The same, or a quotient `[+-]decimal/decimal`: of what a caller, or a formula, writes. */
+bool tp_ratio_read_fraction(fmpq_t value, const char *text, size_t length, const char **problem);
 
 /* The shortest decimal that names a double, exactly; false: outside of the range above, or not
  * finite. */
@@ -34,8 +38,8 @@ bool tp_ratio_is_not_finite(const char *text);
  * decimal that names a double, or p/q. */
 void tp_ratio_text(char *text, size_t size, const fmpq_t value);
 
-/* All of its digits, as tp_ratio_read_field takes them: a decimal, or p/q. Allocated with malloc;
- * NULL when memory is exhausted. */
+/* All of its digits, as tp_ratio_read_fraction takes them: a decimal, or p/q. Allocated with
+ * malloc; NULL when memory is exhausted. */
 char *tp_ratio_exact_text(const fmpq_t value);
 
 #endif

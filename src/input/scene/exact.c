@@ -56,7 +56,7 @@ static void set_double(fmpq_t value, double given) {
 static tp_status read_text(fmpq_t value, const char *text, const char *name, tp_place place,
                            tp_message *message) {
   const char *problem = NULL;
-  if (tp_ratio_read_field(value, text, strlen(text), &problem)) {
+  if (tp_ratio_read_fraction(value, text, strlen(text), &problem)) {
     return tp_check_range(value, name, place, message);
   }
   return tp_refuse(message, TP_FAULT_FORMAT, place,

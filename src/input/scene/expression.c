@@ -58,7 +58,7 @@ tp_status tp_expression_evaluate(fmpq_t value, const char *text, tp_place place,
   fmpq_t result;
   fmpq_init(result);
   tp_status status = TP_OK;
-  if (!tp_ratio_read_field(result, text, strlen(text), &problem)) {
+  if (!tp_ratio_read_fraction(result, text, strlen(text), &problem)) {
     status = tp_expression_evaluate_in(result, &tp_rational_algebra,
                                        parameters != NULL ? parameters->values : NULL, text, place,
                                        parameters, message);

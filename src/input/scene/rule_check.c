@@ -22,7 +22,7 @@ tp_status tp_check_within(const tp_quantity *quantity, const char *name, const c
   fmpq_init(bound);
   for (int end = 0; end < 2; end++) {
     const char *text = end == 0 ? low : high;
-    (void)tp_ratio_read_field(bound, text, strlen(text), &problem);
+    (void)tp_ratio_read_fraction(bound, text, strlen(text), &problem);
     const int side = fmpq_cmp(quantity->value, bound) * (end == 0 ? 1 : -1);
     within = within && (strictly ? side > 0 : side >= 0);
   }

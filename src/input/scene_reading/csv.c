@@ -9,6 +9,7 @@
 #include "format/columns.h"
 #include "number/ratio.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,6 +34,7 @@ typedef struct reader {
   size_t from, to;
   int line;
   int header_lines;
+  bool fractions; /* may stand in it */
   tp_columns columns;
   char named;       /* its separator, if it is no blank */
   title_line title; /* the line above the points, where it names nothing */
@@ -152,7 +154,10 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
   const char *problem = NULL;
   const tp_csv_field f = column < row->count ? row->fields[column] : (tp_csv_field){row->length, 0};
   size_t comma = 0;
-  if (tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
+  if (r->fractions ? tp_ratio_read_fraction(value, row->text + f.at, f.length, &problem)
+                   : tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) {
+    return TP_OK;
+  }
   if (tp_csv_has_decimal_comma(row, &comma)) return fail_comma(r, comma);
   if (f.length == 0) return fail(r, f.at, "a number is missing; each line holds x, y");
   char word[16] = "", what[160];
@@ -229,6 +234,12 @@ static tp_status note_repeated(const reader *r) {
                       r->repeated);
 }
 
+static bool says_fractions(const char *text, size_t length) {
+  static const char line[] = TP_CSV_FRACTIONS;
+  while (length > 0 && isspace((unsigned char)text[length - 1])) length--;
+  return length == sizeof line - 1 && memcmp(text, line, length) == 0;
+}
+
 static tp_status read_lines(reader *r) {
   tp_status status = TP_OK;
   const char *text = NULL;
@@ -242,6 +253,7 @@ static tp_status read_lines(reader *r) {
       text += 3; /* byte order mark */
       length -= 3;
     }
+    if (r->line == 1) r->fractions = says_fractions(text, length);
     tp_csv_split(&row, text, length, r->named);
     if (row.count == 0 && !row.open_quote) continue; /* empty, or separators alone */
     const bool above = r->header_lines < MOST_HEADER_LINES && r->points->count == 0;

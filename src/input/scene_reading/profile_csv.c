@@ -8,6 +8,7 @@
 #include "output/file.h"
 #include "output/text.h"
 #include "scene/scene.h"
+#include "scene_reading/csv.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,13 +27,16 @@ static tp_status make(char **csv, const tp_scene *scene, tp_message *message) {
     return tp_refuse(message, TP_FAULT_KEY, scene->base.place,
                      "the base has no separate profile: it is mated with the block");
   }
-  tp_text text = {0};
-  tp_text_add(&text, "x,y\n");
+  tp_text text = {0}, points = {0};
   bool room = true;
   for (long k = 0; k < profile->count && room; k++) {
-    room = add(&text, profile->x + k, ",") && add(&text, profile->y + k, "\n");
+    room = add(&points, profile->x + k, ",") && add(&points, profile->y + k, "\n");
   }
-  if (!room) text.failed = true;
+  const bool fractions = points.data != NULL && strchr(points.data, '/') != NULL;
+  tp_text_add(&text, "%sx,y\n", fractions ? TP_CSV_FRACTIONS "\n" : "");
+  tp_text_append(&text, points.data != NULL ? points.data : "", points.length);
+  if (!room || points.failed) text.failed = true;
+  tp_text_drop(&points);
   const tp_status status = tp_text_finish(&text, csv);
   return status == TP_OK ? TP_OK : tp_fail_memory(message, "the profile");
 }

@@ -1,26 +1,58 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A cell by itself: is it a number, and one that its key may have? What names a parameter of the
- * scene is left to the reader of scenes. */
+/* A cell by itself: is it one plain number, and one that its key may have? A cell is data. `30/120`
+ * is a dip and its direction, `35-28` a range: whoever evaluated them took a dip of 0.25 degrees.
+ * So nothing is calculated in a cell, in columns of words either. */
 
 #include "survey/cell_check.h"
 
+#include "number/ratio.h"
 #include "scene/expression.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* Does a parameter of the scene stand in it? */
-static bool names_parameter(const tp_node *root, const char *cell) {
-  static const char between[] = " \t.,;:+-*/^()?'\"";
+static const char between_names[] = " \t.,;:+-*/^()?'\"";
+
+static bool is_number_text(const char *text, size_t length) {
+  const char *problem = NULL;
+  fmpq_t value;
+  fmpq_init(value);
+  const bool is = tp_ratio_read_field(value, text, length, &problem);
+  fmpq_clear(value);
+  return is;
+}
+
+/* Do parameters of the scene and numbers make up all of it, with one parameter at least? */
+static bool names_parameters(const tp_node *root, const char *cell) {
   const tp_node *parameters = tp_node_get(root, "parameters");
-  for (const char *at = cell; parameters != NULL && *at != '\0';) {
-    const size_t length = strcspn(at, between);
-    if (length > 0 && tp_tree_child(parameters, at, length) != NULL) return true;
-    at += length + strspn(at + length, between);
+  bool all = parameters != NULL, any = false;
+  for (const char *at = cell; all && *at != '\0';) {
+    const size_t length = strcspn(at, between_names);
+    const bool own = length > 0 && tp_tree_child(parameters, at, length) != NULL;
+    any = any || own;
+    all = own || length == 0 || is_number_text(at, length);
+    at += length + strspn(at + length, between_names);
   }
-  return false;
+  return all && any;
+}
+
+/* Would a reader of scenes calculate it? */
+static tp_status is_formula(bool *is, const tp_column *own, const char *cell, const tp_node *root,
+                            tp_message *message) {
+  tp_message what;
+  fmpq_t value;
+  *is = false;
+  if (is_number_text(cell, strlen(cell))) return TP_OK;
+  fmpq_init(value);
+  const tp_status status = tp_expression_evaluate(value, cell, (tp_place){0}, NULL, &what);
+  fmpq_clear(value);
+  if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "a table");
+  const bool words = strcspn(cell, between_names) == strlen(cell) && !own->is_length;
+  *is = status == TP_OK || (!words && names_parameters(root, cell));
+  return TP_OK;
 }
 
 /* 1,5 in place of 1.5. */
@@ -36,25 +68,48 @@ static const char *name_of(const char *key) {
   return dot != NULL ? dot + 1 : key;
 }
 
-tp_status tp_cell_check(tp_row_faults *faults, const tp_column *own, size_t column,
-                        const char *cell, const tp_node *root, tp_message *message) {
+/* A number, a separator and another number. */
+static bool has_two_numbers(const char *cell, const char *separator) {
+  const char *at = strstr(cell, separator);
+  if (at == NULL || at == cell) return false;
+  const char *other = at + strlen(separator);
+  size_t first = (size_t)(at - cell), second = strlen(other);
+  while (first > 0 && cell[first - 1] == ' ') first--;
+  while (*other == ' ') other++, second--;
+  return is_number_text(cell, first) && is_number_text(other, second);
+}
+
+/* What is wrong with what stands where a number is wanted. */
+static const char *problem_of(const tp_column *own, const char *cell, const tp_node *root) {
+  static const char *const ranges[] = {"-", "\xe2\x80\x93", "..", " to "};
+  if (has_two_numbers(cell, "/")) {
+    return strcmp(own->key, "slope.dip_deg") == 0
+               ? "is two numbers, and nothing is calculated in a table; if they are dip and dip "
+                 "direction, name the column 'dip/dip direction', else write one number"
+               : "is two numbers, and nothing is calculated in a table; write one number, as 2.5";
+  }
+  for (size_t k = 0; k < sizeof ranges / sizeof ranges[0]; k++) {
+    if (has_two_numbers(cell, ranges[k])) {
+      return "is a range; write one number, or vary it by 'topple study'";
+    }
+  }
+  if (names_parameters(root, cell)) {
+    return "names a parameter of the scene, and nothing is calculated in a table; write its value";
+  }
+  return "is not a number; write digits alone, as 2.5, or leave the cell empty where the scene "
+         "below the table has the number";
+}
+
+static tp_status check_number(tp_row_faults *faults, const tp_column *own, size_t column,
+                              const char *cell, const tp_node *root, tp_message *message) {
   const tp_place nowhere = {0};
+  const char *problem = NULL;
   tp_message what;
   fmpq_t value;
-  if (has_decimal_comma(cell)) {
-    return tp_row_faults_add(faults, column + 1, cell,
-                             "has a comma for its decimal point; write a point", message);
-  }
-  if (!own->is_number || names_parameter(root, cell)) return TP_OK;
   fmpq_init(value);
-  tp_status status = tp_expression_evaluate(value, cell, nowhere, NULL, &what);
-  if (status == TP_OUT_OF_MEMORY) {
-    status = tp_fail_memory(message, "a table");
-  } else if (status != TP_OK) {
-    status = tp_row_faults_add(faults, column + 1, cell,
-                               "is not a number; write digits alone, as 2.5, or leave the cell "
-                               "empty where the scene below the table has the number",
-                               message);
+  tp_status status = TP_OK;
+  if (!tp_ratio_read_field(value, cell, strlen(cell), &problem)) {
+    status = tp_row_faults_add(faults, column + 1, cell, problem_of(own, cell, root), message);
   } else if (tp_check_range(value, name_of(own->key), nowhere, &what) != TP_OK ||
              tp_check_rule(own->rule, value, name_of(own->key), nowhere, &what) != TP_OK) {
     char told[sizeof what.text + 24];
@@ -63,6 +118,50 @@ tp_status tp_cell_check(tp_row_faults *faults, const tp_column *own, size_t colu
   }
   fmpq_clear(value);
   return status;
+}
+
+tp_status tp_cell_check(tp_row_faults *faults, const tp_column *own, size_t column,
+                        const char *cell, const tp_node *root, tp_message *message) {
+  bool formula = false;
+  if (has_decimal_comma(cell)) {
+    return tp_row_faults_add(faults, column + 1, cell,
+                             "has a comma for its decimal point; write a point", message);
+  }
+  if (own->is_number) return check_number(faults, own, column, cell, root, message);
+  const tp_status status = is_formula(&formula, own, cell, root, message);
+  if (status != TP_OK || !formula) return status;
+  return tp_row_faults_add(faults, column + 1, cell,
+                           "is a formula, and nothing is calculated in a table; write its value",
+                           message);
+}
+
+static char *without_blanks(const char *text, size_t length) {
+  while (length > 0 && text[length - 1] == ' ') length--;
+  while (length > 0 && *text == ' ') text++, length--;
+  return strndup(text, length);
+}
+
+tp_status tp_cell_split_plane(char **dip, char **direction, tp_row_faults *faults,
+                              const tp_column *own, size_t column, const char *cell,
+                              tp_message *message) {
+  const char *slash = strchr(cell, '/');
+  *dip = *direction = NULL;
+  if (!has_two_numbers(cell, "/")) {
+    return tp_row_faults_add(faults, column + 1, cell,
+                             own->reversed ? "is no dip direction and dip, as 120/30"
+                                           : "is no dip and dip direction, as 30/120",
+                             message);
+  }
+  char *first = without_blanks(cell, (size_t)(slash - cell));
+  char *second = without_blanks(slash + 1, strlen(slash + 1));
+  if (first == NULL || second == NULL) {
+    free(first);
+    free(second);
+    return tp_fail_memory(message, "a table");
+  }
+  *dip = own->reversed ? second : first;
+  *direction = own->reversed ? first : second;
+  return TP_OK;
 }
 
 /* ---- what is not there -------------------------------------------------------------------------

@@ -27,9 +27,11 @@ static const struct {
   tp_column_kind kind;
   const char *word, *key;
 } short_names[] = {
+#define TP_COLUMN_PLANE_REVERSED TP_COLUMN_PLANE /* by its word: what stands first in it */
 #define HEAD_ROW(kind, word, key) {TP_COLUMN_##kind, word, key},
     TP_SURVEY_HEADS(HEAD_ROW)
 #undef HEAD_ROW
+#undef TP_COLUMN_PLANE_REVERSED
 };
 
 enum { SHORT_NAMES = sizeof short_names / sizeof short_names[0] };
@@ -60,6 +62,17 @@ static const char *length_unit(const char *unit) {
 /* ---- words -------------------------------------------------------------------------------------
  */
 
+/* "dip_/_dip_direction" without what is around the slash. */
+static void close_slash(char *word) {
+  char *to = word;
+  for (const char *at = word; *at != '\0'; at++) {
+    const bool before = *at == '_' && at[strspn(at, "_")] == '/';
+    if (before || (*at == '_' && to > word && to[-1] == '/')) continue;
+    *to++ = *at;
+  }
+  *to = '\0';
+}
+
 /* Small letters, _ for blanks and hyphens, and what stands in brackets at the end apart; false: it
  * is too long. */
 static bool split(head *own, const char *text) {
@@ -80,6 +93,7 @@ static bool split(head *own, const char *text) {
     const char c = text[k];
     own->word[k] = (char)(c == ' ' || c == '-' ? '_' : tolower((unsigned char)c));
   }
+  close_slash(own->word);
   return true;
 }
 
@@ -87,9 +101,17 @@ static bool split(head *own, const char *text) {
 static void spell(char unit[UNIT]) {
   static const struct {
     const char *is, *to;
-  } others[] = {{"\xc2\xb0", "deg"},        {"degrees", "deg"},  {"degree", "deg"},
-                {"kn/m\xc2\xb3", "kn/m3"},  {"kn/m^3", "kn/m3"}, {"kn_m3", "kn/m3"},
-                {"mn/m\xc2\xb3", "mn/m3"},  {"g", ""},           {"-", ""},
+  } others[] = {{"\xc2\xb0", "deg"},
+                {"degrees", "deg"},
+                {"degree", "deg"},
+                {"deg/deg", "deg"},
+                {"\xc2\xb0/\xc2\xb0", "deg"},
+                {"kn/m\xc2\xb3", "kn/m3"},
+                {"kn/m^3", "kn/m3"},
+                {"kn_m3", "kn/m3"},
+                {"mn/m\xc2\xb3", "mn/m3"},
+                {"g", ""},
+                {"-", ""},
                 {"share of the weight", ""}};
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     if (strcmp(unit, others[k].is) == 0) strcpy(unit, others[k].to);
@@ -215,8 +237,19 @@ static tp_status read_column(tp_column *own, const tp_survey *survey, size_t col
   own->kind = key ? TP_COLUMN_KEY : short_names[k].kind;
   own->key = strdup(key ? h.word : short_names[k].key);
   if (own->key == NULL) return tp_fail_memory(message, "a table");
-  if (own->kind == TP_COLUMN_KEY) tp_column_take_rule(own);
-  return own->kind == TP_COLUMN_KEY ? take_unit(own, &h, survey, column, message) : TP_OK;
+  if (own->kind != TP_COLUMN_KEY && own->kind != TP_COLUMN_PLANE) return TP_OK;
+  tp_column_take_rule(own);
+  own->reversed = own->kind == TP_COLUMN_PLANE && strncmp(h.word, "dip/", strlen("dip/")) != 0;
+  return take_unit(own, &h, survey, column, message);
+}
+
+const char tp_plane_direction_key[] = "slope.dip_direction_deg";
+
+/* Does the column say what stands at the key? */
+static bool is_of_key(const tp_column *column, const char *key) {
+  if (column->kind != TP_COLUMN_KEY && column->kind != TP_COLUMN_PLANE) return false;
+  return strcmp(column->key, key) == 0 ||
+         (column->kind == TP_COLUMN_PLANE && strcmp(tp_plane_direction_key, key) == 0);
 }
 
 /* Two columns that say the same. */
@@ -224,8 +257,12 @@ static tp_status check_once(const tp_survey *survey, size_t column, tp_message *
   const tp_column *own = survey->columns + column;
   for (size_t k = 0; k < column; k++) {
     const tp_column *other = survey->columns + k;
-    if (own->kind == TP_COLUMN_PASSED || own->kind != other->kind) continue;
-    if (own->kind == TP_COLUMN_KEY && strcmp(own->key, other->key) != 0) continue;
+    const bool keyed = own->kind == TP_COLUMN_KEY || own->kind == TP_COLUMN_PLANE;
+    const bool plane = own->kind == TP_COLUMN_PLANE;
+    const bool same =
+        keyed ? is_of_key(other, own->key) || (plane && is_of_key(other, tp_plane_direction_key))
+              : own->kind != TP_COLUMN_PASSED && own->kind == other->kind;
+    if (!same) continue;
     return refuse(survey, column, TP_FAULT_KEY,
                   "an earlier column says the same; leave out one of the two", message);
   }

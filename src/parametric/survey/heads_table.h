@@ -8,7 +8,8 @@
  *
  * A head is read in small letters, with _ for blanks and hyphens, without the unit in brackets or
  * behind an _ at its end. KEY: a key of a scene; NAME, SCENE, CASE, OUTLINE: as survey.h tells;
- * PASSED: a note of the survey. */
+ * PLANE: dip and dip direction in one field, PLANE_REVERSED: dip direction and dip; PASSED: a note
+ * of the survey. */
 
 #ifndef TP_SURVEY_HEADS_TABLE_H
 #define TP_SURVEY_HEADS_TABLE_H
@@ -31,6 +32,20 @@
   ROW(KEY, "unit_weight", "block.unit_weight_kn_m3")                                               \
   ROW(KEY, "dip", "slope.dip_deg")                                                                 \
   ROW(KEY, "dip_direction", "slope.dip_direction_deg")                                             \
+  ROW(PLANE, "dip/dip_direction", "slope.dip_deg")                                                 \
+  ROW(PLANE, "dip/dipdirection", "slope.dip_deg")                                                  \
+  ROW(PLANE, "dip/dip_dir", "slope.dip_deg")                                                       \
+  ROW(PLANE, "dip/dipdir", "slope.dip_deg")                                                        \
+  ROW(PLANE, "dip/direction", "slope.dip_deg")                                                     \
+  ROW(PLANE, "dip/dir", "slope.dip_deg")                                                           \
+  ROW(PLANE, "dip/azimuth", "slope.dip_deg")                                                       \
+  ROW(PLANE_REVERSED, "dip_direction/dip", "slope.dip_deg")                                        \
+  ROW(PLANE_REVERSED, "dipdirection/dip", "slope.dip_deg")                                         \
+  ROW(PLANE_REVERSED, "dip_dir/dip", "slope.dip_deg")                                              \
+  ROW(PLANE_REVERSED, "dipdir/dip", "slope.dip_deg")                                               \
+  ROW(PLANE_REVERSED, "direction/dip", "slope.dip_deg")                                            \
+  ROW(PLANE_REVERSED, "dir/dip", "slope.dip_deg")                                                  \
+  ROW(PLANE_REVERSED, "azimuth/dip", "slope.dip_deg")                                              \
   ROW(KEY, "strike", "slope.strike_deg")                                                           \
   ROW(KEY, "towards", "slope.towards")                                                             \
   ROW(KEY, "tilt", "tilt.angle_deg")                                                               \

@@ -85,6 +85,23 @@ static tp_status put_cell(tp_node *root, const tp_column *own, size_t column, co
   return status;
 }
 
+/* Both numbers of a field of a plane, each as if it had a column to itself. */
+static tp_status put_plane(tp_node *root, tp_row_faults *faults, const tp_column *own,
+                           size_t column, const char *cell, tp_message *message) {
+  char *texts[2] = {NULL, NULL};
+  tp_column parts[2] = {*own, *own};
+  parts[1].key = (char *)tp_plane_direction_key; /* it is only read */
+  tp_column_take_rule(parts + 1);
+  tp_status status = tp_cell_split_plane(texts, texts + 1, faults, own, column, cell, message);
+  for (int k = 0; k < 2 && status == TP_OK && texts[k] != NULL; k++) {
+    status = tp_cell_check(faults, parts + k, column, texts[k], root, message);
+    if (status == TP_OK) status = put_cell(root, parts + k, column, texts[k], message);
+  }
+  free(texts[0]);
+  free(texts[1]);
+  return status;
+}
+
 /* The cells of a row, or all faults of them. */
 static tp_status put_cells(tp_node *root, tp_row_faults *faults, const tp_survey *survey,
                            size_t row, tp_message *message) {
@@ -95,6 +112,8 @@ static tp_status put_cells(tp_node *root, tp_row_faults *faults, const tp_survey
     if (cell[0] == '\0' || is_unit(own)) continue;
     if (own->kind == TP_COLUMN_NAME) {
       status = tp_tree_put(root, "title", cell, tp_mark_of_column(k), message);
+    } else if (own->kind == TP_COLUMN_PLANE) {
+      status = put_plane(root, faults, own, k, cell, message);
     } else if (own->kind == TP_COLUMN_KEY) {
       status = tp_cell_check(faults, own, k, cell, root, message);
       if (status == TP_OK) status = put_cell(root, own, k, cell, message);

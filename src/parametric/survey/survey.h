@@ -12,6 +12,7 @@
 
 typedef enum tp_column_kind {
   TP_COLUMN_KEY,     /* a key of a scene */
+  TP_COLUMN_PLANE,   /* dip and dip direction in one field, 30/120 */
   TP_COLUMN_NAME,    /* of the block; the title of its scene */
   TP_COLUMN_SCENE,   /* the file of the scene that the row is over */
   TP_COLUMN_CASE,    /* the load case of its scene that is solved; else all are */
@@ -22,7 +23,8 @@ typedef enum tp_column_kind {
 typedef struct tp_column {
   tp_column_kind kind;
   const char *head;   /* as it stands in the table */
-  char *key;          /* of a scene; owned */
+  char *key;          /* of a scene; owned. Of a plane that of its dip */
+  bool reversed;      /* of a plane: its direction stands first, 120/30 */
   bool is_number;     /* its cells are numbers, */
   tp_rule rule;       /* of which this must hold */
   bool is_length;     /* its numbers are lengths, */
@@ -41,6 +43,9 @@ typedef struct tp_survey {
 
 /* By the key of the column: is it of numbers, and what must hold of them? */
 void tp_column_take_rule(tp_column *column);
+
+/* The key of the dip direction that a field of a plane has. */
+extern const char tp_plane_direction_key[];
 
 /* Read the table and its head, of the text or where that is NULL of the file; to be cleared,
  * whatever the outcome. */
