@@ -195,9 +195,25 @@ class Csv(unittest.TestCase):
         many = [point for point in RING for _ in range(3)] + [RING[0], RING[0]]
         self.same("x,y\n" + rows(ring=many),
                   [("o.csv:3:1", "points that repeat the one before them are left out, 11 in all")])
-        self.same("0,0\n3/2,-1/4\n1.50,-.25\n3,125e-3\n2.75,4.5\n0.25,4\n",
+        self.same("0,0\n15e-1,-0.250\n1.50,-.25\n3,125e-3\n2.75,4.5\n0.25,4\n",
                   [("o.csv:3:1", "a point that repeats the one before it is left out")])
         self.refuse(rows(ring=RING[:3] + [RING[1]] + RING[3:]), "1:1", "the outline touches itself")
+
+    def test_fields_are_data(self):
+        """`3/2` is no number of a file: it was taken for a quotient, as `30/120` was. Ranges and formulas are none either. A
+        profile that the program wrote has quotients where decimals have no end, and says so in its first line."""
+        for field, saying in (("3/2", "this entry is two numbers, and nothing is calculated in a field"), ("2-1", "this entry is a range"),
+                              ("2*1", "this entry is not a number"), ("(2)", "this entry is not a number")):
+            self.refuse(f"x,y\n0,0\n{field},-0.25\n3,0.125\n2.75,4.5\n", "3:1", saying)
+        self.same("# coordinates are exact fractions\n0,0\n3/2,-1/4\n3,1/8\n11/4,9/2\n1/4,4\n")
+        scene = ("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 0], [2, 3], [0, 3]]}\nfriction_angle_deg: 30\n"
+                 "tilt: {towards: left}\nbase: {profile: [[-1, 0], [5/3, 0], [7/3, -1/7]]}\n")
+        (self.folder / "thirds.yaml").write_text(scene)
+        status, _, err = run("solve", "thirds.yaml", "--write-profile", "written.csv", folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        self.assertEqual((self.folder / "written.csv").read_text(), "# coordinates are exact fractions\nx,y\n-1,0\n5/3,0\n7/3,-1/7\n")
+        again = scene.replace("[[-1, 0], [5/3, 0], [7/3, -1/7]]", "written.csv")
+        self.assertEqual(self.solve(again), self.solve(scene))
 
     def test_repeated_points_of_a_profile(self):
         level, _ = self.csv("-1,0\n1,0\n3,0\n", PROFILE)

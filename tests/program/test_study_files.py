@@ -193,7 +193,8 @@ class Files(StudyCase):
 
     def test_restart_reads_first(self):
         """What is not rows, or not their progress, is not written over, even where all is to begin anew; rows of any study are."""
-        for name, mine in (("rows.csv", "precious\n"), ("rows.csv", "sampled,1\n"), ("rows.csv.progress", "mine: 1\n"),
+        for name, mine in (("rows.csv", "precious\n"), ("rows.csv", "sampled,1\n"), ("rows.csv", "sample,my precious lab data\n1,2\n"),
+                           ("rows.csv", "sample,"), ("rows.csv.progress", "mine: 1\n"),
                            ("rows.csv.progress", "precious\n"), ("rows.csv.progress", "")):
             (self.folder / name).write_text(mine)
             self.refused(f"{name}.*(the only files that are written over|would be lost)", "--rows", "rows.csv", "--restart")

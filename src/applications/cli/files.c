@@ -84,7 +84,10 @@ static tp_status read_open(char **text, size_t *length, FILE *file, const char *
 }
 
 tp_status tp_cli_read_file(char **text, size_t *length, const char *path, tp_message *message) {
-  FILE *file = fopen(path, "rbe");
+  struct stat own; /* a pipe would keep the open waiting */
+  const bool other = stat(path, &own) == 0 && !S_ISREG(own.st_mode);
+  FILE *file = other ? NULL : fopen(path, "rbe");
+  if (other) return fail(message, TP_SYSTEM_FAILED, "cannot read", path, "it is not a file");
   if (file == NULL) return fail(message, TP_SYSTEM_FAILED, "cannot open", path, strerror(errno));
   const tp_status status = read_open(text, length, file, path, message);
   (void)fclose(file);

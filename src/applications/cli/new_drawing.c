@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 /* ---- which files are drawings ------------------------------------------------------------------
  */
@@ -29,7 +30,9 @@ static bool names_objects(char *line) {
 
 /* The names of columns stand in the first line that is no comment. */
 static bool has_objects(const char *path) {
-  FILE *file = fopen(path, "r");
+  struct stat own; /* of a pipe or a device the first line is not awaited */
+  const bool regular = stat(path, &own) == 0 && S_ISREG(own.st_mode);
+  FILE *file = regular ? fopen(path, "r") : NULL;
   if (file == NULL) return false; /* that it is not there is told where it is read */
   char *line = NULL;
   size_t size = 0;

@@ -6,6 +6,7 @@
 
 #include "hdf5/texts.h"
 
+#include "common/input_file.h"
 #include "output/text.h"
 #include "study/hash.h"
 #include "study/sources.h"
@@ -16,8 +17,9 @@
 static tp_status read_text(tp_text *text, const char *path, tp_message *message) {
   char bytes[1 << 14];
   size_t count = 0;
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
+  FILE *file = NULL;
+  const tp_status status = tp_input_open(&file, path, message);
+  if (status != TP_OK) return status;
   while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) tp_text_append(text, bytes, count);
   const int problem = ferror(file) != 0 ? errno : 0;
   fclose(file);

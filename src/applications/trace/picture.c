@@ -5,6 +5,7 @@
  * EXIF orientation. */
 
 #include "trace/picture.h"
+#include "common/input_file.h"
 
 #include <errno.h>
 #include <png.h>
@@ -121,9 +122,10 @@ tp_status tp_picture_read(tp_trace_picture *picture, const char *path, tp_messag
   unsigned char *bytes = NULL;
   size_t length = 0;
   *picture = (tp_trace_picture){0};
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
-  tp_status status = read_all(&bytes, &length, file, path, message);
+  FILE *file = NULL;
+  tp_status status = tp_input_open(&file, path, message);
+  if (status != TP_OK) return status;
+  status = read_all(&bytes, &length, file, path, message);
   fclose(file);
   if (status == TP_OK) status = tp_picture_read_bytes(picture, bytes, length, path, message);
   if (status == TP_OK) tp_sha256(picture->hash, bytes, length);

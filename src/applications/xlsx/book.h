@@ -11,6 +11,10 @@
 #include <expat.h>
 #include <zip.h>
 
+/* Characters of a cell at most, as spreadsheets have them (ECMA-376: 32 767), and bytes of all
+ * cells as CSV: a text that cells share counts in each of them. */
+enum { TP_BOOK_CELL = 32767, TP_BOOK_BYTES = 256 << 20 };
+
 typedef struct tp_book {
   const char *path;
   tp_message *message;

@@ -3,6 +3,7 @@
 
 /* A workbook opened, its parts read in their order, its first worksheet handed over as CSV. */
 
+#include "common/input_file.h"
 #include "common/message.h"
 #include "xlsx/book.h"
 #include "xlsx/xlsx.h"
@@ -19,6 +20,8 @@ void tp_book_clear(tp_book *book) {
 tp_status tp_xlsx_read(char **csv, const char *path, tp_message *message) {
   int why = 0;
   tp_text text = {0};
+  const tp_status readable = tp_input_check(path, message);
+  if (readable != TP_OK) return readable;
   tp_book book = {.path = path, .message = message, .zip = zip_open(path, ZIP_RDONLY, &why)};
   if (book.zip == NULL) {
     zip_error_t error;

@@ -26,6 +26,27 @@ typedef struct sheet {
 /* ---- cells -------------------------------------------------------------------------------------
  */
 
+/* Characters of a text in UTF-8. */
+static size_t count_characters(const char *text, size_t length) {
+  size_t count = 0;
+  for (size_t k = 0; k < length; k++) count += ((unsigned char)text[k] & 0xC0) != 0x80;
+  return count;
+}
+
+static const char too_long[] = "has a cell of more than 32 767 characters, the most that a "
+                               "spreadsheet holds; shorten its text";
+
+/* Within what a cell, and a table, may hold? Else the reading is stopped. */
+static bool may_add(tp_parse *p, const sheet *s, const char *text, size_t length) {
+  if (length > TP_BOOK_CELL && count_characters(text, length) > TP_BOOK_CELL) {
+    tp_parse_stop(p, too_long);
+    return false;
+  }
+  if (s->csv->length + length <= TP_BOOK_BYTES) return true;
+  tp_parse_stop(p, "has more than 256 MiB of text in its cells; split the table");
+  return false;
+}
+
 static void add_text(sheet *s, const char *text, size_t length) {
   for (; s->column < s->at; s->column++) tp_text_append(s->csv, ",", 1);
   tp_text_append(s->csv, "\"", 1);
@@ -78,7 +99,7 @@ static void add_number(sheet *s, const tp_book *book, const char *text) {
 static void add_cell(tp_parse *p, sheet *s) {
   const tp_book *book = p->book;
   const char *text = p->text.data != NULL ? p->text.data : "";
-  if (p->text.length == 0) return;
+  if (p->text.length == 0 || !may_add(p, s, text, p->text.length)) return;
   if (strcmp(s->kind, "s") == 0) {
     char *end = NULL;
     const unsigned long number = strtoul(text, &end, 10);
@@ -86,7 +107,8 @@ static void add_cell(tp_parse *p, sheet *s) {
       tp_parse_stop(p, "has a cell whose text is not among those of the workbook");
       return;
     }
-    add_text(s, book->strings[number], strlen(book->strings[number]));
+    const char *shared = book->strings[number];
+    if (may_add(p, s, shared, strlen(shared))) add_text(s, shared, strlen(shared));
   } else if (strcmp(s->kind, "b") == 0) {
     add_text(s, text[0] == '1' ? "true" : "false", text[0] == '1' ? 4 : 5);
   } else if (s->kind[0] == '\0' || strcmp(s->kind, "n") == 0) {

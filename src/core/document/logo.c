@@ -7,6 +7,7 @@
 
 #include "document/logo.h"
 
+#include "common/input_file.h"
 #include "common/outside.h"
 
 #include <errno.h>
@@ -135,8 +136,11 @@ static const char *judge(tp_logo *own) {
 /* At most a byte more than a logo may have, with a zero behind them; an errno where they cannot be
  * read. */
 static int read_bytes(tp_logo *own, const char *path) {
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return errno;
+  FILE *file = NULL;
+  tp_message message;
+  if (tp_input_open(&file, path, &message) != TP_OK) {
+    return message.system_error != 0 ? message.system_error : EINVAL; /* no regular file */
+  }
   errno = 0;
   own->length = fread(own->bytes, 1, MOST_BYTES + 1, file);
   const int why = ferror(file) != 0 ? errno : 0;

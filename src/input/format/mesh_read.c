@@ -4,6 +4,7 @@
 /* Reads a mesh file of at most 1 GiB into memory and calls the reader of its format: STL, PLY or
  * OBJ. */
 
+#include "common/input_file.h"
 #include "format/mesh_source.h"
 
 #include <errno.h>
@@ -60,9 +61,10 @@ tp_status tp_mesh_read(tp_mesh *mesh, const char *path, tp_message *message) {
     return tp_refuse(message, TP_FAULT_KEY, (tp_place){path, 0, 0},
                      "a mesh is a file whose name ends in .stl, .ply or .obj");
   }
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
-  tp_status status = read_all(&bytes, &length, file, path, message);
+  FILE *file = NULL;
+  tp_status status = tp_input_open(&file, path, message);
+  if (status != TP_OK) return status;
+  status = read_all(&bytes, &length, file, path, message);
   fclose(file);
   if (status == TP_OK) status = tp_mesh_read_bytes(mesh, format, bytes, length, path, message);
   free(bytes);

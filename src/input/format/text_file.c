@@ -5,6 +5,7 @@
  * either byte order. */
 
 #include "format/text_file.h"
+#include "common/input_file.h"
 
 #include <errno.h>
 #include <stdint.h>
@@ -108,10 +109,11 @@ static tp_status decode(tp_text_file *file, tp_message *message) {
 }
 
 tp_status tp_text_file_read(tp_text_file *file, const char *path, tp_message *message) {
-  FILE *in = fopen(path, "rb");
-  if (in == NULL) return tp_fail_file(message, path, "opened", errno);
+  FILE *in = NULL;
   tp_text_file own = {NULL, 0};
-  tp_status status = read_bytes(&own, in, path, message);
+  tp_status status = tp_input_open(&in, path, message);
+  if (status != TP_OK) return status;
+  status = read_bytes(&own, in, path, message);
   fclose(in);
   if (status == TP_OK) status = decode(&own, message);
   if (status == TP_OK) {

@@ -13,22 +13,33 @@
 
 #include "common/message.h"
 #include "jointing/cuts.h"
+#include "number/divide.h"
 
-/* The tangent of a - b, or the other way, below 90 degrees. */
-static void tangent_of_difference(fmpq_t result, const fmpq_t a, const fmpq_t b) {
+/* Directions are rounded, so that dips which differ by less than this may have one direction. */
+#define NEAR_DEG "2e-8°"
+
+/* The tangent of a - b, from -90 to 90 degrees; bad input at the place where that is upright. */
+static tp_status tangent_of_difference(fmpq_t result, const fmpq_t a, const fmpq_t b,
+                                       tp_place place, tp_message *message) {
   tp_cut_point u;
   fmpq_t angle;
   tp_cut_point_init(&u);
   fmpq_init(angle);
   fmpq_sub(angle, a, b);
   tp_direction_of_degrees(&u, angle);
-  fmpq_div(result, u.y, u.x);
+  const tp_status status = tp_divide_above_zero(
+      result, u.y, u.x, place,
+      "this dip differs by 90° from that of the bases of the columns, to within " NEAR_DEG
+      ": the columns would have no end; give another dip",
+      message);
   tp_cut_point_clear(&u);
   fmpq_clear(angle);
+  return status;
 }
 
 /* H cos(f - p) / sin f. */
-static void set_crest(tp_equal_area *own, const tp_columns_description *columns, const fmpq_t dip) {
+static tp_status set_crest(tp_equal_area *own, const tp_columns_description *columns,
+                           const fmpq_t dip, tp_message *message) {
   tp_cut_point u;
   fmpq_t angle;
   tp_cut_point_init(&u);
@@ -37,9 +48,17 @@ static void set_crest(tp_equal_area *own, const tp_columns_description *columns,
   tp_direction_of_degrees(&u, angle);
   fmpq_mul(own->crest, columns->height.value, u.x);
   tp_direction_of_degrees(&u, columns->face_dip_deg.value);
-  fmpq_div(own->crest, own->crest, u.y);
+  const tp_status status = tp_divide_above_zero(
+      own->crest, own->crest, u.y, columns->face_dip_deg.place,
+      "the face is level to within " NEAR_DEG ", and never comes to its height; give a steeper one",
+      message);
   tp_cut_point_clear(&u);
   fmpq_clear(angle);
+  return status;
+}
+
+static tp_place upper_place(const tp_columns_description *c) {
+  return c->upper_dip_deg.given ? c->upper_dip_deg.place : c->base_dip_deg.place;
 }
 
 static tp_status check_dips(const tp_columns_description *c, const tp_quantity *dip,
@@ -59,32 +78,64 @@ static tp_status check_dips(const tp_columns_description *c, const tp_quantity *
                      "the face must be steeper than the base below all columns, base_dip_deg");
   }
   if (fmpq_cmp(c->upper_dip_deg.value, c->base_dip_deg.value) >= 0) {
-    return tp_refuse(message, TP_FAULT_RANGE,
-                     c->upper_dip_deg.given ? c->upper_dip_deg.place : c->base_dip_deg.place,
+    return tp_refuse(message, TP_FAULT_RANGE, upper_place(c),
                      "the ground behind the crest must be flatter than the base below all columns, "
                      "base_dip_deg, or the two never meet");
   }
   return TP_OK;
 }
 
+/* Dips that differ by less than their rounding are told apart by check_dips alone. */
+static tp_status check_slopes(const tp_equal_area *own, const tp_columns_description *c,
+                              tp_message *message) {
+  if (fmpq_sgn(own->rise) <= 0) {
+    return tp_refuse(message, TP_FAULT_RANGE, c->face_dip_deg.place,
+                     "the face must be steeper than the base below all columns, base_dip_deg, by "
+                     "more than " NEAR_DEG ", to which directions are rounded");
+  }
+  if (fmpq_sgn(own->fall) > 0) return TP_OK;
+  return tp_refuse(message, TP_FAULT_RANGE, upper_place(c),
+                   "the ground behind the crest must be flatter than the base below all columns, "
+                   "base_dip_deg, by more than " NEAR_DEG
+                   ", to which directions are rounded, or the two never meet");
+}
+
+static tp_status set_slopes(tp_equal_area *own, const tp_columns_description *columns,
+                            const tp_quantity *dip, tp_message *message) {
+  tp_status status = tangent_of_difference(own->step, columns->base_dip_deg.value, dip->value,
+                                           columns->base_dip_deg.place, message);
+  if (status == TP_OK) {
+    status = tangent_of_difference(own->rise, columns->face_dip_deg.value, dip->value,
+                                   columns->face_dip_deg.place, message);
+  }
+  if (status == TP_OK) {
+    status = tangent_of_difference(own->fall, dip->value, columns->upper_dip_deg.value,
+                                   upper_place(columns), message);
+  }
+  if (status != TP_OK) return status;
+  fmpq_sub(own->rise, own->rise, own->step);
+  fmpq_add(own->fall, own->fall, own->step);
+  fmpq_mul(own->step, own->step, own->width);
+  return check_slopes(own, columns, message);
+}
+
 tp_status tp_equal_area_init(tp_equal_area *own, const tp_columns_description *columns,
                              const tp_quantity *dip_deg, tp_message *message) {
-  const tp_status status = check_dips(columns, dip_deg, message);
+  tp_status status = check_dips(columns, dip_deg, message);
   if (status != TP_OK) return status;
   fmpq *const all[] = {own->width, own->step, own->rise, own->fall, own->crest, own->back};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
   fmpq_set(own->width, columns->width.value);
-  tangent_of_difference(own->step, columns->base_dip_deg.value, dip_deg->value);
-  tangent_of_difference(own->rise, columns->face_dip_deg.value, dip_deg->value);
-  tangent_of_difference(own->fall, dip_deg->value, columns->upper_dip_deg.value);
-  fmpq_sub(own->rise, own->rise, own->step);
-  fmpq_add(own->fall, own->fall, own->step);
-  fmpq_mul(own->step, own->step, own->width);
-  set_crest(own, columns, dip_deg->value);
-  fmpq_mul(own->back, own->crest, own->rise);
-  fmpq_div(own->back, own->back, own->fall);
-  fmpq_add(own->back, own->back, own->crest);
-  return TP_OK;
+  status = set_slopes(own, columns, dip_deg, message);
+  if (status == TP_OK) status = set_crest(own, columns, dip_deg->value, message);
+  if (status == TP_OK) {
+    fmpq_mul(own->back, own->crest, own->rise);
+    fmpq_div(own->back, own->back, own->fall); /* above zero */
+    fmpq_add(own->back, own->back, own->crest);
+  } else {
+    tp_equal_area_clear(own);
+  }
+  return status;
 }
 
 void tp_equal_area_clear(tp_equal_area *own) {

@@ -6,6 +6,8 @@
 
 #include "jointing/section_outline.h"
 
+#include "number/divide.h"
+
 #include <stdlib.h>
 
 /* The surface as points from left to right, and two corners of the bottom. */
@@ -22,14 +24,35 @@ static tp_status make_room(tp_cuts *cuts, long count, tp_message *message) {
   return TP_OK;
 }
 
-/* value * sine / cosine of an angle, or over it. */
-static void rise(fmpq_t result, const fmpq_t value, const fmpq_t angle_deg, bool over) {
+/* height * cosine / sine of the dip of the face. */
+static tp_status run_of_face(fmpq_t run, const tp_jointed_slope *slope, tp_message *message) {
   tp_cut_point u;
   tp_cut_point_init(&u);
-  tp_direction_of_degrees(&u, angle_deg);
-  fmpq_mul(result, value, over ? u.x : u.y);
-  fmpq_div(result, result, over ? u.y : u.x);
+  tp_direction_of_degrees(&u, slope->face_dip_deg.value);
+  fmpq_mul(run, slope->height.value, u.x);
+  const tp_status status = tp_divide_above_zero(
+      run, run, u.y, slope->face_dip_deg.place,
+      "the face is level to within 1e-8°, to which directions are rounded, and never comes to its "
+      "height; give a steeper one",
+      message);
   tp_cut_point_clear(&u);
+  return status;
+}
+
+/* length * sine / cosine of the dip of the ground behind the crest. */
+static tp_status rise_behind(fmpq_t rise, const fmpq_t length, const tp_jointed_slope *slope,
+                             tp_message *message) {
+  tp_cut_point u;
+  tp_cut_point_init(&u);
+  tp_direction_of_degrees(&u, slope->upper_dip_deg.value);
+  fmpq_mul(rise, length, u.y);
+  const tp_status status = tp_divide_above_zero(
+      rise, rise, u.x, slope->upper_dip_deg.place,
+      "the ground behind the crest is upright to within 1e-8°, to which directions are rounded; "
+      "give a flatter one",
+      message);
+  tp_cut_point_clear(&u);
+  return status;
 }
 
 /* Level ground, the toe, the crest, and the end of the upper ground. */
@@ -38,7 +61,7 @@ static tp_status set_face(tp_cuts *cuts, tp_message *message) {
   const tp_jointed_slope *slope = cuts->slope;
   const bool has_front = !fmpq_is_zero(slope->front.value);
   const long skipped = has_front ? 0 : 1;
-  const tp_status status = make_room(cuts, POINTS - skipped, message);
+  tp_status status = make_room(cuts, POINTS - skipped, message);
   if (status != TP_OK) return status;
   tp_cut_point *at = cuts->corners - skipped;
   fmpq_t length;
@@ -49,7 +72,7 @@ static tp_status set_face(tp_cuts *cuts, tp_message *message) {
   }
   fmpq_set(at[TOE].x, cuts->toe.x);
   fmpq_set(at[TOE].y, cuts->toe.y);
-  rise(length, slope->height.value, slope->face_dip_deg.value, true);
+  status = run_of_face(length, slope, message);
   fmpq_add(at[CREST].x, cuts->toe.x, length);
   fmpq_add(at[CREST].y, cuts->toe.y, slope->height.value);
   if (slope->behind.given) {
@@ -58,10 +81,10 @@ static tp_status set_face(tp_cuts *cuts, tp_message *message) {
     fmpq_mul_si(length, slope->height.value, 2);
   }
   fmpq_add(at[RIGHT].x, at[CREST].x, length);
-  rise(length, length, slope->upper_dip_deg.value, false);
+  if (status == TP_OK) status = rise_behind(length, length, slope, message);
   fmpq_add(at[RIGHT].y, at[CREST].y, length);
   fmpq_clear(length);
-  return TP_OK;
+  return status;
 }
 
 static tp_status set_surface(tp_cuts *cuts, tp_message *message) {

@@ -7,6 +7,8 @@
 
 #include "jointing/slope_base.h"
 
+#include "number/divide.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -43,8 +45,7 @@ static bool find_way(fmpq_t way, const tp_cut_point *from, const tp_cut_point *a
   fmpq_sub(apart.y, joint->foot.y, from->y);
   cross(way, &apart, &joint->along);
   cross(turn, along, &joint->along);
-  const bool meets = !fmpq_is_zero(turn);
-  if (meets) fmpq_div(way, way, turn);
+  const bool meets = tp_divide(way, way, turn);
   tp_cut_point_clear(&apart);
   fmpq_clear(turn);
   return meets;

@@ -5,6 +5,7 @@
 
 #include "scene/node.h"
 
+#include "common/input_file.h"
 #include "common/outside.h"
 
 #include <errno.h>
@@ -278,9 +279,9 @@ static tp_status read_file(tp_node **root, FILE *file, const char *path, tp_mess
 }
 
 tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
-  return read_file(root, file, path, message);
+  FILE *file = NULL;
+  const tp_status status = tp_input_open(&file, path, message);
+  return status != TP_OK ? status : read_file(root, file, path, message);
 }
 
 tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,

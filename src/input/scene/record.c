@@ -6,6 +6,7 @@
 
 #include "scene/record.h"
 
+#include "common/input_file.h"
 #include "scene/record_at2.h"
 #include "scene/record_csv.h"
 
@@ -84,10 +85,11 @@ static tp_status read_as(tp_polyline *record, tp_record_source *source, long col
 }
 
 tp_status tp_record_read(tp_polyline *record, const char *path, long column, tp_message *message) {
-  tp_record_source source = {.path = path, .file = fopen(path, "rb"), .message = message};
+  tp_record_source source = {.path = path, .message = message};
   *record = (tp_polyline){.file = path};
-  if (source.file == NULL) return tp_fail_file(message, path, "opened", errno);
-  tp_status status = read_as(record, &source, column);
+  tp_status status = tp_input_open(&source.file, path, message);
+  if (status != TP_OK) return status;
+  status = read_as(record, &source, column);
   fclose(source.file);
   tp_record_begin_at_zero(record);
   if (status == TP_OK) status = tp_record_check(record, (tp_place){path, 0, 0}, message);

@@ -6,11 +6,13 @@
 
 #include "scene_reading/csv.h"
 
+#include "common/input_file.h"
 #include "format/columns.h"
 #include "number/ratio.h"
 
 #include <ctype.h>
 #include <errno.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,6 +34,7 @@ typedef struct reader {
   FILE *file;
   char *buffer; /* LONGEST_LINE bytes, of which from … to are still to be read */
   size_t from, to;
+  uint64_t bytes; /* that were read */
   int line;
   int header_lines;
   bool fractions; /* may stand in it */
@@ -52,6 +55,8 @@ static tp_status fail(const reader *r, size_t column, const char *what) {
                    what);
 }
 
+static const uint64_t most_bytes = UINT64_C(1) << 32;
+
 /* The next line into `*text`, `*length`; false at the end of the file, or with r->message set. */
 static bool next_line(reader *r, const char **text, size_t *length, tp_status *status) {
   for (;;) {
@@ -62,8 +67,12 @@ static bool next_line(reader *r, const char **text, size_t *length, tp_status *s
       memmove(r->buffer, start, r->to - r->from);
       r->to -= r->from;
       r->from = 0;
-      r->to += fread(r->buffer + r->to, 1, LONGEST_LINE - r->to, r->file);
-      continue;
+      const size_t more = fread(r->buffer + r->to, 1, LONGEST_LINE - r->to, r->file);
+      r->to += more;
+      r->bytes += more;
+      if (r->bytes <= most_bytes) continue;
+      *status = fail(r, 0, "a file of more than 4 GiB");
+      return false;
     }
     if (ferror(r->file)) {
       *status = tp_fail_file(r->message, r->path, "read", errno);
@@ -304,11 +313,12 @@ tp_status tp_csv_check_unit(const char *said, const char *unit, const char *path
 
 tp_status tp_csv_read(tp_polyline *line, const char **unit, const char *path, bool closed,
                       tp_notes *notes, tp_message *message) {
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) {
+  FILE *file = NULL;
+  const tp_status status = tp_input_open(&file, path, message);
+  if (status != TP_OK) {
     *line = (tp_polyline){.file = path};
     *unit = NULL;
-    return tp_fail_file(message, path, "opened", errno);
+    return status;
   }
   return read_file(line, unit, file, path, closed, notes, message);
 }

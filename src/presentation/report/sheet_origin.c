@@ -5,6 +5,7 @@
 
 #include "report/sheet.h"
 
+#include "common/input_file.h"
 #include "common/message.h"
 #include "output/encode.h"
 #include "output/sha256.h"
@@ -42,9 +43,13 @@ tp_status tp_sheet_files_read(tp_sheet_files *files, const char *const *paths, s
   bool done = own.items != NULL;
   for (size_t k = 0; k < count && done; k++) {
     tp_sheet_file *item = own.items + own.count++;
-    FILE *file = fopen(paths[k], "rb");
-    *item = (tp_sheet_file){.path = paths[k], .why = file == NULL ? errno : 0};
-    if (file == NULL) continue;
+    FILE *file = NULL;
+    tp_message unread;
+    *item = (tp_sheet_file){.path = paths[k]};
+    if (tp_input_open(&file, paths[k], &unread) != TP_OK) {
+      item->why = unread.system_error != 0 ? unread.system_error : EINVAL; /* no regular file */
+      continue;
+    }
     done = read_all(item, file);
     fclose(file);
   }

@@ -4,10 +4,10 @@
 /* Reads a column of a CSV file line by line as exact numbers rounded to doubles, with a hash of the
  * file. */
 
-#define _GNU_SOURCE /* getline */
 #include "study/column.h"
 
 #include "common/grow.h"
+#include "common/input_file.h"
 #include "common/outside.h"
 #include "format/csv_row.h"
 #include "number/ratio.h"
@@ -17,6 +17,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { LONGEST_LINE = 1 << 16 };
 
 /* A file as its lines go by. */
 typedef struct table {
@@ -77,28 +79,35 @@ static tp_status take_number(table *t, const tp_csv_row *row) {
 }
 
 static tp_status take_lines(table *t, FILE *file) {
-  char *text = NULL;
-  size_t size = 0;
-  ssize_t length = 0;
-  tp_status status = TP_OK;
+  char *text = malloc(LONGEST_LINE);
+  tp_status status = text != NULL ? TP_OK : tp_fail_memory(t->reader->message, "a column");
   errno = 0;
-  while (status == TP_OK && (length = getline(&text, &size, file)) >= 0) {
+  while (status == TP_OK && fgets(text, LONGEST_LINE, file) != NULL) {
+    size_t length = strlen(text);
     t->line++;
+    if ((length == 0 || text[length - 1] != '\n') && !feof(file)) {
+      status = fail_row(t, 1,
+                        "a line of more than 65535 bytes, or one with a byte of zero; is this "
+                        "a table in CSV?",
+                        "");
+      break;
+    }
     while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == '\r')) length--;
     tp_csv_row row;
-    tp_csv_split(&row, text, (size_t)length, t->separator);
+    tp_csv_split(&row, text, length, t->separator);
     if (row.count == 0) continue;
     status = t->field < 0 ? take_header(t, &row) : take_number(t, &row);
   }
   free(text);
-  const bool failed = status == TP_OK && (ferror(file) != 0 || errno == ENOMEM);
+  const bool failed = status == TP_OK && ferror(file) != 0;
   return failed ? tp_fail_file(t->reader->message, t->path, "read", errno) : status;
 }
 
 static tp_status read_table(table *t) {
-  FILE *file = fopen(t->path, "rb");
-  if (file == NULL) return tp_fail_file(t->reader->message, t->path, "opened", errno);
-  tp_status status = take_lines(t, file);
+  FILE *file = NULL;
+  tp_status status = tp_input_open(&file, t->path, t->reader->message);
+  if (status != TP_OK) return status;
+  status = take_lines(t, file);
   fclose(file);
   if (status == TP_OK && t->count == 0) {
     status = fail_row(t, 0, "there is no row below the first line, which names the columns", "");

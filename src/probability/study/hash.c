@@ -4,6 +4,7 @@
 /* FNV-1a over the bytes of a file and its length. */
 
 #include "study/hash.h"
+#include "common/input_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -24,8 +25,9 @@ void tp_hash_text(uint64_t *hash, const char *text) {
 tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message) {
   unsigned char bytes[1 << 14];
   uint64_t total = 0;
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
+  FILE *file = NULL;
+  const tp_status status = tp_input_open(&file, path, message);
+  if (status != TP_OK) return status;
   size_t count = 0;
   while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) {
     *hash = tp_hash_bytes(*hash, bytes, count);

@@ -186,6 +186,13 @@ static tp_status check_there(const char *path, tp_message *message) {
                    "name another file for the rows");
 }
 
+bool tp_progress_is_there(const char *rows) {
+  char *path = tp_progress_path(rows);
+  const bool there = path != NULL && access(path, F_OK) == 0;
+  free(path);
+  return there;
+}
+
 tp_status tp_progress_check(const char *rows, tp_message *message) {
   struct stat state;
   char *path = tp_progress_path(rows);

@@ -25,6 +25,8 @@ char *tp_progress_path(const char *rows);
  * another version of the program. */
 TP_MUST_USE tp_status tp_progress_read(tp_progress *progress, bool *there, const char *rows,
                                        const tp_study *study, tp_message *message);
+/* Is there one? False, too, when memory is exhausted. */
+bool tp_progress_is_there(const char *rows);
 /* May it be written over? Only a file that tells of some study's rows may, and no link: nobody
  * named this file. */
 TP_MUST_USE tp_status tp_progress_check(const char *rows, tp_message *message);

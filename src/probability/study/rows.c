@@ -97,17 +97,21 @@ static tp_status begins_as(bool *begins, const tp_rows *rows, off_t size, const 
   return failed ? tp_fail_memory(message, "the rows") : TP_OK;
 }
 
-/* Before it is begun anew: rows of some study, where that was said or no chunk is whole; else the
- * header, or some of it, of a run that was ended before it could tell of its progress. */
+/* Before it is begun anew. Where that was said, or no chunk is whole, it has the whole header of
+ * this study, or it begins as rows do and has the progress of a study beside it: a table of
+ * anybody's may have a first column 'sample'. Else it has the header, or some of it, of a run that
+ * was ended before it could tell of its progress. */
 static tp_status check_there(const tp_rows *rows, bool restart, off_t size, tp_message *message) {
   tp_text header = {0};
   bool begins = false;
   tp_study_write_header(&header, rows->study);
   tp_status status = header.failed ? tp_fail_memory(message, "the rows") : TP_OK;
-  if (status == TP_OK) {
-    status = begins_as(&begins, rows, size, restart ? "sample," : header.data, message);
+  if (status == TP_OK) status = begins_as(&begins, rows, size, header.data, message);
+  begins = begins &&
+           (size == 0 || (restart ? size >= (off_t)header.length : size <= (off_t)header.length));
+  if (status == TP_OK && restart && !begins && tp_progress_is_there(rows->path)) {
+    status = begins_as(&begins, rows, size, "sample,", message);
   }
-  begins = begins && (restart || size <= (off_t)header.length);
   tp_text_drop(&header);
   if (status != TP_OK || begins) return status;
   return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){rows->path, 0, 0},

@@ -6,6 +6,7 @@
  * numbers. A row begins with the number of its sample, by which a chunk is found in the file. */
 
 #define _GNU_SOURCE /* getline */
+#include "common/input_file.h"
 #include "study/row_csv.h"
 #include "study/rows.h"
 
@@ -151,9 +152,9 @@ tp_status tp_rows_read(tp_row_counts *seen, const tp_rows_stretch *stretch,
   reading r = {.stretch = stretch, .message = message};
   const tp_progress *progress = stretch->progress;
   if (stretch->first >= stretch->past && progress->chunks > 0) return TP_OK;
-  r.file = fopen(stretch->path, "rbe");
-  if (r.file == NULL) return tp_fail_file(message, stretch->path, "opened", errno);
-  const tp_status status = read_all(seen, &r, take, context);
+  tp_status status = tp_input_open(&r.file, stretch->path, message);
+  if (status != TP_OK) return status;
+  status = read_all(seen, &r, take, context);
   free(r.line);
   fclose(r.file);
   return status;
