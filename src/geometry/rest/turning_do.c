@@ -9,6 +9,8 @@
 
 #include "rest/turning.h"
 
+#include "number/divide.h"
+
 #include <arb.h>
 #include <math.h>
 
@@ -97,8 +99,9 @@ static void turn_along(tp_bodies *b, const tp_candidate *pair, const tp_turning_
   fmpq_clear(side);
 }
 
-/* Bring the pair together by the block's lengths. */
-static void stretch(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
+/* Bring the pair together by the block's lengths; false: no factor does, as the vertex is on the
+ * line through P along the edge. */
+static bool stretch(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
   tp_turning_pair p;
   fmpq_t vertex, edge;
   fmpq_init(vertex);
@@ -107,17 +110,19 @@ static void stretch(tp_bodies *b, const tp_turning *turning, const tp_candidate 
   tp_exact_cross(vertex, &p.vertex, &p.along);
   tp_exact_cross(edge, &p.edge, &p.along);
   if (pair->of_base) fmpq_swap(vertex, edge);
-  fmpq_div(edge, edge, vertex);
-  tp_pose_scale(&b->pose, edge);
+  const bool possible = tp_divide(edge, edge, vertex) && fmpq_sgn(edge) > 0;
+  if (possible) tp_pose_scale(&b->pose, edge);
   tp_turning_pair_clear(&p);
   fmpq_clear(vertex);
   fmpq_clear(edge);
+  return possible;
 }
 
-/* Turn by the root, so that this pair touches exactly. */
-static void turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
+/* Turn by the root, so that this pair touches exactly; false where no pose near it does. */
+static bool turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
   tp_turning_numbers n;
   fmpq_t t;
+  bool possible = true;
   tp_turning_numbers_init(&n);
   fmpq_init(t);
   tp_turning_numbers_of(&n, b, turning, pair);
@@ -130,13 +135,14 @@ static void turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candi
     } else {
       tp_pose_turn_half(&b->pose, t);
       tp_pose_shorten(&b->pose);
-      stretch(b, turning, pair);
+      possible = stretch(b, turning, pair);
     }
   }
   tp_pose_pin(&b->pose, &turning->own.x, &turning->own.y, &turning->pivot.x, &turning->pivot.y);
   tp_bodies_place(b);
   tp_turning_numbers_clear(&n);
   fmpq_clear(t);
+  return possible;
 }
 
 /* Does the vertex lie behind the edge (-1), on it (0), or beside or before it? By doubles where
@@ -198,9 +204,9 @@ bool tp_turning_do(tp_turning *turning, tp_bodies *bodies) {
       tp_bodies_place(bodies);
     }
     turning->exact = k;
-    turn_exactly(bodies, turning, turning->pairs.items + k);
     /* A line that passes close by P takes a long stretch to reach. */
-    done = tp_pose_is_true(&bodies->pose) && is_free(bodies, turning);
+    done = turn_exactly(bodies, turning, turning->pairs.items + k) &&
+           tp_pose_is_true(&bodies->pose) && is_free(bodies, turning);
   }
   tp_pose_clear(&before);
   return done;
