@@ -48,6 +48,60 @@ class Cautions(Case):
                      "tilt: {towards: left, angle_deg: 0}"):
             self.cautioned(more)
 
+    def test_every_angle(self):
+        """A quotient of 30/120 as the dip of a slope, 0.25 degrees, was solved without a word, and so were radians at every key but
+        two. Each angle of a scene has the caution: 60 degrees are 1.0472 rad, 80 are 1.3963, 105 are 1.8326. The same scene in
+        degrees has none of these."""
+        block = "topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
+        slope = block + "friction_angle_deg: 35\nslope: {dip_deg: 20, towards: left%s}\n%s"
+        patton = block + "friction: {law: patton, basic_angle_deg: %s, roughness_angle_deg: %s}\ntilt: {towards: left, angle_deg: 10}\n"
+        barton = block + "friction: {law: barton, residual_angle_deg: %s, jcs_mpa: 100, tilt_test: {angle_deg: %s, normal_stress_kpa: 5}}\ntilt: {towards: left, angle_deg: 10}\n"
+        many = "topple: 1\nlength_unit: m\nfriction_angle_deg: 38\nblock: {unit_weight_kn_m3: 25}\n"
+        columns = many + "slope: {dip_deg: %s, towards: left}\ncolumns: {width: 10, equal_area: {face_dip_deg: %s, height: 60, upper_dip_deg: %s, base_dip_deg: %s}}\n"
+        jointed = (many + "jointed_slope:\n  face: {dip_deg: %s, height: 4}\n  behind: 3\n  upper: {dip_deg: %s}\n  base: {dip_deg: %s, steps: k, tread_dip_deg: %s}\n"
+                   "  joints:\n    - {name: k, dip_deg: 70, towards: right, spacing: 4}\n    - {name: c, dip_deg: %s, towards: left, spacing: 6}\n")
+        wedge = ("topple: 1\nlength_unit: m\nsolid:\n  unit_weight_kn_m3: 26\n  wedge:\n    height: %s\n"
+                 "    a: {dip_deg: %s, dip_direction_deg: %s, friction_angle_deg: %s, cohesion_kpa: 20}\n"
+                 "    b: {dip_deg: %s, dip_direction_deg: 235, friction_angle_deg: %s, cohesion_kpa: %s}\n"
+                 "    face: {dip_deg: %s, dip_direction_deg: %s}\n    upper: {dip_deg: %s, dip_direction_deg: %s}\n")
+        cases = (
+            (slope.replace("20", "%s", 1), ("30/120", "", ""), ("20", "", ""), ["a dip of 0.25°"]),
+            (slope.replace("20", "%s", 1), ("1.3963", "", ""), ("80", "", ""), ["a dip of 1.3963° is implausible; if it is in radians, write 80"]),
+            (slope, (", dip_direction_deg: 1.8326", ""), (", dip_direction_deg: 105", ""), ["an azimuth of 1.8326° is implausible; if it is in radians, write 105"]),
+            (slope, (", strike_deg: 1.8326", ""), (", strike_deg: 1.8", ""), ["an azimuth of 1.8326°"]),
+            (slope, ("", "loads: {anchors: [{at: [1, 1], dip_deg: 0.26, force_kn: 1}]}"), ("", "loads: {anchors: [{at: [1, 1], dip_deg: 15, force_kn: 1}]}"),
+             ["a dip of 0.26°"]),
+            (slope, ("", "loads: {anchors: [{at: [1, 1], direction_deg: -1.0472, force_kn: 1}]}"),
+             ("", "loads: {anchors: [{at: [1, 1], direction_deg: -60, force_kn: 1}]}"), ["a direction of -1.0472°"]),
+            (slope, ("", "tilt_test: {until_deg: 1.0472}"), ("", "tilt_test: {until_deg: 60}"), ["a tilt of 1.0472°"]),
+            (patton, ("0.5236", "5"), ("30", "5"), ["a friction angle of 0.5236°"]),
+            (patton, ("30", "0.0873"), ("30", "5"), ["a roughness angle of 0.0873°"]),
+            (barton, ("0.5236", "60"), ("30", "60"), ["a friction angle of 0.5236°"]),
+            (columns, ("30", "56.6", "0.0698", "35.8"), ("30", "56.6", "4", "35.8"), ["a dip of 0.0698°"]),
+            (columns, ("0.52", "1.3", "0.07", "0.62"), ("30", "56.6", "4", "35.8"), ["a dip of 0.52°", "a dip of 1.3°", "a dip of 0.07°", "a dip of 0.62°"]),
+            (jointed, ("60", "0.07", "30", "10", "20"), ("60", "4", "30", "10", "20"), ["a dip of 0.07°"]),
+            (jointed, ("60", "4", "0.52", "10", "20"), ("60", "4", "30", "10", "20"), ["a dip of 0.52°"]),
+            (jointed, ("60", "4", "30", "0.17", "20"), ("60", "4", "30", "10", "20"), ["a dip of 0.17°"]),
+            (jointed, ("60", "4", "30", "10", "0.35"), ("60", "4", "30", "10", "20"), ["a dip of 0.35°"]),
+            (wedge, ("30", "45", "105", "0.349", "70", "0.5236", "20", "65", "185", "12", "195"), ("30", "45", "105", "20", "70", "30", "20", "65", "185", "12", "195"),
+             ["a friction angle of 0.349°", "a friction angle of 0.5236°"]),
+            (wedge, ("30", "45", "105", "20", "70", "30", "20", "65", "185", "0.21", "3.4034"), ("30", "45", "105", "20", "70", "30", "20", "65", "185", "12", "195"),
+             ["a dip of 0.21°", "an azimuth of 3.4034°"]),
+            (wedge, ("30000", "45", "105", "20", "70", "30", "20000", "65", "185", "12", "195"), ("30", "45", "105", "20", "70", "30", "20", "65", "185", "12", "195"),
+             ["the wedge's height is 30 km", "cohesion of 20000 kPa"]),
+        )
+
+        def cautions(text):
+            status, out, err = self.solve(text)
+            self.assertIn(status, (0, 1, 4), err + text)
+            return [note["text"] for note in json.loads(out)["notes"] if note["kind"] == "caution"]
+
+        for text, wrong, right, words in cases:
+            said, others = cautions(text % wrong), cautions(text % right)
+            for word in words:
+                self.assertEqual(len([note for note in said if word in note]), 1, (text % wrong, word, said))
+            self.assertEqual([note for note in others if "implausible" in note or "sound rock" in note], [], text % right)
+
     def test_earthquakes(self):
         load = "loads: {{seismic: {{horizontal: {}, vertical: {}}}}}"
         self.cautioned(load.format(9.81, 0), "horizontal: 9.81 is an earthquake of more than gravity")

@@ -133,13 +133,17 @@ static tp_status check_extents(tp_notes *notes, const tp_scene *scene, tp_messag
   return status;
 }
 
-static tp_status check_solid(tp_notes *notes, const tp_solid_description *solid,
-                             tp_message *message) {
+static tp_status check_solid(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  const tp_solid_description *solid = &scene->solid;
   tp_status status = check_unit_weight(notes, &solid->unit_weight_kn_m3, message);
   for (long k = 0; k < solid->part_count && status == TP_OK; k++) {
     status = check_unit_weight(notes, &solid->parts[k].unit_weight_kn_m3, message);
   }
-  return status;
+  if (status == TP_OK && solid->wedge.height.given) {
+    status = check_length(notes, scene, solid->wedge.height.value, true, "the wedge's height is",
+                          solid->wedge.height.place, message);
+  }
+  return status == TP_OK ? tp_scene_unit_cautions(notes, scene, message) : status;
 }
 
 tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
@@ -150,7 +154,7 @@ tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *
     return own == TP_OK ? tp_scene_unit_cautions(notes, scene, message) : own;
   }
   if (scene->solid.place.file != NULL) {
-    return check_solid(notes, &scene->solid, message);
+    return check_solid(notes, scene, message);
   }
   fmpq_t extent;
   fmpq_init(extent);

@@ -1,44 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Angles, shares of the weight and strengths that are accepted, yet look as if they stood in
- * another unit.
+/* Shares of the weight and strengths that are accepted, yet look as if they stood in another unit.
  *
- * Friction of rock on rock lies above 2 degrees, clay seams included, and is below 1.57 in radians;
- * zero is an ideal and meant. A table at less than 1 degree is next to level, while all tilts up to
- * 57 degrees are below 1 in radians. Earthquakes of more than 1 g are hardly designed for, while
+ * Earthquakes of more than 1 g are hardly designed for, while
  * m/s2 and % are beyond. Cohesion of joints and bond of contacts stay below 1 MPa. */
 
 #include "scene/unit_cautions.h"
 
-static const double degrees = 57.295779513082321; /* of a radian */
-static const double pascals = 1000;               /* of a kPa */
-static const long least_friction_deg = 2, least_tilt_deg = 1, most_share = 1, most_kpa = 1000;
-
-static tp_status check_angle(tp_notes *notes, const tp_quantity *angle, long least,
-                             const char *what, tp_message *message) {
-  fmpq_t size;
-  fmpq_init(size);
-  fmpq_abs(size, angle->value);
-  const bool small = angle->given && !fmpq_is_zero(size) && fmpq_cmp_si(size, least) < 0;
-  fmpq_clear(size);
-  if (!small) return TP_OK;
-  const double given = fmpq_get_d(angle->value);
-  return tp_notes_add(notes, message, TP_CAUTION, angle->place,
-                      "%s of %.6g° is implausible; if it is in radians, write %.4g", what, given,
-                      given * degrees);
-}
-
-static tp_status check_friction(tp_notes *notes, const tp_scene *scene, tp_message *message) {
-  const tp_friction_description *friction = &scene->friction;
-  tp_status status = check_angle(notes, &scene->friction_angle_deg, least_friction_deg,
-                                 "a friction angle", message);
-  for (long k = 0; k < friction->facet_count && status == TP_OK; k++) {
-    status = check_angle(notes, &friction->facets[k].angle_deg, least_friction_deg,
-                         "a friction angle", message);
-  }
-  return status;
-}
+static const double pascals = 1000; /* of a kPa */
+static const long most_share = 1, most_kpa = 1000;
 
 static tp_status check_seismic(tp_notes *notes, const tp_loads_description *loads,
                                tp_message *message) {
@@ -78,8 +49,7 @@ typedef struct strength {
 } strength;
 
 static tp_status check_joint(tp_notes *notes, strength own, tp_message *message) {
-  tp_status status =
-      check_angle(notes, own.friction_angle_deg, least_friction_deg, "a friction angle", message);
+  tp_status status = tp_scene_friction_caution(notes, own.friction_angle_deg, message);
   if (status == TP_OK) status = check_strength(notes, own.cohesion_kpa, "cohesion", message);
   if (status == TP_OK) {
     status = check_strength(notes, own.tension_kpa, "tensile strength", message);
@@ -111,13 +81,13 @@ static tp_status check_joints(tp_notes *notes, const tp_block_list *many, tp_mes
 
 tp_status tp_scene_unit_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
-  tp_status status = check_friction(notes, scene, message);
-  if (status == TP_OK) {
-    status = check_angle(notes, &scene->tilt_angle_deg, least_tilt_deg, "a tilt", message);
-  }
+  tp_status status = tp_scene_angle_cautions(notes, scene, message);
   if (status == TP_OK) status = check_seismic(notes, loads, message);
   if (status == TP_OK) status = check_strength(notes, &loads->cohesion_kpa, "cohesion", message);
   if (status == TP_OK) status = check_strength(notes, &loads->bond_kpa, "a bond", message);
+  for (int k = 0; k < 2 && status == TP_OK; k++) {
+    status = check_strength(notes, &scene->solid.wedge.cohesion_kpa[k], "cohesion", message);
+  }
   if (status == TP_OK) status = check_joints(notes, &scene->many, message);
   return status;
 }
