@@ -19,13 +19,14 @@ scene, as its text gives them."""
 
 import io
 import re
+from decimal import Decimal
 
 from truth import Formula, read
 
 
 def collinear(file, count):
     """The square (0, 0) (1, 0) (1, 1) (0, 1) with so many points on its underside."""
-    file.writelines(f"{k}/{count}, 0\n" for k in range(int(count)))
+    file.writelines(f"{Decimal(k) / int(count):f}, 0\n" for k in range(int(count)))  # a power of ten
     file.write("1, 0\n1, 1\n0, 1\n")
 
 
