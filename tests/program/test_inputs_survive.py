@@ -84,6 +84,16 @@ class Numbers(Folder):
                     self.assertIn(status, (0, 1, 3, 4), (key, value, err))
                     self.assertEqual(status == 3, re.search(r"s.yaml:\d+:\d+: ", err) is not None, (key, value, err))
 
+    def test_drawn_points(self):
+        """A transform, or a block of a drawing, that makes a point of an ellipse: how far its chords may leave it was divided by zero."""
+        arc = '<path id="a" d="M10 10 L50 10 A 5 9 20 0 1 50 40 C 1 1 2 2 10 40 Z"/>'
+        scene = "topple: 1\ndrawing: {file: d.svg, unit: mm, block: a}\nblock: {unit_weight_kn_m3: 26}\nbase: {mated: true}\ntilt: {towards: left}\n"
+        self.write("s.yaml", scene)
+        for transform in ("scale(0)", "scale(0 1)", "scale(1 0)", "matrix(0 0 0 0 1 1)", "scale(1e-300)", "scale(1e300)"):
+            self.write("d.svg", f'<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100"><g transform="{transform}">{arc}</g></svg>')
+            status, err = self.ended("solve", "s.yaml")
+            self.assertIn(status, (0, 3, 4), (transform, err))
+
     def test_swept(self):
         """Scenes of every kind with one number that no scene has: an answer, or a refusal with its place."""
         for path, text in swept(3, 100):

@@ -7,6 +7,7 @@
 #include "format/affine.h"
 #include "format/dxf_reader.h"
 #include "format/standing.h"
+#include "number/divide.h"
 
 enum { X = 10, Y = 20, Z = 30, END = 1, RADIUS = 40, BULGE = 42, FLAGS = 70 };
 
@@ -266,7 +267,8 @@ static bool map_unit(tp_dxf_reader *r, tp_drawing_object *object, const tp_affin
   if (!tp_affine_map_keeps_circles(map)) {
     tp_affine_map_stretch(size, map);
     tp_curve_tolerance(tolerance, r->options, size);
-    fmpq_div(tolerance, tolerance, size);
+    /* a map that makes a point of it: any chords do */
+    if (!tp_divide(tolerance, tolerance, size)) fmpq_one(tolerance);
     done = tp_dxf_curve(r, object, tp_curve_flatten(object, tolerance));
   }
   tp_affine_map_object(object, map);

@@ -12,6 +12,7 @@
 #include "format/drawing_work.h"
 #include "format/dxf_shown.h"
 #include "format/dxf_use.h"
+#include "number/divide.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -166,7 +167,8 @@ static bool flatten(tp_dxf_reader *r, tp_drawing_object *object, const tp_affine
   tp_affine_map_stretch(stretch, map);
   fmpq_mul(size, size, stretch);
   tp_curve_tolerance(tolerance, r->options, size);
-  fmpq_div(tolerance, tolerance, stretch);
+  /* a map that makes a point of it: any chords do */
+  if (!tp_divide(tolerance, tolerance, stretch)) fmpq_one(tolerance);
   const bool done =
       fmpq_is_zero(tolerance) || tp_dxf_curve(r, object, tp_curve_flatten(object, tolerance));
   fmpq_clear(size);

@@ -11,6 +11,8 @@
 
 #include "format/svg_path.h"
 
+#include "number/divide.h"
+
 enum { BITS = 256 };
 
 /* From the square of the chord over four, in the unit of the radius. */
@@ -104,7 +106,8 @@ static bool add_chords(tp_svg_target *target, tp_drawing_object *object, tp_draw
   tp_affine_map_compose(&whole, &map);
   tp_affine_map_stretch(stretch, &whole);
   tp_curve_tolerance(tolerance, target->options, stretch);
-  fmpq_div(tolerance, tolerance, stretch);
+  /* a map that makes a point of it: any chords do */
+  if (!tp_divide(tolerance, tolerance, stretch)) fmpq_one(tolerance);
   const tp_curve_outcome outcome = tp_curve_flatten(unit, tolerance);
   if (outcome == TP_CURVE_TOO_FINE) {
     object->problem = TP_CURVE_TOO_FINE_TEXT;
