@@ -107,6 +107,21 @@ class Numbers(Folder):
             if status == 3:
                 self.assertIn(f"{path.name}:", err, text)
 
+    def test_swept_by_one_process(self):
+        """The scenes of one block each, all given to one process: each has a row, or a message with its name."""
+        names = []
+        for path, text in swept(20, 400):
+            if re.search(r"\n(blocks|columns|jointed_slope|solid|cases):", text):
+                continue
+            names.append(self.write(f"{path.stem}_{len(names)}.yaml", text.replace("topple: 1\n", f"topple: 1\ntitle: n{len(names)}\n", 1)))
+        done = subprocess.run([PROGRAM, "solve", "--csv", *names], cwd=self.folder, timeout=3600, capture_output=True, encoding="utf-8", check=False)
+        self.assertIn(done.returncode, (0, 1, 3, 4), done.stderr[-500:])
+        told = {row.partition(",")[0] for row in done.stdout.splitlines()[1:]}
+        answered = [name for k, name in enumerate(names) if f"n{k}" in told]
+        refused = [name for name in names if f"topple: {name}:" in done.stderr]
+        self.assertEqual({*answered, *refused}, {*names})
+        self.assertGreater(len(answered), len(names) / 10)
+
     def test_path_ends_at_its_collapse(self):
         """Towards its collapse the springs of a block let it go without bound: the last moment was at 1e10 m, and films and figures
         showed nothing. Now each moment is of a block that has moved by less than a tenth of its size, and the tilts at which it

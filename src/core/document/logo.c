@@ -133,13 +133,15 @@ static const char *judge(tp_logo *own) {
   return NULL;
 }
 
+enum { IS_NO_FILE = -1 };
+
 /* At most a byte more than a logo may have, with a zero behind them; an errno where they cannot be
- * read. */
+ * read, or IS_NO_FILE. */
 static int read_bytes(tp_logo *own, const char *path) {
   FILE *file = NULL;
   tp_message message;
   if (tp_input_open(&file, path, &message) != TP_OK) {
-    return message.system_error != 0 ? message.system_error : EINVAL; /* no regular file */
+    return message.system_error != 0 ? message.system_error : IS_NO_FILE;
   }
   errno = 0;
   own->length = fread(own->bytes, 1, MOST_BYTES + 1, file);
@@ -160,13 +162,15 @@ tp_status tp_logo_read(tp_logo *logo, const char *path, tp_place place, tp_messa
   tp_logo own = {.bytes = malloc(MOST_BYTES + 2)};
   if (own.bytes == NULL) return tp_fail_memory(message, "the logo");
   const int unread = read_bytes(&own, path);
-  const char *why = unread == 0 ? judge(&own) : NULL;
+  const char *why = unread == 0            ? judge(&own)
+                    : unread == IS_NO_FILE ? "it is not a regular file"
+                                           : NULL;
   if (unread == 0 && why == NULL) {
     *logo = own;
     return TP_OK;
   }
   free(own.bytes);
-  if (unread != 0) return fail_unread(path, place, unread, message);
+  if (unread != 0 && why == NULL) return fail_unread(path, place, unread, message);
   return tp_refuse(message, TP_FAULT_FORMAT, place, "the logo '%s' cannot be used: %s",
                    tp_quote_all(path).text, why);
 }
