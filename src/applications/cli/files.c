@@ -84,8 +84,8 @@ static tp_status read_open(char **text, size_t *length, FILE *file, const char *
 }
 
 tp_status tp_cli_read_file(char **text, size_t *length, const char *path, tp_message *message) {
-  struct stat own; /* a pipe would keep the open waiting */
-  const bool other = stat(path, &own) == 0 && !S_ISREG(own.st_mode);
+  struct stat state; /* a pipe would keep the open waiting */
+  const bool other = stat(path, &state) == 0 && !S_ISREG(state.st_mode);
   FILE *file = other ? NULL : fopen(path, "rbe");
   if (other) return fail(message, TP_SYSTEM_FAILED, "cannot read", path, "it is not a file");
   if (file == NULL) return fail(message, TP_SYSTEM_FAILED, "cannot open", path, strerror(errno));

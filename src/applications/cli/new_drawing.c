@@ -30,8 +30,8 @@ static bool names_objects(char *line) {
 
 /* The names of columns stand in the first line that is no comment. */
 static bool has_objects(const char *path) {
-  struct stat own; /* of a pipe or a device the first line is not awaited */
-  const bool regular = stat(path, &own) == 0 && S_ISREG(own.st_mode);
+  struct stat state; /* of a pipe or a device the first line is not awaited */
+  const bool regular = stat(path, &state) == 0 && S_ISREG(state.st_mode);
   FILE *file = regular ? fopen(path, "r") : NULL;
   if (file == NULL) return false; /* that it is not there is told where it is read */
   char *line = NULL;

@@ -25,7 +25,7 @@ static bool is_descriptor(const char *path) {
 
 static tp_status check(const struct stat *state, const char *path, tp_message *message) {
   const mode_t mode = state->st_mode;
-  if (S_ISREG(mode) || S_ISDIR(mode)) return TP_OK; /* that it is a folder is told as it is read */
+  if (S_ISREG(mode) || S_ISDIR(mode)) return TP_OK; /* the first read of a folder fails */
   if (is_descriptor(path) && (S_ISFIFO(mode) || S_ISSOCK(mode))) return TP_OK;
   const char *what = S_ISFIFO(mode) ? "a pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
   return tp_refuse(message, TP_FAULT_FORMAT, (tp_place){path, 0, 0},
@@ -53,12 +53,12 @@ tp_status tp_input_open(FILE **file, const char *path, tp_message *message) {
   if (status == TP_OK && (flags < 0 || fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK) != 0)) {
     status = tp_fail_file(message, path, "read", errno);
   }
-  FILE *own = status == TP_OK ? fdopen(descriptor, "rb") : NULL;
-  if (own == NULL) {
+  FILE *stream = status == TP_OK ? fdopen(descriptor, "rb") : NULL;
+  if (stream == NULL) {
     if (status == TP_OK) status = tp_fail_file(message, path, "opened", errno);
     close(descriptor);
     return status;
   }
-  *file = own;
+  *file = stream;
   return TP_OK;
 }

@@ -20,8 +20,8 @@
 /* quotient = a / b; false where b is zero, and the quotient is what it was. */
 TP_MUST_USE bool tp_divide(fmpq_t quotient, const fmpq_t a, const fmpq_t b);
 
-/* The same, for b above zero: where it is not, bad input at the place, of which `what` says what is
- * wrong with the number there. */
+/* The same, for b above zero: where it is not, bad input at the place; `what` says what is wrong
+ * with the number there. */
 TP_MUST_USE tp_status tp_divide_above_zero(fmpq_t quotient, const fmpq_t a, const fmpq_t b,
                                            tp_place place, const char *what, tp_message *message);
 

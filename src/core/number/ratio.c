@@ -149,7 +149,7 @@ static bool read_signed(fmpq_t value, size_t *at, const char *text, size_t lengt
   return used > 0;
 }
 
-/* What stands behind the first number of a field that has more than one. */
+/* Why a field with something behind its first number is no number. */
 static const char *problem_behind(const char *text, size_t length) {
   if (length > 1 && text[0] == '/') return "is two numbers, and nothing is calculated in a field";
   if (length > 1 && text[0] == '-' && is_digit(text[1])) return "is a range, not one number";

@@ -38,7 +38,7 @@ static tp_status tangent_of_difference(fmpq_t result, const fmpq_t a, const fmpq
 }
 
 /* H cos(f - p) / sin f. */
-static tp_status set_crest(tp_equal_area *own, const tp_columns_description *columns,
+static tp_status set_crest(tp_equal_area *area, const tp_columns_description *columns,
                            const fmpq_t dip, tp_message *message) {
   tp_cut_point u;
   fmpq_t angle;
@@ -46,10 +46,10 @@ static tp_status set_crest(tp_equal_area *own, const tp_columns_description *col
   fmpq_init(angle);
   fmpq_sub(angle, columns->face_dip_deg.value, dip);
   tp_direction_of_degrees(&u, angle);
-  fmpq_mul(own->crest, columns->height.value, u.x);
+  fmpq_mul(area->crest, columns->height.value, u.x);
   tp_direction_of_degrees(&u, columns->face_dip_deg.value);
   const tp_status status = tp_divide_above_zero(
-      own->crest, own->crest, u.y, columns->face_dip_deg.place,
+      area->crest, area->crest, u.y, columns->face_dip_deg.place,
       "the face is level to within " NEAR_DEG ", and never comes to its height; give a steeper one",
       message);
   tp_cut_point_clear(&u);
@@ -85,102 +85,102 @@ static tp_status check_dips(const tp_columns_description *c, const tp_quantity *
   return TP_OK;
 }
 
-/* Dips that differ by less than their rounding are told apart by check_dips alone. */
-static tp_status check_slopes(const tp_equal_area *own, const tp_columns_description *c,
+/* Dips that differ by less than their rounding pass check_dips, and have one direction. */
+static tp_status check_slopes(const tp_equal_area *area, const tp_columns_description *c,
                               tp_message *message) {
-  if (fmpq_sgn(own->rise) <= 0) {
+  if (fmpq_sgn(area->rise) <= 0) {
     return tp_refuse(message, TP_FAULT_RANGE, c->face_dip_deg.place,
                      "the face must be steeper than the base below all columns, base_dip_deg, by "
                      "more than " NEAR_DEG ", to which directions are rounded");
   }
-  if (fmpq_sgn(own->fall) > 0) return TP_OK;
+  if (fmpq_sgn(area->fall) > 0) return TP_OK;
   return tp_refuse(message, TP_FAULT_RANGE, upper_place(c),
                    "the ground behind the crest must be flatter than the base below all columns, "
                    "base_dip_deg, by more than " NEAR_DEG
                    ", to which directions are rounded, or the two never meet");
 }
 
-static tp_status set_slopes(tp_equal_area *own, const tp_columns_description *columns,
+static tp_status set_slopes(tp_equal_area *area, const tp_columns_description *columns,
                             const tp_quantity *dip, tp_message *message) {
-  tp_status status = tangent_of_difference(own->step, columns->base_dip_deg.value, dip->value,
+  tp_status status = tangent_of_difference(area->step, columns->base_dip_deg.value, dip->value,
                                            columns->base_dip_deg.place, message);
   if (status == TP_OK) {
-    status = tangent_of_difference(own->rise, columns->face_dip_deg.value, dip->value,
+    status = tangent_of_difference(area->rise, columns->face_dip_deg.value, dip->value,
                                    columns->face_dip_deg.place, message);
   }
   if (status == TP_OK) {
-    status = tangent_of_difference(own->fall, dip->value, columns->upper_dip_deg.value,
+    status = tangent_of_difference(area->fall, dip->value, columns->upper_dip_deg.value,
                                    upper_place(columns), message);
   }
   if (status != TP_OK) return status;
-  fmpq_sub(own->rise, own->rise, own->step);
-  fmpq_add(own->fall, own->fall, own->step);
-  fmpq_mul(own->step, own->step, own->width);
-  return check_slopes(own, columns, message);
+  fmpq_sub(area->rise, area->rise, area->step);
+  fmpq_add(area->fall, area->fall, area->step);
+  fmpq_mul(area->step, area->step, area->width);
+  return check_slopes(area, columns, message);
 }
 
-tp_status tp_equal_area_init(tp_equal_area *own, const tp_columns_description *columns,
+tp_status tp_equal_area_init(tp_equal_area *area, const tp_columns_description *columns,
                              const tp_quantity *dip_deg, tp_message *message) {
   tp_status status = check_dips(columns, dip_deg, message);
   if (status != TP_OK) return status;
-  fmpq *const all[] = {own->width, own->step, own->rise, own->fall, own->crest, own->back};
+  fmpq *const all[] = {area->width, area->step, area->rise, area->fall, area->crest, area->back};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
-  fmpq_set(own->width, columns->width.value);
-  status = set_slopes(own, columns, dip_deg, message);
-  if (status == TP_OK) status = set_crest(own, columns, dip_deg->value, message);
+  fmpq_set(area->width, columns->width.value);
+  status = set_slopes(area, columns, dip_deg, message);
+  if (status == TP_OK) status = set_crest(area, columns, dip_deg->value, message);
   if (status == TP_OK) {
-    fmpq_mul(own->back, own->crest, own->rise);
-    fmpq_div(own->back, own->back, own->fall); /* above zero */
-    fmpq_add(own->back, own->back, own->crest);
+    fmpq_mul(area->back, area->crest, area->rise);
+    fmpq_div(area->back, area->back, area->fall); /* above zero */
+    fmpq_add(area->back, area->back, area->crest);
   } else {
-    tp_equal_area_clear(own);
+    tp_equal_area_clear(area);
   }
   return status;
 }
 
-void tp_equal_area_clear(tp_equal_area *own) {
-  fmpq *const all[] = {own->width, own->step, own->rise, own->fall, own->crest, own->back};
+void tp_equal_area_clear(tp_equal_area *area) {
+  fmpq *const all[] = {area->width, area->step, area->rise, area->fall, area->crest, area->back};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
 }
 
-void tp_equal_area_count(fmpz_t count, const tp_equal_area *own) {
+void tp_equal_area_count(fmpz_t count, const tp_equal_area *area) {
   fmpq_t widths;
   fmpq_init(widths);
-  fmpq_div(widths, own->back, own->width);
+  fmpq_div(widths, area->back, area->width);
   fmpz_cdiv_q(count, fmpq_numref(widths), fmpq_denref(widths));
   fmpq_clear(widths);
 }
 
 /* Twice the area from the toe on, up to x: rise x^2, less (rise + fall) (x - X)^2 behind the crest.
  */
-static void twice_area(fmpq_t area, const tp_equal_area *own, const fmpq_t x) {
+static void twice_area(fmpq_t twice, const tp_equal_area *area, const fmpq_t x) {
   fmpq_t part, rate;
   fmpq_init(part);
   fmpq_init(rate);
-  fmpq_mul(area, x, x);
-  fmpq_mul(area, area, own->rise);
-  fmpq_sub(part, x, own->crest);
+  fmpq_mul(twice, x, x);
+  fmpq_mul(twice, twice, area->rise);
+  fmpq_sub(part, x, area->crest);
   if (fmpq_sgn(part) > 0) {
     fmpq_mul(part, part, part);
-    fmpq_add(rate, own->rise, own->fall);
+    fmpq_add(rate, area->rise, area->fall);
     fmpq_mul(part, part, rate);
-    fmpq_sub(area, area, part);
+    fmpq_sub(twice, twice, part);
   }
   fmpq_clear(part);
   fmpq_clear(rate);
 }
 
-void tp_equal_area_height(fmpq_t height, const tp_equal_area *own, long column) {
+void tp_equal_area_height(fmpq_t height, const tp_equal_area *area, long column) {
   fmpq_t x, before;
   fmpq_init(x);
   fmpq_init(before);
-  fmpq_mul_si(x, own->width, column);
-  twice_area(before, own, x);
-  fmpq_mul_si(x, own->width, column + 1);
-  if (fmpq_cmp(x, own->back) > 0) fmpq_set(x, own->back);
-  twice_area(height, own, x);
+  fmpq_mul_si(x, area->width, column);
+  twice_area(before, area, x);
+  fmpq_mul_si(x, area->width, column + 1);
+  if (fmpq_cmp(x, area->back) > 0) fmpq_set(x, area->back);
+  twice_area(height, area, x);
   fmpq_sub(height, height, before);
-  fmpq_div(height, height, own->width);
+  fmpq_div(height, height, area->width);
   fmpq_div_2exp(height, height, 1);
   fmpq_clear(x);
   fmpq_clear(before);

@@ -26,7 +26,7 @@ static tp_status add(tp_notes *notes, const tp_quantity *angle, const char *what
                       given * degrees);
 }
 
-/* Is its size above zero and below so many thousandths? */
+/* Is its size above zero and below this number of thousandths? */
 static bool is_below(const tp_quantity *angle, long thousandths) {
   fmpq_t size;
   fmpq_init(size);

@@ -31,16 +31,16 @@ static bool names_parameters(const tp_node *root, const char *cell) {
   bool all = parameters != NULL, any = false;
   for (const char *at = cell; all && *at != '\0';) {
     const size_t length = strcspn(at, between_names);
-    const bool own = length > 0 && tp_tree_child(parameters, at, length) != NULL;
-    any = any || own;
-    all = own || length == 0 || is_number_text(at, length);
+    const bool named = length > 0 && tp_tree_child(parameters, at, length) != NULL;
+    any = any || named;
+    all = named || length == 0 || is_number_text(at, length);
     at += length + strspn(at + length, between_names);
   }
   return all && any;
 }
 
 /* Would a reader of scenes calculate it? */
-static tp_status is_formula(bool *is, const tp_column *own, const char *cell, const tp_node *root,
+static tp_status is_formula(bool *is, const tp_column *head, const char *cell, const tp_node *root,
                             tp_message *message) {
   tp_message what;
   fmpq_t value;
@@ -50,7 +50,7 @@ static tp_status is_formula(bool *is, const tp_column *own, const char *cell, co
   const tp_status status = tp_expression_evaluate(value, cell, (tp_place){0}, NULL, &what);
   fmpq_clear(value);
   if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "a table");
-  const bool words = strcspn(cell, between_names) == strlen(cell) && !own->is_length;
+  const bool words = strcspn(cell, between_names) == strlen(cell) && !head->is_length;
   *is = status == TP_OK || (!words && names_parameters(root, cell));
   return TP_OK;
 }
@@ -79,11 +79,11 @@ static bool has_two_numbers(const char *cell, const char *separator) {
   return is_number_text(cell, first) && is_number_text(other, second);
 }
 
-/* What is wrong with what stands where a number is wanted. */
-static const char *problem_of(const tp_column *own, const char *cell, const tp_node *root) {
+/* Why a cell is no number. */
+static const char *problem_of(const tp_column *head, const char *cell, const tp_node *root) {
   static const char *const ranges[] = {"-", "\xe2\x80\x93", "..", " to "};
   if (has_two_numbers(cell, "/")) {
-    return strcmp(own->key, "slope.dip_deg") == 0
+    return strcmp(head->key, "slope.dip_deg") == 0
                ? "is two numbers, and nothing is calculated in a table; if they are dip and dip "
                  "direction, name the column 'dip/dip direction', else write one number"
                : "is two numbers, and nothing is calculated in a table; write one number, as 2.5";
@@ -100,7 +100,7 @@ static const char *problem_of(const tp_column *own, const char *cell, const tp_n
          "below the table has the number";
 }
 
-static tp_status check_number(tp_row_faults *faults, const tp_column *own, size_t column,
+static tp_status check_number(tp_row_faults *faults, const tp_column *head, size_t column,
                               const char *cell, const tp_node *root, tp_message *message) {
   const tp_place nowhere = {0};
   const char *problem = NULL;
@@ -109,9 +109,9 @@ static tp_status check_number(tp_row_faults *faults, const tp_column *own, size_
   fmpq_init(value);
   tp_status status = TP_OK;
   if (!tp_ratio_read_field(value, cell, strlen(cell), &problem)) {
-    status = tp_row_faults_add(faults, column + 1, cell, problem_of(own, cell, root), message);
-  } else if (tp_check_range(value, name_of(own->key), nowhere, &what) != TP_OK ||
-             tp_check_rule(own->rule, value, name_of(own->key), nowhere, &what) != TP_OK) {
+    status = tp_row_faults_add(faults, column + 1, cell, problem_of(head, cell, root), message);
+  } else if (tp_check_range(value, name_of(head->key), nowhere, &what) != TP_OK ||
+             tp_check_rule(head->rule, value, name_of(head->key), nowhere, &what) != TP_OK) {
     char told[sizeof what.text + 24];
     snprintf(told, sizeof told, "is out of range: %s", what.text);
     status = tp_row_faults_add(faults, column + 1, cell, told, message);
@@ -120,15 +120,15 @@ static tp_status check_number(tp_row_faults *faults, const tp_column *own, size_
   return status;
 }
 
-tp_status tp_cell_check(tp_row_faults *faults, const tp_column *own, size_t column,
+tp_status tp_cell_check(tp_row_faults *faults, const tp_column *head, size_t column,
                         const char *cell, const tp_node *root, tp_message *message) {
   bool formula = false;
   if (has_decimal_comma(cell)) {
     return tp_row_faults_add(faults, column + 1, cell,
                              "has a comma for its decimal point; write a point", message);
   }
-  if (own->is_number) return check_number(faults, own, column, cell, root, message);
-  const tp_status status = is_formula(&formula, own, cell, root, message);
+  if (head->is_number) return check_number(faults, head, column, cell, root, message);
+  const tp_status status = is_formula(&formula, head, cell, root, message);
   if (status != TP_OK || !formula) return status;
   return tp_row_faults_add(faults, column + 1, cell,
                            "is a formula, and nothing is calculated in a table; write its value",
@@ -142,14 +142,14 @@ static char *without_blanks(const char *text, size_t length) {
 }
 
 tp_status tp_cell_split_plane(char **dip, char **direction, tp_row_faults *faults,
-                              const tp_column *own, size_t column, const char *cell,
+                              const tp_column *head, size_t column, const char *cell,
                               tp_message *message) {
   const char *slash = strchr(cell, '/');
   *dip = *direction = NULL;
   if (!has_two_numbers(cell, "/")) {
     return tp_row_faults_add(faults, column + 1, cell,
-                             own->reversed ? "is no dip direction and dip, as 120/30"
-                                           : "is no dip and dip direction, as 30/120",
+                             head->reversed ? "is no dip direction and dip, as 120/30"
+                                            : "is no dip and dip direction, as 30/120",
                              message);
   }
   char *first = without_blanks(cell, (size_t)(slash - cell));
@@ -159,8 +159,8 @@ tp_status tp_cell_split_plane(char **dip, char **direction, tp_row_faults *fault
     free(second);
     return tp_fail_memory(message, "a table");
   }
-  *dip = own->reversed ? second : first;
-  *direction = own->reversed ? first : second;
+  *dip = head->reversed ? second : first;
+  *direction = head->reversed ? first : second;
   return TP_OK;
 }
 

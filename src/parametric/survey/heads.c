@@ -27,7 +27,7 @@ static const struct {
   tp_column_kind kind;
   const char *word, *key;
 } short_names[] = {
-#define TP_COLUMN_PLANE_REVERSED TP_COLUMN_PLANE /* by its word: what stands first in it */
+#define TP_COLUMN_PLANE_REVERSED TP_COLUMN_PLANE /* its word has the order */
 #define HEAD_ROW(kind, word, key) {TP_COLUMN_##kind, word, key},
     TP_SURVEY_HEADS(HEAD_ROW)
 #undef HEAD_ROW
@@ -245,7 +245,7 @@ static tp_status read_column(tp_column *own, const tp_survey *survey, size_t col
 
 const char tp_plane_direction_key[] = "slope.dip_direction_deg";
 
-/* Does the column say what stands at the key? */
+/* Does the column give the number of the key? */
 static bool is_of_key(const tp_column *column, const char *key) {
   if (column->kind != TP_COLUMN_KEY && column->kind != TP_COLUMN_PLANE) return false;
   return strcmp(column->key, key) == 0 ||

@@ -24,7 +24,7 @@ typedef struct tp_column {
   tp_column_kind kind;
   const char *head;   /* as it stands in the table */
   char *key;          /* of a scene; owned. Of a plane that of its dip */
-  bool reversed;      /* of a plane: its direction stands first, 120/30 */
+  bool reversed;      /* of a plane: its direction comes first, 120/30 */
   bool is_number;     /* its cells are numbers, */
   tp_rule rule;       /* of which this must hold */
   bool is_length;     /* its numbers are lengths, */

@@ -98,9 +98,9 @@ static tp_status begins_as(bool *begins, const tp_rows *rows, off_t size, const 
 }
 
 /* Before it is begun anew. Where that was said, or no chunk is whole, it has the whole header of
- * this study, or it begins as rows do and has the progress of a study beside it: a table of
+ * this study, or it begins as rows do and has the progress of a study next to it: a table of
  * anybody's may have a first column 'sample'. Else it has the header, or some of it, of a run that
- * was ended before it could tell of its progress. */
+ * was ended before it had written its progress. */
 static tp_status check_there(const tp_rows *rows, bool restart, off_t size, tp_message *message) {
   tp_text header = {0};
   bool begins = false;

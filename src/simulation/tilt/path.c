@@ -105,7 +105,7 @@ static tp_status look(tp_tilt_verdict *verdict, tp_tilting *tilting, double angl
 
 /* Set down at the greatest tilt at which it stands; where it is displaced too far there to be a
  * moment, at one below it. */
-static tp_status tell_highest(tp_tilting *tilting) {
+static tp_status record_highest(tp_tilting *tilting) {
   enum { MOST = 40 };
   const double highest_deg = tilting->own->stands_at_deg;
   double below_deg = tilting->settings->tolerance_deg;
@@ -131,7 +131,7 @@ static tp_status steps(tp_tilting *tilting, double least_deg, double most_deg) {
   if (status != TP_OK || own->end != TP_TILT_STANDS) return status;
   if (own->has_bracket) own->end = TP_TILT_COLLAPSES;
   if (own->has_bracket && own->lets_go_at_deg == 0) return TP_OK;
-  return tell_highest(tilting);
+  return record_highest(tilting);
 }
 
 tp_status tp_tilting_path(tp_tilting *tilting, double least_deg, double most_deg) {
