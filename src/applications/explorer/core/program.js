@@ -69,20 +69,21 @@ export class Program {
    */
   static async create(createCore, { module, rest, lacks = () => {} }, environment = {}) {
     const first = { lacks: false, imports: null, exports: null };
-    const core = await createCore({
+    // the loader's promise never ends where the module cannot be instantiated, as where there is no memory for it
+    const core = await new Promise((resolve, reject) => createCore({
       preRun: [({ ENV }) => Object.assign(ENV, environment)],
       instantiateWasm(imports, done) {
         first.imports = { ...imports, [PLACEHOLDER]: placeholders(module, first) };
         WebAssembly.instantiate(module, first.imports).then((instance) => {
           first.exports = instance.exports;
           done(instance, module);
-        });
+        }).catch(reject);
         return {};
       },
       quit(status) {
         throw new Ended(status);
       },
-    });
+    }).then(resolve, reject));
     return new Program(core, first, rest, lacks);
   }
 

@@ -3,7 +3,9 @@
 
 /**
  * Requests to the core, which runs one at a time in a worker: a queue, in which a later request replaces a waiting one of
- * the same name; time limits; a worker that is stopped and started anew where a run takes too long or breaks down.
+ * the same name; time limits; a worker that is stopped and started anew where a run takes too long or breaks down, or where
+ * the worker is dead: it never begins, or does not confirm a request. A worker confirms each request before it runs it,
+ * so that a long run and a dead worker differ.
  */
 
 import { say } from "../words/language.js";
@@ -23,6 +25,9 @@ import { say } from "../words/language.js";
 
 const LIMIT_MS = 20000;
 
+/** How long a worker may take until it is ready, and until it confirms a request, milliseconds. */
+export const PATIENCE = { begin: 60_000, confirm: 5_000 };
+
 /** The core was stopped while it ran; it has been started again. */
 export class CoreStopped extends Error {
   constructor(message) {
@@ -41,13 +46,20 @@ export class Requests {
   #port = null;
   #ready = false;
   #count = 0;
+  #isClosed = false;
+  #beginning = 0; // timer of a worker that is not ready yet
+  #confirming = 0; // timer of a request that is not confirmed yet
 
   /** Told of each change: "starting", "ready" or "running". @type {((state: string) => void)|null} */
   onstate = null;
 
-  /** @param {(heard: (message: object) => void) => Port} start starts a worker, whose messages `heard` takes */
-  constructor(start) {
+  /**
+   * @param {(heard: (message: object) => void) => Port} start starts a worker, whose messages `heard` takes
+   * @param {{begin: number, confirm: number}} [patience] milliseconds
+   */
+  constructor(start, patience = PATIENCE) {
     this.#start = start;
+    this.patience = patience;
     this.#begin();
   }
 
@@ -65,7 +77,7 @@ export class Requests {
         reject(signal.reason);
         return;
       }
-      const request = { id: ++this.#count, args, files, latest, timeoutMs, collect, resolve, reject, timer: 0 };
+      const request = { id: ++this.#count, args, files, latest, timeoutMs, collect, resolve, reject, timer: 0, isSentAgain: false };
       signal?.addEventListener("abort", () => this.#abandon(request, signal.reason), { once: true });
       const before = latest === null ? -1 : this.#waiting.findIndex((other) => other.latest === latest);
       if (before >= 0) {
@@ -74,6 +86,8 @@ export class Requests {
       } else {
         this.#waiting.push(request);
       }
+      // a worker that could not begin gets another chance with each request
+      if (this.#port === null && !this.#isClosed) this.#begin();
       this.#next();
     });
   }
@@ -85,17 +99,32 @@ export class Requests {
 
   /** End for good. */
   close() {
-    this.#port?.end();
-    this.#port = null;
+    this.#isClosed = true;
+    this.#end();
   }
 
   #begin() {
     this.#ready = false;
     this.onstate?.("starting");
-    const port = this.#start((message) => {
-      if (port === this.#port) this.#hear(message);
-    });
-    this.#port = port;
+    clearTimeout(this.#beginning);
+    this.#beginning = setTimeout(() => this.#stop(new CoreStopped(say("The core cannot run here: %s", say("its worker did not begin"))), false), this.patience.begin);
+    try {
+      const port = this.#start((message) => {
+        if (port === this.#port) this.#hear(message);
+      });
+      this.#port = port;
+    } catch (error) {
+      this.#stop(new CoreStopped(say("The core cannot run here: %s", error.message)), false);
+    }
+  }
+
+  /** The worker ends, and nothing more is awaited of it. */
+  #end() {
+    clearTimeout(this.#beginning);
+    clearTimeout(this.#confirming);
+    this.#port?.end();
+    this.#port = null;
+    this.#ready = false;
   }
 
   #next() {
@@ -105,15 +134,19 @@ export class Requests {
     request.timer = setTimeout(() => this.#stop(new CoreStopped(say(
       "The core was stopped: it had taken %s s. It has been started again; a scene with fewer vertices, or a question that is less exact, takes less.",
       request.timeoutMs / 1000))), request.timeoutMs);
+    this.#confirming = setTimeout(() => this.#resend(), this.patience.confirm);
     this.onstate?.("running");
     this.#port.post({ kind: "run", id: request.id, args: request.args, files: request.files, collect: request.collect });
   }
 
   #hear(message) {
     if (message.kind === "ready") {
+      clearTimeout(this.#beginning);
       this.#ready = true;
       this.onstate?.("ready");
       this.#next();
+    } else if (message.kind === "begun") {
+      if (message.id === this.#running?.id) clearTimeout(this.#confirming);
     } else if (message.kind === "broken") {
       this.#stop(new CoreStopped(say("The core cannot run here: %s", message.why)), this.#ready);
     } else if (message.kind === "failed") {
@@ -131,18 +164,32 @@ export class Requests {
     const request = this.#running;
     this.#running = null;
     clearTimeout(request?.timer);
+    clearTimeout(this.#confirming);
     return request;
+  }
+
+  /** A worker that does not confirm a request is dead: another one gets the request, once. */
+  #resend() {
+    if (this.#running.isSentAgain) {
+      this.#stop(new CoreStopped(say("The core does not answer. It has been started again.")));
+      return;
+    }
+    const request = this.#take();
+    request.isSentAgain = true;
+    if (request.latest !== null && this.#waiting.some(({ latest }) => latest === request.latest)) request.reject(replaced());
+    else this.#waiting.unshift(request);
+    this.#end();
+    this.#begin();
   }
 
   /** @param {Error} error for the request that runs; @param {boolean} [again] whether to start anew */
   #stop(error, again = true) {
-    this.#port?.end();
+    this.#end();
     this.#take()?.reject(error);
     if (again) {
       this.#begin();
       return;
     }
-    this.#port = null;
     for (const request of this.#waiting.splice(0)) request.reject(error);
   }
 

@@ -26,14 +26,14 @@ export function serve(port, createCore) {
     if (message.kind === "begin") {
       module = message.module;
       begin();
-      await program;
-      port.post({ kind: "ready" });
+      program.then(() => port.post({ kind: "ready" }), (error) => port.post({ kind: "broken", why: String(error) }));
       return;
     }
     if (message.kind === "rest") {
       restCame(message.rest);
       return;
     }
+    port.post({ kind: "begun", id: message.id });
     try {
       const own = await program;
       const answer = await own.run(message.args, message.files, message.collect);
