@@ -34,7 +34,7 @@ EXCEPTIONS = {
     "the languages by their own names": {"English", "Español", "Deutsch"},
     "said by no one but the browser: the names of keys, types, errors, fonts, measurements": {
         "Enter", "Delete", "Backspace", "Insert", "Mod-z", "Mod-y", "Mod-Shift-z", "Content-Type", "AbortError", "CoreStopped",
-        "13px system-ui", "12px system-ui", "px system-ui", "first gesture", "first answer"},
+        "13px system-ui", "12px system-ui", "px system-ui", "first answer"},
     "classes of elements": {
         "shape touch ", "shape water", "shape preview", "part other", "block at-rest ", "pivot governing", "pivot admissible"},
     "units, which have no language": {"lbf ft", "kip ft"},

@@ -32,6 +32,7 @@ import { say } from "../words/language.js";
 
 const SNAP_DOTS = 3;
 const ZOOM_MAX = 1e6;
+const SWING_DECIMALS = 1; // of the tilt while the view swings
 
 export class Drawing extends EventTarget {
   #fitted = -1; // which of the scenes that were opened the window was fitted to
@@ -86,7 +87,7 @@ export class Drawing extends EventTarget {
       this.#touched = [];
       this.#later();
     });
-    store.addEventListener("problem", () => this.#later());
+    for (const event of ["problem", "late"]) store.addEventListener(event, () => this.#later());
     new ResizeObserver(() => this.#resized(element)).observe(element);
   }
 
@@ -106,6 +107,12 @@ export class Drawing extends EventTarget {
     this.caseIndex = index;
     this.#later(); // where the badge, beside which it is fitted, has the words of this answer
     this.dispatchEvent(new Event("case"));
+  }
+
+  /** Draw the scene as if it were tilted further; nothing of the scene changes. @param {number} degrees */
+  swingBy(degrees) {
+    this.view.swing = (degrees * Math.PI) / 180;
+    this.draw();
   }
 
   /** All of the block into the window. */
@@ -153,9 +160,11 @@ export class Drawing extends EventTarget {
     const answer = store.lastSolution;
     const kase = this.case;
     const stale = store.solution === null;
-    this.svg.classed("stale", stale && store.problem !== null);
+    const isOutdated = stale && (store.problem !== null || store.late);
+    this.svg.classed("stale", isOutdated);
     this.context = null;
     drawPhotograph(this.layers.photo, null, null);
+    if (answer === null) this.#leaveOut(""); // nothing of a scene that was there before
     if (answer?.kind === "solid") this.#leaveOut(say("This solid is not drawn here; its report stands beside this"));
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
@@ -165,7 +174,7 @@ export class Drawing extends EventTarget {
     }
     this.#fitOnce(outlines);
     this.context = new Context(store.parsed, kase, outlines, this.origin);
-    this.view.turn = turnOf(this.context, store.solution !== null, this.sign);
+    this.view.turn = turnOf(this.context, store.solution !== null, this.sign) + this.sign * this.view.swing;
     this.#drawShapes(outlines);
     this.#drawPreview(stale);
     drawPhotograph(this.layers.photo, this.context, this.#photograph);
@@ -228,8 +237,8 @@ export class Drawing extends EventTarget {
     if (answer?.outlines === undefined || this.context === null) return;
     const stale = this.store.solution === null;
     const symbols = this.context.many ? symbolsOfMany : symbolsOf;
-    drawSymbols(layers.symbols, stale && this.store.problem !== null ? [] : symbols(answer, this.case, view, this.origin));
-    drawArc(layers.arc, view, this.sign);
+    drawSymbols(layers.symbols, stale && (this.store.problem !== null || this.store.late) ? [] : symbols(answer, this.case, view, this.origin));
+    drawArc(layers.arc, view, this.sign, view.swing === 0 ? undefined : SWING_DECIMALS);
     drawScale(layers.scale, view, this.sign, this.context);
     this.#placeHandles();
   }

@@ -7,6 +7,7 @@ import { zoomIdentity } from "d3-zoom";
 import { contactPaths, transformOf, wayOf } from "./film.js";
 import { drawScale } from "./scale_bar.js";
 import { drawArc } from "./tilt_handle.js";
+import { waterPath } from "./water.js";
 
 const DECIMALS = 2; // of the tilt
 
@@ -30,6 +31,7 @@ export class FilmView {
     const pose = film.poseAt(time);
     view.turn = (sign * pose.tilt * Math.PI) / 180;
     layers.frame.attr("transform", "matrix(" + view.matrix.join(" ") + ")");
+    if (context !== null && !context.many) layers.water.attr("d", waterPath(context, outlines, view.turn));
     layers.moving.attr("transform", transformOf(this.drawing.case, outlines, pose));
     layers.touch.attr("transform", layers.front.attr("transform")).selectAll("path").data(contactPaths(outlines, film.contactsAt(time))).join("path")
       .attr("class", ({ state }) => "shape touch " + state).attr("d", ({ path }) => path);

@@ -4,6 +4,7 @@
 /** Handles of loads: the level of the water behind the block, where an anchor pulls, and which way. */
 
 import { edit, lengthHandle, vertexHandle } from "./handle.js";
+import { waterFoot, wettedHeight } from "./water.js";
 import { numeral, say } from "../words/language.js";
 
 const ARROW_DOTS = 64;
@@ -11,7 +12,7 @@ const DEGREES = 180 / Math.PI;
 
 /** @param {import("./handle.js").Context} context @param {import("./view.js").View} view */
 export function loadHandles(context, view) {
-  const handles = waterHandles(context);
+  const handles = waterHandles(context, view);
   for (let i = 0; i < (context.scene.count(["loads", "anchors"]) ?? 0); i++) {
     const point = context.block && vertexHandle(context, context.block, ["loads", "anchors", i, "at"], say("anchor %s", i + 1));
     if (point === null) continue;
@@ -23,15 +24,16 @@ export function loadHandles(context, view) {
   return handles;
 }
 
-/** Its height counts from the up-dip end of the contact. */
-function waterHandles(context) {
+/** Its height counts from the up-dip end of the contact; the handle is where the surface meets the face. */
+function waterHandles(context, view) {
   const of = context.number(["loads", "water", "height"]);
   if (of.value === null) return [];
-  const end = context.kase.contact[context.kase.towards === "left" ? "right_end" : "left_end"];
-  const foot = context.result(end.x_m, end.y_m);
+  const foot = waterFoot(context);
+  const staysLevel = context.outlines.water?.stays_level ?? false;
+  const along = wettedHeight(1, staysLevel, view.turn);
   return [lengthHandle(context, {
     name: "height of the water", of, kind: "load", moves: "y", least: 0,
-    at: { x: foot.x, y: foot.y + of.value * context.metres }, value: (hand) => (hand.y - foot.y) / context.metres,
+    at: { x: foot.x, y: foot.y + of.value * along * context.metres }, value: (hand) => (hand.y - foot.y) / along / context.metres,
   })];
 }
 

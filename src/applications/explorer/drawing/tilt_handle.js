@@ -17,7 +17,7 @@ const EDGE = 30;
 export function tiltHandle(context, view, sign) {
   const of = context.number(tiltPath(context));
   const shape = tiltArc(view, sign);
-  const angle = (of.value ?? 0) / DEGREES;
+  const angle = (of.value ?? 0) / DEGREES + view.swing;
   const put = (degrees, exponent) => [edit(of, Math.min(90, Math.max(0, degrees)), exponent)];
   return {
     key: "tilt.angle_deg", kind: "tilt", moves: "xy", fixed: of.fixed === null ? null : say("the tilt") + " " + of.fixed,

@@ -22,6 +22,8 @@ export class View {
     this.height = 600;
     /** Counter-clockwise on the screen, radians. */
     this.turn = 0;
+    /** By how much a film of the view turns the base beyond the tilt of the scene, radians. */
+    this.swing = 0;
     /** What the drawing turns about, and what the frame's zero is. */
     this.centre = { x: 0, y: 0 };
     this.scale = 1;

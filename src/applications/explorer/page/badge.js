@@ -10,18 +10,36 @@ import { parts, say } from "../words/language.js";
 
 const CLEAR = 10; // dots between it and a block, whose handles lie on its edge
 
-/** @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store */
+/**
+ * Title and verdict change together: the verdict of one scene never stands under the title of another.
+ * @param {(id: string) => HTMLElement} element @param {import("../drawing/drawing.js").Drawing} drawing @param store
+ */
 export function badge(element, drawing, store) {
   const show = () => {
-    const kase = drawing.case;
-    element("badge").classList.toggle("of-before", store.problem !== null);
+    const kase = store.isOfSubject ? drawing.case : null;
+    element("scene-title").textContent = say(store.parsed.title ?? "A scene without a title"); // those of examples have translations
+    element("scene-title").title = store.name;
+    element("badge").classList.toggle("of-before", store.solution === null);
     element("badge").dataset.kind = COLOUR_CLASS[kase?.mechanism ?? kase?.verdict] ?? "undecided";
     element("verdict-said").textContent = kase === null ? "" : verdictWords(kase);
     element("factor-said").replaceChildren(...(kase === null ? [] : factorWords(kase)));
+    const required = kase === null ? "" : requiredWords(store.lastSolution, kase);
+    element("required-said").textContent = required;
+    element("required-said").hidden = required === "";
   };
   drawing.above = () => element("badge").offsetTop + element("badge").offsetHeight + CLEAR;
-  for (const event of ["solution", "problem"]) store.addEventListener(event, show);
+  for (const event of ["solution", "problem", "late"]) store.addEventListener(event, show);
+  store.addEventListener("text", () => store.lastSolution === null && show());
   drawing.addEventListener("case", show);
+}
+
+/** What the factor must reach, and whether it does: of the load case that is shown, else of the scene. */
+function requiredWords({ loadCases }, kase) {
+  const listed = loadCases?.cases.find(({ name }) => name === loadCases.shown);
+  const of = kase.governing_fos ?? kase;
+  const [required, met] = [listed?.required ?? of.required_fos, listed?.met ?? of.meets_required];
+  if (!met) return "";
+  return required?.value === undefined ? say("Required factor: %s", say(met)) : say("FoS %s required: %s", fosText(required), say(met));
 }
 
 /** @param {any} kase of the answer @returns {string} */

@@ -45,6 +45,11 @@ export function drawingTools(element, drawing, store) {
 
 function casesChoice(fieldset, drawing, store) {
   let shown = "";
+  store.addEventListener("text", () => {
+    if (store.lastSolution !== null) return;
+    shown = "";
+    fieldset.hidden = true;
+  });
   store.addEventListener("solution", () => {
     const sides = store.solution.cases.map((kase) => kase.towards);
     if (sides.join() === shown) return;

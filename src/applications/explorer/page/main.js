@@ -15,6 +15,7 @@ import { badge } from "./badge.js";
 import { drawingTools } from "./drawing_tools.js";
 import { readEmbed, showEmbedded } from "./embed.js";
 import { firstGesture } from "./first_gesture.js";
+import { loadCaseChoice } from "./load_case_choice.js";
 import { Messages } from "./messages.js";
 import { numbersForm } from "./numbers.js";
 import { sceneTools } from "./scene_tools.js";
@@ -54,6 +55,7 @@ async function begin() {
   new SolidView(element("solid-stage"), element("solid-words"), store);
   drawingTools(element, drawing, store);
   badge(element, drawing, store);
+  loadCaseChoice(element("load-case"), element("load-cases"), store);
   addMenu(element("add"), drawing, store, messages);
   unitsMenu(element("units"), store, messages, lengthsOf(keys));
   sheet(element("grip"));
@@ -66,7 +68,7 @@ async function begin() {
   const embedded = readEmbed(location.hash);
   if (embedded !== null) showEmbedded(embedded, tabs);
   const told = (words) => (element("told").textContent = words);
-  if (await openFirst(store, menu, messages, embedded)) store.addEventListener("solution", () => firstGesture(store, told), { once: true });
+  if (await openFirst(store, menu, messages, embedded)) store.addEventListener("solution", () => firstGesture(drawing, store, told), { once: true });
   // a page within another one neither takes nor leaves the reader's own scene
   if (embedded === null) keepScene(store);
   store.addEventListener("text", () => forgetLink());

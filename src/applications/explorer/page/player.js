@@ -54,7 +54,7 @@ export class Player {
     const { store } = this;
     this.button.disabled = true;
     try {
-      const args = ["tilt", "--json", "--moments=" + MOMENTS, store.argument];
+      const args = ["tilt", "--json", "--moments=" + MOMENTS, ...store.caseWords, store.argument];
       const answer = await this.core.run(args, { ...store.files, [store.name]: testedText(store.parsed) }, { latest: "tilt", timeoutMs: TEST_MAX_MS });
       if (asked !== this.#asked) return;
       if (answer.out === "") throw refusalOf(answer);
@@ -82,7 +82,9 @@ export class Player {
     const kase = cases.find(({ towards }) => towards === drawing.case?.towards) ?? cases[0];
     if ((kase.moments ?? []).length < 2) throw new Error(say("its answer has no moments"));
     const isShaken = this.store.parsed.keys(["shaking"]) !== null;
-    this.#film = new Film(kase, isShaken);
+    const [x0, y0, x1, y1] = drawing.store.lastSolution.outlines.box_m;
+    this.#film = new Film(kase, isShaken, Math.hypot(x1 - x0, y1 - y0));
+    this.speed.hidden = this.#film.course === "tilt"; // what knows no time has no speed
     this.events.replaceChildren(...this.#film.events.slice(0, EVENTS_MAX).map((event) => this.#eventButton(event, isShaken)));
     this.strip.show(shaking, this.#film.end);
     this.place.hidden = false;
@@ -100,7 +102,7 @@ export class Player {
     const what = event.facet > 0 ? say("%s at facet %s", say(event.what), event.facet) : say(event.what);
     const go = () => {
       this.#halt();
-      this.#put(event.time_s);
+      this.#put(this.#film.courseOf(event));
     };
     return element("button", { type: "button", class: "event", onclick: go }, what + ", " + at);
   }
@@ -138,7 +140,8 @@ export class Player {
     this.slider.value = String(Math.round((STEPS * this.#shown) / film.length(this.slow)));
     const event = film.eventAt(time);
     const pose = film.poseAt(time);
-    const said = say("%s s, tilt %s", numeral(time.toFixed(2)), numeral(pose.tilt.toFixed(2)) + "°") + (event === null ? "" : ": " + say(event.what));
+    const tilt = numeral(pose.tilt.toFixed(2)) + "°";
+    const said = (film.course === "tilt" ? say("tilt %s", tilt) : say("%s s, tilt %s", numeral(time.toFixed(2)), tilt)) + (event === null ? "" : ": " + say(event.what));
     this.said.textContent = said;
     this.slider.setAttribute("aria-valuetext", said);
     const at = event === null ? -1 : film.events.indexOf(event);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** Title of the scene, and whether the core is at work. */
+/** Whether there is an answer, and whether the core is at work. */
 
 import { say } from "../words/language.js";
 
@@ -10,12 +10,7 @@ const LATE_MS = 250;
 /** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
 export function sceneWords(element, store) {
   let timer = null;
-  const words = () => {
-    element("scene-title").textContent = say(store.parsed.scalar(["title"]) ?? "A scene without a title"); // those of examples have translations
-    element("scene-title").title = store.name;
-  };
   const state = (name) => (document.body.dataset.answer = name);
-  store.addEventListener("text", words);
   store.addEventListener("text", () => state("awaited"));
   store.addEventListener("solution", () => state("there"));
   store.addEventListener("problem", () => state("none"));

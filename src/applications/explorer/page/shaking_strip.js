@@ -116,7 +116,7 @@ export class ShakingStrip {
   /** @returns the case of the answer */
   async #scan(more, scene, signal) {
     const { store, searcher } = this;
-    const answer = await searcher.run(["tilt", "--overturning", "--json", ...more, store.argument], { ...store.files, [store.name]: scene.text }, { timeoutMs: SEARCH_MAX_MS, signal });
+    const answer = await searcher.run(["tilt", "--overturning", "--json", ...more, ...store.caseWords, store.argument], { ...store.files, [store.name]: scene.text }, { timeoutMs: SEARCH_MAX_MS, signal });
     if (answer.out === "") throw refusalOf(answer);
     return JSON.parse(answer.out).cases[0];
   }

@@ -13,8 +13,8 @@ import { parts, say } from "../words/language.js";
 const VERSION_MAX_MS = 5000;
 
 export class AboutPanel extends Panel {
-  get takes() {
-    return ["block", "blocks", "solid"];
+  get isOfScene() {
+    return false;
   }
 
   constructor(place, context) {
@@ -38,8 +38,6 @@ export class AboutPanel extends Panel {
       () => {}, // a core that was stopped has no version to tell; the page says so by itself
     );
   }
-
-  draw() {}
 }
 
 /** A text of many lines below its name. */

@@ -48,7 +48,7 @@ export class AccuracyPanel extends Panel {
     this.#text = this.store.text;
     this.told.textContent = say("Measuring: five samples of each …");
     try {
-      const answer = await this.background.run(["accuracy", "--json", this.store.argument], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
+      const answer = await this.background.run(["accuracy", "--json", ...this.store.caseWords, this.store.argument], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
       if (answer.out === "") throw refusalOf(answer);
       this.#show(answer.out);
     } catch (error) {

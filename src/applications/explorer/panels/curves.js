@@ -57,6 +57,12 @@ export class CurvesPanel extends Panel {
     this.job.stop();
   }
 
+  forget() {
+    this.job.stop();
+    this.chart.replaceChildren();
+    this.told.textContent = "…";
+  }
+
   coloured() {
     this.job.start(0);
   }
@@ -79,7 +85,7 @@ export class CurvesPanel extends Panel {
     for (const count of STEPS) {
       const range = number.key + "=" + from + ":" + to + ":(" + to + "-(" + from + "))/" + count;
       const began = performance.now();
-      const answer = await this.core.run(["sweep", this.store.argument, "--x", range], files, { latest: "curves", timeoutMs: SWEEP_MAX_MS });
+      const answer = await this.core.run(["sweep", this.store.argument, "--x", range, ...this.store.caseWords], files, { latest: "curves", timeoutMs: SWEEP_MAX_MS });
       if (!current()) return;
       if (answer.out === "") throw refusalOf(answer);
       this.#show(answer.out, number, what, performance.now() - began);

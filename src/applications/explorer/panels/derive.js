@@ -51,6 +51,11 @@ export class DerivePanel extends Panel {
     this.job.stop();
   }
 
+  forget() {
+    this.job.stop();
+    this.#fail("…");
+  }
+
   /** A slider for each parameter that the scene gives by a decimal; those that are there keep the focus. */
   #slide() {
     const names = (this.store.parsed.keys(["parameters"]) ?? []).slice(0, PARAMETERS_MAX);
@@ -85,7 +90,7 @@ export class DerivePanel extends Panel {
   }
 
   async #derive(current) {
-    const args = ["derive", "--json", ...(this.limit.checked ? ["--limit", "--unchecked"] : []), this.store.argument];
+    const args = ["derive", "--json", ...(this.limit.checked ? ["--limit", "--unchecked"] : []), ...this.store.caseWords, this.store.argument];
     const answer = await this.background.run(args, this.files(), { latest: "derive", timeoutMs: DERIVE_MAX_MS });
     if (!current()) return;
     if (answer.out === "") return this.#fail(readComplaint(answer.err).message);

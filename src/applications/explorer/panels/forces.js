@@ -3,6 +3,7 @@
 
 /** The forces with which the base holds the block at its static limit, in their friction cones, and what then begins. */
 
+import { balancedBy } from "./balance.js";
 import { element, table } from "./element.js";
 import { certainText, degreesText, certainDigits } from "./certain.js";
 import { lengthText, lengthUnit, pointText } from "./lengths.js";
@@ -28,17 +29,23 @@ export class ForcesPanel extends Panel {
       "section",
       { "data-towards": theCase.towards },
       heading,
-      element(
-        "p",
-        {},
-        parts("At the %s, %s, these %s just balance the weight; φ = %s.", this.terms.word("static limit", "static limit"),
-          degreesText(limit.critical_angle_deg), this.terms.word("reactions", "reaction"), degreesText(limit.friction_angle_deg)),
-      ),
+      element("p", {}, this.#balance(theCase)),
       found.length === 0 ? null : forcesFigure(theCase, outlines, found),
       table(say("Reactions at the limit") + ", " + directionText(theCase, null), this.#heads(), limit.reactions.map((each, index) => this.#row(each, found[index], theCase))),
       this.#centre(limit),
       motions(theCase),
     );
+  }
+
+  #balance(theCase) {
+    const { limit } = theCase;
+    const words = [this.terms.word("static limit", "static limit"), degreesText(limit.critical_angle_deg), this.terms.word("reactions", "reaction")];
+    const friction = degreesText(limit.friction_angle_deg);
+    const balanced = balancedBy(theCase);
+    if (balanced === null) return parts("At the %s, %s, the base exerts these %s; φ = %s.", ...words, friction);
+    if (balanced.weight) return parts("At the %s, %s, these %s just balance the weight; φ = %s.", ...words, friction);
+    const others = balanced.others.map((name) => say(name)).join(", ");
+    return parts("At the %s, %s, these %s are in balance with the weight and with: %s; φ = %s.", ...words, others, friction);
   }
 
   #heads() {

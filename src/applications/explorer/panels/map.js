@@ -66,6 +66,14 @@ export class MapPanel extends Panel {
     this.#key = "";
   }
 
+  forget() {
+    this.hidden();
+    this.grid = undefined;
+    this.figure.clear();
+    this.legend.replaceChildren();
+    this.told.textContent = this.there.textContent = "";
+  }
+
   coloured() {
     this.colours = undefined;
     if (this.grid !== undefined) this.figure.setPlane(this.grid, (kind) => this.#colour(kind));
@@ -101,7 +109,7 @@ export class MapPanel extends Panel {
     const text = sweepable(this.store.parsed, this.towardsMenu.value);
     const free = new Set([...chosen, this.numbers[0]]); // the tilt is an axis, or has no say in what begins to move first
     const plane = new this.store.parsed.constructor(text).withNumbers([...free].map(({ path }) => ({ path, text: "0" })));
-    const key = JSON.stringify([plane, this.x.key, this.y.key]);
+    const key = JSON.stringify([plane, this.x.key, this.y.key, this.store.caseWords]);
     if (key !== this.#key) {
       this.#key = key;
       this.scene = text;
@@ -123,7 +131,7 @@ export class MapPanel extends Panel {
     const began = performance.now();
     const solve = async (rows, columns) => {
       const list = (number, all, chosen) => number.key + "=" + chosen.map((at) => all[at]).join(",");
-      const args = ["sweep", this.store.argument, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
+      const args = ["sweep", this.store.argument, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows), ...this.store.caseWords];
       const answer = await this.background.run(args, files, { timeoutMs: ROW_MAX_MS });
       if (!current()) return false;
       if (answer.out === "") throw refusalOf(answer);
@@ -157,7 +165,7 @@ export class MapPanel extends Panel {
   async #borders(current, files, signal) {
     this.told.textContent = this.points + " " + say("Proven borders are being found …");
     const side = ({ key }, { from, to }) => (key === TILT ? "tilt" : key) + "=" + from + ":" + to;
-    const args = ["chart", "map", "--json", this.store.argument, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1])];
+    const args = ["chart", "map", "--json", this.store.argument, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1]), ...this.store.caseWords];
     if (![this.x.key, this.y.key].includes(TILT)) args.push("--any-tilt");
     const answer = await this.background.run(args, files, { timeoutMs: BORDERS_MAX_MS, signal });
     if (!current()) return;

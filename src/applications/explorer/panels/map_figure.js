@@ -67,6 +67,12 @@ export class MapFigure {
     );
   }
 
+  /** Nothing of the plane and of its borders is left. */
+  clear() {
+    this.canvas.width = 0;
+    this.setBorders([]);
+  }
+
   /** @param {import("./map_grid.js").MapGrid} grid @param {(kind: number) => [number, number, number]} colour */
   setPlane(grid, colour) {
     this.canvas.width = grid.columns;

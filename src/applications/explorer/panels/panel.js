@@ -3,7 +3,8 @@
 
 /**
  * What all panels share: a panel draws the answer for the present scene, and only while it is shown; one that is
- * hidden catches up when it is shown again. While the scene has no answer the last one stays, greyed, and says so.
+ * hidden catches up when it is shown again. While the scene has no answer, or none yet, the last one stays, greyed, and says
+ * so; results of another scene, title or load case never stay.
  */
 
 import { element } from "./element.js";
@@ -16,6 +17,9 @@ import { say } from "../words/language.js";
  * @property {{run: Function}} background a core of its own for what takes long
  * @property {import("./terms.js").Terms} terms
  */
+
+/** Which scene and load case an answer is of. */
+const shownOf = ({ subject, loadCases }) => JSON.stringify([subject, loadCases?.shown ?? null]);
 
 export class Panel {
   #drawn = null;
@@ -32,8 +36,8 @@ export class Panel {
     this.body = element("div", { class: "body" });
     this.place = place;
     place.append(this.stale, this.body);
-    store.addEventListener("solution", () => this.#later());
-    store.addEventListener("problem", () => this.#later());
+    for (const event of ["solution", "problem", "late"]) store.addEventListener(event, () => this.#later());
+    store.addEventListener("text", () => store.lastSolution === null && this.#update());
     new MutationObserver(() => this.shown && this.coloured()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
@@ -57,8 +61,16 @@ export class Panel {
     return ["block"];
   }
 
+  /** Whether it shows results of the scene at all. */
+  get isOfScene() {
+    return true;
+  }
+
   /** What runs for it can be left. */
   hidden() {}
+
+  /** What came later than the last answer, or is said outside of the body, goes: what follows is of another scene. */
+  forget() {}
 
   /** Light and dark have changed: what has its colours from neither element nor style is drawn anew. */
   coloured() {}
@@ -78,23 +90,41 @@ export class Panel {
   }
 
   #update() {
-    if (!this.shown) return;
-    const { problem, solution } = this.store;
-    this.place.classList.toggle("outdated", problem !== null);
-    this.stale.hidden = problem === null;
-    if (problem !== null) {
-      this.stale.textContent = say(this.#drawn ? "The scene has no answer now, see its message; this is the last one." : "The scene has no answer now, see its message.");
-    }
-    if (solution === null || solution === this.#drawn) return;
-    this.#drawn = solution;
-    this.body.hidden = !this.takes.includes(solution.kind);
-    if (this.body.hidden) {
-      this.stale.hidden = false;
-      this.stale.textContent = say("This is of scenes of one block; what was found of this one stands under Verdict.");
+    if (!this.shown || !this.isOfScene) return;
+    const { solution } = this.store;
+    if (solution === null) {
+      this.#await();
       return;
     }
+    const takes = this.takes.includes(solution.kind);
+    this.place.classList.remove("outdated");
+    this.#tell(takes ? "" : say("This is of scenes of one block; what was found of this one stands under Verdict."));
+    this.body.hidden = !takes;
+    if (solution === this.#drawn) return;
+    if (this.#drawn !== null && shownOf(this.#drawn) !== shownOf(solution)) this.forget();
+    this.#drawn = solution;
+    if (!takes) return;
     this.place.dataset.scene = this.store.name;
     this.draw(solution);
     this.terms.forget();
+  }
+
+  /** There is no answer for the present text, or not yet. */
+  #await() {
+    const { problem, late, lastSolution, isOfSubject } = this.store;
+    const hasLast = isOfSubject && lastSolution === this.#drawn && this.takes.includes(lastSolution.kind);
+    // an answer comes within a few frames as a rule; until it is late the last one of the same scene stays as it is
+    if (problem === null && !late && lastSolution !== null) return;
+    this.place.classList.toggle("outdated", hasLast && (problem !== null || late));
+    this.body.hidden = !hasLast;
+    if (!hasLast) this.forget();
+    if (problem !== null) this.#tell(say(hasLast ? "The scene has no answer now, see its message; this is the last one." : "The scene has no answer now, see its message."));
+    else this.#tell(!late ? "" : hasLast ? say("The scene is being solved; this is the last answer.") : say("The scene is being solved."));
+  }
+
+  /** @param {string} words above it; "": none */
+  #tell(words) {
+    this.stale.textContent = words;
+    this.stale.hidden = words === "";
   }
 }

@@ -9,7 +9,7 @@
 import { element } from "./element.js";
 import { offer } from "../page/offer.js";
 import { Panel } from "./panel.js";
-import { languageWords, reportOf, textOf } from "./report_text.js";
+import { languageWords, reportOf, reportedCase, textOf } from "./report_text.js";
 import { say } from "../words/language.js";
 import { refusalOf } from "../scene/complaint.js";
 
@@ -43,6 +43,11 @@ export class ReportPanel extends Panel {
     );
   }
 
+  forget() {
+    this.#asked++;
+    this.text.replaceChildren(textOf("…"));
+  }
+
   async draw() {
     const asked = ++this.#asked;
     try {
@@ -59,7 +64,7 @@ export class ReportPanel extends Panel {
     this.told.textContent = say(label) + " …";
     try {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
-      const answer = await this.background.run(["solve", "--quiet", option, name, ...(option === "--report" ? languageWords(this.store) : []), this.store.argument], this.files(), options);
+      const answer = await this.background.run(["solve", "--quiet", option, name, ...(option === "--report" ? languageWords(this.store) : []), ...reportedCase(this.store), this.store.argument], this.files(), options);
       const written = answer.files[name];
       if (written === undefined) throw answer.err.trim() === "" ? new Error(say("nothing was written")) : refusalOf(answer);
       offer(name, written, type);
@@ -71,7 +76,7 @@ export class ReportPanel extends Panel {
 
   #json() {
     const { name } = this.store;
-    const args = ["solve", "--json", name];
+    const args = ["solve", "--json", ...reportedCase(this.store), this.store.argument];
     this.core.run(args, this.files(), { timeoutMs: WRITE_MAX_MS }).then(
       (answer) => offer(name.replace(/\.[^.]*$/, "") + ".json", answer.out, "application/json"),
       (error) => (this.told.textContent = error.message),

@@ -18,6 +18,11 @@ export function languageWords(store) {
   return language === "en" || store.parsed.scalar(["report", "language"]) !== null ? [] : ["--language", language];
 }
 
+/** Of one block the report lists all load cases, and is of the one that governs; of many blocks it is of one case. @returns {string[]} */
+export function reportedCase(store) {
+  return store.solution?.kind === "blocks" ? store.caseWords : [];
+}
+
 /**
  * @param {import("./panel.js").Panel} panel whose scene it is @param {{run: Function}} core
  * @returns {Promise<Element>}
@@ -25,7 +30,7 @@ export function languageWords(store) {
 export async function reportOf(panel, core) {
   const { store } = panel;
   const asked = language === "en" ? [] : ["--quiet", "--report", SHEET, ...languageWords(store)];
-  const answer = await core.run(["solve", ...asked, store.argument], panel.files(), { latest: "report", timeoutMs: REPORT_MAX_MS, collect: [SHEET] });
+  const answer = await core.run(["solve", ...asked, ...reportedCase(store), store.argument], panel.files(), { latest: "report", timeoutMs: REPORT_MAX_MS, collect: [SHEET] });
   const sheet = answer.files[SHEET];
   return sheet === undefined ? textOf(answer.out + answer.err) : sheetOf(sheet);
 }

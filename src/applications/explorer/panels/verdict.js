@@ -9,6 +9,7 @@
 import { alpha, element } from "./element.js";
 import { degreesText, fosText } from "./certain.js";
 import { lengthUnit, pointText } from "./lengths.js";
+import { loadCasesTable } from "./load_cases_table.js";
 import { Panel } from "./panel.js";
 import { reportOf, textOf } from "./report_text.js";
 import { windowGauge } from "./window_gauge.js";
@@ -24,7 +25,7 @@ export class VerdictPanel extends Panel {
   }
 
   #told = 0;
-  #reported = -1; // of which scene the report is
+  #reported = ""; // of which scene and load case the report is
 
   constructor(place, context) {
     super(place, context);
@@ -38,6 +39,7 @@ export class VerdictPanel extends Panel {
       return;
     }
     this.body.replaceChildren(
+      ...loadCasesTable(solution, this.terms),
       ...solution.cases.map((each) => this.#direction(each)),
       ...solution.notes.map((note) =>
         element("p", { class: "note " + note.kind }, element("strong", {}, sentence(say(note.kind)) + ": "), note.text),
@@ -50,11 +52,18 @@ export class VerdictPanel extends Panel {
     }, STILL);
   }
 
+  /** No one is told of a scene that is no more there. */
+  forget() {
+    clearTimeout(this.#told);
+    this.live.textContent = "";
+  }
+
   /** Of many blocks, and of solids, all words and numbers are those of the report. */
   async #report(solution) {
-    if (this.#reported !== this.store.openings) this.body.replaceChildren(textOf("…"));
-    this.#reported = this.store.openings;
-    const show = (report) => this.store.solution === solution && this.body.replaceChildren(report);
+    const of = JSON.stringify([this.store.subject, this.store.caseWords]);
+    if (this.#reported !== of) this.body.replaceChildren(textOf("…"));
+    this.#reported = of;
+    const show = (report) => this.store.solution === solution && this.body.replaceChildren(...loadCasesTable(solution, this.terms), report);
     try {
       show(await reportOf(this, this.background));
     } catch (error) {

@@ -64,7 +64,10 @@ export class VerifyPanel extends Panel {
     this.body.append(form, this.verdict);
   }
 
+  /** A claim was verified for the scene as it was. */
   draw(solution) {
+    this.#asked++;
+    this.verdict.replaceChildren();
     const chosen = this.towards.value;
     const directions = solution.cases.map(({ towards }) => towards);
     this.towards.replaceChildren(...directions.map((towards) => element("option", { value: towards }, say(towards))));

@@ -131,6 +131,11 @@ export class SceneText {
     return isScalar(node) && typeof node.value === "string" ? node.value : null;
   }
 
+  /** The title of the scene, also where the text is no tree, or not yet. @returns {string|null} */
+  get title() {
+    return this.#root === null ? /^title: *["']?(.*?)["']?$/m.exec(this.text)?.[1] ?? null : this.scalar(["title"]);
+  }
+
   /** @param {Path} path @returns {string|null} why no number can be put there; null: one can */
   whyNoNumber(path) {
     for (let depth = path.length; depth > 0; depth--) {

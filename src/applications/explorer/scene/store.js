@@ -5,12 +5,14 @@
  * The scene: its text is the one truth, and everything on the page follows it. Each change of the text is solved by
  * the core; of changes that come faster than answers only the latest is.
  *
- * Events: "text" (the text, its name or its files are others), "solution" (an answer for the present text), "problem"
- * (it has none, and why), "busy" (the core began or ended to work on it), "history" (what can be undone changed).
+ * Events: "text" (the text, its name, its files or the load case that is shown are others), "solution" (an answer for the
+ * present text), "problem" (it has none, and why), "late" (it has had none for a while), "busy" (the core began or ended to
+ * work on it), "history" (what can be undone changed).
  */
 
 import { History } from "./history.js";
 import { kindOf } from "./kind.js";
+import { caseNames, listedCases, listWords } from "./load_cases.js";
 import { solutionOf } from "./solution.js";
 import { SceneText } from "./scene_text.js";
 import { readComplaint } from "./complaint.js";
@@ -28,10 +30,16 @@ export function askedFor(kind, scene) {
 /** How long a solve may hold up that of a newer text, milliseconds. */
 const PATIENCE_MS = 2_000;
 
+/** How long the last answer is shown as if it were that of the present text, milliseconds. */
+const LATE_MS = 250;
+
 /**
  * @typedef {Record<string, string|Uint8Array>} Files
- * @typedef {{name: string, text: string, files: Files}} State
+ * @typedef {{name: string, text: string, files: Files, opening?: number}} State opening: which of the scenes that were opened it is of
  */
+
+/** What the program said of a scene that it refuses. */
+class Refused extends Error {}
 
 const historyOf = (first) => new History(first, (state) => state.text.length);
 
@@ -40,6 +48,10 @@ export class SceneStore extends EventTarget {
   #parsed = null;
   #asked = 0;
   #saidBusy = false;
+  #lateTimer = 0;
+  #shown = ""; // which scene and load case results are shown of
+  /** The load case that the reader chose, and of which scene. @type {{opening: number, name: string}|null} */
+  #chosen = null;
   /** Solves that have not ended, and when they were asked for. @type {Map<AbortController, number>} */
   #pending = new Map();
 
@@ -49,8 +61,10 @@ export class SceneStore extends EventTarget {
     this.core = core;
     /** The answer for the present text, JSON of `topple solve`, with the kind of its scene; null while there is none. */
     this.solution = null;
-    /** The last answer there was, of whatever text: what the drawing keeps. */
+    /** The last answer there was for the scene that is open, of whatever text: what the drawing keeps; null: none yet. */
     this.lastSolution = null;
+    /** Whether the present text has had neither answer nor problem for a while. */
+    this.late = false;
     /** @type {import("./complaint.js").Complaint|null} */
     this.problem = null;
     /** How many scenes were opened: another number, another scene. */
@@ -68,6 +82,37 @@ export class SceneStore extends EventTarget {
   /** Its name on a command line, where one that begins with a dash would be an option. */
   get argument() {
     return this.name.startsWith("-") ? "./" + this.name : this.name;
+  }
+
+  /** Which of the scenes that were opened the present text is of, and its title: a verdict is never shown under those of another. */
+  get subject() {
+    return JSON.stringify([this.#opening, this.parsed.title]);
+  }
+
+  /** Whether the last answer is of the scene that has this title. */
+  get isOfSubject() {
+    return this.lastSolution !== null && this.lastSolution.subject === this.subject;
+  }
+
+  get #opening() {
+    return this.#history.present.opening ?? 0;
+  }
+
+  /** @returns {string|null} */
+  get #chosenCase() {
+    return this.#chosen?.opening === this.#opening ? this.#chosen.name : null;
+  }
+
+  /** Words of a command that choose the load case that is shown; none where the scene has no cases. @returns {string[]} */
+  get caseWords() {
+    const shown = this.lastSolution?.loadCases?.shown ?? null;
+    return shown === null ? [] : ["--case=" + shown];
+  }
+
+  /** Show another load case. @param {string} name */
+  chooseCase(name) {
+    this.#chosen = { opening: this.#opening, name };
+    this.#changed();
   }
 
   /** Files that the scene names, beside it. @returns {Files} */
@@ -115,8 +160,9 @@ export class SceneStore extends EventTarget {
 
   /** Another scene. @param {State} state */
   open({ name, text, files = {} }) {
-    if (this.openings++ === 0) this.#history = historyOf({ name, text, files });
-    else this.#history.push({ name, text, files });
+    const state = { name, text, files, opening: this.openings + 1 };
+    if (this.openings++ === 0) this.#history = historyOf(state);
+    else this.#history.push(state);
     this.#changed();
   }
 
@@ -146,9 +192,30 @@ export class SceneStore extends EventTarget {
 
   #changed() {
     this.solution = null;
+    const shown = this.#opening + " " + this.#chosenCase;
+    if (shown !== this.#shown) {
+      this.#shown = shown;
+      this.lastSolution = this.problem = null;
+    }
+    this.#await();
     this.#tell("text");
     this.#tell("history");
     this.#solve();
+  }
+
+  /** Who shows the last answer learns where that of the present text is late. */
+  #await() {
+    clearTimeout(this.#lateTimer);
+    this.late = false;
+    this.#lateTimer = setTimeout(() => {
+      this.late = true;
+      this.#tell("late");
+    }, LATE_MS);
+  }
+
+  #came() {
+    clearTimeout(this.#lateTimer);
+    this.late = false;
   }
 
   /** A solve of an older text that takes long is given up: the present one does not wait for it. */
@@ -160,14 +227,15 @@ export class SceneStore extends EventTarget {
     const kind = kindOf(this.parsed);
     this.#pending.set(control, now);
     this.#tellBusy();
+    const { subject } = this;
+    const run = (words, collect = []) => this.core.run(
+      words, { ...this.files, [this.name]: this.text }, { latest: "solve", timeoutMs: SOLVE_MAX_MS, collect, signal: control.signal });
     try {
+      const loadCases = await this.#listCases(kind, run);
+      if (asked !== this.#asked) return;
       const { words, collect } = askedFor(kind, this.parsed);
-      const answer = await this.core.run(
-        [...words, this.argument],
-        { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS, collect, signal: control.signal },
-      );
-      if (asked === this.#asked) this.#answered(answer, kind);
+      const answer = await run([...words, ...(loadCases?.shown ? ["--case=" + loadCases.shown] : []), this.argument], collect);
+      if (asked === this.#asked) this.#answered(answer, { kind, subject, loadCases });
     } catch (error) {
       // a request that a later one replaced says so by the usual name, and is no failure
       if (asked === this.#asked && error.name !== "AbortError") this.#failed(error);
@@ -177,20 +245,32 @@ export class SceneStore extends EventTarget {
     }
   }
 
-  #answered(answer, kind) {
-    if (answer.out !== "") {
-      this.solution = { ...solutionOf(kind, answer.out), model: answer.files[MODEL] };
-      this.lastSolution = this.solution;
-      this.problem = null;
-      this.#tell("solution");
-    } else {
-      this.problem = readComplaint(answer.err);
-      this.#tell("problem");
-    }
+  /**
+   * @param {string} kind @param {(words: string[]) => Promise<object>} run
+   * @returns {Promise<{cases: import("./load_cases.js").LoadCase[], shown: string|null}|null>} null: the scene has none
+   */
+  async #listCases(kind, run) {
+    const names = caseNames(this.parsed);
+    if (names.length === 0) return null;
+    const chosen = this.#chosenCase;
+    const answer = await run([...listWords(kind), this.argument]);
+    if (answer.out === "") throw new Refused(answer.err);
+    const listed = listedCases(kind, answer.out, names);
+    return { ...listed, shown: names.includes(chosen) ? chosen : listed.shown };
+  }
+
+  #answered(answer, { kind, subject, loadCases }) {
+    if (answer.out === "") throw new Refused(answer.err);
+    this.solution = { ...solutionOf(kind, answer.out), model: answer.files[MODEL], subject, loadCases };
+    this.lastSolution = this.solution;
+    this.problem = null;
+    this.#came();
+    this.#tell("solution");
   }
 
   #failed(error) {
-    this.problem = { file: null, line: null, column: null, message: error.message };
+    this.problem = error instanceof Refused ? readComplaint(error.message) : { file: null, line: null, column: null, message: error.message };
+    this.#came();
     this.#tell("problem");
   }
 

@@ -39,6 +39,7 @@ export class SolidView {
     place.append(this.ground, this.canvas, this.lines);
     this.picture = null; // made for the first solid: most pages need none
     store.addEventListener("solution", () => this.#solved());
+    store.addEventListener("text", () => store.lastSolution === null && this.#show(false));
     new ResizeObserver(() => this.#draw()).observe(place);
     new MutationObserver(() => this.#draw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
@@ -47,12 +48,16 @@ export class SolidView {
     const { solution } = this.store;
     if (solution.kind === "solid") this.picture ??= pictureOn(this.canvas);
     const shown = solution.kind === "solid" && this.picture.works && this.#mesh(solution);
-    document.body.classList.toggle("solid", shown);
-    this.place.hidden = !shown;
+    this.#show(shown);
     if (!shown) return;
     this.solution = solution;
     this.canvas.setAttribute("aria-label", say("The solid, of %s triangles: arrow keys turn it, + and - zoom, 0 as at first", solution.triangles));
     this.#draw();
+  }
+
+  #show(shown) {
+    document.body.classList.toggle("solid", shown);
+    this.place.hidden = !shown;
   }
 
   /** @returns {boolean} whether there is one */

@@ -41,7 +41,8 @@ export class Tour {
     beginPlace.append(this.begin, this.end);
     place.append(this.shown);
     store.addEventListener("solution", () => this.#find());
-    store.addEventListener("problem", () => (this.found.hidden = true));
+    for (const event of ["problem", "late"]) store.addEventListener(event, () => (this.found.hidden = true));
+    store.addEventListener("text", () => store.lastSolution === null && (this.found.hidden = true));
   }
 
   /** @param {number} at */
