@@ -8,8 +8,9 @@
     scene = topple.Scene("mm", outline=points, friction_angle_deg=30)
     print(scene.solve().report())
 
-Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names
-of fields say. Failures raise a `ToppleError`. docs/python.md has more."""
+Every solved number is a `Bounded`, a value and a proven error; numbers of simulations and what samples
+estimate have no proven error and are floats. SI units and degrees, as the names of fields say. Failures
+raise a `ToppleError`. docs/python.md has more."""
 
 import sys as _sys
 

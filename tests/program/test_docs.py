@@ -55,6 +55,28 @@ class Docs(unittest.TestCase):
             waiting.extend(target for target, _ in targets(page))
         self.assertEqual({page.name for page in PAGES if page.resolve() not in reached and page not in reached}, set())
 
+    def test_certain_is_not_claimed_of_all(self):
+        """Texts that introduce the program claim a proven bound of solved numbers alone: simulations, samples and the method of Goodman and
+        Bray have none. README once said "Every number carries a proven error bound". What certain means is said once, where these lead."""
+        claim = re.compile(r"\b(?:every|each|all)\s+(?:(?!solved)\w+\s+)?numbers?\b(?!\s+that\s+is\s+solved)[^.]{0,80}\b(?:proven|certain)\b", re.IGNORECASE)
+        introductions = ["README.md", "pyproject.toml", "docs/packaging/debian/control", "python/topple/__init__.py", "src/applications/cli/solve_words.c"]
+        self.assertTrue(claim.search("Every number carries a proven error bound"))
+        self.assertTrue(claim.search("profile, each number with a proven error bound"))
+        for name in introductions:
+            text = re.sub(r'"\s*\n\s*"', "", text_of(ROOT / name))  # a text in C goes on in the next line
+            if name.endswith(".c"):
+                text = text[text.index("tp_solve_parser"):]  # options of it are of solved numbers
+            self.assertEqual([found.group() for found in claim.finditer(text)], [], name)
+        for name in ("README.md", "docs/glossary.md", "docs/solve.md"):
+            self.assertIn("mechanics.md#certain", text_of(ROOT / name))
+        self.assertEqual(len(re.findall(r"^#+ Certain$", "\n".join(map(text_of, PAGES)), re.MULTILINE)), 1)
+
+    def test_blocks_are_not_said_to_strain(self):
+        """They are rigid: no page, sheet or phrase puts them in plane strain."""
+        for path in [*PAGES, ROOT / "src/core/terms/phrases.csv", ROOT / "src/presentation/report/sheet_system.c"]:
+            for sentence in re.findall(r"[^.]*plane\s+strain[^.]*", text_of(path)):
+                self.assertIn("neither", sentence, path.name)
+
     def test_files_that_pages_name_exist(self):
         """By their way from the root, or by its end where that is enough; names in capitals stand for others."""
         files = [path.relative_to(ROOT) for folder in ("include", "src", "python", "tests", "docs", "examples")

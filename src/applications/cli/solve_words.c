@@ -246,9 +246,10 @@ const struct argp tp_solve_parser = {
     .args_doc = "SCENE…",
     .doc = "Does the block of a scene stand, slide or topple, and at which tilt?\v"
            "SCENE is a YAML file; README.md shows one, docs/scene.md lists every key. Every "
-           "number is certain to all digits printed; --json gives each with its proven error "
-           "bound. Exit status: 0 done, 1 below the design FoS, 2 wrong usage, 3 bad input, 4 "
-           "undecided, 5 system failed."};
+           "solved number is certain to all digits printed, for the model as given; --json gives "
+           "each with its proven error bound. The method of Goodman and Bray has no such bound. "
+           "Exit status: 0 done, 1 below the design FoS, 2 wrong usage, 3 bad input, 4 undecided, "
+           "5 system failed."};
 
 tp_solve_words tp_solve_words_default(void) {
   const tp_solve_options solve = tp_solve_options_default();

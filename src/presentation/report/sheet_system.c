@@ -48,9 +48,9 @@ static void add_assumptions(tp_system_sheet *s) {
   }
   tp_document_heading(d, 2, "Assumptions");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "Rigid blocks in plane strain, per metre of thickness, which touch exactly where "
-                  "their edges coincide; joints resist by friction, cohesion and tensile strength "
-                  "alone.");
+                  "Rigid blocks in a plane section, per metre of thickness, which touch exactly "
+                  "where their edges coincide; joints resist by friction, cohesion and tensile "
+                  "strength alone.");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,
                   "Strength reduction is limit analysis (Livesley 1978): below the factor some "
                   "forces within the strength of all joints hold every block, above it none do. "
