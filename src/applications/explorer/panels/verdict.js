@@ -44,7 +44,7 @@ export class VerdictPanel extends Panel {
       ...solution.notes.map((note) =>
         element("p", { class: "note " + note.kind }, element("strong", {}, sentence(say(note.kind)) + ": "), note.text),
       ),
-      element("p", { class: "told" }, parts("Certain to every digit printed; by %s: %s.", this.terms.word("level"), say(solution.level))),
+      element("p", { class: "told" }, parts("%s to every digit printed, for the model as given; by %s: %s.", this.terms.word("Certain", "certain"), this.terms.word("level"), say(solution.level))),
     );
     clearTimeout(this.#told);
     this.#told = setTimeout(() => {
