@@ -26,6 +26,7 @@ export function badge(element, drawing, store) {
     const required = kase === null ? "" : requiredWords(store.lastSolution, kase);
     element("required-said").textContent = required;
     element("required-said").hidden = required === "";
+    element("required-said").classList.toggle("lacking", required !== "" && isLacking(store.lastSolution, kase));
   };
   drawing.above = () => element("badge").offsetTop + element("badge").offsetHeight + CLEAR;
   for (const event of ["solution", "problem", "late"]) store.addEventListener(event, show);
@@ -34,10 +35,16 @@ export function badge(element, drawing, store) {
 }
 
 /** What the factor must reach, and whether it does: of the load case that is shown, else of the scene. */
-function requiredWords({ loadCases }, kase) {
+function requirementOf({ loadCases }, kase) {
   const listed = loadCases?.cases.find(({ name }) => name === loadCases.shown);
   const of = kase.governing_fos ?? kase;
-  const [required, met] = [listed?.required ?? of.required_fos, listed?.met ?? of.meets_required];
+  return { required: listed?.required ?? of.required_fos, met: listed?.met ?? of.meets_required };
+}
+
+const isLacking = (solution, kase) => requirementOf(solution, kase).met !== "met";
+
+function requiredWords(solution, kase) {
+  const { required, met } = requirementOf(solution, kase);
   if (!met) return "";
   return required?.value === undefined ? say("Required factor: %s", say(met)) : say("FoS %s required: %s", fosText(required), say(met));
 }

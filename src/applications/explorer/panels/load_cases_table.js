@@ -13,11 +13,16 @@ export function loadCasesTable({ loadCases }, terms) {
   if (!loadCases || loadCases.cases.length === 0) return [];
   const rows = loadCases.cases.map(({ name, mechanism, towards, fos, required, met }) => ({
     marked: name === loadCases.shown,
-    cells: [name, sentence(say(mechanism)), say(towards), fos === null ? "—" : fosText(fos), required === null ? "—" : fosText(required), met === null ? "—" : say(met)],
+    cells: [name, sentence(say(mechanism)), say(towards), fos === null ? "—" : fosText(fos), requirement(required, met)],
   }));
   return [
     element("h3", {}, say("Load cases")),
-    table(say("Load cases"), [say("case"), say("Verdict"), say("towards"), terms.word("FoS"), say("required FoS"), say("requirement")], rows),
+    table(say("Load cases"), [say("case"), say("Verdict"), say("towards"), terms.word("FoS"), say("required")], rows),
     element("p", { class: "told" }, say("All else on this page is of the load case “%s”.", loadCases.shown)),
   ];
+}
+
+/** What is required, where the list says how much, and whether it is met. */
+function requirement(required, met) {
+  return [required === null ? "" : fosText(required), met === null ? "" : say(met)].filter((part) => part !== "").join(", ") || "—";
 }
