@@ -63,6 +63,8 @@ const GROWN_MAX = 32;
 
 export class SceneText {
   #root;
+  /** The title as it is written, where there is no tree; "": none. @type {string|null} */
+  #written = null;
   /** Scalars that have grown since the tree's ranges were true, and by how many letters. @type {Map<object, number>} */
   #grown;
   /** Lists of points that were asked for, their numbers as doubles, by their path. @type {Map<string, {x: number, y: number}[]|null>} */
@@ -133,7 +135,10 @@ export class SceneText {
 
   /** The title of the scene, also where the text is no tree, or not yet. @returns {string|null} */
   get title() {
-    return this.#root === null ? /^title: *["']?(.*?)["']?$/m.exec(this.text)?.[1] ?? null : this.scalar(["title"]);
+    if (this.#root !== null) return this.scalar(["title"]);
+    // long texts have no tree: they are looked through once
+    this.#written ??= /^title: *["']?(.*?)["']?$/m.exec(this.text)?.[1] ?? "";
+    return this.#written === "" ? null : this.#written;
   }
 
   /** @param {Path} path @returns {string|null} why no number can be put there; null: one can */
