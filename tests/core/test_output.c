@@ -114,6 +114,74 @@ START_TEST(printed_digits_are_certain) {
 }
 END_TEST
 
+/* "1.05" was printed for a factor of 1.0495407, above "the required 1.05 is not met". */
+START_TEST(factors_are_rounded_down) {
+  static const struct {
+    tp_bounded number;
+    int decimals;
+    const char *down, *up;
+    int digits;
+    const char *significant_down, *significant_up;
+  } cases[] = {
+      {{.value = 1.0495407, .error = 1e-9}, 3, "1.049", "1.050", 3, "1.04", "1.05"},
+      {{.value = 1.05, .error = 1e-15}, 3, "1.050", "1.050", 3, "1.05", "1.05"},
+      {{.value = 1.5, .error = 0}, 0, "1", "2", 1, "1", "2"},
+      {{.value = 9.9996, .error = 0}, 3, "9.999", "10.000", 4, "9.999", "10"},
+      {{.value = 1.506, .error = 0.01}, 3, "1.49", "1.52", 4, "1.49", "1.52"},
+      {{.value = 12345.6, .error = 0}, 3, "12345.600", "12345.600", 4, "1.234e+04", "1.235e+04"},
+      {{.value = -0.2501, .error = 1e-9}, 2, "-0.26", "-0.25", 2, "-0.26", "-0.25"},
+      {{.value = 0.0004, .error = 1e-9}, 3, "0.000", "0.001", 1, "0.0003", "0.0005"},
+      {{.value = 5, .error = 3}, 2, "5 ± 4", "5 ± 4", 3, "5 ± 4", "5 ± 4"},
+      {{.value = 1, .error = INFINITY},
+       3,
+       "out of range",
+       "out of range",
+       3,
+       "out of range",
+       "out of range"}};
+  char out[TP_NUMBER_SIZE];
+  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    const tp_bounded n = cases[k].number;
+    ck_assert_str_eq(tp_text_fixed_down(out, n, cases[k].decimals), cases[k].down);
+    ck_assert_str_eq(tp_text_fixed_up(out, n, cases[k].decimals), cases[k].up);
+    ck_assert_str_eq(tp_text_significant_down(out, n, cases[k].digits), cases[k].significant_down);
+    ck_assert_str_eq(tp_text_significant_up(out, n, cases[k].digits), cases[k].significant_up);
+  }
+}
+END_TEST
+
+/* The printed number is not beyond the proven end, nor short of it by more than one of its last
+ * place; ends are compared as long doubles, whose rounding is below what is allowed as noise. */
+START_TEST(no_rounded_number_is_beyond_its_proven_end) {
+  random_numbers state = random_numbers_from(3);
+  for (int k = 0; k < 100000; k++) {
+    char out[TP_NUMBER_SIZE], *end = NULL;
+    const bool fixed = draw_below(&state, 2) == 0, down = draw_below(&state, 2) == 0;
+    const int digits = 1 + (int)draw_below(&state, 7);
+    /* whole multiples of the last place, so that numbers on the border are met */
+    const double near = (double)draw_below(&state, 3000) / pow(10, digits);
+    const double value = draw_below(&state, 2) == 0 ? near : 30 * draw_part(&state);
+    const double error = k % 10 == 0 ? 0 : pow(10, 14 * draw_part(&state) - 17);
+    const tp_bounded n = {.value = value, .error = error};
+    const char *printed =
+        fixed  ? down ? tp_text_fixed_down(out, n, digits) : tp_text_fixed_up(out, n, digits)
+         : down ? tp_text_significant_down(out, n, digits)
+               : tp_text_significant_up(out, n, digits);
+    const long double got = strtold(printed, &end);
+    if (*end != '\0') continue; /* with its bound */
+    const long double proven = (long double)value + (down ? -1 : 1) * (long double)error;
+    const double greatest = fmax(fabs(value), fabs((double)proven));
+    const double size = fixed ? 1 : greatest > 0 ? pow(10, floor(log10(greatest)) + 1) : 1;
+    const long double place = size * pow(10, -digits);
+    const long double short_of = down ? proven - got : got - proven;
+    ck_assert_msg(short_of >= -3e-9L * place, "%s of %.17g +- %.17g", printed, value, error);
+    ck_assert_msg(short_of <= 1.001L * fmaxl(10 * error, 10 * place), "%s of %.17g +- %.17g",
+                  printed, value, error);
+    if (fixed && error < 0.01 * place) ck_assert(short_of <= 1.001L * place);
+  }
+}
+END_TEST
+
 /* A quotient and a difference hold those of all numbers within the bounds. */
 START_TEST(bounds_of_what_is_reckoned_for_print) {
   random_numbers state = random_numbers_from(2);
@@ -140,6 +208,8 @@ SUITE(output) {
   tcase_add_test(tests, columns_count_characters);
   tcase_add_test(tests, digits_of_a_number);
   tcase_add_test(tests, printed_digits_are_certain);
+  tcase_add_test(tests, factors_are_rounded_down);
+  tcase_add_test(tests, no_rounded_number_is_beyond_its_proven_end);
   tcase_add_test(tests, bounds_of_what_is_reckoned_for_print);
   suite_add_tcase(suite, tests);
   return suite;

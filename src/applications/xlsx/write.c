@@ -6,6 +6,7 @@
 
 #include "common/message.h"
 #include "output/file.h"
+#include "output/text.h"
 #include "terms/names.h"
 #include "xlsx/xlsx.h"
 
@@ -16,7 +17,7 @@
 #include <unistd.h>
 #include <xlsxwriter.h>
 
-enum { COLUMNS = 12, EXCEL_TEXT = 32767 };
+enum { COLUMNS = 12, EXCEL_TEXT = 32767, FACTOR_DECIMALS = 6 };
 
 typedef struct sheet {
   lxw_worksheet *to;
@@ -75,7 +76,12 @@ static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
   const bool number = row->has_case && row->fos.state == TP_FOS_NUMBER;
   put_text(s, at, 0, row->name, NULL);
   put_text(s, at, 1, tp_batch_standing_name(row->standing), NULL);
-  put_number(s, at, 2, number, row->fos.value.value, s->factor);
+  char n[TP_NUMBER_SIZE];
+  /* rounded down to the digits that the cell shows, and a utilisation up */
+  const double factor = strtod(tp_text_fixed_down(n, row->fos.value, FACTOR_DECIMALS), NULL);
+  const double utilisation =
+      strtod(tp_text_fixed_up(n, row->design_utilisation, FACTOR_DECIMALS), NULL);
+  put_number(s, at, 2, number, factor, s->factor);
   if (row->has_case && row->fos.state == TP_FOS_NO_OVERTURNING)
     put_text(s, at, 2, "unbounded", NULL);
   if (row->has_case && row->fos.state == TP_FOS_UNDEFINED) put_text(s, at, 2, "none", NULL);
@@ -87,7 +93,7 @@ static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
   put_number(s, at, 7, row->has_case, row->dip_deg.value, s->angle);
   put_number(s, at, 8, true, (double)row->line, NULL);
   put_text(s, at, 9, row->load_case, NULL);
-  put_number(s, at, 10, row->has_design_utilisation, row->design_utilisation.value, s->factor);
+  put_number(s, at, 10, row->has_design_utilisation, utilisation, s->factor);
   put_text(s, at, 11, row->remark, NULL);
 }
 
@@ -106,7 +112,7 @@ static lxw_error write_book(const char *path, const tp_batch *batch) {
   note(&s, workbook_set_properties(book, &properties));
   format_set_bold(s.bold);
   format_set_num_format(s.angle, "0.000");
-  format_set_num_format(s.factor, "0.000");
+  format_set_num_format(s.factor, "0.000###");
   put_heads(&s);
   for (size_t k = 0; k < batch->row_count; k++) put_row(&s, (lxw_row_t)k + 1, batch->rows + k);
   note(&s, workbook_close(book));

@@ -123,6 +123,75 @@ const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int
   return certain(out, number, digits, 1, "%.*g");
 }
 
+/* The last digit of a number of this size with `digits` significant digits. */
+static double last_place(double number, int digits) {
+  const double size = fabs(number);
+  return size > 0 ? pow(10, floor(log10(size)) + 1 - digits) : 0;
+}
+
+/* `bound` rounded down to a multiple of `place`, or up. A format rounds to nearest, hence by at
+ * most half of the place: where the result is on the wrong side, one place further is on the right
+ * one, but not below the decade, where the format would print finer digits. */
+static void print_beyond(char out[TP_NUMBER_SIZE], const char *format, int digits, double bound,
+                         double place, bool down) {
+  snprintf(out, TP_NUMBER_SIZE, format, digits, bound);
+  const double printed = strtod(out, NULL);
+  if (down ? printed > bound : printed < bound) {
+    const double decade = pow(10, floor(log10(fabs(bound))));
+    double beyond = down ? bound - 0.6 * place : bound + 0.6 * place;
+    if (decade >= place && fabs(beyond) < decade) beyond = copysign(decade, bound);
+    snprintf(out, TP_NUMBER_SIZE, format, digits, beyond);
+  }
+  drop_minus_of_zero(out);
+}
+
+static const char *directed(char out[TP_NUMBER_SIZE], tp_bounded number, int digits, bool fixed,
+                            bool down) {
+  static const double noise = 1e-9;
+  const char *format = fixed ? "%.*f" : "%.*g";
+  if (!isfinite(number.error)) {
+    snprintf(out, TP_NUMBER_SIZE, "out of range");
+    return out;
+  }
+  const double below =
+      number.error > 0 ? nextafter(number.value - number.error, -INFINITY) : number.value;
+  const double above =
+      number.error > 0 ? nextafter(number.value + number.error, INFINITY) : number.value;
+  const int least = fixed ? 0 : 1;
+  const double proven = down ? below : above;
+  double place = fixed ? pow(10, -digits) : last_place(proven, digits);
+  while (digits > least && place < number.error) {
+    digits--;
+    place *= 10;
+  }
+  if (place < number.error) return with_bound(out, number);
+  const bool exact = number.error <= noise * place;
+  print_beyond(out, format, digits, !exact ? proven : down ? above : below, place, down);
+  return out;
+}
+
+static const char *directed_fixed(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals,
+                                  bool down) {
+  const bool fits = fabs(number.value) < 1e15;
+  return directed(out, number, fits ? decimals : 15, fits, down);
+}
+
+const char *tp_text_fixed_down(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals) {
+  return directed_fixed(out, number, decimals, true);
+}
+
+const char *tp_text_fixed_up(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals) {
+  return directed_fixed(out, number, decimals, false);
+}
+
+const char *tp_text_significant_down(char out[TP_NUMBER_SIZE], tp_bounded number, int digits) {
+  return directed(out, number, digits, false, true);
+}
+
+const char *tp_text_significant_up(char out[TP_NUMBER_SIZE], tp_bounded number, int digits) {
+  return directed(out, number, digits, false, false);
+}
+
 tp_bounded tp_text_over(tp_bounded number, double divisor) {
   /* The divisor and the quotient are rounded once each. */
   const double value = number.value / divisor;

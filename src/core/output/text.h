@@ -37,6 +37,16 @@ enum { TP_NUMBER_SIZE = 48 };
 const char *tp_text_fixed(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals);
 const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int digits);
 
+/* A factor of safety is rounded down wherever it is printed, and a utilisation or another upper
+ * bound up, so that no printed number is safer than the proven one: from the lower end of value +-
+ * error down, or from the upper end up, with at most `decimals` decimals or `digits` significant
+ * digits and not more than the error leaves. An error that is only rounding, a billionth of the
+ * last digit, does not lower a number that it reaches: 1.5 +- 1e-16 is printed as 1.500. */
+const char *tp_text_fixed_down(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals);
+const char *tp_text_fixed_up(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals);
+const char *tp_text_significant_down(char out[TP_NUMBER_SIZE], tp_bounded number, int digits);
+const char *tp_text_significant_up(char out[TP_NUMBER_SIZE], tp_bounded number, int digits);
+
 /* The number over a positive divisor that is a double rounded to nearest (a unit). */
 tp_bounded tp_text_over(tp_bounded number, double divisor);
 

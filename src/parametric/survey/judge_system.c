@@ -48,8 +48,9 @@ static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
     tp_text_add(&text, "forces can hold the blocks, but a motion can begin all the same");
   }
   if (c->goodman_bray.applies && c->goodman_bray.has_fos) {
-    tp_text_add(&text, "%sby Goodman and Bray the factor is %.5g", text.length > 0 ? "; " : "",
-                c->goodman_bray.fos);
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(&text, "%sby Goodman and Bray the factor is %s", text.length > 0 ? "; " : "",
+                tp_text_significant_down(n, (tp_bounded){c->goodman_bray.fos, 0, NULL}, 5));
   }
   for (size_t k = 0; k < s->notes.count; k++) {
     if (s->notes.items[k].kind != TP_CAUTION) continue;

@@ -185,7 +185,7 @@ static void tell_band(char cells[COLUMNS][48], const tp_solid *solid, const tp_s
   if (!band->has_stance) return;
   snprintf(cells[3], sizeof cells[3], "%s", tp_mechanism_name(band->stance.verdict));
   if (band->stance.has_fos) {
-    snprintf(cells[4], sizeof cells[4], "%s", tp_text_significant(n, band->stance.fos, 4));
+    snprintf(cells[4], sizeof cells[4], "%s", tp_text_significant_down(n, band->stance.fos, 4));
   }
 }
 

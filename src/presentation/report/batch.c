@@ -54,8 +54,10 @@ tp_batch_cell tp_batch_fos(const tp_batch_row *row) {
     strcpy(cell.text, words);
     return cell;
   }
-  return cell_of(row->has_case && row->fos.state == TP_FOS_NUMBER, row->fos.value, decimals_of(row),
-                 "");
+  if (row->has_case && row->fos.state == TP_FOS_NUMBER) {
+    tp_text_fixed_down(cell.text, row->fos.value, decimals_of(row));
+  }
+  return cell;
 }
 
 tp_batch_cell tp_batch_required(const tp_batch_row *row) {
@@ -63,7 +65,9 @@ tp_batch_cell tp_batch_required(const tp_batch_row *row) {
 }
 
 tp_batch_cell tp_batch_utilisation(const tp_batch_row *row) {
-  return cell_of(row->has_design_utilisation, row->design_utilisation, 3, "");
+  tp_batch_cell cell = {.text = ""};
+  if (row->has_design_utilisation) tp_text_fixed_up(cell.text, row->design_utilisation, 3);
+  return cell;
 }
 
 bool tp_batch_has_cases(const tp_batch *batch) {

@@ -22,7 +22,7 @@ void tp_text_goodman_bray_factor(tp_text *t, const tp_goodman_bray *own) {
     tp_text_add(t, "none: no greater friction is enough");
   } else {
     tp_text_add(t, "%s%s", own->fos_is_least ? "above " : "",
-                tp_text_fixed(n, *rounded(&number, own->fos), own->fos_is_least ? 0 : 5));
+                tp_text_fixed_down(n, *rounded(&number, own->fos), own->fos_is_least ? 0 : 5));
   }
 }
 

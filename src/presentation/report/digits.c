@@ -15,8 +15,12 @@ static void add(tp_page *p, const char *name, const char *unit, tp_bounded numbe
   tp_text_add(&p->text, "  %-24s %s%s\n", name, digits, unit);
 }
 
+/* Rounded down, but where the digits are those of a longer number, all of them certain. */
 static void add_fos(tp_page *p, const char *name, tp_fos fos) {
-  if (fos.state == TP_FOS_NUMBER && tp_text_fos(fos) == NULL) add(p, name, "", fos.value);
+  char n[TP_NUMBER_SIZE];
+  if (fos.state != TP_FOS_NUMBER || tp_text_fos(fos) != NULL) return;
+  tp_text_significant_down(n, fos.value, p->solution->digits);
+  tp_text_add(&p->text, "  %-24s %s\n", name, fos.value.digits != NULL ? fos.value.digits : n);
 }
 
 static void add_limit(tp_page *p, const tp_limit *limit) {

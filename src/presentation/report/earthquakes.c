@@ -21,7 +21,7 @@ void tp_text_earthquake(tp_text *t, const tp_solution *s, const tp_earthquake *o
 static void add_factor(tp_text *t, tp_fos fos) {
   char n[TP_NUMBER_SIZE];
   if (fos.state == TP_FOS_NUMBER) {
-    tp_text_add(t, ", FoS %s", tp_text_fixed(n, fos.value, 3));
+    tp_text_add(t, ", FoS %s", tp_text_fixed_down(n, fos.value, 3));
   } else if (tp_text_fos(fos) != NULL) {
     tp_text_add(t, ", FoS: %s", tp_text_fos(fos));
   }

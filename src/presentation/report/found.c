@@ -53,12 +53,17 @@ static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target 
 }
 
 /* What the factor of limit analysis alone does not say. */
+static const char *found_down(char out[TP_NUMBER_SIZE], double factor) {
+  return tp_text_significant_down(out, (tp_bounded){factor, 0, NULL}, 5);
+}
+
 static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
+  char n[TP_NUMBER_SIZE];
   switch (b->verdict) {
   case TP_SYSTEM_STANDS:
     tp_text_add(t, "    the blocks stand there: no motion can begin");
     if (b->has_standing_fos) {
-      tp_text_add(t, ", nor with strength divided by %.5g", b->standing_fos);
+      tp_text_add(t, ", nor with strength divided by %s", found_down(n, b->standing_fos));
     }
     tp_text_add(t, "\n");
     break;
@@ -79,12 +84,13 @@ static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target targ
   if (b->has_moving_fos) {
     tp_text_add(
         t,
-        "    Caution: a motion can begin there with strength divided by %.5g, proven, though\n    "
+        "    Caution: a motion can begin there with strength divided by %s, proven, though\n    "
         "forces can hold the blocks\n",
-        b->moving_fos);
+        tp_text_significant_up(n, (tp_bounded){b->moving_fos, 0, NULL}, 5));
   }
   if (b->has_fos_goodman_bray && target != TP_FIND_FOS_GOODMAN_BRAY) {
-    tp_text_add(t, "    by Goodman and Bray the factor there is %.5g\n", b->fos_goodman_bray);
+    tp_text_add(t, "    by Goodman and Bray the factor there is %s\n",
+                found_down(n, b->fos_goodman_bray));
   }
 }
 
@@ -123,7 +129,7 @@ static void add_design(tp_text *t, const tp_found *f, const tp_find_options *opt
   const tp_found_stretch *first = f->at_least;
   if (f->has_design) {
     tp_text_add(t, "  design value: %.15g %s, the least rounded up, which gives %s %s", f->design,
-                unit, target, tp_text_fixed(n, f->design_result, 4));
+                unit, target, tp_text_fixed_down(n, f->design_result, 4));
     if (first->ends)
       tp_text_add(t, "; above %s %s is too much", number_text(n, first->high, 6), unit);
     tp_text_add(t, "\n");

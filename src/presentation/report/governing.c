@@ -38,7 +38,7 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   switch (g->fos.state) {
   case TP_FOS_NUMBER:
     tp_text_add(t, "FoS %s%s", g->sliding_judged && !g->complete ? "at most " : "",
-                tp_text_fixed(n, g->fos.value, 3));
+                tp_text_fixed_down(n, g->fos.value, 3));
     add_way(t, g);
     return;
   case TP_FOS_NO_OVERTURNING:
@@ -79,7 +79,7 @@ static void add_required(tp_text *t, const tp_governing_fos *g, const char *spac
   tp_text_add(t, "; the required %s %s", tp_text_significant(n, g->required_fos, 6),
               words[g->meets_required]);
   if (g->has_design_utilisation) {
-    tp_text_add(t, ",%srequired/FoS %s", space, tp_text_fixed(n, g->design_utilisation, 3));
+    tp_text_add(t, ",%srequired/FoS %s", space, tp_text_fixed_up(n, g->design_utilisation, 3));
   }
 }
 

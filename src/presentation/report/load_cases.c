@@ -20,7 +20,7 @@ static void add_factor(tp_text *t, const tp_load_case *own) {
   char n[TP_NUMBER_SIZE];
   const bool number = own->fos.state == TP_FOS_NUMBER;
   tp_text_add(t, "  %-9s",
-              number                                    ? tp_text_fixed(n, own->fos.value, 3)
+              number                                    ? tp_text_fixed_down(n, own->fos.value, 3)
               : own->fos.state == TP_FOS_NO_OVERTURNING ? "unbounded"
               : own->fos.state == TP_FOS_UNDECIDED      ? "undecided"
                                                         : "none");
@@ -32,8 +32,8 @@ static void add_required(tp_text *t, const tp_load_case *own) {
   tp_text_add(t, "  %-8s",
               own->has_required_fos ? tp_text_significant(n, own->required_fos, 5) : "-");
   tp_text_add(t, "  %-11s",
-              own->has_design_utilisation ? tp_text_fixed(n, own->design_utilisation, 3)
-              : own->has_utilisation      ? tp_text_fixed(n, own->utilisation, 3)
+              own->has_design_utilisation ? tp_text_fixed_up(n, own->design_utilisation, 3)
+              : own->has_utilisation      ? tp_text_fixed_up(n, own->utilisation, 3)
                                           : "-");
   tp_text_add(t, "  %-9s", own->has_required_fos ? words[own->meets_required] : "-");
 }

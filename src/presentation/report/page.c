@@ -66,7 +66,7 @@ const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle) {
 const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
   switch (fos.state) {
   case TP_FOS_NUMBER:
-    return tp_text_fos(fos) != NULL ? "none" : tp_text_fixed(out, fos.value, 3);
+    return tp_text_fos(fos) != NULL ? "none" : tp_text_fixed_down(out, fos.value, 3);
   case TP_FOS_NO_OVERTURNING:
     return "unbounded";
   case TP_FOS_UNDEFINED:

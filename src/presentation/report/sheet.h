@@ -144,6 +144,8 @@ void tp_sheet_add_proof(tp_sheet *sheet);
 void tp_sheet_add_heads(tp_document *document, const char *const *heads, size_t count);
 void tp_sheet_add_number(tp_document *document, tp_bounded number, int digits);
 void tp_sheet_add_number_if(tp_document *document, bool has, tp_bounded number, int digits);
+/* A factor of safety, rounded down. */
+void tp_sheet_add_factor_if(tp_document *document, bool has, tp_bounded factor, int digits);
 void tp_sheet_add_rest(tp_document *document, size_t rows, size_t most);
 
 /* ---- words -------------------------------------------------------------------------------------
@@ -176,7 +178,7 @@ tp_sheet_number tp_sheet_force_number(const tp_sheet *sheet, tp_bounded newtons)
 tp_sheet_number tp_sheet_moment(const tp_sheet *sheet, tp_bounded moment);
 tp_sheet_number tp_sheet_coordinate(const tp_sheet *sheet, tp_bounded metres);
 tp_sheet_number tp_sheet_angle(tp_bounded degrees);
-tp_sheet_number tp_sheet_factor(tp_bounded factor);
+tp_sheet_number tp_sheet_factor(tp_bounded factor); /* of safety: rounded down */
 tp_sheet_number tp_sheet_share(tp_bounded share);
 
 /* Coordinates are those of the drawing. An angle in them and δ make one of those that tilts are

@@ -131,8 +131,9 @@ static void add_then(tp_document *d, const tp_study_design *own) {
   if (isinf(own->quantity_value)) {
     tp_document_word(d, own->quantity_value > 0 ? "always" : "never");
   } else {
-    tp_document_cell(d, tp_study_quantity_is_angle(own->quantity) ? "%.2f°" : "%.3f",
-                     own->quantity_value);
+    char n[TP_NUMBER_SIZE];
+    tp_document_cell(d, tp_study_quantity_is_angle(own->quantity) ? "%s°" : "%s",
+                     tp_study_number(n, own->quantity_value, own->quantity));
   }
 }
 

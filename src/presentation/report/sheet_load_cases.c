@@ -44,8 +44,8 @@ static void add_row(tp_sheet *s, const tp_load_case *own, bool required) {
                      own->has_required_fos ? tp_text_significant(n, own->required_fos, 5) : "–");
   }
   tp_document_cell(d, "%s",
-                   own->has_design_utilisation ? tp_text_fixed(n, own->design_utilisation, 3)
-                   : own->has_utilisation      ? tp_text_fixed(n, own->utilisation, 3)
+                   own->has_design_utilisation ? tp_text_fixed_up(n, own->design_utilisation, 3)
+                   : own->has_utilisation      ? tp_text_fixed_up(n, own->utilisation, 3)
                                                : "–");
   if (required) {
     tp_document_word(d, own->has_required_fos ? tp_sheet_met_words(own->meets_required) : "–");

@@ -35,7 +35,7 @@ static void add_band_row(tp_solid_sheet *s, size_t k) {
   tp_document_cell(d, "%s", tp_shortest(n, b->band));
   tp_sheet_add_number_if(d, b->stands, b->least.tilt_deg, 6);
   tp_sheet_add_number_if(d, b->stands, b->least.azimuth_deg, 6);
-  tp_sheet_add_number_if(d, has_fos, own->fos, 6);
+  tp_sheet_add_factor_if(d, has_fos, own->fos, 6);
   tp_document_word(d, has_fos ? tp_text_motion(own->fos_mechanism) : "–");
   add_required(s, governs);
   tp_document_word(d, b->has_stance ? tp_mechanism_name(own->verdict) : "does not stand");
@@ -66,7 +66,7 @@ static void add_of_contacts(tp_solid_sheet *s, unsigned required) {
   tp_document_word(d, "Rock");
   tp_sheet_add_number_if(d, own->has_critical, own->critical_deg, 6);
   tp_sheet_add_number_if(d, own->has_critical, own->critical_azimuth_deg, 6);
-  tp_sheet_add_number_if(d, own->has_fos, own->fos, 6);
+  tp_sheet_add_factor_if(d, own->has_fos, own->fos, 6);
   tp_document_word(d, own->has_fos ? tp_text_motion(own->fos_mechanism) : "–");
   add_required(s, true);
   tp_document_word(d, tp_mechanism_name(own->verdict));
@@ -82,7 +82,7 @@ static void add_of_wedge(tp_solid_sheet *s, unsigned required) {
   tp_document_word(d, "Wedge");
   tp_sheet_add_number(d, own->plunge_deg, 6);
   tp_sheet_add_number(d, own->trend_deg, 6);
-  tp_sheet_add_number_if(d, own->has_fos, own->fos, 6);
+  tp_sheet_add_factor_if(d, own->has_fos, own->fos, 6);
   tp_document_word(d, tp_text_solid_wedge_way(own));
   add_required(s, true);
   tp_document_word(d, tp_mechanism_name(own->verdict));

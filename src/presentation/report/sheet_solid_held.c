@@ -93,7 +93,7 @@ static void add_ground_bands(tp_solid_sheet *s) {
     tp_document_cell(d, "%.3g", b->widest_m);
     tp_document_cell(d, "%.4g", b->normals_deg);
     tp_sheet_add_number_if(d, b->has_critical, b->critical_deg, 6);
-    tp_sheet_add_number_if(d, b->has_fos, b->fos, 6);
+    tp_sheet_add_factor_if(d, b->has_fos, b->fos, 6);
     tp_document_word(d, tp_mechanism_name(b->verdict));
     tp_sheet_add_number_if(d, b->has_smooth_critical, b->smooth_critical_deg, 6);
     tp_sheet_add_number_if(d, b->has_smooth_fos, b->smooth_fos, 6);

@@ -113,9 +113,9 @@ static void add_factor_formula(tp_solid_sheet *s, const tp_solid_stance *own) {
       "Factor of safety: the resultant of weight and earthquake presses with N and pulls "
       "with T along the base; of all edges that T goes towards, at the distance a and "
       "with the unit vector n outwards, the least counts.");
-  tp_text_significant(n[0], own->fos_toppling, 6);
-  tp_text_significant(n[1], own->fos_sliding, 6);
-  tp_text_significant(n[2], own->fos, 6);
+  tp_text_significant_down(n[0], own->fos_toppling, 6);
+  tp_text_significant_down(n[1], own->fos_sliding, 6);
+  tp_text_significant_down(n[2], own->fos, 6);
   if (own->has_fos_toppling && own->has_fos_sliding) {
     tp_document_add(d, TP_PASSAGE_EQUATION,
                     "\\text{FoS} = \\min (\\frac{a N}{H T · n}, \\frac{N \\tan φ}{|T|}) = "

@@ -46,7 +46,7 @@ static void add_least(tp_document *d, const tp_solid_wedge *w) {
   tp_sheet_add_heads(d, heads, sizeof heads / sizeof heads[0]);
   if (w->has_worst) {
     tp_document_word(d, "Factor with its earthquake");
-    tp_sheet_add_number(d, w->worst_fos, 6);
+    tp_sheet_add_factor_if(d, true, w->worst_fos, 6);
     tp_document_cell(d, "%.6g", w->worst_azimuth_deg);
     tp_document_word(d, tp_text_solid_wedge_on(w->worst_slides_on));
   }
@@ -101,7 +101,7 @@ static void add_azimuths(tp_document *d, const tp_solid_wedge *w) {
     const tp_wedge_azimuth *own = w->azimuths + k;
     char n[TP_SHORTEST_SIZE];
     tp_document_cell(d, "%s", tp_shortest(n, own->azimuth_deg));
-    tp_sheet_add_number_if(d, own->has_fos, own->fos, 6);
+    tp_sheet_add_factor_if(d, own->has_fos, own->fos, 6);
     tp_document_word(d, own->has_fos ? tp_text_solid_wedge_on(own->slides_on) : "–");
     tp_sheet_add_number_if(d, own->has_acceleration, own->acceleration_g, 6);
     tp_document_word(d, own->has_acceleration ? tp_text_solid_wedge_on(own->acceleration_slides_on)
@@ -143,7 +143,7 @@ static void add_wedge_formula(tp_document *d, const tp_solid_wedge *w) {
                     "\\text{FoS} = \\frac{%s}{S} \\\\ \\text{FoS} = \\frac{%s}{%s} = %s",
                     letters.data, numbers.data,
                     tp_text_significant(n[0], kilo(size_of(w->driving_n)), 8),
-                    tp_text_significant(n[1], w->fos, 6));
+                    tp_text_significant_down(n[1], w->fos, 6));
   }
   d->failed = d->failed || letters.failed || numbers.failed;
   tp_text_drop(&letters);

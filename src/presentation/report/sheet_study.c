@@ -114,7 +114,7 @@ static void add_tilts(tp_document *d, const tp_study_result *r) {
 
 static void add_number(tp_document *d, double value, tp_study_quantity quantity) {
   static const double kilo = 1e3;
-  const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
+  char n[TP_NUMBER_SIZE];
   if (quantity == TP_STUDY_SUPPORT_N_M && isfinite(value)) {
     tp_document_cell(d, "%.4g", value / kilo);
   } else if (quantity == TP_STUDY_SUPPORT_N_M) {
@@ -122,7 +122,7 @@ static void add_number(tp_document *d, double value, tp_study_quantity quantity)
   } else if (isinf(value)) {
     tp_document_word(d, value > 0 ? "always" : "never");
   } else {
-    tp_document_cell(d, "%.*f", decimals, value);
+    tp_document_cell(d, "%s", tp_study_number(n, value, quantity));
   }
 }
 

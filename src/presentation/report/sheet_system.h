@@ -36,6 +36,9 @@ void tp_system_sheet_add_motions(tp_system_sheet *sheet, const tp_system_case *o
 void tp_system_sheet_add_forces(tp_system_sheet *sheet, const tp_system_case *own);
 void tp_system_sheet_add_columns(tp_system_sheet *sheet, const tp_system_case *own);
 
+/* A cell with the factor by Goodman and Bray, if there is one. */
+void tp_system_sheet_add_goodman_bray(tp_document *document, const tp_goodman_bray *own);
+
 /* In the appendix. */
 void tp_system_sheet_add_blocks(tp_system_sheet *sheet);
 void tp_system_sheet_add_contacts(tp_system_sheet *sheet);

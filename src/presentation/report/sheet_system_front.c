@@ -118,9 +118,9 @@ void tp_system_sheet_add_inputs(tp_system_sheet *s) {
 static void add_factor(tp_document *d, const tp_fos *fos, bool is_least) {
   char n[TP_NUMBER_SIZE];
   if (fos->state == TP_FOS_NUMBER && is_least) {
-    tp_document_cell(d, "above %s", tp_text_significant(n, fos->value, 4));
+    tp_document_cell(d, "above %s", tp_text_significant_down(n, fos->value, 4));
   } else if (fos->state == TP_FOS_NUMBER) {
-    tp_document_cell(d, "%s", tp_text_fixed(n, fos->value, 5));
+    tp_document_cell(d, "%s", tp_text_fixed_down(n, fos->value, 5));
   } else {
     tp_document_word(d, fos->state == TP_FOS_NO_OVERTURNING ? "–"
                         : fos->state == TP_FOS_UNDEFINED    ? "none"
@@ -134,7 +134,7 @@ static void add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
   } else if (!own->has_fos) {
     tp_document_word(d, "none");
   } else {
-    tp_document_cell(d, own->fos_is_least ? "above %.4g" : "%.5f", own->fos);
+    tp_system_sheet_add_goodman_bray(d, own);
   }
 }
 

@@ -93,13 +93,23 @@ void tp_system_sheet_add_forces(tp_system_sheet *s, const tp_system_case *c) {
 /* ---- columns -----------------------------------------------------------------------------------
  */
 
+void tp_system_sheet_add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
+  const tp_bounded factor = {own->fos, 0, NULL};
+  char n[TP_NUMBER_SIZE];
+  if (own->fos_is_least) {
+    tp_document_cell(d, "above %s", tp_text_significant_down(n, factor, 4));
+  } else {
+    tp_document_cell(d, "%s", tp_text_fixed_down(n, factor, 5));
+  }
+}
+
 static void add_column_facts(tp_document *d, const tp_system_case *c) {
   const tp_goodman_bray *own = &c->goodman_bray;
   double ratio = 0;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Limit equilibrium by Goodman and Bray (1976)");
   tp_document_word(d, "Factor of safety");
   if (own->has_fos) {
-    tp_document_cell(d, own->fos_is_least ? "above %.4g" : "%.5f", own->fos);
+    tp_system_sheet_add_goodman_bray(d, own);
   } else {
     tp_document_word(d, "none: no greater friction is enough");
   }

@@ -132,7 +132,7 @@ tp_sheet_number tp_sheet_angle(tp_bounded degrees) {
 
 tp_sheet_number tp_sheet_factor(tp_bounded factor) {
   char n[TP_NUMBER_SIZE];
-  return number_of(tp_text_fixed(n, factor, 3));
+  return number_of(tp_text_fixed_down(n, factor, 3));
 }
 
 tp_sheet_number tp_sheet_share(tp_bounded share) {
@@ -152,6 +152,15 @@ void tp_sheet_add_number(tp_document *d, tp_bounded number, int digits) {
 void tp_sheet_add_number_if(tp_document *d, bool has, tp_bounded number, int digits) {
   if (has) {
     tp_sheet_add_number(d, number, digits);
+  } else {
+    tp_document_word(d, "–");
+  }
+}
+
+void tp_sheet_add_factor_if(tp_document *d, bool has, tp_bounded factor, int digits) {
+  char n[TP_NUMBER_SIZE];
+  if (has) {
+    tp_document_cell(d, "%s", tp_text_significant_down(n, factor, digits));
   } else {
     tp_document_word(d, "–");
   }

@@ -36,7 +36,7 @@ static void add_stance(tp_text *t, const tp_solid *solid, const tp_solid_stance 
   add_place(t, solid);
   tp_text_add(t, " it %s", tp_mechanism_name(own->verdict));
   if (own->has_fos) {
-    tp_text_add(t, ": factor of safety %s against %s", tp_text_significant(n, own->fos, 4),
+    tp_text_add(t, ": factor of safety %s against %s", tp_text_significant_down(n, own->fos, 4),
                 against(own->fos_mechanism));
   }
   tp_text_add(t, ". ");
@@ -87,7 +87,7 @@ static void add_of_contacts(tp_text *t, const tp_solid *solid) {
                  : own->has_motion ? "No forces of its contacts hold it: it certainly moves."
                                    : "Undecided.");
   if (own->has_fos) {
-    tp_text_add(t, " Factor of safety %s: then it %s.", tp_text_significant(n[0], own->fos, 4),
+    tp_text_add(t, " Factor of safety %s: then it %s.", tp_text_significant_down(n[0], own->fos, 4),
                 tp_mechanism_name(own->fos_mechanism));
   }
   if (own->has_critical) {
@@ -110,7 +110,8 @@ static void add_of_wedge(tp_text *t, const tp_solid_wedge *own, bool is_worst) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "The wedge %s. Sliding %s", tp_mechanism_name(own->verdict),
               tp_text_solid_wedge_way(own));
-  if (own->has_fos) tp_text_add(t, ": factor of safety %s", tp_text_significant(n, own->fos, 4));
+  if (own->has_fos)
+    tp_text_add(t, ": factor of safety %s", tp_text_significant_down(n, own->fos, 4));
   if (own->has_azimuth) {
     tp_text_add(t, " with its earthquake towards %.0f°%s", own->azimuth_deg,
                 is_worst ? ", the worst azimuth" : "");

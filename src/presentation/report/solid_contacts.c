@@ -68,10 +68,10 @@ static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
 static void add_factors(tp_text *t, const tp_solid_contacts *c) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "    %s what tan φ of all contacts may be divided by until no forces hold it\n",
-              c->has_fos_friction ? tp_text_significant(n, c->fos_friction, TILT) : "none:");
+              c->has_fos_friction ? tp_text_significant_down(n, c->fos_friction, TILT) : "none:");
   tp_text_add(t,
               "    %s what drives it along its base may be multiplied by, weight and earthquake\n",
-              c->has_fos_driving       ? tp_text_significant(n, c->fos_driving, TILT)
+              c->has_fos_driving       ? tp_text_significant_down(n, c->fos_driving, TILT)
               : c->fos_driving_is_open ? "undecided:"
                                        : "none:");
 }
@@ -89,7 +89,7 @@ static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
   }
   if (c->has_fos) {
     tp_text_add(t, "  factor of safety %s: then it %s; the lesser of two:\n",
-                tp_text_significant(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
+                tp_text_significant_down(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
     add_factors(t, c);
   } else if (tp_solid_is_held(c)) {
     tp_text_add(t, "  no factor of safety: it is held without friction\n");

@@ -20,16 +20,21 @@ static void add_number(tp_text *t, bool has, tp_bounded number, const char *unit
   tp_text_add(t, "  %11s%s", has ? tp_text_significant(n, number, 7) : "–", has ? unit : "");
 }
 
+static void add_ground_factor(tp_text *t, bool has, tp_bounded factor) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "  %11s", has ? tp_text_significant_down(n, factor, 7) : "–");
+}
+
 static void add_band(tp_text *t, const tp_solid_ground_band *b) {
   tp_text_add(t, "  %10.6g  %7zu  %8zu  %8.3g m  %7.4g°", b->band, b->found, b->contacts,
               b->widest_m, b->normals_deg);
   add_number(t, b->has_critical, b->critical_deg, "°");
-  add_number(t, b->has_fos, b->fos, "");
+  add_ground_factor(t, b->has_fos, b->fos);
   tp_text_add(t, "  %s\n", tp_mechanism_name(b->verdict));
   if (!b->has_smooth || b->normals_deg == 0) return;
   tp_text_add(t, "  %42s  %8s ", "with the mean of all normals", "");
   add_number(t, b->has_smooth_critical, b->smooth_critical_deg, "°");
-  add_number(t, b->has_smooth_fos, b->smooth_fos, "");
+  add_ground_factor(t, b->has_smooth_fos, b->smooth_fos);
   tp_text_add(t, "  %s\n", tp_mechanism_name(b->smooth_verdict));
 }
 

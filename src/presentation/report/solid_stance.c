@@ -47,7 +47,7 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
   }
   tp_text_add(t, "  %-10s", tp_mechanism_name(own->verdict));
   if (own->has_fos) {
-    tp_text_add(t, " %10s %-8s", tp_text_significant(n[0], own->fos, TILT),
+    tp_text_add(t, " %10s %-8s", tp_text_significant_down(n[0], own->fos, TILT),
                 tp_mechanism_name(own->fos_mechanism));
   } else if (own->has_acceleration) {
     tp_text_add(t, " %10s %-8s", "-", "");

@@ -8,6 +8,7 @@
 #include "terms/names.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { DIGITS = TP_SOLID_TILT_DIGITS };
@@ -15,6 +16,11 @@ enum { DIGITS = TP_SOLID_TILT_DIGITS };
 static void add_number(tp_text *t, const char *label, tp_bounded number, const char *unit) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "  %-22s %s%s\n", label, tp_text_significant(n, number, DIGITS), unit);
+}
+
+static void add_wedge_factor(tp_text *t, tp_bounded factor) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "  %-22s %s\n", "factor of safety", tp_text_significant_down(n, factor, DIGITS));
 }
 
 const char *tp_text_solid_wedge_on(const char *slides_on) {
@@ -54,7 +60,7 @@ static void add_bolts(tp_text *t, const tp_solid_wedge *w) {
                 tp_text_significant(n, own->force_n, DIGITS), own->azimuth_deg, fabs(own->dip_deg),
                 own->dip_deg < 0 ? "above" : "below");
     if (own->has_capacity) {
-      tp_text_add(t, ", %s of its capacity", tp_text_significant(n, own->utilisation, 4));
+      tp_text_add(t, ", %s of its capacity", tp_text_significant_up(n, own->utilisation, 4));
     }
     tp_text_add(t, "\n");
   }
@@ -74,28 +80,29 @@ static void add_support(tp_text *t, const tp_solid *s) {
               above ? "above" : "below");
 }
 
-static void add_found(tp_text *t, const char *label, tp_bounded least, const char *unit,
-                      double azimuth_deg, const char *slides_on) {
-  char n[TP_NUMBER_SIZE];
-  tp_text_add(t, "  %-22s %s%s towards %.6g°, %s\n", label, tp_text_significant(n, least, DIGITS),
-              unit, azimuth_deg, tp_text_solid_wedge_on(slides_on));
+static void add_found(tp_text *t, const char *label, const char *least, double azimuth_deg,
+                      const char *slides_on) {
+  tp_text_add(t, "  %-22s %s towards %.6g°, %s\n", label, least, azimuth_deg,
+              tp_text_solid_wedge_on(slides_on));
 }
 
 /* The least of all azimuths, proven from both sides. */
 static void add_of_all_azimuths(tp_text *t, const tp_solid *s) {
   const tp_solid_wedge *w = &s->wedge;
+  char n[TP_NUMBER_SIZE];
   if (w->has_worst && s->has_seismic_azimuth) {
-    add_found(t, "least of all azimuths", w->worst_fos, "", w->worst_azimuth_deg,
-              w->worst_slides_on);
+    add_found(t, "least of all azimuths", tp_text_significant_down(n, w->worst_fos, DIGITS),
+              w->worst_azimuth_deg, w->worst_slides_on);
   }
   if (w->has_acceleration_ahead) {
     tp_text_add(t, "  %-22s ", "slides at");
-    char n[TP_NUMBER_SIZE];
     tp_text_add(t, "%s g towards %.6g°\n", tp_text_significant(n, w->acceleration_ahead_g, DIGITS),
                 s->seismic_azimuth_deg);
   }
   if (w->has_acceleration) {
-    add_found(t, "least acceleration", w->acceleration_g, " g", w->acceleration_azimuth_deg,
+    char least[TP_NUMBER_SIZE + 4];
+    snprintf(least, sizeof least, "%s g", tp_text_significant(n, w->acceleration_g, DIGITS));
+    add_found(t, "least acceleration", least, w->acceleration_azimuth_deg,
               w->acceleration_slides_on);
   }
 }
@@ -115,7 +122,7 @@ void tp_text_solid_wedge(tp_text *t, const tp_solid *s) {
   add_number(t, "normal force on A", w->normal_n[0], " N");
   add_number(t, "normal force on B", w->normal_n[1], " N");
   add_number(t, "driving force", w->driving_n, " N");
-  if (w->has_fos) add_number(t, "factor of safety", w->fos, "");
+  if (w->has_fos) add_wedge_factor(t, w->fos);
   add_of_all_azimuths(t, s);
   tp_text_add(t, "  %-22s %s\n", "verdict", tp_mechanism_name(w->verdict));
   tp_text_solid_required(t, s);

@@ -76,8 +76,7 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
   } else if (isinf(value)) {
     tp_text_add(t, " %7s", value > 0 ? "always" : "never");
   } else {
-    const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
-    tp_text_add(t, " %7s", tp_text_fixed(own, (tp_bounded){value, 0, NULL}, decimals));
+    tp_text_add(t, " %7s", tp_study_number(own, value, quantity));
   }
 }
 

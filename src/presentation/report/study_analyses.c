@@ -116,8 +116,7 @@ static void add_quantity(tp_text *t, tp_study_quantity quantity, double value) {
   if (isinf(value)) {
     tp_text_add(t, "%s", value > 0 ? "always" : "never");
   } else {
-    tp_text_add(t, "%s%s", tp_text_fixed(number, (tp_bounded){value, 0, NULL}, angle ? 2 : 3),
-                angle ? unit + 1 : "");
+    tp_text_add(t, "%s%s", tp_study_number(number, value, quantity), angle ? unit + 1 : "");
   }
 }
 

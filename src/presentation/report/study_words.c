@@ -18,6 +18,14 @@ bool tp_study_quantity_is_angle(tp_study_quantity quantity) {
   return quantity <= TP_STUDY_LIMIT_DEG;
 }
 
+const char *tp_study_number(char out[TP_NUMBER_SIZE], double value, tp_study_quantity quantity) {
+  const tp_bounded number = {value, 0, NULL};
+  const int decimals = tp_study_quantity_is_angle(quantity) ? 2 : 3;
+  const bool is_factor = quantity == TP_STUDY_FOS || quantity == TP_STUDY_FOS_GOODMAN_BRAY;
+  return is_factor ? tp_text_fixed_down(out, number, decimals)
+                   : tp_text_fixed(out, number, decimals);
+}
+
 void tp_study_add_lines(tp_text *t, const char *words) {
   enum { WIDTH = 76 };
   char plain[1024];

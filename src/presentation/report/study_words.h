@@ -17,6 +17,8 @@ const char *tp_study_quantity_words(tp_study_quantity quantity);
 
 /* Angles have two decimals, factors and accelerations three. */
 bool tp_study_quantity_is_angle(tp_study_quantity quantity);
+/* An angle, a factor of safety (rounded down) or an acceleration, with two or three decimals. */
+const char *tp_study_number(char out[TP_NUMBER_SIZE], double value, tp_study_quantity quantity);
 
 /* Words between blanks, over lines of a terminal. */
 void tp_study_add_lines(tp_text *text, const char *words);

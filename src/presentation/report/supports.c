@@ -17,7 +17,7 @@ static void add_bolts(tp_page *p, const tp_support *own) {
   if (own->has_capacity) {
     tp_text_add(&p->text, ",\n         capacity %s kN, utilisation %s",
                 tp_text_significant(n[0], own->capacity_kn, 5),
-                tp_text_fixed(n[1], own->utilisation, 3));
+                tp_text_fixed_up(n[1], own->utilisation, 3));
   }
   if (own->has_length) {
     tp_text_add(&p->text, ",\n         %s %s long, of which at least %s %s beyond the block",

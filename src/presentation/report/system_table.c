@@ -67,7 +67,9 @@ static void add_goodman_bray(tp_text *t, const tp_goodman_bray *own) {
   } else if (!own->has_fos) {
     tp_text_add(t, "no friction is enough");
   } else {
-    tp_text_add(t, "%s%.5g", own->fos_is_least ? "above " : "", own->fos);
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(t, "%s%s", own->fos_is_least ? "above " : "",
+                tp_text_significant_down(n, (tp_bounded){own->fos, 0, NULL}, 5));
   }
 }
 

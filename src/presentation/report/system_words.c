@@ -63,7 +63,7 @@ static void add_number(tp_text *t, tp_bounded number, bool is_least) {
   char n[TP_NUMBER_SIZE];
   if (!is_least && add_bracket(t, number, fifth, "")) return;
   tp_text_add(t, "%s%s", is_least ? "above " : "",
-              tp_text_fixed(n, number, is_least && number.value >= whole ? 0 : 5));
+              tp_text_fixed_down(n, number, is_least && number.value >= whole ? 0 : 5));
 }
 
 void tp_text_system_factor(tp_text *t, const tp_system_case *c) {

@@ -43,7 +43,7 @@ static void add_fos(tp_text *t, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
   const bool number = g->fos.state == TP_FOS_NUMBER;
   tp_text_add(t, " | %s%s", number && g->sliding_judged && !g->complete ? "≤ " : "",
-              number                                  ? tp_text_fixed(n, g->fos.value, 3)
+              number                                  ? tp_text_fixed_down(n, g->fos.value, 3)
               : g->fos.state == TP_FOS_UNDEFINED      ? "none"
               : g->fos.state == TP_FOS_UNDECIDED      ? "undecided"
               : g->fos.state == TP_FOS_NO_OVERTURNING ? "unbounded"
