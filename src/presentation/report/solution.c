@@ -122,7 +122,6 @@ static void add_case(tp_page *p, const tp_case *c) {
 void tp_page_add_input(tp_page *p) {
   add_units(p);
   add_teeth(p);
-  add_units(p);
   add_block(p);
   tp_page_add_contact(p);
   tp_page_add_friction(p);

@@ -212,9 +212,7 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     frame->turned_deg = turned_degrees(problem);
     find_dip_direction(frame, &scene->slope);
   }
-  /* A block that was set down along y has said what is level. */
-  if (!frame->stated && problem->placement.rested == NULL &&
-      scene->block.form == TP_OUTLINE_VERTICES) {
+  if (!frame->stated && scene->block.form == TP_OUTLINE_VERTICES) {
     find_inclination(frame, problem);
   }
 }

@@ -9,6 +9,8 @@
 #include "base/closeness.h"
 #include "common/notes.h"
 #include "evaluation/normal_stress.h"
+#include "evaluation/rest_result.h"
+#include "output/text.h"
 #include "scene/anchor.h"
 #include "stability/earthquakes.h"
 #include "stability/water_cautions.h"
@@ -186,6 +188,21 @@ static tp_status note_levelled(tp_notes *notes, const tp_problem *problem, tp_me
       off);
 }
 
+/* What is reported is the pose at rest. A block that was measured in its place lies otherwise. */
+static tp_status note_turned(tp_notes *notes, const tp_problem *problem, tp_message *message) {
+  static const double few = 3;
+  const tp_rested *own = problem->placement.rested;
+  if (own == NULL || problem->placement.jointed != NULL) return TP_OK;
+  const tp_bounded turned = tp_rest_turned_deg(own);
+  char n[TP_NUMBER_SIZE];
+  if (fabs(turned.value) <= few) return TP_OK;
+  return tp_notes_add(notes, message, TP_CAUTION, problem->scene->base.rests_place,
+                      "'place: rest' turned the block by %s°, and all results are of that pose: if "
+                      "it was surveyed in its place, check outline and profile, or say 'contact: "
+                      "{within: …}' instead",
+                      tp_text_fixed(n, turned, 2));
+}
+
 tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   tp_status status = TP_OK;
@@ -197,6 +214,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
                           "others; whether it balances at such a tilt may stay "
                           "undecided");
   }
+  if (status == TP_OK) status = note_turned(notes, problem, message);
   if (status == TP_OK) status = note_near(notes, problem, message);
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
   if (status == TP_OK) status = note_one_side(notes, scene, message);

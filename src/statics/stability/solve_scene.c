@@ -14,6 +14,7 @@
 #include "stability/cautions.h"
 #include "stability/combinations.h"
 #include "stability/earthquakes.h"
+#include "stability/half_tolerance.h"
 #include "stability/poses.h"
 #include "stability/solution.h"
 #include "stability/solve.h"
@@ -137,5 +138,14 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
     return tp_refuse(message, TP_FAULT_ARGUMENT, (tp_place){0}, "there is no such list of pivots");
   }
-  return solve(solution, NULL, scene, options, message);
+  tp_solution *filled = NULL;
+  tp_status status = solve(&filled, NULL, scene, options, message);
+  if (status != TP_OK) return status;
+  status = tp_half_tolerance_check(filled, scene, options, solve_combination, message);
+  if (status == TP_OK) {
+    *solution = filled;
+  } else {
+    tp_solution_free(filled);
+  }
+  return status;
 }
