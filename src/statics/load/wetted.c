@@ -12,11 +12,16 @@
 
 #include <stdlib.h>
 
+/* A part of the outline, counter-clockwise. */
+typedef struct chain {
+  tp_polyline drawn, world; /* the latter across and up */
+} chain;
+
 /* The outline from the right end of the joint round the outside to its left end, and what wets it.
  */
 typedef struct wetting {
   const tp_wetting *of;
-  tp_polyline chain, world; /* the latter across and up */
+  chain chain;
   tp_polyline surface;      /* laid; empty: a level */
   tp_water_stand stand[2];  /* to the left and to the right */
   bool reaches[2];          /* faces of that side, and the end of the joint there */
@@ -24,9 +29,13 @@ typedef struct wetting {
   fmpq_t unit_kpa;          /* the pressure of a unit of depth */
 } wetting;
 
+static void chain_clear(chain *c) {
+  tp_polyline_clear(&c->drawn);
+  tp_polyline_clear(&c->world);
+}
+
 static void wetting_clear(wetting *w) {
-  tp_polyline_clear(&w->chain);
-  tp_polyline_clear(&w->world);
+  chain_clear(&w->chain);
   tp_polyline_clear(&w->surface);
   fmpq_clear(w->stand[0].level);
   fmpq_clear(w->stand[1].level);
@@ -36,41 +45,64 @@ static void wetting_clear(wetting *w) {
 /* ---- the outline ------------------------------------------------------------------------------
  */
 
-/* The edge that an end of the joint lies on, counted by its first vertex; 0 where none is found, as
- * of an end that was moved. */
-static long edge_of(const tp_wetting *q, int side) {
+/* The edge that a point lies on, counted by its first vertex; 0 where none is found, as of an end
+ * of the joint that was moved. */
+static long edge_of(const tp_wetting *q, const fmpq *x, const fmpq *y) {
   for (long k = 0; k < q->ring->count; k++) {
-    if (tp_loads_on_edge(q->ring, k, q->x + side, q->y + side)) return k;
+    if (tp_loads_on_edge(q->ring, k, x, y)) return k;
   }
   return 0;
 }
 
-static bool append(wetting *w, const fmpq *x, const fmpq *y) {
+static bool append(chain *c, const tp_wetting *q, const fmpq *x, const fmpq *y) {
   fmpq_t across, up;
   fmpq_init(across);
   fmpq_init(up);
-  tp_lie_of(across, up, &w->of->block, x, y);
+  tp_lie_of(across, up, &q->block, x, y);
   const tp_mark none = {0, 0};
   const bool done =
-      tp_polyline_append(&w->chain, x, y, none) && tp_polyline_append(&w->world, across, up, none);
+      tp_polyline_append(&c->drawn, x, y, none) && tp_polyline_append(&c->world, across, up, none);
   fmpq_clear(across);
   fmpq_clear(up);
   return done;
 }
 
-static bool find_chain(wetting *w) {
-  const tp_wetting *q = w->of;
+/* A point of the outline. */
+typedef struct outline_point {
+  const fmpq *x, *y;
+  long vertex; /* -1: inside an edge */
+} outline_point;
+
+/* From a point counter-clockwise to another one: all round where both lie inside of one edge,
+ * unless the way is `short_way`, which is along it. False when memory is exhausted. */
+static bool find_part(chain *c, const tp_wetting *q, outline_point from, outline_point to,
+                      bool short_way) {
   const long count = q->ring->count;
-  const long first = q->vertex[1] >= 0 ? q->vertex[1] : (edge_of(q, 1) + 1) % count;
-  const long last = q->vertex[0] >= 0 ? q->vertex[0] : edge_of(q, 0);
-  bool done = q->vertex[1] >= 0 || append(w, q->x + 1, q->y + 1);
-  for (long k = first; done; k = (k + 1) % count) {
-    done = append(w, q->ring->x + k, q->ring->y + k);
+  const long from_edge = from.vertex >= 0 ? from.vertex : edge_of(q, from.x, from.y);
+  const long first = from.vertex >= 0 ? from.vertex : (from_edge + 1) % count;
+  const long last = to.vertex >= 0 ? to.vertex : edge_of(q, to.x, to.y);
+  bool done = from.vertex >= 0 || append(c, q, from.x, from.y);
+  const bool along_edge = short_way && from.vertex < 0 && to.vertex < 0 && from_edge == last;
+  for (long k = first; done && !along_edge; k = (k + 1) % count) {
+    done = append(c, q, q->ring->x + k, q->ring->y + k);
     if (k == last) break;
   }
-  if (done && q->vertex[0] < 0) done = append(w, q->x, q->y);
-  for (long k = 1; done && k < w->world.count; k++) {
-    const int above = fmpq_cmp(w->world.y + k, w->world.y + w->right_top);
+  return done && (to.vertex >= 0 || append(c, q, to.x, to.y));
+}
+
+static outline_point end_of(const tp_wetting *q, int side) {
+  return (outline_point){q->x + side, q->y + side, q->vertex[side]};
+}
+
+static outline_point contact_of(const tp_wetting *q, int side) {
+  return (outline_point){q->contact_x + side, q->contact_y + side, q->contact_vertex[side]};
+}
+
+static bool find_chain(wetting *w) {
+  const tp_wetting *q = w->of;
+  const bool done = find_part(&w->chain, q, end_of(q, 1), end_of(q, 0), false);
+  for (long k = 1; done && k < w->chain.world.count; k++) {
+    const int above = fmpq_cmp(w->chain.world.y + k, w->chain.world.y + w->right_top);
     if (above > 0) w->right_top = k;
     if (above >= 0) w->left_top = k;
   }
@@ -99,7 +131,7 @@ static void set_crack(wetting *w, const fmpq_t heel_up) {
 }
 
 static tp_status lay_surface(wetting *w, tp_message *message) {
-  const tp_polyline *all = &w->world;
+  const tp_polyline *all = &w->chain.world;
   const fmpq *least = all->x, *greatest = all->x;
   for (long k = 1; k < all->count; k++) {
     if (fmpq_cmp(all->x + k, least) < 0) least = all->x + k;
@@ -148,7 +180,7 @@ static bool stands_above(const wetting *w, int side) {
   fmpq_t depth;
   fmpq_init(depth);
   const long top = side == 1 ? w->right_top : w->left_top;
-  tp_water_stand_depth(depth, w->stand + side, w->world.x + top, w->world.y + top);
+  tp_water_stand_depth(depth, w->stand + side, w->chain.world.x + top, w->chain.world.y + top);
   const bool above = fmpq_sgn(depth) > 0;
   fmpq_clear(depth);
   return above;
@@ -159,8 +191,8 @@ static bool faces_up(const wetting *w, long k) {
   fmpq_t run, rise;
   fmpq_init(run);
   fmpq_init(rise);
-  fmpq_sub(run, w->world.x + k, w->world.x + k + 1);
-  fmpq_sub(rise, w->world.y + k + 1, w->world.y + k);
+  fmpq_sub(run, w->chain.world.x + k, w->chain.world.x + k + 1);
+  fmpq_sub(rise, w->chain.world.y + k + 1, w->chain.world.y + k);
   fmpq_abs(rise, rise);
   const bool up = fmpq_sgn(run) > 0 && fmpq_cmp(run, rise) >= 0;
   fmpq_clear(run);
@@ -174,13 +206,13 @@ static bool faces_up(const wetting *w, long k) {
  */
 static void find_edges(long *from, long *to, const wetting *w, int side, bool alone) {
   *from = side == 1 ? 0 : w->left_top;
-  *to = side == 1 ? w->right_top : w->chain.count - 1;
+  *to = side == 1 ? w->right_top : w->chain.drawn.count - 1;
   const int front = 1 - w->of->behind;
   const bool takes_top = alone || side == front || !stands_above(w, front);
   if (!stands_above(w, side)) return;
   if (side == 1) {
     if (takes_top) *to = w->left_top;
-    while (alone && *to + 1 < w->chain.count && faces_up(w, *to)) ++*to;
+    while (alone && *to + 1 < w->chain.drawn.count && faces_up(w, *to)) ++*to;
   } else {
     if (takes_top) *from = w->right_top;
     while (alone && *from > 0 && faces_up(w, *from - 1)) --*from;
@@ -200,25 +232,29 @@ static bool press_on_faces(tp_wetted *wetted, const wetting *w) {
     find_edges(&from, &to, w, side, !w->reaches[1 - side]);
     wetted->overtops = wetted->overtops || stands_above(w, side);
     for (long k = from; k < to && done; k++) {
-      done = tp_water_press(&wetted->faces, w->stand + side, &w->chain, &w->world, k, w->unit_kpa,
-                            NULL);
+      done = tp_water_press(&wetted->faces, w->stand + side, &w->chain.drawn, &w->chain.world, k,
+                            w->unit_kpa, NULL);
       if (!done || !iced || side != driving) continue;
-      done = tp_water_press(&wetted->ice, w->stand + side, &w->chain, &w->world, k,
+      done = tp_water_press(&wetted->ice, w->stand + side, &w->chain.drawn, &w->chain.world, k,
                             water->ice_kpa.value, water->ice_thickness.value);
     }
   }
   return done;
 }
 
-/* The pressure in the joint at one of its ends. */
+/* Is the water that stands on one side in the joint at its full pressure there? */
+static bool is_full(const wetting *w, int side) {
+  return w->reaches[side] || w->of->scene->loads.water.shape != TP_WATER_UPLIFT_TRIANGULAR;
+}
+
+/* The pressure in the joint at its outermost contact on one side. */
 static void pressure_at_end(fmpq_t kpa, const wetting *w, int side) {
   const tp_wetting *q = w->of;
-  const bool falls = q->scene->loads.water.shape == TP_WATER_UPLIFT_TRIANGULAR;
   fmpq_t across, up;
   fmpq_init(across);
   fmpq_init(up);
-  tp_lie_of(across, up, &q->block, q->x + side, q->y + side);
-  if (w->reaches[side] || !falls) {
+  tp_lie_of(across, up, &q->block, q->contact_x + side, q->contact_y + side);
+  if (is_full(w, side)) {
     tp_water_stand_depth(kpa, w->stand + side, across, up);
     fmpq_mul(kpa, kpa, w->unit_kpa);
   }
@@ -226,9 +262,28 @@ static void pressure_at_end(fmpq_t kpa, const wetting *w, int side) {
   fmpq_clear(up);
 }
 
+/* In an open gap between an end of the joint and its outermost contact there the water stands as it
+ * does outside: its pressure is that of its depth, on the underside as it is. */
+static bool press_in_gap(tp_wetted *wetted, const wetting *w, int side) {
+  const tp_wetting *q = w->of;
+  if (!q->gapes[side] || !is_full(w, side)) return true;
+  chain gap = {{0}, {0}};
+  const long before = wetted->joint.count;
+  bool done = side == 1 ? find_part(&gap, q, contact_of(q, 1), end_of(q, 1), true)
+                        : find_part(&gap, q, end_of(q, 0), contact_of(q, 0), true);
+  for (long k = 0; k + 1 < gap.drawn.count && done; k++) {
+    done = tp_water_press(&wetted->joint, w->stand + side, &gap.drawn, &gap.world, k, w->unit_kpa,
+                          NULL);
+  }
+  wetted->gap_lines += wetted->joint.count - before;
+  chain_clear(&gap);
+  return done;
+}
+
 static bool press_in_joint(tp_wetted *wetted, const wetting *w) {
   const tp_wetting *q = w->of;
-  const fmpq *const from[2] = {q->x, q->y}, *const to[2] = {q->x + 1, q->y + 1};
+  const fmpq *const from[2] = {q->contact_x, q->contact_y};
+  const fmpq *const to[2] = {q->contact_x + 1, q->contact_y + 1};
   fmpq_t left, right;
   fmpq_init(left);
   fmpq_init(right);
@@ -236,7 +291,9 @@ static bool press_in_joint(tp_wetted *wetted, const wetting *w) {
   pressure_at_end(right, w, 1);
   const bool wet = q->scene->loads.water.uplift;
   wetted->dry = wetted->faces.count == 0 && fmpq_sgn(left) <= 0 && fmpq_sgn(right) <= 0;
-  const bool done = !wet || tp_wet_lines_add(&wetted->joint, from, to, left, right);
+  bool done = !wet || tp_wet_lines_add(&wetted->joint, from, to, left, right);
+  for (int side = 0; side < 2 && wet && done; side++) done = press_in_gap(wetted, w, side);
+  wetted->dry = wetted->dry && wetted->gap_lines == 0;
   fmpq_clear(left);
   fmpq_clear(right);
   return done;

@@ -22,6 +22,7 @@
 
 typedef struct tp_wetted {
   tp_wet_lines faces, joint, ice; /* in scene lengths and the frame of the block */
+  long gap_lines;  /* of the joint's: the last ones, which are of open gaps before its contacts */
   long from_right; /* the first of the faces that the water on the right presses on */
   bool overtops;   /* the water stands above the top of the block */
   bool dry;        /* it stands below all of the block and its joint */
@@ -33,6 +34,9 @@ typedef struct tp_wetting {
   const tp_polyline *ring; /* the outline, counter-clockwise */
   fmpq x[2], y[2];         /* ends of the base joint, left and right, in scene lengths */
   long vertex[2];          /* of the outline; -1: inside an edge of it */
+  bool gapes[2];           /* between that end and the outermost contact an open gap is wetted, */
+  fmpq contact_x[2], contact_y[2];
+  long contact_vertex[2];  /* which is there; else the same as the end */
   int behind;              /* which of them is up-dip */
   bool up_dip;             /* the block goes up-dip: what pushes from behind is left out */
   tp_lie block;            /* how the frame of the block lies, */

@@ -10,7 +10,9 @@ void tp_base_joint_init(tp_base_joint *joint) {
   for (int side = 0; side < 2; side++) {
     fmpq_init(joint->x + side);
     fmpq_init(joint->y + side);
-    joint->vertex[side] = -1;
+    fmpq_init(joint->contact_x + side);
+    fmpq_init(joint->contact_y + side);
+    joint->vertex[side] = joint->contact_vertex[side] = -1;
   }
 }
 
@@ -18,7 +20,14 @@ void tp_base_joint_clear(tp_base_joint *joint) {
   for (int side = 0; side < 2; side++) {
     fmpq_clear(joint->x + side);
     fmpq_clear(joint->y + side);
+    fmpq_clear(joint->contact_x + side);
+    fmpq_clear(joint->contact_y + side);
   }
+}
+
+bool tp_base_joint_gapes(const tp_base_joint *joint, int side) {
+  return !fmpq_equal(joint->x + side, joint->contact_x + side) ||
+         !fmpq_equal(joint->y + side, joint->contact_y + side);
 }
 
 /* Is the point a farther out than b? */
@@ -80,6 +89,9 @@ void tp_base_joint_find(tp_base_joint *joint, const tp_contact *contact, const t
   for (int side = 0; side < 2; side++) {
     const long touching = tp_contact_extreme(contact, side == 0).point;
     end_in_point(joint, l, touching, side);
+    fmpq_set(joint->contact_x + side, joint->x + side);
+    fmpq_set(joint->contact_y + side, joint->y + side);
+    joint->contact_vertex[side] = joint->vertex[side];
     if (sole->count == 0) continue;
     const long sole_end = (side == 0 ? sole->first : sole->first + sole->count) % l->start[1];
     /* a contact on a flank beyond the underside is an end of it, too */

@@ -11,11 +11,17 @@
 #include "base/contact.h"
 #include "problem/sole.h"
 
-/* Where it ends, in metres of the scene: to the left [0], to the right [1]. */
+/* Where it ends, in metres of the scene: to the left [0], to the right [1]. And its outermost
+ * contacts: what lies between one of them and the end on its side is an open gap. */
 typedef struct tp_base_joint {
   fmpq x[2], y[2];
   long vertex[2]; /* of the outline; -1: inside an edge of it */
+  fmpq contact_x[2], contact_y[2];
+  long contact_vertex[2]; /* likewise */
 } tp_base_joint;
+
+/* Is there an open gap between the end on that side and the outermost contact? */
+bool tp_base_joint_gapes(const tp_base_joint *joint, int side);
 
 void tp_base_joint_init(tp_base_joint *joint);
 void tp_base_joint_clear(tp_base_joint *joint);

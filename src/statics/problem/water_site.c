@@ -75,6 +75,8 @@ static void wetting_init(tp_wetting *q) {
   for (int side = 0; side < 2; side++) {
     fmpq_init(q->x + side);
     fmpq_init(q->y + side);
+    fmpq_init(q->contact_x + side);
+    fmpq_init(q->contact_y + side);
   }
   fmpq_init(q->foot_up);
   fmpq_init(q->face_up);
@@ -86,11 +88,25 @@ static void wetting_clear(tp_wetting *q) {
   for (int side = 0; side < 2; side++) {
     fmpq_clear(q->x + side);
     fmpq_clear(q->y + side);
+    fmpq_clear(q->contact_x + side);
+    fmpq_clear(q->contact_y + side);
   }
   fmpq_clear(q->foot_up);
   fmpq_clear(q->face_up);
   tp_lie_clear(&q->block);
   tp_lie_clear(&q->drawn);
+}
+
+/* Of a block that goes up-dip nothing pushes from behind, and so no gap there: its joint is taken
+ * from end to end, with the pressures of its ends. */
+static void find_gap(tp_wetting *q, const tp_base_joint *joint, int side) {
+  fmpq_set(q->contact_x + side, q->x + side);
+  fmpq_set(q->contact_y + side, q->y + side);
+  q->gapes[side] = !q->up_dip && tp_base_joint_gapes(joint, side);
+  if (!q->gapes[side]) return;
+  fmpq_div(q->contact_x + side, joint->contact_x + side, q->scene->metres_per_unit);
+  fmpq_div(q->contact_y + side, joint->contact_y + side, q->scene->metres_per_unit);
+  q->contact_vertex[side] = joint->contact_vertex[side];
 }
 
 tp_status tp_water_site_find(tp_wetted *wetted, const tp_water_site *site, bool left, long digits,
@@ -101,6 +117,7 @@ tp_status tp_water_site_find(tp_wetted *wetted, const tp_water_site *site, bool 
   tp_wetting q = {.scene = scene,
                   .ring = site->ring,
                   .vertex = {joint->vertex[0], joint->vertex[1]},
+                  .contact_vertex = {joint->vertex[0], joint->vertex[1]},
                   .behind = left != up_dip ? 1 : 0,
                   .up_dip = up_dip};
   tp_status status = refuse_shape(site, digits, message);
@@ -109,6 +126,7 @@ tp_status tp_water_site_find(tp_wetted *wetted, const tp_water_site *site, bool 
   for (int side = 0; side < 2; side++) {
     fmpq_div(q.x + side, joint->x + side, scene->metres_per_unit);
     fmpq_div(q.y + side, joint->y + side, scene->metres_per_unit);
+    find_gap(&q, joint, side);
   }
   find_lies(&q, site, left);
   find_rises(&q, site);

@@ -224,7 +224,10 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
     return tp_water_cautions(notes, problem, message);
   }
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
-  if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
-  if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);
+  const bool way[2] = {scene->towards_left, scene->towards_right};
+  for (int k = 0; k < 2; k++) {
+    if (way[k] && status == TP_OK) status = note_water(notes, problem, k == 0, message);
+    if (way[k] && status == TP_OK) status = tp_water_note_joint(notes, problem, k == 0, message);
+  }
   return status;
 }
