@@ -69,8 +69,9 @@ bool tp_study_has_quantity(const tp_study *study, tp_study_quantity quantity) {
 bool tp_study_has_stance(const tp_study *study) {
   const tp_scene *scene = study->scene;
   return scene->tilt_angle_deg.given || scene->solid.dip_deg.given ||
+         scene->solid.wedge.place.file != NULL ||
          (tp_study_is_of_solid(study) && scene->loads.horizontal.given) ||
-         (tp_study_is_of_many(study) && tp_scene_lies_in_place(scene));
+         (!tp_study_is_of_solid(study) && tp_scene_lies_in_place(scene));
 }
 
 bool tp_study_quantity_is_factor(tp_study_quantity quantity) {
