@@ -157,14 +157,19 @@ typedef enum tp_system_support_state {
 } tp_system_support_state;
 
 /* The least force at a point of a block with which forces within the strength of all joints over a
- * factor hold the blocks as they lie. */
+ * factor hold the blocks as they lie; and that by Goodman and Bray (1976). */
 typedef struct tp_system_support {
   tp_system_support_state state; /* is there one? */
   size_t block;                  /* the number of the block that it acts on */
   tp_bounded x_m, y_m;           /* where */
   tp_bounded direction_deg;      /* of the force, from x towards y */
   tp_bounded fos;                /* the factor */
-  tp_bounded force_n_m;          /* if state == TP_SYSTEM_SUPPORT_NUMBER: per metre */
+  tp_bounded force_n_m;          /* if state == TP_SYSTEM_SUPPORT_NUMBER: per metre. It is
+                                    optimistic: some forces hold the blocks with it, and a motion may
+                                    begin all the same */
+  bool has_goodman_bray;         /* it acts on the toe of columns in a row, and can hold it: */
+  double goodman_bray_n_m; /* if has_goodman_bray: the force for which to design, by their method
+                              with strength divided by the factor; 0: none is needed */
 } tp_system_support;
 
 /* Is there a limit as all is tilted? */

@@ -5,6 +5,8 @@
 
 #include "report/sheet_system.h"
 
+#include "report/system_words.h"
+
 #include "terms/names.h"
 
 /* So many rows of a table; --json has all. */
@@ -50,23 +52,28 @@ static void add_place(tp_document *d, const tp_block_system *s, const tp_system_
   tp_document_cell(d, "%s° from x towards y", tp_text_significant(n[0], own->direction_deg, 5));
 }
 
+static void add_told(tp_document *d, const char *word, tp_text *told) {
+  tp_document_word(d, word);
+  tp_document_told_cell(d, told->failed || told->data == NULL ? "" : told->data);
+  d->failed = d->failed || told->failed;
+}
+
 void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
-  static const char *const states[] = {[TP_SYSTEM_SUPPORT_NOT_NEEDED] = "none needed",
-                                       [TP_SYSTEM_SUPPORT_NONE] = "no such force holds the blocks",
-                                       [TP_SYSTEM_SUPPORT_UNDECIDED] = "undecided"};
   const tp_system_support *own = &c->support;
   tp_document *d = &s->document;
+  tp_text design = {0}, optimistic = {0};
   char n[TP_NUMBER_SIZE];
   if (!c->has_support) return;
-  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
-                    "Least support with which forces hold the blocks with a wanted factor");
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Support for a wanted factor");
   tp_document_word(d, "Factor of safety");
   tp_document_cell(d, "%s", tp_text_significant(n, own->fos, 5));
-  tp_document_word(d, "Support");
-  if (own->state != TP_SYSTEM_SUPPORT_NUMBER) {
-    tp_document_word(d, states[own->state]);
-    return;
+  tp_text_system_design_support(&design, c);
+  add_told(d, "Support", &design);
+  if (tp_text_system_optimistic_support(&optimistic, c)) {
+    tp_text_add(&optimistic, ", but a motion may begin");
+    add_told(d, "Optimistic: forces can hold with", &optimistic);
   }
-  tp_document_cell(d, "%s kN/m", tp_text_significant(n, tp_text_over(own->force_n_m, kilo), 5));
   add_place(d, s->system, own);
+  tp_text_drop(&design);
+  tp_text_drop(&optimistic);
 }

@@ -12,31 +12,66 @@
 
 static const double kilo = 1e3;
 
+/* No motion can begin with strength divided by the factor, as the blocks lie. */
+static bool stands_without(const tp_system_case *c) {
+  const double wanted = c->support.fos.value;
+  if (c->verdict != TP_SYSTEM_STANDS) return false;
+  return wanted <= 1 || (c->has_standing_fos && c->standing_fos >= wanted);
+}
+
+void tp_text_system_design_support(tp_text *t, const tp_system_case *c) {
+  const tp_system_support *own = &c->support;
+  if (stands_without(c)) {
+    tp_text_add(t, "none needed: no motion can begin");
+  } else if (own->state == TP_SYSTEM_SUPPORT_NONE) {
+    tp_text_add(t, "no such force holds the blocks");
+  } else if (own->has_goodman_bray && own->goodman_bray_n_m > 0) {
+    tp_text_add(t, "%.5g kN/m, by Goodman and Bray", own->goodman_bray_n_m / kilo);
+  } else if (own->has_goodman_bray) {
+    tp_text_add(t, "none needed, by Goodman and Bray");
+  } else {
+    tp_text_add(t, "no design value: that no motion can begin is not proven");
+  }
+}
+
+bool tp_text_system_optimistic_support(tp_text *t, const tp_system_case *c) {
+  if (stands_without(c)) return false;
+  switch (c->support.state) {
+  case TP_SYSTEM_SUPPORT_NUMBER:
+    tp_text_add(t, "%.5g kN/m", c->support.force_n_m.value / kilo);
+    return true;
+  case TP_SYSTEM_SUPPORT_NOT_NEEDED:
+    tp_text_add(t, "none");
+    return true;
+  case TP_SYSTEM_SUPPORT_UNDECIDED:
+    tp_text_add(t, "undecided");
+    return true;
+  case TP_SYSTEM_SUPPORT_NONE:
+    break;
+  }
+  return false;
+}
+
 void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   enum { LABEL = 64 };
   const tp_system_support *own = &c->support;
   const int digits = tp_text_system_digits(s) + 1;
   char label[LABEL], n[TP_NUMBER_SIZE], name[LABEL];
+  tp_text optimistic = {0};
   if (!c->has_support) return;
   snprintf(label, sizeof label, "support for a factor of %s", tp_text_significant(n, own->fos, 5));
   tp_text_system_label(t, label);
-  switch (own->state) {
-  case TP_SYSTEM_SUPPORT_NUMBER:
-    tp_plain_text(name, sizeof name, s->blocks[own->block].name);
-    tp_text_add(t, "%.5g kN/m\n    on '%s' at (%.*g, %.*g), towards %.5g° from x towards y\n",
-                own->force_n_m.value / kilo, name, digits, own->x_m.value / s->metres_per_unit,
-                digits, own->y_m.value / s->metres_per_unit, own->direction_deg.value);
-    break;
-  case TP_SYSTEM_SUPPORT_NOT_NEEDED:
-    tp_text_add(t, "none needed\n");
-    break;
-  case TP_SYSTEM_SUPPORT_NONE:
-    tp_text_add(t, "no such force holds the blocks\n");
-    break;
-  case TP_SYSTEM_SUPPORT_UNDECIDED:
-    tp_text_add(t, "undecided\n");
-    break;
+  tp_text_system_design_support(t, c);
+  tp_plain_text(name, sizeof name, s->blocks[own->block].name);
+  tp_text_add(t, "\n    on '%s' at (%.*g, %.*g), towards %.5g° from x towards y\n", name, digits,
+              own->x_m.value / s->metres_per_unit, digits, own->y_m.value / s->metres_per_unit,
+              own->direction_deg.value);
+  if (tp_text_system_optimistic_support(&optimistic, c) && !optimistic.failed) {
+    tp_text_system_label(t, "optimistic: forces can hold with");
+    tp_text_add(t, "%s, but a motion may begin\n", optimistic.data);
   }
+  t->failed = t->failed || optimistic.failed;
+  tp_text_drop(&optimistic);
 }
 
 void tp_text_system_loads(tp_text *t, const tp_block_system *s, const tp_system_case *c,

@@ -74,17 +74,18 @@ static void add_goodman_bray(tp_text *t, const tp_goodman_bray *own) {
 }
 
 static void add_support(tp_text *t, const tp_system_case *c) {
-  static const double kilo = 1e3;
-  static const char *const words[] = {[TP_SYSTEM_SUPPORT_NOT_NEEDED] = "none needed",
-                                      [TP_SYSTEM_SUPPORT_NONE] = "no such force",
-                                      [TP_SYSTEM_SUPPORT_UNDECIDED] = "undecided"};
+  tp_text_add(t, " | ");
   if (!c->has_support) {
-    tp_text_add(t, " | -");
-  } else if (c->support.state == TP_SYSTEM_SUPPORT_NUMBER) {
-    tp_text_add(t, " | %.5g kN/m", c->support.force_n_m.value / kilo);
-  } else {
-    tp_text_add(t, " | %s", words[c->support.state]);
+    tp_text_add(t, "-");
+    return;
   }
+  tp_text optimistic = {0};
+  tp_text_system_design_support(t, c);
+  if (tp_text_system_optimistic_support(&optimistic, c) && !optimistic.failed) {
+    tp_text_add(t, " (optimistic: %s)", optimistic.data);
+  }
+  t->failed = t->failed || optimistic.failed;
+  tp_text_drop(&optimistic);
 }
 
 static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *c) {

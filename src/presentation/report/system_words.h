@@ -43,4 +43,9 @@ void tp_text_system_moving(tp_text *text, const tp_system_case *of);
 /* The heading of the motion that is proven, with what strength is divided by there. */
 void tp_text_system_start(tp_text *text, const tp_system_case *of);
 
+/* The support that is asked for: what to design for, or why there is none; and what the limit of
+ * forces says, which is optimistic: false where that adds nothing. */
+void tp_text_system_design_support(tp_text *text, const tp_system_case *of);
+bool tp_text_system_optimistic_support(tp_text *text, const tp_system_case *of);
+
 #endif

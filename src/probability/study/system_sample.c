@@ -40,8 +40,10 @@ static double acceleration_g(const tp_system_case *own) {
   return own->verdict == TP_SYSTEM_COLLAPSES ? -INFINITY : (double)NAN;
 }
 
+/* What to design for where a method tells it; else what forces can hold with. */
 static double support_n_m(const tp_system_case *own) {
   if (!own->has_support) return NAN;
+  if (own->support.has_goodman_bray) return own->support.goodman_bray_n_m;
   switch (own->support.state) {
   case TP_SYSTEM_SUPPORT_NUMBER:
     return own->support.force_n_m.value;

@@ -231,6 +231,12 @@ static tp_row_vector to_centroid(const finding *x, long from, const tp_rigid_blo
                    tp_assemblage_length(x->a, l->y + from, b->y).value + b->arm_y.value);
 }
 
+static tp_row_vector to_reference(const finding *x, long from, const tp_rigid_block *b) {
+  const tp_lattice *l = &x->a->lattice;
+  return vector_of(x, tp_assemblage_length(x->a, l->x + from, b->x).value,
+                   tp_assemblage_length(x->a, l->y + from, b->y).value);
+}
+
 /* Along the direction of a contact, turned to have the part above zero. */
 static tp_row_vector unit(const finding *x, const tp_block_contact *c, bool upwards) {
   const tp_row_vector w = way(x, c->from, c->to);
@@ -258,6 +264,7 @@ static void measure(const finding *x, tp_row_column *own, long block) {
   own->block = block;
   own->weight_n_m = ldexp(newtons * b->weight.value, (int)x->a->weight_exponent);
   own->centroid = to_centroid(x, n->edge, b);
+  own->reference = to_reference(x, n->edge, b);
   own->lower = way(x, n->edge, lower);
   own->along_base = unit(x, x->a->contacts + n->base, false);
   own->base_tangent = n->tangent;

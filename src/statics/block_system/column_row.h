@@ -23,6 +23,7 @@ typedef struct tp_row_column {
   double weight_n_m;
   /* From the edge that it topples about, the end of its base towards the toe, in metres: */
   tp_row_vector centroid;
+  tp_row_vector reference; /* to the point about which loads on the block have their moments */
   tp_row_vector upper; /* to the top of the contact with the next column up; of the last: zero */
   tp_row_vector lower; /* down; of the toe: the top of its free side */
   tp_row_vector along_base; /* unit, up the slope */

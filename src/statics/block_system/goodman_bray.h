@@ -15,4 +15,9 @@ TP_MUST_USE tp_status tp_goodman_bray_find(tp_goodman_bray *own, const tp_built_
                                            const tp_resultant *resultant, bool weighed,
                                            tp_message *message);
 
+/* The force to design for by that method, where the scene asks for a support of the toe and the
+ * method applies: into the support of a case that has both already. */
+TP_MUST_USE tp_status tp_goodman_bray_support(tp_system_case *own, const tp_built_system *system,
+                                              const tp_resultant *resultant, tp_message *message);
+
 #endif

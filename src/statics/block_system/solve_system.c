@@ -240,8 +240,10 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
   if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = find_motions(d, message);
   if (status != TP_OK) return status;
-  return tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
-                              tp_system_is_weighed(d->x->system), message);
+  status = tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
+                                tp_system_is_weighed(d->x->system), message);
+  return status == TP_OK ? tp_goodman_bray_support(d->own, d->x->s, &d->resultant, message)
+                         : status;
 }
 
 /* With or without the vertical part of the earthquake. */

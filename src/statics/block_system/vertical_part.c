@@ -153,6 +153,8 @@ static int support_rank(tp_system_support_state state) {
 }
 
 static void join_support(tp_system_case *own, const tp_system_case *other) {
+  const bool known = own->support.has_goodman_bray && other->support.has_goodman_bray;
+  const double by_method = fmax(own->support.goodman_bray_n_m, other->support.goodman_bray_n_m);
   const int rank_of_own = support_rank(own->support.state),
             rank_of_other = support_rank(other->support.state);
   const bool more = own->support.state == TP_SYSTEM_SUPPORT_NUMBER &&
@@ -160,6 +162,8 @@ static void join_support(tp_system_case *own, const tp_system_case *other) {
   if (rank_of_other > rank_of_own || (rank_of_other == rank_of_own && more)) {
     own->support = other->support;
   }
+  own->support.has_goodman_bray = known;
+  own->support.goodman_bray_n_m = by_method;
 }
 
 void tp_system_case_join(tp_system_case *own, tp_system_case *other) {
