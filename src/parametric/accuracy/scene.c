@@ -8,6 +8,7 @@
 #include "common/message.h"
 #include "scene/check_tilt_test.h"
 #include "stability/solve.h"
+#include "stability/tilts.h"
 
 #include <string.h>
 
@@ -28,7 +29,7 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
   s->scene.base.all_poses = false;
   if (as == CORNERS_SHARP) rounded->count = 0;
   if (as != CORNERS_AS_THEY_ARE) rounded->keeps_mass = as == CORNERS_PAPER;
-  tp_status status = tp_solve(&s->noted, &s->scene, &options, message);
+  tp_status status = tp_solve_numbers(&s->noted, &s->scene, &options, message);
   if (s->noted == NULL) return status; /* outputs of a call that fails stay untouched */
   s->towards = s->noted->cases[0].towards;
   status = tp_problem_init(&s->problem, &s->scene, &options, s->noted, message);

@@ -6,6 +6,7 @@
  * docs/mechanics.md section 8). */
 
 #include "paper/teeth.h"
+#include "stability/tilts.h"
 
 #include <float.h>
 #include <math.h>
@@ -43,7 +44,7 @@ tp_status tp_toothed_solve(tp_solution **solution, const tp_toothed_question *q,
   options.motion_ranges = q->tilt_deg == 0;
   tp_status status = tp_scene_new(&scene, "m", message);
   if (status == TP_OK) status = fill_scene(scene, q, message);
-  if (status == TP_OK) status = tp_solve(solution, scene, &options, message);
+  if (status == TP_OK) status = tp_solve_numbers(solution, scene, &options, message);
   tp_scene_free(scene);
   return status;
 }

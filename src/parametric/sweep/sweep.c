@@ -10,6 +10,7 @@
 #include "scene_varying/load_case.h"
 #include "scene_varying/settings.h"
 #include "solid_tilt/solve_solid.h"
+#include "stability/tilts.h"
 #include "sweep/axis.h"
 
 #include <stdlib.h>
@@ -70,7 +71,7 @@ static tp_status solve_scene(outcome *own, const sweep *s, tp_scene *scene) {
     return tp_solid_solve_scene(&own->solid, scene, false, &own->message);
   }
   scene->base.all_poses = false; /* a row has no place for them */
-  return tp_solve(&own->solution, scene, &s->solve, &own->message);
+  return tp_solve_numbers(&own->solution, scene, &s->solve, &own->message);
 }
 
 static bool is_undecided(const outcome *own) {

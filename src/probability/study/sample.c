@@ -139,7 +139,7 @@ static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_study *
   if (status == TP_OK) {
     scene->base.all_poses = false; /* a study takes each at the position that it draws */
     status = tilts != NULL ? tp_solve_tilts(solution, tilts, scene, &options, message)
-                           : tp_solve(solution, scene, &options, message);
+                           : tp_solve_numbers(solution, scene, &options, message);
   }
   tp_scene_free(scene);
   return status;

@@ -10,6 +10,7 @@
 #include "batch/share.h"
 #include "batch/verdict_filter.h"
 #include "evaluation/case_numbers.h"
+#include "stability/tilts.h"
 
 #include <math.h>
 
@@ -126,7 +127,7 @@ static tp_status solve(const verdict_task *t, size_t block, tp_message *message)
   if (status == TP_OK) {
     status = set_angle(scene, t->tilt_angle_deg, block, tp_scene_set_tilt_angle_deg, message);
   }
-  if (status == TP_OK) status = tp_solve(&solution, scene, &t->options, message);
+  if (status == TP_OK) status = tp_solve_numbers(&solution, scene, &t->options, message);
   tp_scene_free(scene);
   if (status != TP_OK) return status;
   put_case(t->columns, block, solution->cases);

@@ -9,7 +9,6 @@
 #include "stability/half_tolerance.h"
 
 #include "common/notes.h"
-#include "output/text.h"
 #include "terms/names.h"
 
 #include <math.h>
@@ -25,7 +24,8 @@ static bool differ(double one, double other) {
   return fabs(one - other) > alike * fmax(fabs(one), fabs(other));
 }
 
-static const char *fos_text(char out[TP_NUMBER_SIZE], const tp_fos *fos) {
+const char *tp_caution_fos(char out[TP_NUMBER_SIZE], const tp_case *own) {
+  const tp_fos *fos = &own->governing_fos.fos;
   switch (fos->state) {
   case TP_FOS_NUMBER:
     return tp_text_fixed_down(out, fos->value, 3);
@@ -50,7 +50,7 @@ static void tell_difference(char text[DIFFERENCE], const tp_case *own, const tp_
   } else if (fos->state != other->state ||
              (fos->state == TP_FOS_NUMBER && differ(fos->value.value, other->value.value))) {
     snprintf(text, DIFFERENCE, "towards the %s the factor of safety is %s, and not %s", towards,
-             fos_text(n[0], other), fos_text(n[1], fos));
+             tp_caution_fos(n[0], half), tp_caution_fos(n[1], own));
   } else if (own->has_first_angle && half->has_first_angle &&
              differ(own->first_angle_deg.value, half->first_angle_deg.value)) {
     snprintf(text, DIFFERENCE, "towards the %s it begins to move at %s°, and not at %s°", towards,

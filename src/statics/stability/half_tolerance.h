@@ -6,8 +6,12 @@
 #ifndef TP_STABILITY_HALF_TOLERANCE_H
 #define TP_STABILITY_HALF_TOLERANCE_H
 
+#include "output/text.h"
 #include "scene/scene.h"
 #include "topple.h"
+
+/* The factor of safety of a direction in a caution: a number, or why there is none. */
+const char *tp_caution_fos(char out[TP_NUMBER_SIZE], const tp_case *own);
 
 /* Solve a scene. */
 typedef tp_status tp_half_tolerance_solve(tp_solution **solution, const tp_scene *scene,

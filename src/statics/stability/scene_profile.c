@@ -14,6 +14,7 @@
 #include "roughness/profile.h"
 #include "scene/rule_jrc.h"
 #include "stability/solve.h"
+#include "stability/tilts.h"
 
 #include <stdlib.h>
 
@@ -47,7 +48,7 @@ static tp_status find_stress(double *kpa, const tp_scene *scene, tp_message *mes
   tp_scene stands = *scene; /* borrows all that it holds */
   tp_solution *solution = NULL;
   stands.base.all_poses = false;
-  const tp_status status = tp_solve(&solution, &stands, &options, message);
+  const tp_status status = tp_solve_numbers(&solution, &stands, &options, message);
   *kpa = 0;
   if (solution != NULL && solution->block.has_weight) {
     static const double radians = 0.017453292519943295;

@@ -14,6 +14,7 @@
 #include "stability/cautions.h"
 #include "stability/combinations.h"
 #include "stability/earthquakes.h"
+#include "stability/front_ground.h"
 #include "stability/half_tolerance.h"
 #include "stability/poses.h"
 #include "stability/solution.h"
@@ -119,6 +120,11 @@ tp_status tp_solve_tilts(tp_solution **solution, tp_tilts *tilts, const tp_scene
   return solve(solution, tilts, scene, options, message);
 }
 
+tp_status tp_solve_numbers(tp_solution **solution, const tp_scene *scene,
+                           const tp_solve_options *options, tp_message *message) {
+  return solve(solution, NULL, scene, options, message);
+}
+
 tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
                    tp_message *message) {
   TP_GUARD_HOST;
@@ -142,6 +148,9 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   tp_status status = solve(&filled, NULL, scene, options, message);
   if (status != TP_OK) return status;
   status = tp_half_tolerance_check(filled, scene, options, solve_combination, message);
+  if (status == TP_OK) {
+    status = tp_front_ground_check(filled, scene, options, solve_combination, message);
+  }
   if (status == TP_OK) {
     *solution = filled;
   } else {

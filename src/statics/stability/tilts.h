@@ -21,4 +21,9 @@ typedef struct tp_tilts {
 TP_MUST_USE tp_status tp_solve_tilts(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
                                      const tp_solve_options *options, tp_message *message);
 
+/* As tp_solve with options that are complete, but without the cautions for which a scene is solved
+ * twice: for searches and samples, of which nobody reads them. */
+TP_MUST_USE tp_status tp_solve_numbers(tp_solution **solution, const tp_scene *scene,
+                                       const tp_solve_options *options, tp_message *message);
+
 #endif

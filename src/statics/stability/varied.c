@@ -5,6 +5,7 @@
  * (scene_varying/vary.h) and solves it. */
 
 #include "stability/varied.h"
+#include "stability/tilts.h"
 
 #include "number/ratio.h"
 #include "scene_varying/load_case.h"
@@ -44,7 +45,7 @@ tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const
   tp_status status = tp_varied_scene(&scene, varied, values, message);
   if (status == TP_OK) {
     scene->base.all_poses = false; /* of one number after another nobody reads them */
-    status = tp_solve(solution, scene, &varied->options, message);
+    status = tp_solve_numbers(solution, scene, &varied->options, message);
   }
   tp_scene_free(scene);
   return status;
