@@ -72,9 +72,13 @@ typedef struct tp_tilt_options {
   double overturning_from, overturning_to; /* the grid of factors, evenly on a logarithmic axis, */
   size_t overturning_count; /* and how many, 2 to 100 000; 0: 65 from 1/16 to 16, and by 0.5 % the
                                octave below the least found to overturn it */
+  size_t smaller_count;     /* of a block on rigid contacts whose base shakes, and which is not
+                               overturned: so many smaller factors are tried, evenly on a logarithmic
+                               axis over the octave below 1, at most 100 000; 0: none */
 } tp_tilt_options;
 
-/* The defaults: 400 moments; nothing stops it. `size` is that of the struct as the caller knows it.
+/* The defaults: 400 moments, 128 smaller factors; nothing stops it. `size` is that of the struct as
+ * the caller knows it.
  */
 void tp_tilt_options_init(tp_tilt_options *options, size_t size);
 static inline tp_tilt_options tp_tilt_options_default(void) {
@@ -214,6 +218,13 @@ typedef struct tp_tilt_case {
   double centroid_x_m, centroid_y_m; /* of the block where it began */
   size_t runs;                       /* of the engine */
   double seconds;                    /* that they took */
+  bool has_peak_turn;                /* of a block whose base shakes, where it turned: */
+  double peak_turn_deg, peak_turn_s; /* the turn that came nearest to its balance, or the greatest,
+                                        counter-clockwise; and when */
+  bool has_balance_turn;             /* of straight edges and weight alone: */
+  double balance_turn_deg;           /* the turn to that side at which its centroid is over the
+                                        outermost contact of its start */
+  double peak_over_balance;          /* the peak as a share of that, not below 0 */
 } tp_tilt_case;
 
 /* The shaking of the base along one axis. */

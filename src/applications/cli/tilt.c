@@ -35,6 +35,7 @@ enum {
   KEY_MOMENTS,
   KEY_OVERTURNING,
   KEY_FACTORS,
+  KEY_SMALLER,
   KEY_CONVERGE,
   KEY_REPORT,
   KEY_LANGUAGE
@@ -72,6 +73,10 @@ static const struct argp_option options[] = {
      "Factors for --overturning, evenly on a logarithmic axis (65 from 1/16 to 16, then by 0.5 % "
      "the octave below the least that overturns)",
      0},
+    {"smaller", KEY_SMALLER, "N", 0,
+     "Number of smaller factors on the shaking that are tried, over the octave below 1, where it "
+     "does not overturn the block (default 128; 0: none)",
+     0},
     {"converge", KEY_CONVERGE, NULL, 0,
      "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
      "with --figure FILE, .svg, .pdf, .png or .csv, the answer against cost",
@@ -86,6 +91,16 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
     return;
   }
   a->tilt.moments = (size_t)count;
+}
+
+static void read_smaller(arguments *a, const char *text, const struct argp_state *state) {
+  char *end = NULL;
+  const long count = strtol(text, &end, 10);
+  if (end == text || *end != '\0' || count < 0 || count > 100000) {
+    tp_cli_refuse(state, "--smaller takes a whole number from 0 to 100000, not '%s'", text);
+    return;
+  }
+  a->tilt.smaller_count = (size_t)count;
 }
 
 static void check_converge(arguments *a, const struct argp_state *state) {
@@ -155,6 +170,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_FACTORS:
     tp_tilt_charts_factors(&a->tilt, argument, state);
+    return 0;
+  case KEY_SMALLER:
+    read_smaller(a, argument, state);
     return 0;
   case KEY_CONVERGE:
     a->converge = true;

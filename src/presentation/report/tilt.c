@@ -284,8 +284,10 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
     tp_text_add(t, ".\n");
     return;
   }
-  tp_text_add(t, "; followed to %.4g s.\n  Run-out %.4g %s down-dip, turned by %.4g°.\n",
-              c->ended_s, length(test, cleared(c->run_out_m, size_of(c))), test->length_unit,
+  tp_text_add(t, "; followed to %.4g s.\n", c->ended_s);
+  tp_tilt_add_peak(t, c);
+  tp_text_add(t, "  Run-out %.4g %s down-dip, turned by %.4g° at its end.\n",
+              length(test, cleared(c->run_out_m, size_of(c))), test->length_unit,
               cleared(c->turned_deg, 180));
   const double balance = c->energy_scale_j > 0 ? c->energy_balance_j / c->energy_scale_j : 0;
   tp_text_add(t, "  Kinetic energy at most %.3g J; energy balanced within %.1e of\n",

@@ -64,9 +64,31 @@ static void add_least(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *tes
                  "  --factors tries more.\n");
 }
 
+void tp_tilt_add_peak(tp_text *t, const tp_tilt_case *c) {
+  if (!c->has_peak_turn || c->end == TP_TILT_OVERTURNED || c->end == TP_TILT_LEFT_BASE) return;
+  tp_text_add(t, "  It turned by up to %.4g°, at %.4g s", fabs(c->peak_turn_deg), c->peak_turn_s);
+  if (c->has_balance_turn) {
+    tp_text_add(t, ": %.3g %% of its balance angle of %.4g°", 100 * c->peak_over_balance,
+                c->balance_turn_deg);
+  }
+  tp_text_add(t, ".\n");
+  if (c->has_balance_turn && c->peak_over_balance > 1) {
+    tp_text_add(t, "  Caution: beyond its balance angle only the shaking brought it back.\n");
+  }
+}
+
+/* Weaker shaking overturns what the scene's own does not. */
+static bool is_overturned_below(const tp_tilt_case *c) {
+  return c->has_overturning && c->overturned_by < 1 && c->end != TP_TILT_OVERTURNED &&
+         c->end != TP_TILT_LEFT_BASE;
+}
+
 void tp_tilt_add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (!c->overturning_scanned) return;
   add_tried(t, c);
+  if (is_overturned_below(c)) {
+    tp_text_add(t, "  Caution: weaker shaking overturns it.\n");
+  }
   if (!c->has_overturning) {
     tp_text_add(t, "  None of them overturns it, or throws it off its base.\n");
     return;

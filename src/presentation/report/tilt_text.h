@@ -25,7 +25,9 @@ size_t tp_tilt_chatter_length(const tp_tilt_case *own, size_t first);
 enum { TP_TILT_CHATTER = 6, TP_TILT_EVENTS_TOLD = 60 };
 /* Which shaking overturns it, where that was asked. */
 void tp_tilt_add_overturning(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
-/* How it ended, and that. */
+/* How near a rocking block came to overturning, where its base shakes. */
+void tp_tilt_add_peak(tp_text *text, const tp_tilt_case *own);
+/* How it ended, and these. */
 void tp_tilt_add_ending(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 
 #endif

@@ -165,6 +165,7 @@ static bool step_until(running *r, double time_s, tp_spring_watch_news *news, tp
       return false;
     }
     tp_stepper_advance(s);
+    tp_turn_range_take(r->run->turns, s->state.turned - r->run->start.turned, s->time_s);
     r->unasked++;
     r->steps++;
     const tp_spring_watch_news own = tp_spring_watch_step(&r->watch, s);

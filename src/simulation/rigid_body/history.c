@@ -52,3 +52,15 @@ bool tp_history_reaction(tp_history *h, long facet, double normal_n, double shea
   h->reactions[h->reaction_count++] = reaction;
   return true;
 }
+
+void tp_turn_range_take(tp_turn_range *range, double turned, double time_s) {
+  if (range == NULL) return;
+  if (turned > range->most) {
+    range->most = turned;
+    range->most_s = time_s;
+  }
+  if (turned < range->least) {
+    range->least = turned;
+    range->least_s = time_s;
+  }
+}

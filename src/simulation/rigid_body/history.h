@@ -37,6 +37,15 @@ typedef enum tp_run_end {
   TP_RUN_NO_MEMORY
 } tp_run_end;
 
+/* How far the block turned both ways during a run, in radians from its start, and when. */
+typedef struct tp_turn_range {
+  double most, most_s;   /* counter-clockwise, not below 0 */
+  double least, least_s; /* clockwise, not above 0 */
+} tp_turn_range;
+
+/* A turn that was reached; NULL: nothing is kept. */
+void tp_turn_range_take(tp_turn_range *range, double turned, double time_s);
+
 /* What every simulation by dynamics is asked. */
 typedef struct tp_run {
   const tp_rigid_body *body;
@@ -52,7 +61,8 @@ typedef struct tp_run {
   void *context;
   /* More steps end the run, as TP_RUN_UNDECIDED with a message; 0: the engine's own bound. */
   double most_steps;
-  double *steps; /* that were made, told at its end; NULL: not asked for */
+  tp_turn_range *turns; /* NULL: not asked for */
+  double *steps;        /* that were made, told at its end; NULL: not asked for */
 } tp_run;
 
 #endif

@@ -199,9 +199,33 @@ static bool meet(progress *p, const tp_watch_end *end) {
   return is_told(p, end) ? go_on_told(p) : go_on(p);
 }
 
+/* The turn at the end of a step, and where it turned back within the step: there the cubic through
+ * turns and angular velocities of both ends has its extreme. */
+static void take_turns(const progress *p, const tp_motion_state *from, double from_time) {
+  enum { TURN = 2 };
+  const tp_dynamics *d = p->d;
+  tp_turn_range *range = d->run->turns;
+  const double start = d->run->start.turned, length = d->time - from_time;
+  if (range == NULL || !(length > 0)) return;
+  const double a0 = from->place[TURN], a1 = d->state.place[TURN];
+  const double v0 = from->speed[TURN] * length, v1 = d->state.speed[TURN] * length;
+  tp_turn_range_take(range, a1 - start, to_seconds(d, d->time));
+  if (v0 * v1 >= 0) return;
+  const double a = 6 * (a0 - a1) + 3 * (v0 + v1), b = 6 * (a1 - a0) - 4 * v0 - 2 * v1, c = v0;
+  /* of a s^2 + b s + c = 0 the root between 0 and 1, where the two ends have different signs */
+  const double root = sqrt(fmax(0, b * b - 4 * a * c)), q = -0.5 * (b + copysign(root, b));
+  const double first = q != 0 ? c / q : 0, second = a != 0 ? q / a : first;
+  const double s = first > 0 && first < 1 ? first : fmin(1, fmax(0, second));
+  const double turned =
+      a0 + s * (v0 + s * (3 * (a1 - a0) - 2 * v0 - v1 + s * (2 * (a0 - a1) + v0 + v1)));
+  tp_turn_range_take(range, turned - start, to_seconds(d, from_time + s * length));
+}
+
 /* Up to the next time at which something is due, or the next event. */
 static bool move(progress *p) {
   tp_dynamics *d = p->d;
+  const tp_motion_state before = d->state;
+  const double before_time = d->time;
   const double kink = next_kink(d), due = fmin(fmin(p->end, p->next_moment), kink);
   tp_watch watch = {.system = &d->system,
                     .smooth = &d->smooth,
@@ -221,6 +245,7 @@ static bool move(progress *p) {
   d->time = is_due && end.step == watch.step ? due : end.time;
   d->state = tp_smooth_state(end.numbers);
   d->work = end.numbers[6];
+  take_turns(p, &before, before_time);
   tp_touching_open(&d->system, &d->state);
   const double drift = tp_smooth_project(&d->state, &d->smooth);
   d->account.largest_drift = fmax(d->account.largest_drift, drift);

@@ -6,6 +6,7 @@
 
 #include "tilt/follow.h"
 
+#include "tilt/peak.h"
 #include "tilt/settings.h"
 
 #include <math.h>
@@ -80,10 +81,12 @@ tp_status tp_tilting_follow(tp_tilting *tilting) {
                           .speed = ramp ? tp_tilt_radians(s->speed_deg_min) / 60 : 0,
                           .final_angle = ramp ? tp_tilt_radians(s->until_deg) : from,
                           .shaking = tilting->shaking};
+  tp_turn_range turns = {0};
   const tp_run run = {.drive = &drive,
                       .longest_s = longest,
                       .moments_every_s = longest / (double)(tilting->options->moments - 1),
-                      .history = &tilting->history};
+                      .history = &tilting->history,
+                      .turns = tilting->shaking != NULL ? &turns : NULL};
   const size_t events = tilting->history.event_count, moments = tilting->history.moment_count;
   const double later = last_time(&tilting->history);
   tp_body_state last = {.turned = 0};
@@ -96,5 +99,6 @@ tp_status tp_tilting_follow(tp_tilting *tilting) {
   own->end = end == TP_RUN_UNDECIDED && tp_tilting_stopped(tilting) ? TP_TILT_STOPPED : ends[end];
   own->run_out_m = (tilting->body->towards == TP_TOWARDS_LEFT ? -1 : 1) * last.moved.x;
   own->turned_deg = tp_tilt_degrees(last.turned);
+  if (tilting->shaking != NULL) tp_tilting_peak(tilting, &turns, from);
   return TP_OK;
 }

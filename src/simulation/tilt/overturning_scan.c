@@ -148,6 +148,10 @@ tp_status tp_overturning_check(const tp_tilt_options *options, tp_message *messa
   enum { MOST = 100000 };
   const double from = options->overturning_from, to = options->overturning_to;
   const size_t count = options->overturning_count;
+  if (options->smaller_count > MOST) {
+    return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
+                     "smaller factors on the shaking are at most %d", MOST);
+  }
   if (count == 0 && from == 0 && to == 0) return TP_OK;
   if (from > 0 && from < to && isfinite(to) && count >= 2 && count <= MOST) return TP_OK;
   return tp_refuse(message, TP_FAULT_RANGE, (tp_place){0},
@@ -169,6 +173,36 @@ tp_status tp_tilting_overturning(tp_tilting *tilting, tp_base_shaking *shaking) 
   if (s.count > 0) qsort(s.all, (size_t)s.count, sizeof *s.all, by_factor);
   if (status == TP_OK) status = narrow(&s);
   if (status == TP_OK) status = take_ranges(&s);
+  shaking->factor = 1;
+  free(s.all);
+  return status;
+}
+
+tp_status tp_tilting_overturning_below(tp_tilting *tilting, tp_base_shaking *shaking) {
+  scan s = {.own = {tilting, shaking}, .found = tilting->own, .message = tilting->message};
+  tp_overturning_grid *grid = s.found->overturning_tried;
+  bool went_on = true;
+  tried *first = tp_grow(s.all, s.count, &s.room, sizeof *s.all);
+  if (first == NULL) return tp_fail_memory(s.message, "the factors tried");
+  s.all = first;
+  s.all[s.count++] = (tried){1, false}; /* that was run */
+  s.found->overturning_scanned = true;
+  tilting->search = tp_tilting_search_budgets(tilting->options->smaller_count);
+  *grid = (tp_overturning_grid){.least = 1, .most = 1, .count = 1};
+  tp_status status = TP_OK;
+  const size_t count = tilting->options->smaller_count;
+  for (size_t k = 1; k <= count && went_on && status == TP_OK; k++) {
+    const double factor = exp2(-(double)k / (double)count);
+    status = try_factor(&s, factor, &went_on);
+    if (!went_on) break;
+    grid->least = factor;
+    grid->count++;
+  }
+  s.found->overturning_tried_count = 1;
+  qsort(s.all, (size_t)s.count, sizeof *s.all, by_factor);
+  if (status == TP_OK) status = narrow(&s);
+  if (status == TP_OK) status = take_ranges(&s);
+  s.found->converged = true; /* the run of the scene's own shaking was decided */
   shaking->factor = 1;
   free(s.all);
   return status;

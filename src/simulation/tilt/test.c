@@ -26,12 +26,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-TP_OPTIONS_END(tp_tilt_options, overturning_count);
+TP_OPTIONS_END(tp_tilt_options, smaller_count);
 
 enum { MOST_MOMENTS = 1000000 };
 
 void tp_tilt_options_init(tp_tilt_options *options, size_t size) {
-  const tp_tilt_options defaults = {.size = sizeof defaults, .moments = 400};
+  const tp_tilt_options defaults = {.size = sizeof defaults, .moments = 400, .smaller_count = 128};
   tp_options_fill(options, size, &defaults);
 }
 
@@ -92,11 +92,20 @@ static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most
   return own->end == TP_TILT_STANDS ? tp_tilting_follow(tilting) : TP_OK;
 }
 
+/* Did it move and come through, so that weaker shaking may yet overturn it? */
+static bool comes_through(const tp_tilting *tilting) {
+  const tp_tilt_end end = tilting->own->end;
+  return end == TP_TILT_RESTS || end == TP_TILT_MOVES;
+}
+
 static tp_status run_release(tp_tilting *tilting, const stage *g) {
   const tp_status status = tp_tilting_follow(tilting);
   tilting->own->converged = true;
-  if (status != TP_OK || !g->options->overturning || g->shaking == NULL) return status;
-  return tp_tilting_overturning(tilting, g->shaking);
+  if (status != TP_OK || g->shaking == NULL) return status;
+  if (g->options->overturning) return tp_tilting_overturning(tilting, g->shaking);
+  const bool rigid = tilting->settings->engine == TP_TILT_RIGID;
+  if (!rigid || g->options->smaller_count == 0 || !comes_through(tilting)) return TP_OK;
+  return tp_tilting_overturning_below(tilting, g->shaking);
 }
 
 static tp_status run_case(tp_tilting *tilting, const stage *g) {
