@@ -4,6 +4,7 @@
 
 import csv
 import ctypes
+import decimal
 import functools
 import json
 import os
@@ -81,6 +82,12 @@ def compiled(source, path):
     subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", file, "-o", library, "-lm"],
                    check=True)
     return ctypes.CDLL(str(library))
+
+
+def rounded_down(value, decimals=3):
+    """A factor of safety as it is printed: no decimal of it is above the true one."""
+    place = decimal.Decimal(1).scaleb(-decimals)
+    return str(decimal.Decimal(value).quantize(place, decimal.ROUND_FLOOR))
 
 
 def table(name):

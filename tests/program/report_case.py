@@ -91,7 +91,7 @@ class Interval:
     @classmethod
     def printed(cls, text):
         value, half = number(text)
-        return cls(value - half, value + half)
+        return cls(value - half, value + 2 * half)  # a factor of safety is rounded down
 
     @classmethod
     def around(cls, values):

@@ -39,7 +39,9 @@ class Studies(unittest.TestCase):
     def near(self, text, value):
         printed = float(text.strip("°"))
         decimals = len(text.strip("°").partition(".")[2])
-        self.assertLessEqual(abs(printed - value), 0.5 * 10.0 ** -decimals + 1e-9 * abs(value), text)
+        most = 1e-9 * abs(value)  # factors of safety are rounded down, all else to nearest
+        self.assertLessEqual(printed - value, 0.5 * 10.0 ** -decimals + most, text)
+        self.assertLessEqual(value - printed, 10.0 ** -decimals + most, text)
 
     def test_outcomes(self):
         """Counts, shares and intervals: those of JSON, and Wilson's of the counts."""

@@ -4,6 +4,7 @@
 the command line cannot."""
 
 import fcntl
+import json
 
 from harness import main, run
 from study_case import StudyCase, slab
@@ -143,6 +144,15 @@ class Refused(StudyCase):
         self.assertIn("needs one of its own", self.study("study.yaml", status=3))
         self.write(vary + "design_values: [{of: friction_angle_deg, probability: 0.1, quantity: fos}]\n")
         self.assertIn("the scene has none: 'tilt: ", self.study("study.yaml", status=3))
+        # a slope is its tilt: reliability asked for another one, with which the dip counted twice
+        (self.folder / "slab.yaml").write_text(
+            "topple: 1\nlength_unit: m\nslope: {dip_deg: 25, towards: left}\nfriction_angle_deg: 28\n"
+            "block: {slab: {width: 2, height: 3}}\nbase: {mated: true, beyond: {left: 1, right: 1}}\n")
+        for quantity in ("fos", "limit_deg"):
+            self.write("vary: {friction_angle_deg: {normal: {mean: 28, deviation: 2}}}\nsamples: 16\n"
+                       f"reliability: {{quantity: {quantity}}}\n")
+            found = json.loads(self.study("study.yaml", "--json"))["reliability"]
+            self.assertAlmostEqual(found["beta"], (28 - 25) / 2, delta=1e-4)
 
     def test_words(self):
         for words in (["study"], ["study", "a", "b"], ["study", "a", "--merge"], ["study", "a", "--shard", "3/2", "--csv", "x"],

@@ -7,6 +7,7 @@
 #include "figure/tilt_frames.h"
 
 #include "report/tilt_svg.h"
+#include "report/tilt_turn.h"
 #include "report/words.h"
 
 #include <math.h>
@@ -79,6 +80,42 @@ static void draw_row(cairo_t *cr, const tp_tilt_drawing *d, const tp_tilt_view *
   }
 }
 
+static void draw_level(cairo_t *cr, const tp_turn_strip *s, double turned_deg) {
+  const double y = tp_turn_strip_y(s, turned_deg);
+  cairo_move_to(cr, tp_turn_strip_x(s, 0), y);
+  cairo_line_to(cr, tp_turn_strip_x(s, s->end_s), y);
+  cairo_stroke(cr);
+}
+
+static void draw_strip(cairo_t *cr, const tp_tilt_drawing *d, const tp_turn_strip *s, double top) {
+  static const double dashes[] = {5, 3};
+  const tp_tilt_case *own = s->own;
+  double balance = 0;
+  tp_text words = {0};
+  if (s->height == 0) return;
+  cairo_save(cr);
+  cairo_translate(cr, 0, top);
+  tp_turn_strip_words(&words, s, d->language, d->comma);
+  draw_words(cr, 8, 12, &words);
+  cairo_set_line_width(cr, 1);
+  tp_figure_ink(cr, TP_INK_GREY);
+  draw_level(cr, s, 0);
+  cairo_set_dash(cr, dashes, 2, 0);
+  tp_figure_ink(cr, TP_INK_BLACK);
+  if (tp_turn_strip_balance(&balance, s)) draw_level(cr, s, balance);
+  cairo_set_dash(cr, dashes, 0, 0);
+  tp_figure_ink(cr, TP_INK_BLUE);
+  for (size_t k = 0; k < own->moment_count && own->moments[k].time_s <= s->end_s; k++) {
+    cairo_line_to(cr, tp_turn_strip_x(s, own->moments[k].time_s),
+                  tp_turn_strip_y(s, own->moments[k].turned_deg));
+  }
+  cairo_stroke(cr);
+  cairo_arc(cr, tp_turn_strip_x(s, own->peak_turn_s), tp_turn_strip_y(s, own->peak_turn_deg), 2.5,
+            0, 2 * M_PI);
+  cairo_fill(cr);
+  cairo_restore(cr);
+}
+
 static bool draw(cairo_t *cr, const void *context) {
   const tp_tilt_drawing *drawing = context;
   const tp_tilt_test *test = drawing->test;
@@ -87,6 +124,9 @@ static bool draw(cairo_t *cr, const void *context) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + k);
     draw_row(cr, drawing, &view, top);
     top += view.height * HALF + BELOW;
+    const tp_turn_strip strip = tp_turn_strip_of(&view);
+    draw_strip(cr, drawing, &strip, top);
+    top += strip.height;
   }
   return true;
 }
@@ -97,7 +137,7 @@ tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_drawing *drawing) {
   for (size_t k = 0; k < test->case_count; k++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + k);
     own.width = fmax(own.width, TP_TILT_FRAMES * view.width * HALF);
-    own.height += view.height * HALF + BELOW;
+    own.height += view.height * HALF + BELOW + tp_turn_strip_of(&view).height;
   }
   return own;
 }

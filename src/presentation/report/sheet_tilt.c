@@ -8,13 +8,18 @@
 #include "report/tilt_text.h"
 #include "report/words.h"
 
+#include <math.h>
+
 static void add_verdict(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test) {
   tp_text verdict = {0}, ending = {0};
   tp_document_heading(d, 2, "%s", tp_document_say(d, tp_text_table(test, c)));
+  /* of a block that is shaken, or let go, the answer is how it ended, and statics stand beside it
+   */
+  const bool released = test->settings.protocol == TP_TILT_RELEASE;
   tp_tilt_add_verdict(&verdict, c, test);
-  tp_sheet_prose(d, TP_PASSAGE_ANSWER, &verdict);
   tp_tilt_add_ending(&ending, c, test);
-  tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &ending);
+  tp_sheet_prose(d, TP_PASSAGE_ANSWER, released ? &ending : &verdict);
+  tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, released ? &verdict : &ending);
 }
 
 static void add_angle(tp_document *d, const char *name, bool known, double degrees) {
@@ -31,6 +36,12 @@ static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_tes
   add_angle(d, "Begins to move at", c->has_bracket, c->lets_go_at_deg);
   add_angle(d, "Statics, α_s", c->has_onset, c->onset_deg);
   add_angle(d, "Statics, α_w", c->has_limit, c->limit_deg);
+  add_angle(d, "Peak rotation", c->has_peak_turn, fabs(c->peak_turn_deg));
+  add_angle(d, "Balance angle", c->has_peak_turn && c->has_balance_turn, c->balance_turn_deg);
+  if (c->has_peak_turn && c->has_balance_turn) {
+    tp_document_word(d, "Peak rotation over balance angle");
+    tp_document_cell(d, "%.3g %%", 100 * c->peak_over_balance);
+  }
   tp_document_cell(d, "Final state");
   tp_document_cell(d, "%s, at a tilt of %.6g°", tp_document_say(d, tp_tilt_end_name(c->end)),
                    c->ended_deg);

@@ -27,8 +27,10 @@ void tp_text_system_design_support(tp_text *t, const tp_system_case *c) {
     tp_text_add(t, "no such force holds the blocks");
   } else if (own->has_goodman_bray && own->goodman_bray_n_m > 0) {
     tp_text_add(t, "%.5g kN/m, by Goodman and Bray", own->goodman_bray_n_m / kilo);
-  } else if (own->has_goodman_bray) {
+  } else if (own->has_goodman_bray && c->verdict != TP_SYSTEM_MAY_MOVE) {
     tp_text_add(t, "none needed, by Goodman and Bray");
+  } else if (own->has_goodman_bray) {
+    tp_text_add(t, "no design value: by Goodman and Bray none is needed, but a motion can begin");
   } else {
     tp_text_add(t, "no design value: that no motion can begin is not proven");
   }

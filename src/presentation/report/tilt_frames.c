@@ -7,6 +7,7 @@
 #include "common/host.h"
 #include "output/translate.h"
 #include "report/tilt_svg.h"
+#include "report/tilt_turn.h"
 #include "report/words.h"
 
 #include <math.h>
@@ -94,7 +95,7 @@ tp_status tp_tilt_frames_svg(char **text, const tp_tilt_test *test, const tp_lan
   for (size_t c = 0; c < test->case_count; c++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
     width = fmax(width, TP_TILT_FRAMES * view.width / 2);
-    height += view.height / 2 + 44;
+    height += view.height / 2 + 44 + tp_turn_strip_of(&view).height;
   }
   tp_tilt_svg_begin(&t, width, height);
   double top = 0;
@@ -110,6 +111,9 @@ tp_status tp_tilt_frames_svg(char **text, const tp_tilt_test *test, const tp_lan
                 &words);
     }
     top += view.height / 2 + 44;
+    const tp_turn_strip strip = tp_turn_strip_of(&view);
+    tp_turn_strip_svg(&t, &strip, top, language, comma);
+    top += strip.height;
   }
   tp_text_add(&t, "</svg>\n");
   return tp_text_finish(&t, text);

@@ -138,7 +138,7 @@ static tp_status note(tp_solution *solution, const tp_case *own, const char *res
                       const without *w, const tp_scene *scene, tp_message *message) {
   char where[96] = "";
   if (w->has_toe) {
-    snprintf(where, sizeof where, ", which begins at (%.6g, %.6g)", w->toe[0], w->toe[1]);
+    snprintf(where, sizeof where, ", which begins at (%.6g, %.6g),", w->toe[0], w->toe[1]);
   }
   return tp_notes_add(&solution->notes, message, TP_CAUTION, scene->base.place,
                       "towards the %s the ground in front of the toe%s holds the block: without it "

@@ -54,7 +54,8 @@ export class Player {
     const { store } = this;
     this.button.disabled = true;
     try {
-      const args = ["tilt", "--json", "--moments=" + MOMENTS, ...store.caseWords, store.argument];
+      // the strip of shaking tries smaller factors
+      const args = ["tilt", "--json", "--smaller=0", "--moments=" + MOMENTS, ...store.caseWords, store.argument];
       const answer = await this.core.run(args, { ...store.files, [store.name]: testedText(store.parsed) }, { latest: "tilt", timeoutMs: TEST_MAX_MS });
       if (asked !== this.#asked) return;
       if (answer.out === "") throw refusalOf(answer);
