@@ -15,11 +15,12 @@ from .scene import Scene
 
 def tilt_test(scene: Scene, *, moments: int | None = None,
               overturning: bool | None = None,
-              factors: tuple[float, float, int] | None = None, stop: Stop = None,
-              progress: Progress = None) -> TiltTest:
+              factors: tuple[float, float, int] | None = None, smaller: int | None = None,
+              stop: Stop = None, progress: Progress = None) -> TiltTest:
     """Run the test that the scene calls for. `moments`: of the history, at most, 400 unless given;
     `overturning`: which factors on the scene's shaking overturn the block, of the least, the
-    greatest and the number of them that `factors` gives, else of those of `topple tilt`.
+    greatest and the number of them that `factors` gives, else of those of `topple tilt`;
+    `smaller`: how many smaller factors are tried, 128 unless given, where it is not overturned.
 
     `stop` is asked now and then, and true ends the test with what is known by then (`end` is
     TiltEnd.STOPPED); `progress` is given the number of runs. Ctrl-C raises Interrupted, a
@@ -28,7 +29,8 @@ def tilt_test(scene: Scene, *, moments: int | None = None,
     run = Run(stop, progress)
     least, most, count = factors or (None, None, None)
     options = options_of("tilt", moments=moments, overturning=overturning, overturning_from=least,
-                         overturning_to=most, overturning_count=count, **run.options("run_brackets"))
+                         overturning_to=most, overturning_count=count, smaller_count=smaller,
+                         **run.options("run_brackets"))
     run.call(scene._use, lib.tp_tilt_test_run, receives, scene._c, options)
     owner = ffi.gc(receives[0], lib.tp_tilt_test_free)
     return run.ended_with(record(TiltTest, owner[0], owner))

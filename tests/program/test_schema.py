@@ -251,6 +251,10 @@ class Schema(unittest.TestCase):
                            "- {name: g, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n"
                            "- {name: b, slab: {width: 2, height: 4}}\ntilt: {towards: left, angle_deg: 33}\n"
                            "support: {block: b, at: [0, 1]}\nloads: {water: {level: 1}}\n", encoding="utf-8")
+            asked = pathlib.Path(name) / "asked.yaml"  # of columns, for the toe of which a support is asked
+            asked.write_text("topple: 1\nlength_unit: m\nfriction_angle_deg: 30\nslope: {dip_deg: 33, towards: left}\n"
+                             "block: {unit_weight_kn_m3: 25}\ncolumns: {width: 1, heights: [1, 1]}\n"
+                             "support: {block: column 1, at: [0, 0.5]}\n", encoding="utf-8")
             self.prints("sweep", "--json", "--x", "friction_angle_deg=35,95", example, statuses=(3,))
             study = pathlib.Path(name) / "study.yaml"
             study.write_text("topple_study: 1\nscene: row.yaml\nvary: {friction_angle_deg: {list: [0, 40]}}\n",
@@ -266,7 +270,7 @@ class Schema(unittest.TestCase):
                               "block: {unit_weight_kn_m3: 25}\nloads: {cohesion_kpa: 30, seismic: {horizontal: 0.05, vertical: 0.2}}\n"
                               "blocks:\n- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n- {slab: {width: 4, height: 1}}\n",
                               encoding="utf-8")
-            files = ((scene, ()), (lifted, ()), (slot, ()), (row, ()), (wet, ()), (wet, ("--set", "tilt.angle_deg=1")), (many, ()), (pinched, ()))
+            files = ((scene, ()), (lifted, ()), (slot, ()), (row, ()), (wet, ()), (asked, ()), (wet, ("--set", "tilt.angle_deg=1")), (many, ()), (pinched, ()))
             drawn = (example.with_name("wet_columns.yaml"), ("--outlines",))
             for path, more in ((example, ("--set", "friction_angle_deg=36")), drawn, *files):
                 status, out, err = run("solve", "--json", *more, path)
