@@ -35,6 +35,11 @@ double tp_tilting_steps_left(const tp_tilting *tilting) {
   return fmax(1, fmin(own, left) / unit_of(tilting));
 }
 
+double tp_tilting_runs_left(const tp_tilting *tilting) {
+  const double each = tilting->own->runs > 0 ? tilting->spent / (double)tilting->own->runs : 0;
+  return floor(fmax(0, budget_of(tilting) - tilting->spent) / fmax(each, 1));
+}
+
 void tp_tilting_count_steps(tp_tilting *tilting, double steps) {
   tilting->spent += steps * unit_of(tilting);
 }

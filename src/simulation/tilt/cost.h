@@ -19,6 +19,9 @@ double tp_tilting_search_budgets(size_t factors);
 /* Steps of the engine that are left of the budget of all runs. */
 double tp_tilting_steps_left(const tp_tilting *tilting);
 
+/* How many more runs like those so far fit into the budget of one. */
+double tp_tilting_runs_left(const tp_tilting *tilting);
+
 /* So many steps were made. */
 void tp_tilting_count_steps(tp_tilting *tilting, double steps);
 

@@ -187,10 +187,11 @@ tp_status tp_tilting_overturning_below(tp_tilting *tilting, tp_base_shaking *sha
   s.all = first;
   s.all[s.count++] = (tried){1, false}; /* that was run */
   s.found->overturning_scanned = true;
-  tilting->search = tp_tilting_search_budgets(tilting->options->smaller_count);
+  tilting->search = 2; /* budgets: the grid fits into one */
   *grid = (tp_overturning_grid){.least = 1, .most = 1, .count = 1};
   tp_status status = TP_OK;
-  const size_t count = tilting->options->smaller_count;
+  const size_t count =
+      (size_t)fmin((double)tilting->options->smaller_count, tp_tilting_runs_left(tilting));
   for (size_t k = 1; k <= count && went_on && status == TP_OK; k++) {
     const double factor = exp2(-(double)k / (double)count);
     status = try_factor(&s, factor, &went_on);
