@@ -10,6 +10,7 @@
 #include "common/message.h"
 #include "output/text.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static tp_batch_standing standing_of_system(const tp_system_case *c) {
@@ -34,6 +35,25 @@ static tp_mechanism verdict_of(const tp_system_case *c) {
     break;
   }
   return TP_MECHANISM_UNDECIDED;
+}
+
+/* 2: not met, or it does not stand; 1: open; 0: met, as tp_severity has it. */
+static int rank_of(const tp_system_case *c) {
+  if (c->verdict == TP_SYSTEM_COLLAPSES || c->verdict == TP_SYSTEM_MAY_MOVE) return 2;
+  if (c->has_required_fos && c->meets_required == TP_DESIGN_NOT_MET) return 2;
+  if (c->verdict != TP_SYSTEM_STANDS) return 1;
+  return c->has_required_fos && c->meets_required == TP_DESIGN_OPEN ? 1 : 0;
+}
+
+tp_severity tp_batch_system_severity(const tp_block_system *system) {
+  const tp_system_case *c = tp_system_governing(system);
+  const tp_fos fos = tp_system_case_factor(c).fos;
+  const double required = c->has_required_fos ? system->required_fos.value : 1;
+  const bool number = fos.state == TP_FOS_NUMBER && fos.value.value > 0;
+  const double need = number                               ? required / fos.value.value
+                      : fos.state == TP_FOS_NO_OVERTURNING ? 0
+                                                           : INFINITY;
+  return (tp_severity){rank_of(c), need};
 }
 
 /* What the factor does not say, and the cautions. */

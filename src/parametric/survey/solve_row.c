@@ -7,6 +7,7 @@
 #include "survey/judge.h"
 #include "survey/judge_system.h"
 
+#include "common/message.h"
 #include "scene/scene.h"
 #include "topple_load_cases.h"
 
@@ -23,11 +24,12 @@ void tp_batch_row_clear(tp_batch_row *row) {
   *row = (tp_batch_row){0};
 }
 
-static tp_status solve_blocks(tp_batch_row *row, const tp_scene *scene,
+static tp_status solve_blocks(tp_batch_row *row, tp_severity *severity, const tp_scene *scene,
                               const tp_solve_options *options, tp_message *message) {
   tp_block_system *system = NULL;
   tp_status status = tp_solve_block_system(&system, scene, options, message);
   if (status == TP_OK) status = tp_batch_judge_system(row, system, message);
+  if (status == TP_OK) *severity = tp_batch_system_severity(system);
   tp_block_system_free(system);
   return status;
 }
@@ -35,8 +37,7 @@ static tp_status solve_blocks(tp_batch_row *row, const tp_scene *scene,
 static tp_status solve(tp_batch_row *row, tp_severity *severity, tp_scene *scene,
                        const tp_solve_options *options, tp_message *message) {
   tp_solution *solution = NULL;
-  *severity = (tp_severity){0}; /* of many blocks, which have no load cases to be compared */
-  if (tp_scene_block_count(scene) > 0) return solve_blocks(row, scene, options, message);
+  if (tp_scene_block_count(scene) > 0) return solve_blocks(row, severity, scene, options, message);
   scene->base.all_poses = false; /* a row has no place for them */
   tp_status status = tp_solve(&solution, scene, options, message);
   if (status == TP_OK) status = tp_batch_judge(row, solution, message);
@@ -50,7 +51,8 @@ static bool is_short(const tp_batch_row *row) {
   return row->standing == TP_BATCH_FAILS || row->standing == TP_BATCH_BELOW;
 }
 
-/* A block that does not stand is the worse one even where its case requires less than that. */
+/* A block that does not stand is the worse one even where its case requires less than that. Both
+ * rows are of load cases (solve_case), and have their names. */
 static bool is_worse(const tp_batch_row *one, tp_severity of_one, const tp_batch_row *other,
                      tp_severity of_other) {
   if (one->standing != other->standing && !(is_short(one) && is_short(other))) {
@@ -60,12 +62,17 @@ static bool is_worse(const tp_batch_row *one, tp_severity of_one, const tp_batch
   return order != 0 ? order < 0 : strcmp(one->load_case, other->load_case) < 0;
 }
 
+/* The row names its load case, whatever it was judged by. */
 static tp_status solve_case(tp_batch_row *row, tp_severity *severity, const tp_scene *scene,
                             const char *name, const tp_solve_options *options,
                             tp_message *message) {
   tp_scene *own = NULL;
   tp_status status = tp_scene_load_case(&own, scene, name, message);
   if (status == TP_OK) status = solve(row, severity, own, options, message);
+  if (status == TP_OK && row->load_case == NULL) {
+    row->load_case = strdup(name);
+    if (row->load_case == NULL) status = tp_fail_memory(message, "a table");
+  }
   tp_scene_free(own);
   return status;
 }
