@@ -194,12 +194,76 @@ START_TEST(verdicts_of_stones) {
 }
 END_TEST
 
+/* The same stones elsewhere: each coordinate on a grid of 2^-20 as before, so that both sums are
+ * exact. */
+static void move_stones(double x, double y) {
+  for (size_t k = 0; k < first_of[SOLVED]; k++) {
+    all_xy[2 * k] += x;
+    all_xy[2 * k + 1] += y;
+  }
+}
+
+/* Bounds that meet, and no word another. */
+static void claim_moved(const verdicts *home, const verdicts *away, size_t k) {
+  const double *const numbers[][2] = {{home->angle, home->angle_error},
+                                      {home->limit, home->limit_error},
+                                      {home->onset, home->onset_error},
+                                      {home->fos, home->fos_error}};
+  const double *const moved[][2] = {{away->angle, away->angle_error},
+                                    {away->limit, away->limit_error},
+                                    {away->onset, away->onset_error},
+                                    {away->fos, away->fos_error}};
+  ck_assert_int_eq(home->status[k], away->status[k]);
+  ck_assert_int_eq(home->mechanism[k], away->mechanism[k]);
+  ck_assert_int_eq(home->fos_mechanism[k], away->fos_mechanism[k]);
+  for (size_t n = 0; n < sizeof numbers / sizeof numbers[0]; n++) {
+    const double own = numbers[n][0][k], other = moved[n][0][k];
+    ck_assert_int_eq(isnan(own), isnan(other));
+    if (isnan(own)) continue;
+    ck_assert_double_le(fabs(own - other), numbers[n][1][k] + moved[n][1][k]);
+  }
+}
+
+/* Map coordinates (x 500 000, y 4 600 000) cost what the origin costs: 20 000 blocks of a GIS left
+ * the filter, all of them, as the bound of a centroid grew with its distance from the origin. A
+ * translation that is exact changes nothing else; and what tp_solve tells is the same. */
+START_TEST(verdicts_at_map_coordinates) {
+  static const double places[][2] = {{500000, 4600000}, {-3e6, 1}, {0, 0x1p27}};
+  static verdicts home, away;
+  static const double grid = 0x1p20;
+  random_numbers state = random_numbers_from(random_seed());
+  first_of[0] = 0;
+  for (size_t k = 0; k < SOLVED; k++) {
+    first_of[k + 1] = first_of[k] + draw_stone(all_xy + 2 * first_of[k], &state, k % 6 == 0);
+    friction[k] = 5 + 60 * draw_part(&state);
+    tilt[k] = draw_once_in(&state, 9) ? NAN : draw_once_in(&state, 9) ? 0 : 55 * draw_part(&state);
+  }
+  for (size_t k = 0; k < 2 * first_of[SOLVED]; k++) {
+    all_xy[k] = nearbyint(all_xy[k] * grid) / grid;
+  }
+  const tp_outlines outlines = tp_outlines_ragged(all_xy, SOLVED, first_of);
+  solve(&home, &outlines, 2);
+  ck_assert_msg(home.summary.climbed < SOLVED / 3, "%zu climbed", home.summary.climbed);
+  for (size_t place = 0; place < sizeof places / sizeof places[0]; place++) {
+    move_stones(places[place][0], places[place][1]);
+    solve(&away, &outlines, 2);
+    for (size_t k = 0; k < SOLVED; k++) claim_moved(&home, &away, k);
+    for (size_t k = 0; k < SOLVED; k += 9) claim_verdict(&away, k);
+    const size_t more = away.summary.climbed - home.summary.climbed;
+    ck_assert_msg(away.summary.climbed <= home.summary.climbed || more <= SOLVED / 100,
+                  "%zu climbed, and %zu at the origin", away.summary.climbed, home.summary.climbed);
+    move_stones(-places[place][0], -places[place][1]);
+  }
+}
+END_TEST
+
 SUITE(block_verdicts) {
   Suite *suite = suite_create("block_verdicts");
   TCase *tests = tcase_create("blocks");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, verdicts_of_many);
   tcase_add_test(tests, verdicts_of_stones);
+  tcase_add_test(tests, verdicts_at_map_coordinates);
   suite_add_tcase(suite, tests);
   return suite;
 }

@@ -47,10 +47,15 @@ static tp_bounded scaled(tp_bounded number, double factor) {
   return (tp_bounded){.value = number.value * factor, .error = number.error * fabs(factor)};
 }
 
-/* origin + offset / (3 scale). */
-static tp_bounded placed(double origin, tp_bounded offset, double scale) {
-  const double third = offset.value / 3 / scale, value = origin + third;
-  return bounded(value, offset.error / 3 / scale + unit * (fabs(third) + fabs(value)));
+/* offset / (3 scale), and that from an origin. */
+static tp_bounded third(tp_bounded offset, double scale) {
+  const double value = offset.value / 3 / scale;
+  return bounded(value, offset.error / 3 / scale + unit * fabs(value));
+}
+
+static tp_bounded placed(double origin, tp_bounded offset) {
+  const double value = origin + offset.value;
+  return bounded(value, offset.error + unit * fabs(value));
 }
 
 static bool is_in_range(const tp_area_moments *m) {
@@ -59,8 +64,9 @@ static bool is_in_range(const tp_area_moments *m) {
          isfinite(m->second_moment_xy.value + m->second_moment_xy.error);
 }
 
-static tp_status take(tp_area_moments *moments, const tp_scan *scan, double origin_x,
-                      double origin_y, double scale) {
+/* The origin of the centre is that of the scan. */
+static tp_status take(tp_area_moments *moments, tp_area_centre *centre, const tp_scan *scan,
+                      double scale) {
   double sums[TP_SUM_COUNT], errors[TP_SUM_COUNT];
   tp_bounded own[TP_SUM_COUNT];
   tp_ring_sums_double_first(sums, errors, scan->u, scan->v, scan->count, false,
@@ -73,9 +79,11 @@ static tp_status take(tp_area_moments *moments, const tp_scan *scan, double orig
   const tp_bounded xx = about_centroid(own[TP_XX12], 12, product(x, own[TP_X6]));
   const tp_bounded yy = about_centroid(own[TP_YY12], 12, product(y, own[TP_Y6]));
   const tp_bounded xy = about_centroid(own[TP_XY24], 24, product(x, own[TP_Y6]));
+  centre->x = third(x, scale);
+  centre->y = third(y, scale);
   *moments = (tp_area_moments){.area = scaled(own[TP_A2], area_scale / 2),
-                               .centroid_x = placed(origin_x, x, scale),
-                               .centroid_y = placed(origin_y, y, scale),
+                               .centroid_x = placed(centre->origin_x, centre->x),
+                               .centroid_y = placed(centre->origin_y, centre->y),
                                .second_moment_xx = scaled(xx, second_scale),
                                .second_moment_yy = scaled(yy, second_scale),
                                .second_moment_xy = scaled(xy, second_scale)};
@@ -87,8 +95,8 @@ static bool is_moderate(double scale) {
   return scale >= 1e-60 && scale <= 1e60;
 }
 
-tp_status tp_area_filter(tp_area_moments *moments, tp_workspace *workspace, tp_vertices vertices,
-                         const tp_scan_kernel *kernel, tp_message *message) {
+tp_status tp_area_filter(tp_area_moments *moments, tp_area_centre *centre, tp_workspace *workspace,
+                         tp_vertices vertices, const tp_scan_kernel *kernel, tp_message *message) {
   if (vertices.count < 3) return TP_UNDECIDED;
   tp_scan scan;
   if (!tp_scan_read(&scan, workspace, vertices, kernel)) {
@@ -96,8 +104,8 @@ tp_status tp_area_filter(tp_area_moments *moments, tp_workspace *workspace, tp_v
   }
   const double scale = tp_scan_scale(&scan);
   if (!is_moderate(scale)) return TP_UNDECIDED;
-  const double x = scan.least_x + (scan.most_x - scan.least_x) / 2;
-  const double y = scan.least_y + (scan.most_y - scan.least_y) / 2;
-  tp_scan_shift(&scan, x, y, scale, kernel);
-  return take(moments, &scan, x, y, scale);
+  centre->origin_x = scan.least_x + (scan.most_x - scan.least_x) / 2;
+  centre->origin_y = scan.least_y + (scan.most_y - scan.least_y) / 2;
+  tp_scan_shift(&scan, centre->origin_x, centre->origin_y, scale, kernel);
+  return take(moments, centre, &scan, scale);
 }

@@ -22,7 +22,8 @@ tp_status tp_outline_moments(tp_area_moments *moments, const double *xy, size_t 
   tp_workspace workspace = {.room = room, .capacity = SMALL, .borrowed = true};
   const tp_vertices vertices = tp_vertices_open(xy, count);
   tp_area_moments own;
-  tp_status status = tp_area_filter(&own, &workspace, vertices,
+  tp_area_centre centre;
+  tp_status status = tp_area_filter(&own, &centre, &workspace, vertices,
                                     tp_scan_kernel_choose(TP_INSTRUCTIONS_BEST), message);
   tp_workspace_clear(&workspace);
   if (status == TP_UNDECIDED) status = tp_area_exact(&own, vertices, message);
@@ -51,7 +52,8 @@ static tp_status find(tp_workspace *workspace, const void *task, size_t block,
   const tp_bounded none = {.value = NAN, .error = NAN};
   const tp_vertices vertices = tp_outlines_at(t->outlines, block);
   tp_area_moments moments;
-  tp_status status = tp_area_filter(&moments, workspace, vertices, t->kernel, message);
+  tp_area_centre centre;
+  tp_status status = tp_area_filter(&moments, &centre, workspace, vertices, t->kernel, message);
   if (status == TP_UNDECIDED) {
     workspace->summary.climbed++;
     status = tp_area_exact(&moments, vertices, message);

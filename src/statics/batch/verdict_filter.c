@@ -93,15 +93,18 @@ tp_status tp_verdict_filter(tp_block_told *told, tp_case_filter *filter, tp_work
   double x[MOST], y[MOST];
   tp_block_turning turning;
   tp_area_moments moments;
+  tp_area_centre centre;
   tp_block_underside underside;
   tp_status status = tp_turning_filter(&turning, workspace, vertices, task, message);
   if (status == TP_NO_ANSWER || (status == TP_OK && turning.edges >= MOST)) return TP_UNDECIDED;
   if (status == TP_OK)
-    status = tp_area_filter(&moments, workspace, vertices, task->kernel, message);
+    status = tp_area_filter(&moments, &centre, workspace, vertices, task->kernel, message);
   if (status != TP_OK) return status;
   set_underside(&underside, x, y, vertices, &turning);
-  underside.centroid_x = near_of(moments.centroid_x);
-  underside.centroid_y = near_of(moments.centroid_y);
+  underside.origin_x = centre.origin_x;
+  underside.origin_y = centre.origin_y;
+  underside.centroid_x = near_of(centre.x);
+  underside.centroid_y = near_of(centre.y);
   underside.gyration =
       tp_near_div(tp_near_add(near_of(moments.second_moment_xx), near_of(moments.second_moment_yy)),
                   near_of(moments.area));

@@ -2,7 +2,9 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Points of contact are both ends of each edge of the underside; differences of doubles are exact
- * but for one rounding, and zero where two are the same, so that level facets stay level. */
+ * but for one rounding, and zero where two are the same, so that level facets stay level. Positions
+ * are differences from a point near by, so that the bounds do not grow with the distance of a block
+ * from the origin, as in map coordinates. */
 
 #include "case_filter/block_filter.h"
 
@@ -11,12 +13,18 @@
 
 #include <math.h>
 
+/* A coordinate from the centroid, by way of the point near by. */
+static tp_near from_centroid(double own, double origin, tp_near centroid) {
+  const double apart = own - origin;
+  return tp_near_sub((tp_near){apart, fabs(apart) * DBL_EPSILON}, centroid);
+}
+
 /* The k-th, from the centroid; towards the right x is mirrored, and up-dip is the other way along.
  * Only facets that run up-dip. */
 static bool set_point(tp_shape_point *p, const tp_block_underside *u, int k, tp_direction towards) {
   const int facet = k / 2, vertex = facet + k % 2;
-  p->x = tp_near_sub((tp_near){u->x[vertex], 0}, u->centroid_x);
-  p->y = tp_near_sub((tp_near){u->y[vertex], 0}, u->centroid_y);
+  p->x = from_centroid(u->x[vertex], u->origin_x, u->centroid_x);
+  p->y = from_centroid(u->y[vertex], u->origin_y, u->centroid_y);
   tp_facet_direction(p, u, facet);
   if (tp_near_sign(p->tx) <= 0) return false;
   if (towards == TP_TOWARDS_LEFT) return true;
@@ -85,18 +93,21 @@ static bool set_rest(tp_contact_rest *rest, const tp_block_underside *u, tp_dire
   static const double least = 1e-100;
   const double way = towards == TP_TOWARDS_LEFT ? 1 : -1;
   bool long_enough = true;
+  double apart = 0; /* from the point near by */
   rest->count = 2 * (u->count - 1);
   rest->far = 0;
-  rest->off = fmax(u->centroid_x.error, u->centroid_y.error);
   for (int k = 0; k < rest->count; k++) {
     const int facet = k / 2, vertex = facet + k % 2;
-    rest->x[k] = way * (u->x[vertex] - u->centroid_x.value);
-    rest->y[k] = u->y[vertex] - u->centroid_y.value;
+    const double x = u->x[vertex] - u->origin_x, y = u->y[vertex] - u->origin_y;
+    apart = fmax(apart, fmax(fabs(x), fabs(y)));
+    rest->x[k] = way * (x - u->centroid_x.value);
+    rest->y[k] = y - u->centroid_y.value;
     rest->tx[k] = u->x[facet + 1] - u->x[facet];
     rest->ty[k] = way * (u->y[facet + 1] - u->y[facet]);
     rest->far = fmax(rest->far, fmax(fabs(rest->x[k]), fabs(rest->y[k])));
     long_enough = long_enough && rest->tx[k] >= least;
   }
+  rest->off = fmax(u->centroid_x.error, u->centroid_y.error) + apart * DBL_EPSILON;
   return long_enough;
 }
 

@@ -11,8 +11,9 @@
 
 enum { TP_REST_FACETS = 96, TP_REST_POINTS = 2 * TP_REST_FACETS };
 
-/* From the centroid, and along their facets, each rounded but for that once; the centroid is known
- * to within `off`, and no point lies farther from it than `far` along either axis. */
+/* From the centroid, and along their facets, each rounded but for that once; the centroid, and what
+ * positions are measured from, is known to within `off`, and no point lies farther from it than
+ * `far` along either axis. */
 typedef struct tp_contact_rest {
   int count;
   double x[TP_REST_POINTS], y[TP_REST_POINTS], tx[TP_REST_POINTS], ty[TP_REST_POINTS];

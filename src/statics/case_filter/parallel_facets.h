@@ -17,9 +17,10 @@
  * right throughout and may be turned about at the end that is down-dip. */
 typedef struct tp_block_underside {
   const double *x, *y;
-  int count; /* of vertices */
-  tp_near centroid_x, centroid_y;
-  tp_near gyration; /* square of its radius */
+  int count;                      /* of vertices */
+  double origin_x, origin_y;      /* a point near by, exactly */
+  tp_near centroid_x, centroid_y; /* from that point */
+  tp_near gyration;               /* square of its radius */
 } tp_block_underside;
 
 /* a - b, with no error where it is exact. */
