@@ -5,6 +5,7 @@
 the study says how many they were."""
 
 import json
+import re
 
 from harness import main, run
 from study_case import StudyCase, factor, shown
@@ -112,6 +113,23 @@ class Filter(StudyCase):
                        "  parameters.valley: {normal: {mean: -0.1, deviation: 0.01}}\n"
                        "  parameters.lean: {uniform: {low: 1.02, high: 1.2}}\n"
                        "  friction_angle_deg: {normal: {mean: 30, deviation: 3}}\n", [0, 5, 14, 19, 26])
+
+    def test_map_coordinates(self):
+        """The same block at x = 500 000, y = 4 600 000, as a GIS has it: as many samples by doubles, and rows alike but for where
+        the pivot is. All samples left the filter, as differences were as coarse as coordinates are far away."""
+        vary = ("  parameters.top: {normal: {mean: 3.2, deviation: 0.05}}\n"
+                "  parameters.valley: {normal: {mean: -0.1, deviation: 0.01}}\n"
+                "  parameters.lean: {uniform: {low: 1.02, high: 1.2}}\n"
+                "  friction_angle_deg: {normal: {mean: 30, deviation: 3}}\n")
+        home = BLOCK.replace("TOWARDS", "left")
+        away = re.sub(r"\[(-?[\d.]+|lean), (-?[\d.]+|top|valley)\]", r"[500000 + \1, 4600000 + \2]", home)
+        self.assertEqual(away.count("4600000"), 8)
+        at_home, rows = self.check(home, vary, [0, 14]), self.rows()
+        self.assertEqual(self.check(away, vary, [0, 14])["by_doubles"], at_home["by_doubles"])
+        where = ("pivot_x_m", "pivot_y_m", "seconds")
+        kept = [k for k, key in enumerate(rows[0]) if key not in where]  # by place: keys of sums have no unit
+        for one, other in zip(rows, self.rows(), strict=True):
+            self.assertEqual([list(one.values())[k] for k in kept], [list(other.values())[k] for k in kept])
 
     def test_a_slab_that_varies(self):
         """Width, height and friction: it slides, or it topples."""

@@ -190,15 +190,29 @@ static tp_near near_of(const fmpq_t value) {
   return near;
 }
 
-static void round_points(tp_outline_mapping *m) {
-  for (int k = 0; k < m->map->point_count; k++) {
-    m->map->x[k].varies = !tp_affine_is_constant(m->x + k);
-    m->map->y[k].varies = !tp_affine_is_constant(m->y + k);
-    for (int part = 0; part <= TP_AFFINE_VARIABLES; part++) {
-      m->map->x[k].of[part] = near_of(m->x[k].of + part);
-      m->map->y[k].of[part] = near_of(m->y[k].of + part);
-    }
+static void round_affine(tp_near_affine *near, const tp_affine *own) {
+  for (int part = 0; part <= TP_AFFINE_VARIABLES; part++) {
+    near->of[part] = near_of(own->of + part);
   }
+}
+
+/* From the first vertex, exactly: in doubles a difference would be as coarse as coordinates are far
+ * from the origin. */
+static void round_points(tp_outline_mapping *m) {
+  tp_outline_map *map = m->map;
+  tp_affine apart;
+  tp_affine_init(&apart);
+  round_affine(&map->first_x, m->x);
+  round_affine(&map->first_y, m->y);
+  for (int k = 0; k < map->point_count; k++) {
+    map->x[k].varies = !tp_affine_is_constant(m->x + k);
+    map->y[k].varies = !tp_affine_is_constant(m->y + k);
+    tp_affine_sub(&apart, m->x + k, m->x);
+    round_affine(map->x + k, &apart);
+    tp_affine_sub(&apart, m->y + k, m->y);
+    round_affine(map->y + k, &apart);
+  }
+  tp_affine_clear(&apart);
 }
 
 static void find(tp_outline_mapping *m, tp_direction towards) {

@@ -20,10 +20,14 @@ TP_MUST_USE tp_status tp_outline_map_init(tp_outline_map *map, bool *fits,
                                           const tp_contact_plan *plan, const tp_scene_key *keys,
                                           size_t count, tp_message *message);
 
-/* The vertices with values of the variables. */
+/* The points from the first vertex, with values of the variables. */
 typedef struct tp_near_outline {
   tp_near x[TP_MAP_POINTS], y[TP_MAP_POINTS];
 } tp_near_outline;
+
+/* Where the first vertex is. */
+void tp_outline_map_first(tp_near *x, tp_near *y, const tp_outline_map *map,
+                          const tp_near *variables);
 
 /* The shape of the contact, not completed (shape.h); false where it is not certainly the contact of
  * the plan. */

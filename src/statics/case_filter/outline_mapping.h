@@ -45,7 +45,8 @@ typedef struct tp_mapped_point {
 typedef struct tp_outline_map {
   int variable_count, vertex_count, point_count, sign_count;
   tp_direction towards;
-  tp_near_affine x[TP_MAP_POINTS], y[TP_MAP_POINTS];
+  tp_near_affine first_x, first_y;                   /* of the first vertex, */
+  tp_near_affine x[TP_MAP_POINTS], y[TP_MAP_POINTS]; /* and of all points from there */
   tp_mapped_point points[TP_PLAN_POINTS];
   tp_map_sign signs[TP_MAP_SIGNS];
   double metres_per_unit;

@@ -12,9 +12,17 @@
 static tp_near value_of(const tp_near_affine *f, const tp_near *variables, int count) {
   tp_near sum = f->of[0];
   for (int k = 0; k < count; k++) {
-    sum = tp_near_plus(sum, tp_near_times(f->of[k + 1], variables[k]));
+    const bool is_one = f->of[k + 1].value == 1 && f->of[k + 1].error == 0; /* no rounding */
+    const tp_near own = is_one ? variables[k] : tp_near_times(f->of[k + 1], variables[k]);
+    sum = tp_near_plus(sum, own);
   }
   return sum;
+}
+
+void tp_outline_map_first(tp_near *x, tp_near *y, const tp_outline_map *map,
+                          const tp_near *variables) {
+  *x = value_of(&map->first_x, variables, map->variable_count);
+  *y = value_of(&map->first_y, variables, map->variable_count);
 }
 
 static tp_near turn(const tp_near_outline *o, int a, int b, int c) {
@@ -63,23 +71,12 @@ static tp_near signed_value(const tp_near_outline *o, const tp_map_sign *s) {
 #define ADD_PRODUCT(r, a, b) (*(r) = tp_near_plus(*(r), tp_near_times(*(a), *(b))))
 #include "block/ring_sums_in.h"
 
-/* Area, first and second moments about the first vertex of an outline that runs counter-clockwise.
- */
-static void set_sums(tp_near sums[TP_XY24], const tp_near_outline *o, int count) {
-  tp_near x[TP_MAP_POINTS], y[TP_MAP_VERTICES];
-  for (int k = 0; k < count; k++) {
-    x[k] = tp_near_minus(o->x[k], o->x[0]);
-    y[k] = tp_near_minus(o->y[k], o->y[0]);
-  }
-  near_sums(sums, x, y, count, TP_XY24);
-}
-
-/* The centroid from the first vertex, the area, and the square of the radius of gyration about it.
- */
+/* The centroid from the first vertex of an outline that runs counter-clockwise, the area, and the
+ * square of the radius of gyration about it. */
 static bool set_centroid(tp_near *x, tp_near *y, tp_case_shape *shape, const tp_near_outline *o,
                          int count) {
   tp_near sums[TP_XY24];
-  set_sums(sums, o, count);
+  near_sums(sums, o->x, o->y, count, TP_XY24);
   if (tp_near_sign(sums[TP_A2]) <= 0) return false;
   const tp_near thrice = tp_near_mul(sums[TP_A2], (tp_near){3, 0});
   shape->area = tp_near_mul(sums[TP_A2], (tp_near){0.5, 0});
@@ -94,8 +91,8 @@ static bool set_centroid(tp_near *x, tp_near *y, tp_case_shape *shape, const tp_
 static void set_point(tp_shape_point *p, const tp_mapped_point *own, const tp_near_outline *o,
                       tp_near x, tp_near y, tp_direction towards) {
   static const tp_near zero = {0, 0}, one = {1, 0};
-  p->x = tp_near_minus(tp_near_minus(o->x[own->vertex], o->x[0]), x);
-  p->y = tp_near_minus(tp_near_minus(o->y[own->vertex], o->y[0]), y);
+  p->x = tp_near_minus(o->x[own->vertex], x);
+  p->y = tp_near_minus(o->y[own->vertex], y);
   p->tx = own->from < 0 ? one : tp_near_minus(o->x[own->to], o->x[own->from]);
   p->ty = own->is_level ? zero : tp_near_minus(o->y[own->to], o->y[own->from]);
   if (towards == TP_TOWARDS_LEFT) return; /* else up-dip is the other way along the facet */

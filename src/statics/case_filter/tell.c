@@ -99,18 +99,22 @@ static bool take_capacities(tp_case_told *told, const tp_near numbers[TP_LOAD_NU
   return true;
 }
 
-static tp_near coordinate(const tp_case_filter *f, tp_near own, bool varies, tp_bounded given) {
+static tp_near coordinate(const tp_case_filter *f, tp_near first, tp_near apart, bool varies,
+                          tp_bounded given) {
   const double unit = f->map.metres_per_unit;
   if (!varies) return (tp_near){given.value, given.error};
-  return tp_near_mul(own, (tp_near){unit, unit * DBL_EPSILON});
+  return tp_near_mul(tp_near_plus(first, apart), (tp_near){unit, unit * DBL_EPSILON});
 }
 
-static void place_pivot(tp_case_told *told, const tp_near_outline *outline) {
+static void place_pivot(tp_case_told *told, const tp_near_outline *outline,
+                        const tp_near *variables) {
   const tp_case_filter *f = told->filter;
   const int at = f->varies ? f->map.points[told->pivot->point].vertex : 0;
   const bool x = f->varies && f->map.x[at].varies, y = f->varies && f->map.y[at].varies;
-  told->pivot_x_m = coordinate(f, outline->x[at], x, told->pivot->x_m);
-  told->pivot_y_m = coordinate(f, outline->y[at], y, told->pivot->y_m);
+  tp_near first_x = {0, 0}, first_y = {0, 0};
+  if (x || y) tp_outline_map_first(&first_x, &first_y, &f->map, variables);
+  told->pivot_x_m = coordinate(f, first_x, outline->x[at], x, told->pivot->x_m);
+  told->pivot_y_m = coordinate(f, first_y, outline->y[at], y, told->pivot->y_m);
 }
 
 bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
@@ -130,7 +134,7 @@ bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f,
       !take_loads(told, sample) || !take_capacities(told, sample->numbers) || !find_pivot(told)) {
     return false;
   }
-  place_pivot(told, &outline);
+  place_pivot(told, &outline, sample->variables);
   tp_edge_set edges;
   tp_limit_filter limit;
   tp_edge_set_init(&edges, &told->of);
