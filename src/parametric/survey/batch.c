@@ -2,7 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A survey solved: rows are shared out to threads, each row a scene of its own, read, solved and
- * judged by itself; then they are put in order, by what is found of them alone. */
+ * judged by itself, those that make the same scene once; then they are put in order, by what is
+ * found of them alone. */
 
 #include "batch/share.h"
 #include "common/host.h"
@@ -10,6 +11,7 @@
 #include "common/outside.h"
 #include "survey/faults.h"
 #include "survey/judge.h"
+#include "survey/same_rows.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,6 +31,7 @@ typedef struct work {
   tp_solve_options solve;
   tp_batch *batch;
   tp_row_faults *faults; /* of each row */
+  tp_same_rows rows;
 } work;
 
 /* ---- one row -----------------------------------------------------------------------------------
@@ -73,20 +76,46 @@ static char *make_name(const tp_survey *survey, size_t row) {
   return strdup(own);
 }
 
-static tp_status solve_row(tp_workspace *workspace, const void *task, size_t number,
-                           tp_message *told) {
-  const work *w = task;
+/* What is found of the scene of another row, which is the same. */
+static tp_status take_same(tp_batch_row *own, const tp_batch_row *solved, tp_message *message) {
+  tp_batch_row row = *solved;
+  row.line = own->line;
+  row.name = own->name;
+  row.scene = row.scene_name = NULL;
+  row.remark = strdup(solved->remark);
+  row.load_case = solved->load_case != NULL ? strdup(solved->load_case) : NULL;
+  if (row.remark == NULL || (row.load_case == NULL) != (solved->load_case == NULL)) {
+    free(row.remark);
+    free(row.load_case);
+    return tp_fail_memory(message, "a table");
+  }
+  *own = row;
+  return TP_OK;
+}
+
+/* Of a row that is the same as one that was solved; one that was not complains by its own place. */
+static const tp_batch_row *same_as(const work *w, size_t number) {
+  const size_t first = w->rows.first[number];
+  const tp_batch_row *row = w->batch->rows + first;
+  return first != number && row->has_case ? row : NULL;
+}
+
+static tp_status solve_row(const work *w, size_t number, tp_message *told) {
   const size_t row = number + 1; /* behind the head */
   tp_batch_row *own = w->batch->rows + number;
+  const tp_batch_row *same = same_as(w, number);
   tp_scene_text text = {0};
   tp_message message = {.text = ""};
   char load_case[TP_FAILED_CASE] = "";
-  (void)workspace;
   own->line = w->survey->cells.rows[row].line;
   own->name = make_name(w->survey, row);
   if (own->name == NULL) return tp_fail_memory(told, "a table");
   tp_status status = tp_survey_scene(&text, w->faults + number, w->survey, row, &message);
-  if (status == TP_OK) status = solve_text(own, w, row, &text, load_case, &message);
+  if (status == TP_OK && same != NULL) {
+    status = take_same(own, same, &message);
+  } else if (status == TP_OK) {
+    status = solve_text(own, w, row, &text, load_case, &message);
+  }
   if (status != TP_OK) status = note_failure(own, status, w, row, &text, load_case, &message);
   own->scene = text.text;
   own->scene_name = text.name;
@@ -98,7 +127,38 @@ static tp_status solve_row(tp_workspace *workspace, const void *task, size_t num
   return status;
 }
 
-/* ---- all rows ----------------------------------------------------------------------------------
+/* ---- rows --------------------------------------------------------------------------------------
+ */
+
+static tp_status solve_different(tp_workspace *workspace, const void *task, size_t number,
+                                 tp_message *message) {
+  const work *w = task;
+  (void)workspace;
+  return solve_row(w, w->rows.different[number], message);
+}
+
+static tp_status solve_same(tp_workspace *workspace, const void *task, size_t number,
+                            tp_message *message) {
+  const work *w = task;
+  (void)workspace;
+  return solve_row(w, w->rows.same[number], message);
+}
+
+static tp_status solve_rows(work *w, size_t threads, tp_message *message) {
+  enum { CHUNK = 1, SAME_CHUNK = 64 };
+  tp_blocks_summary summary;
+  if (!tp_same_rows_find(&w->rows, w->survey)) return tp_fail_memory(message, "a table");
+  tp_status status =
+      tp_share_out(&summary, solve_different, w, w->rows.different_count, CHUNK, threads, message);
+  if (status == TP_OK) {
+    status =
+        tp_share_out(&summary, solve_same, w, w->rows.same_count, SAME_CHUNK, threads, message);
+  }
+  tp_same_rows_clear(&w->rows);
+  return status;
+}
+
+/* ---- all of it ---------------------------------------------------------------------------------
  */
 
 static tp_status add_source(tp_batch *batch, const char *path, tp_message *message) {
@@ -136,10 +196,8 @@ static void count_rows(tp_batch *batch) {
 
 static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
                            const tp_batch_options *options, tp_message *message) {
-  enum { CHUNK = 1 };
   const size_t count = survey->cells.row_count - 1;
   work w = {.survey = survey, .solve = tp_solve_options_default(), .batch = batch};
-  tp_blocks_summary summary;
   w.solve.digits = options->digits;
   w.solve.level = options->level;
   w.solve.pivots = TP_PIVOTS_GOVERNING;
@@ -153,7 +211,7 @@ static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
     return tp_fail_memory(message, "a table");
   }
   batch->row_count = count;
-  tp_status status = tp_share_out(&summary, solve_row, &w, count, CHUNK, options->threads, message);
+  tp_status status = solve_rows(&w, options->threads, message);
   if (status == TP_OK) status = add_sources(batch, survey, message);
   if (status == TP_OK) status = tp_batch_group_faults(batch, w.faults, survey, message);
   for (size_t k = 0; k < count; k++) tp_row_faults_clear(w.faults + k);
