@@ -4,6 +4,8 @@
 the number that asks for it where it is too much. Every run here has 20 s of CPU time and 1.5 GB of address space,
 so that it ends with neither a signal nor a system error, however busy the machine is."""
 
+import csv
+import io
 import itertools
 import os
 import pathlib
@@ -286,6 +288,19 @@ class Contacts(Asked):
                     self.assertEqual((status, out), (3, ""))
                     self.assertIn("scene.yaml:4:", err)
                     self.assertIn("lengths too far apart", err)
+
+    def test_a_row_that_reaches_beyond_its_ground(self):
+        """1000 slabs side by side on the ground, and some more beyond its end, which fall however strong joints are, as the last one
+        does by itself: thrust k tan(5 deg) of the k last ones is below what k times their weight asks for, k / 1. A search for forces
+        that there are not took minutes, and left the factor open."""
+        for hanging in (1, 10, 500):
+            slabs = "".join(f"  - {{name: b{k}, slab: {{width: 1, height: 1}}, at: [{k}, 0]}}\n" for k in range(1000 + hanging))
+            self.write("row.yaml", "topple: 1\nlength_unit: m\nfriction_angle_deg: 30\ntilt: {towards: left, angle_deg: 5}\nblocks:\n"
+                       "  - {name: ground, ground: true, outline: [[-1000,-1],[1000,-1],[1000,0],[-1000,0]]}\n" + slabs)
+            status, out, err = self.run_limited("solve", "--csv", "row.yaml")
+            self.assertIn(status, (0, 4), err)
+            row = next(csv.DictReader(io.StringIO(out)))
+            self.assertEqual((row["verdict"], row["fos_is"]), ("collapses", "none"), row)
 
 
 # ---- files that are written ----------------------------------------------------------------------

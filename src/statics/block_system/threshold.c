@@ -7,6 +7,7 @@
 #include "block_system/threshold.h"
 
 #include "assemblage/exact_bracket.h"
+#include "assemblage/falling_group.h"
 #include "assemblage/limit_change.h"
 
 #include <math.h>
@@ -243,9 +244,27 @@ static tp_status prove_never(tp_threshold *own, searching *x) {
   return x->status;
 }
 
+/* Of blocks that hang it is quickly told that they fall however strong joints are; a search among
+ * thousands of blocks for what nothing holds takes minutes. */
+static bool fall_however_strong(searching *x) {
+  const tp_threshold_search *of = x->of;
+  bool falls = false;
+  if (!of->divides || of->limit == NULL || !tp_load_exceeds(of->limit, of->target)) return false;
+  const tp_system_state state = of->state(of->context, of->from - of->most);
+  tp_force_program program;
+  x->status = tp_state_program(&program, of->system, &state, x->message);
+  if (x->status != TP_OK) return false;
+  x->status = tp_falling_group_find(&falls, &program, of->target, x->message);
+  tp_force_program_clear(&program);
+  return falls;
+}
+
 /* Where the zero that was found in haste does not do, with care. */
 static tp_status search(tp_threshold *own, searching *x) {
   static const double farthest = 0.5;
+  own->is_never = own->is_bounded = fall_however_strong(x);
+  if (own->is_never) own->bound = x->of->from - x->of->most;
+  if (x->status != TP_OK || own->is_never) return x->status;
   double zero = x->of->from;
   search_end end = find_zero(&zero, x, true);
   if (end == SEARCH_NEVER) return prove_never(own, x);
