@@ -223,6 +223,29 @@ typedef struct tp_goodman_bray {
                                       scene gives no unit weights */
 } tp_goodman_bray;
 
+/* Proven bounds of the factor of safety by one definition: the number by which what drives the
+ * blocks is multiplied, or the strength of all joints divided, where a motion can begin. Where one
+ * can begin as they lie both are below 1, next to it. */
+typedef struct tp_system_bounds {
+  bool counts;            /* it decides when a motion begins; false: none, as where more strength
+                             does not stop a motion that can begin */
+  double at_least;        /* the factor is no less; 0: nothing is proven */
+  double at_most;         /* it is no more: a motion can begin there, or no forces hold the blocks
+                             beyond; an infinity where neither is proven */
+  tp_mechanism mechanism; /* how the blocks begin to move there; stands: that is not known */
+} tp_system_bounds;
+
+/* The factor of safety: the least of those by both definitions (docs/blocks_in_contact.md). */
+typedef struct tp_system_safety {
+  tp_fos fos; /* TP_FOS_NO_OVERTURNING: unbounded; TP_FOS_UNDEFINED: none above 0;
+                 TP_FOS_UNDECIDED: between the bounds alone */
+  double at_least, at_most;     /* proven bounds; an infinity where there is none above */
+  bool has_definition;          /* it is by one of the definitions: */
+  tp_fos_definition definition; /* if has_definition: by which, with the least upper bound */
+  tp_mechanism mechanism;       /* if has_definition: against which motion; stands: not known */
+  bool without_earthquake;      /* it is that of the blocks without the scene's earthquake */
+} tp_system_safety;
+
 /* One direction of tilt. */
 typedef struct tp_system_case {
   tp_direction towards;          /* the side that the tilt lowers */
@@ -237,13 +260,14 @@ typedef struct tp_system_case {
                                          side, that forces can hold at the tilt with the vertical
                                          part of the scene's earthquake; none where they hold no
                                          less */
-  tp_fos fos;         /* by strength reduction: the number by which the strength of all joints
-                         can be divided until no forces hold the blocks as they lie;
+  tp_fos fos;         /* an upper bound of the factor of safety, by strength reduction: the number
+                         by which the strength of all joints can be divided until no forces hold
+                         the blocks as they lie;
                          TP_FOS_UNDEFINED: not 1000 times as much holds them */
   bool fos_is_least;  /* that is only proven to be exceeded: the search ended there */
-  tp_fos fos_driving; /* by what drives: the number by which the loads that drive the blocks to
-                         this side can be multiplied until no forces hold them, those that rest
-                         on the base staying (docs/blocks_in_contact.md).
+  tp_fos fos_driving; /* an upper bound as well, by what drives: the number by which the loads
+                         that drive the blocks to this side can be multiplied until no forces hold
+                         them, those that rest on the base staying (docs/blocks_in_contact.md).
                          TP_FOS_NO_OVERTURNING: nothing drives them; TP_FOS_UNDEFINED: not even
                          without are they held */
   bool fos_driving_is_least;          /* that is only proven to be exceeded */
@@ -270,6 +294,17 @@ typedef struct tp_system_case {
   bool has_moving_angle;     /* a motion was found: */
   double moving_angle_deg; /* if has_moving_angle: the least tilt found, of those from level on, at
                               which a motion can begin, proven */
+  tp_system_bounds by_strength, by_driving; /* the factor of safety by each definition */
+  bool has_static; /* the scene has an earthquake: without it as well a motion may begin, and */
+  tp_system_verdict static_verdict; /* if has_static: this is what the blocks do then */
+  tp_system_bounds static_by_strength, static_by_driving; /* if has_static: the factor then */
+  tp_system_safety safety; /* the factor of safety of the case, with and without earthquake */
+  bool has_moving_acceleration; /* a motion was found: */
+  double moving_acceleration_g; /* if has_moving_acceleration: the least horizontal acceleration, in
+                                   g, to this side, with which one can begin, of those found */
+  bool has_standing_acceleration; /* it stands, and: */
+  double standing_acceleration_g; /* if has_standing_acceleration: no motion can begin with any from
+                                     that of the scene up to this one, proven */
   bool has_start;        /* a motion can begin as the blocks lie, or, where that is not known, with
                             the strength divided by moving_fos: */
   tp_system_start start; /* if has_start: that motion */
@@ -306,6 +341,8 @@ typedef struct tp_block_system {
   tp_system_block *blocks;     /* block_count of them: in the order of the scene */
   tp_system_contact *contacts; /* contact_count of them: by the numbers of their blocks */
   tp_system_case *cases;       /* case_count of them: one for each direction */
+  size_t governing;            /* the number of the case that governs */
+  tp_system_safety safety;     /* the factor of safety over all cases */
   char *partial_factors;       /* those that it was solved with, as they act in the combination that
                                   governs; NULL: none. All numbers are of the factored scene */
 } tp_block_system;
@@ -321,11 +358,11 @@ void tp_block_system_free(tp_block_system *system);
 /* Did the proofs leave a verdict open? */
 bool tp_block_system_is_undecided(const tp_block_system *system);
 
-/* Has a case certainly a factor of `required`, by strength reduction and by what drives? Met only
- * where no motion can begin with the strength divided by it, nor by less, nor with what drives
- * multiplied so: the factor of limit analysis is above that of joints that do not dilate as they
- * slip. Not met where a motion can begin at that number or at a lesser one, and where the factor of
- * Goodman and Bray is below it, too. */
+/* Has a case certainly a factor of `required`, by strength reduction and by what drives, with and
+ * without the scene's earthquake? Met only where no motion can begin with the strength divided by
+ * it, nor by less, nor with what drives multiplied so: the factor of limit analysis is above that of
+ * joints that do not dilate as they slip. Not met where a motion can begin at that number or at a
+ * lesser one, and where the factor of Goodman and Bray is below it, too. */
 tp_design tp_system_case_meets(const tp_system_case *one, double required);
 
 /* Does every case certainly have a factor of `required`? */

@@ -181,7 +181,7 @@ static void add_legend_of_plane(tp_chart *chart) {
       {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
       {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
       {"governing_fos", NULL, "factor of safety that governs", tp_line_contour},
-      {"fos", NULL, "factor of safety, strength reduction", tp_line_contour},
+      {"fos", NULL, "upper bound of the factor of safety", tp_line_contour},
   };
   add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }

@@ -9,6 +9,8 @@
 #include "block_system/system.h"
 #include "chart/map.h"
 
+#include <math.h>
+
 static tp_regime regime_of_collapse(const tp_system_case *own) {
   switch (tp_system_case_mechanism(own)) {
   case TP_SLIDES:
@@ -20,17 +22,18 @@ static tp_regime regime_of_collapse(const tp_system_case *own) {
   }
 }
 
-static void take_governing(tp_map_sample *sample, const tp_system_case *own) {
-  sample->regime = own->verdict == TP_SYSTEM_COLLAPSES   ? regime_of_collapse(own)
-                   : own->verdict == TP_SYSTEM_UNDECIDED ? TP_REGIME_UNDECIDED
-                                                         : TP_REGIME_CAN_HOLD;
+/* The factor is its upper bound, of limit analysis. */
+static void take_governing(tp_map_sample *sample, const tp_block_system *system) {
+  const tp_system_case *own = tp_system_governing(system);
+  const tp_system_verdict verdict = tp_system_case_worst_verdict(own);
+  sample->regime = verdict == TP_SYSTEM_COLLAPSES   ? regime_of_collapse(own)
+                   : verdict == TP_SYSTEM_UNDECIDED ? TP_REGIME_UNDECIDED
+                                                    : TP_REGIME_CAN_HOLD;
   sample->has_limit = own->limit == TP_SYSTEM_LIMIT_NUMBER;
   sample->limit_deg = own->critical_angle_deg;
   sample->limit_deg.digits = NULL;
-  const tp_system_factor factor = tp_system_case_factor(own);
-  sample->has_fos = factor.fos.state == TP_FOS_NUMBER && !factor.is_least;
-  sample->fos = factor.fos.value;
-  sample->fos.digits = NULL;
+  sample->has_fos = isfinite(system->safety.at_most) && system->safety.at_most > 0;
+  sample->fos = (tp_bounded){.value = system->safety.at_most};
 }
 
 tp_map_sample tp_map_take_system(tp_map *map, const double *values) {
@@ -45,7 +48,7 @@ tp_map_sample tp_map_take_system(tp_map *map, const double *values) {
   }
   if (status == TP_OK) {
     const tp_system_case *own = tp_system_governing(system);
-    take_governing(&sample, own);
+    take_governing(&sample, system);
     map->tilts_differ |= map->has_tilt && own->tilt_angle_deg.value != map->tilt_deg;
     map->has_tilt = true;
     map->tilt_deg = own->tilt_angle_deg.value;

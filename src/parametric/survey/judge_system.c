@@ -13,17 +13,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-static tp_batch_standing standing_of_system(const tp_system_case *c) {
-  if (c->verdict == TP_SYSTEM_COLLAPSES || c->verdict == TP_SYSTEM_MAY_MOVE) return TP_BATCH_FAILS;
-  if (c->has_required_fos && c->meets_required == TP_DESIGN_NOT_MET) return TP_BATCH_BELOW;
-  if (c->verdict != TP_SYSTEM_STANDS) return TP_BATCH_UNDECIDED;
-  return c->has_required_fos && c->meets_required == TP_DESIGN_OPEN ? TP_BATCH_UNDECIDED
-                                                                    : TP_BATCH_HOLDS;
+static tp_batch_standing standing_of_system(tp_system_verdict verdict, bool is_required,
+                                            tp_design meets) {
+  if (verdict == TP_SYSTEM_COLLAPSES || verdict == TP_SYSTEM_MAY_MOVE) return TP_BATCH_FAILS;
+  if (is_required && meets == TP_DESIGN_NOT_MET) return TP_BATCH_BELOW;
+  if (verdict != TP_SYSTEM_STANDS) return TP_BATCH_UNDECIDED;
+  return is_required && meets == TP_DESIGN_OPEN ? TP_BATCH_UNDECIDED : TP_BATCH_HOLDS;
 }
 
 static tp_mechanism verdict_of(const tp_system_case *c) {
   const tp_mechanism collapse = tp_system_case_mechanism(c);
-  switch (c->verdict) {
+  switch (tp_system_case_worst_verdict(c)) {
   case TP_SYSTEM_STANDS:
     return TP_STANDS;
   case TP_SYSTEM_CAN_HOLD:
@@ -37,36 +37,40 @@ static tp_mechanism verdict_of(const tp_system_case *c) {
   return TP_MECHANISM_UNDECIDED;
 }
 
-/* 2: not met, or it does not stand; 1: open; 0: met, as tp_severity has it. */
-static int rank_of(const tp_system_case *c) {
-  if (c->verdict == TP_SYSTEM_COLLAPSES || c->verdict == TP_SYSTEM_MAY_MOVE) return 2;
-  if (c->has_required_fos && c->meets_required == TP_DESIGN_NOT_MET) return 2;
-  if (c->verdict != TP_SYSTEM_STANDS) return 1;
-  return c->has_required_fos && c->meets_required == TP_DESIGN_OPEN ? 1 : 0;
+tp_severity tp_batch_system_severity(const tp_block_system *system) {
+  const tp_safety safety = {.verdict = tp_system_case_rule(tp_system_governing(system)).verdict,
+                            .least = system->safety.at_least,
+                            .most = system->safety.at_most};
+  return tp_severity_of_safety(&safety, system->has_required_fos, system->required_fos.value);
 }
 
-tp_severity tp_batch_system_severity(const tp_block_system *system) {
-  const tp_system_case *c = tp_system_governing(system);
-  const tp_fos fos = tp_system_case_factor(c).fos;
-  const double required = c->has_required_fos ? system->required_fos.value : 1;
-  const bool number = fos.state == TP_FOS_NUMBER && fos.value.value > 0;
-  const double need = number                               ? required / fos.value.value
-                      : fos.state == TP_FOS_NO_OVERTURNING ? 0
-                                                           : INFINITY;
-  return (tp_severity){rank_of(c), need};
+/* Rounded outwards: of a factor that is only known to lie between bounds. */
+static void tell_bounds(tp_text *t, const tp_system_safety *safety) {
+  static const double fifth = 1e5;
+  if (safety->fos.state != TP_FOS_UNDECIDED) return;
+  tp_text_add(t, "%sthe factor of safety is at least %.5f", t->length > 0 ? "; " : "",
+              floor(safety->at_least * fifth) / fifth);
+  if (isfinite(safety->at_most)) {
+    tp_text_add(t, " and at most %.5f", ceil(safety->at_most * fifth) / fifth);
+  }
 }
 
 /* What the factor does not say, and the cautions. */
 static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
   tp_text text = {0};
   char *remark = NULL;
-  if (c->verdict == TP_SYSTEM_CAN_HOLD) {
+  const tp_system_verdict verdict = tp_system_case_worst_verdict(c);
+  if (verdict == TP_SYSTEM_CAN_HOLD) {
     tp_text_add(&text, "forces can hold the blocks; that a motion begins all the same is neither "
                        "excluded nor proven");
   }
-  if (c->verdict == TP_SYSTEM_MAY_MOVE) {
+  if (verdict == TP_SYSTEM_MAY_MOVE) {
     tp_text_add(&text, "forces can hold the blocks, but a motion can begin all the same");
   }
+  if (verdict != c->verdict) {
+    tp_text_add(&text, "%swithout the earthquake", text.length > 0 ? "; this is " : "this is ");
+  }
+  tell_bounds(&text, &s->safety);
   if (c->goodman_bray.applies && c->goodman_bray.has_fos) {
     char n[TP_NUMBER_SIZE];
     tp_text_add(&text, "%sby Goodman and Bray the factor is %s", text.length > 0 ? "; " : "",
@@ -82,24 +86,25 @@ static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
 
 tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_message *message) {
   const tp_system_case *c = tp_system_governing(s);
-  const tp_mechanism collapse = tp_system_case_mechanism(c);
+  const tp_system_safety *safety = &s->safety;
+  const tp_design meets = tp_block_system_meets(s, s->required_fos.value);
   char *remark = tell_remark(s, c);
   if (remark == NULL) return tp_fail_memory(message, "a table");
   free(row->remark);
   row->remark = remark;
   row->has_case = true;
   row->as_it_lies = s->lies_in_place;
-  row->standing = standing_of_system(c);
+  row->standing = standing_of_system(tp_system_case_worst_verdict(c), s->has_required_fos, meets);
   row->status = tp_block_system_is_undecided(s) ? TP_UNDECIDED : TP_OK;
   row->dip_deg = c->tilt_angle_deg;
   row->towards = c->towards;
   row->verdict = verdict_of(c);
-  row->fos = tp_system_case_factor(c).fos;
-  row->has_fos_mechanism = collapse != TP_STANDS;
-  row->fos_mechanism = collapse;
-  row->has_required_fos = c->has_required_fos;
+  row->fos = safety->fos;
+  row->has_fos_mechanism = safety->has_definition && safety->mechanism != TP_STANDS;
+  row->fos_mechanism = safety->mechanism;
+  row->has_required_fos = s->has_required_fos;
   row->required_fos = s->required_fos;
-  row->meets_required = c->meets_required;
+  row->meets_required = meets;
   row->dip_deg.digits = row->fos.value.digits = row->required_fos.digits = NULL;
   return TP_OK;
 }

@@ -67,23 +67,16 @@ bool tp_blocks_heading(double *y, cairo_t *cr, const tp_blocks_figure *f, double
 /* ---- below the drawing -------------------------------------------------------------------------
  */
 
-static void add_factor_by(tp_text *t, const tp_system_case *c, bool driving) {
-  tp_text_add(t, driving ? "on driving loads: " : "by strength reduction: ");
-  if (driving) {
-    tp_text_system_driving(t, c);
-  } else {
-    tp_text_system_factor(t, c);
-  }
-}
-
-/* The lesser first: it governs. */
+/* The one that governs, and the upper bounds by what forces can hold. */
 static void add_both_factors(tp_text *t, const tp_system_case *c) {
-  const bool by_driving = tp_system_case_factor(c).definition == TP_FOS_BY_DRIVING;
-  tp_text_add(t, "Factor of safety ");
-  add_factor_by(t, c, by_driving);
+  tp_text_add(t, "Factor of safety: ");
+  tp_text_system_safety(t, &c->safety);
+  tp_text_system_against(t, &c->safety);
+  tp_text_add(t, "; forces can hold, with strength divided by, ");
+  tp_text_system_factor(t, c);
   if (c->fos_driving.state == TP_FOS_NO_OVERTURNING) return;
-  tp_text_add(t, "; ");
-  add_factor_by(t, c, !by_driving);
+  tp_text_add(t, ", with driving loads times, ");
+  tp_text_system_driving(t, c);
 }
 
 void tp_blocks_factors(tp_text *t, const tp_system_case *c) {
@@ -107,7 +100,9 @@ static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
   char n[TP_NUMBER_SIZE];
   tp_text factors = {0};
   tp_blocks_factors(&factors, c);
-  tp_text_add(t, "%s.", tp_system_verdict_name(c->verdict));
+  tp_text_add(t, "%s", tp_system_verdict_name(tp_system_case_worst_verdict(c)));
+  if (tp_system_case_worst_verdict(c) != c->verdict) tp_text_add(t, " without the earthquake");
+  tp_text_add(t, ".");
   if (!t->failed) t->data[0] = (char)toupper((unsigned char)t->data[0]);
   if (factors.data != NULL) tp_text_add(t, " %s", factors.data);
   t->failed = t->failed || factors.failed;
@@ -116,9 +111,16 @@ static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
   tp_text_add(t, " %c%s: ", toupper((unsigned char)limit[0]), limit + 1);
   tp_text_system_limit(t, c);
   tp_text_add(t, ".");
-  if (c->has_acceleration) {
+  if (tp_system_case_has_critical_acceleration(c)) {
     tp_text_add(t, " Critical horizontal acceleration: %s g.",
                 tp_text_significant(n, c->critical_acceleration_g, 5));
+    if (tp_system_case_shakes_sooner(c)) {
+      static const double fifth = 1e5;
+      tp_text_add(t, " A motion can begin from %.5f g.",
+                  ceil(c->moving_acceleration_g * fifth) / fifth);
+    } else if (!c->has_standing_acceleration) {
+      tp_text_add(t, " That a motion begins at less is not excluded.");
+    }
   }
 }
 

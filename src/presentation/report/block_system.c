@@ -66,51 +66,73 @@ static void add_verdict(tp_text *t, const tp_system_case *c) {
   }
 }
 
-static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+/* Of the earthquake alone or of the blocks before it shakes. */
+static void add_static(tp_text *t, const tp_system_case *c) {
+  if (!c->has_static || c->static_verdict == TP_SYSTEM_STANDS) return;
+  tp_text_system_label(t, "without the earthquake");
+  tp_text_add(t, "%s\n", tp_system_verdict_name(c->static_verdict));
+}
+
+/* What forces can hold, and from where on a motion can begin all the same. */
+static void add_acceleration(tp_text *t, const tp_system_case *c) {
+  static const double fifth = 1e5;
   char n[TP_NUMBER_SIZE];
+  if (!tp_system_case_has_critical_acceleration(c)) return;
+  tp_text_system_label(t, "critical horizontal acceleration");
+  tp_text_add(t, "%s g\n", tp_text_significant(n, c->critical_acceleration_g, 5));
+  if (tp_system_case_shakes_sooner(c)) {
+    tp_text_system_label(t, "  a motion can begin from");
+    tp_text_add(t, "%.5f g\n", ceil(c->moving_acceleration_g * fifth) / fifth);
+  } else if (!c->has_standing_acceleration) {
+    tp_text_system_label(t, "  a motion can begin from");
+    tp_text_add(t, "less, perhaps: that is not excluded\n");
+  }
+}
+
+static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   tp_text_system_label(t, tp_text_system_limit_name(s));
   tp_text_system_limit(t, c);
   tp_text_add(t, "\n");
-  if (c->has_acceleration) {
-    tp_text_system_label(t, "critical horizontal acceleration");
-    tp_text_add(t, "%s g\n", tp_text_significant(n, c->critical_acceleration_g, 5));
-  }
+  add_acceleration(t, c);
 }
 
-static void add_factor_of(tp_text *t, const tp_system_case *c, bool driving) {
-  if (driving) {
-    tp_text_system_driving(t, c);
-  } else {
-    tp_text_system_factor(t, c);
-  }
+/* The factor, and by each definition. */
+static void add_safety(tp_text *t, const tp_system_case *c) {
+  tp_text_system_label(t, "factor of safety");
+  tp_text_system_safety(t, &c->safety);
+  tp_text_system_against(t, &c->safety);
+  tp_text_add(t, "\n");
+  tp_text_system_label(t, "  on driving loads");
+  tp_text_system_bounds(t, &c->by_driving);
+  tp_text_add(t, "\n");
+  tp_text_system_label(t, "  by strength reduction");
+  tp_text_system_bounds(t, &c->by_strength);
+  tp_text_add(t, "\n");
 }
 
-/* The lesser first: it governs. Of two that are only known to be exceeded neither does. */
-static void add_both_factors(tp_text *t, const tp_system_case *c) {
-  const tp_system_factor lesser = tp_system_case_factor(c);
-  const bool by_driving = lesser.definition == TP_FOS_BY_DRIVING;
-  const bool are_two = (c->fos.state == TP_FOS_NUMBER || c->fos.state == TP_FOS_UNDEFINED) &&
-                       c->fos_driving.state == TP_FOS_NUMBER && !lesser.is_least;
-  for (int k = 0; k < 2; k++) {
-    const bool driving = by_driving == (k == 0);
-    tp_text_system_label(t, driving ? "factor of safety, driving loads"
-                                    : "factor of safety, strength reduction");
-    add_factor_of(t, c, driving);
-    tp_text_add(t, are_two && k == 0 ? " (governs)\n" : "\n");
-  }
+/* Limits of what forces can hold, upper bounds of the factor. */
+static void add_upper_bounds(tp_text *t, const tp_system_case *c) {
+  tp_text_system_label(t, "forces can hold, driving loads times");
+  tp_text_system_driving(t, c);
+  tp_text_add(t, "\n");
+  tp_text_system_label(t, "forces can hold, strength divided by");
+  tp_text_system_factor(t, c);
+  tp_text_add(t, "\n");
 }
 
 static void add_factor(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   static const char *const met[] = {"met", "NOT MET",
                                     "undecided, as a motion is neither excluded nor proven"};
   char required[TP_NUMBER_SIZE];
+  add_static(t, c);
   if (c->fos.state == TP_FOS_NOT_ASKED) return;
-  add_both_factors(t, c);
+  add_safety(t, c);
   if (c->has_required_fos) {
     tp_text_system_label(t, "required factor of safety");
     tp_text_add(t, "%s: %s\n", tp_text_significant(required, s->required_fos, 5),
                 met[c->meets_required]);
   }
+  add_upper_bounds(t, c);
 }
 
 /* ---- tables ------------------------------------------------------------------------------------
@@ -232,18 +254,17 @@ static void add_worst(tp_text *t, const tp_block_system *s) {
   }
   if (!differ) return;
   tp_text_add(t, "Governs  towards the %s: ", tp_direction_name(worst->towards));
-  if (worst->verdict == TP_SYSTEM_COLLAPSES) {
-    tp_text_add(t, "it collapses\n");
-  } else if (tp_system_case_factor(worst).fos.state == TP_FOS_NUMBER) {
-    const tp_system_factor factor = tp_system_case_factor(worst);
-    tp_text_add(t, "factor of safety ");
-    add_factor_of(t, worst, factor.definition == TP_FOS_BY_DRIVING);
-    tp_text_add(t, " (%s)\n", tp_fos_definition_name(factor.definition));
-  } else {
-    tp_text_add(t, "held up to ");
-    tp_text_system_limit(t, worst);
-    tp_text_add(t, "\n");
+  const tp_system_verdict verdict = tp_system_case_worst_verdict(worst);
+  if (verdict == TP_SYSTEM_COLLAPSES) {
+    tp_text_add(t, "it collapses%s\n",
+                verdict == worst->verdict ? "" : " without the earthquake");
+    return;
   }
+  if (verdict == TP_SYSTEM_MAY_MOVE) tp_text_add(t, "a motion can begin, ");
+  tp_text_add(t, "factor of safety ");
+  tp_text_system_safety(t, &s->safety);
+  tp_text_system_against(t, &worst->safety);
+  tp_text_add(t, "\n");
 }
 
 tp_status tp_report_block_system(char **text, const tp_block_system *system) {

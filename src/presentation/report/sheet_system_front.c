@@ -128,6 +128,30 @@ static void add_factor(tp_document *d, const tp_fos *fos, bool is_least) {
   }
 }
 
+/* Rounded down; where proofs leave it open both bounds. */
+static void add_safety(tp_document *d, const tp_system_safety *own) {
+  static const double fourth = 1e4;
+  const double least = floor(own->at_least * fourth) / fourth;
+  const double most = ceil(own->at_most * fourth) / fourth;
+  switch (own->fos.state) {
+  case TP_FOS_NUMBER:
+    tp_document_cell(d, "%.4f", least);
+    break;
+  case TP_FOS_NO_OVERTURNING:
+    tp_document_word(d, "unbounded");
+    break;
+  case TP_FOS_UNDEFINED:
+    tp_document_word(d, "none");
+    break;
+  default:
+    if (isinf(most)) {
+      tp_document_cell(d, "at least %.4f", least);
+    } else {
+      tp_document_cell(d, "at least %.4f, at most %.4f", least, most);
+    }
+  }
+}
+
 static void add_goodman_bray(tp_document *d, const tp_goodman_bray *own) {
   if (!own->applies) {
     tp_document_word(d, "–");
@@ -155,11 +179,12 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
   const tp_system_case *governing = tp_system_governing(own);
   tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
-  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 8 : 6,
-                    own->has_required_fos ? 0x3e : 0x1e, "Factors of safety");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, own->has_required_fos ? 9 : 7,
+                    own->has_required_fos ? 0x7e : 0x3e, "Factors of safety");
   tp_document_word(d, "Direction");
-  tp_document_word(d, "Strength reduction");
-  tp_document_word(d, "Driving loads");
+  tp_document_word(d, "Factor of safety");
+  tp_document_word(d, "Upper bound, strength reduction");
+  tp_document_word(d, "Upper bound, driving loads");
   tp_document_word(d, "Goodman and Bray");
   tp_document_word(d, "A motion can begin at");
   if (own->has_required_fos) {
@@ -171,6 +196,7 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
     const tp_system_case *c = own->cases + k;
     if (c == governing && own->case_count > 1) tp_document_mark_row(d);
     tp_document_word(d, tp_direction_name(c->towards));
+    add_safety(d, &c->safety);
     add_factor(d, &c->fos, c->fos_is_least);
     add_factor(d, &c->fos_driving, c->fos_driving_is_least);
     add_goodman_bray(d, &c->goodman_bray);
@@ -205,6 +231,21 @@ static void add_sentence(tp_text *t, const char *sentence) {
   tp_text_add(t, "%s%s", t->length > 0 ? " " : "", sentence);
 }
 
+static void add_acceleration(tp_text *t, const tp_document *d, const tp_system_case *c) {
+  static const double fourth = 1e4;
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, " ");
+  tp_text_add(t, tp_document_say(d, "Critical horizontal acceleration: %s g."),
+              tp_text_significant(n, c->critical_acceleration_g, 4));
+  if (tp_system_case_shakes_sooner(c)) {
+    tp_text_add(t, " ");
+    tp_text_add(t, tp_document_say(d, "A motion can begin from %.4f g."),
+                ceil(c->moving_acceleration_g * fourth) / fourth);
+  } else if (!c->has_standing_acceleration) {
+    add_sentence(t, tp_document_say(d, "That a motion begins at less is not excluded."));
+  }
+}
+
 static void add_limit(tp_text *t, const tp_system_sheet *s, const tp_system_case *c) {
   const tp_document *d = &s->document;
   char n[TP_NUMBER_SIZE];
@@ -221,11 +262,7 @@ static void add_limit(tp_text *t, const tp_system_sheet *s, const tp_system_case
   } else if (c->limit == TP_SYSTEM_INTERLOCKED) {
     add_sentence(t, tp_document_say(d, "Forces can hold the blocks at every tilt below 90°."));
   }
-  if (c->has_acceleration) {
-    tp_text_add(t, " ");
-    tp_text_add(t, tp_document_say(d, "Critical horizontal acceleration: %s g."),
-                tp_text_significant(n, c->critical_acceleration_g, 4));
-  }
+  if (tp_system_case_has_critical_acceleration(c)) add_acceleration(t, d, c);
 }
 
 static void add_unexamined(tp_text *t, const tp_system_sheet *s, const tp_system_case *c) {
@@ -247,6 +284,10 @@ void tp_system_sheet_add_conclusion(tp_system_sheet *s, const tp_system_case *c)
                 tp_document_say(d, tp_direction_name(c->towards)));
   }
   add_sentence(&t, tp_document_say(d, verdict_words(c->verdict)));
+  if (tp_system_case_worst_verdict(c) != c->verdict) {
+    add_sentence(&t, tp_document_say(d, "Without the earthquake:"));
+    add_sentence(&t, tp_document_say(d, verdict_words(c->static_verdict)));
+  }
   add_unexamined(&t, s, c);
   add_limit(&t, s, c);
   if (collapse != TP_STANDS) {

@@ -95,11 +95,14 @@ static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *
   tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
   tp_text_add(t, " | %s | %s° | %s | ", tp_direction_name(c->towards),
               tp_text_fixed(n, c->tilt_angle_deg, 3), tp_system_verdict_name(c->verdict));
-  tp_text_system_factor(t, c);
+  tp_text_system_safety(t, &c->safety);
+  tp_text_system_against(t, &c->safety);
   if (c->has_required_fos) {
     tp_text_add(t, " (%s required: %s)", tp_text_significant(n, s->required_fos, 5),
                 tp_design_name(c->meets_required));
   }
+  tp_text_add(t, " | ");
+  tp_text_system_factor(t, c);
   tp_text_add(t, " | ");
   tp_text_system_driving(t, c);
   add_goodman_bray(t, &c->goodman_bray);
@@ -118,9 +121,9 @@ tp_status tp_report_block_systems_table(char **text, const tp_block_system *cons
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, systems[k]);
   tp_text t = {0};
   tp_text_add(&t,
-              "| scene | towards | tilt or dip | verdict | FoS, strength reduction | FoS, driving "
-              "loads | FoS, Goodman and Bray | greatest tilt or dip | collapse | support |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+              "| scene | towards | tilt or dip | verdict | FoS | forces hold, strength over | forces "
+              "hold loads times | FoS, Goodman and Bray | greatest tilt or dip | collapse | support |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   bool any = false;
   for (size_t k = 0; k < count; k++) {
     const tp_block_system *s = systems[k];

@@ -6,6 +6,7 @@
 #include "report/system_words.h"
 
 #include "block_system/governing_case.h"
+#include "block_system/state_limits.h"
 #include "terms/names.h"
 
 #include <math.h>
@@ -66,9 +67,87 @@ static void add_number(tp_text *t, tp_bounded number, bool is_least) {
               tp_text_fixed_down(n, number, is_least && number.value >= whole ? 0 : 5));
 }
 
+/* An upper bound of the factor of safety. */
+static void add_limit_of_forces(tp_text *t, tp_bounded number, bool is_least) {
+  if (!is_least) tp_text_add(t, "up to ");
+  add_number(t, number, is_least);
+  if (!is_least) tp_text_add(t, " (upper bound)");
+}
+
+static double rounded_down(double number) {
+  static const double fifth = 1e5;
+  return floor(number * fifth) / fifth;
+}
+
+static void add_range(tp_text *t, double least, double most) {
+  static const double fifth = 1e5;
+  const double high = ceil(most * fifth) / fifth;
+  if (isinf(most) && !(least > 0)) {
+    tp_text_add(t, "undecided");
+  } else if (isinf(most)) {
+    tp_text_add(t, "undecided: at least %.5f", rounded_down(least));
+  } else if (!(least > 0)) {
+    tp_text_add(t, "undecided: at most %.5f", high);
+  } else {
+    tp_text_add(t, "undecided: at least %.5f, at most %.5f", rounded_down(least),
+                high);
+  }
+}
+
+/* Beyond the most that is looked at. */
+static bool is_above(double least, double most) {
+  return isinf(most) && least >= nextafter(TP_MOST_FACTOR, 0) && isfinite(least);
+}
+
+static void add_factor(tp_text *t, tp_fos_state state, double least, double most) {
+  if (is_above(least, most)) {
+    tp_text_add(t, "above %.0f", TP_MOST_FACTOR);
+  } else if (state == TP_FOS_NUMBER) {
+    tp_text_add(t, "%.5f", rounded_down(least));
+  } else if (state == TP_FOS_NO_OVERTURNING) {
+    tp_text_add(t, "unbounded");
+  } else if (state == TP_FOS_UNDEFINED) {
+    tp_text_add(t, "none: a motion can begin at every smaller multiple too");
+  } else {
+    add_range(t, least, most);
+  }
+}
+
+void tp_text_system_safety(tp_text *t, const tp_system_safety *s) {
+  add_factor(t, s->fos.state, s->at_least, s->at_most);
+}
+
+void tp_text_system_against(tp_text *t, const tp_system_safety *s) {
+  const bool is_bound = s->fos.state == TP_FOS_NUMBER ||
+                        (s->fos.state == TP_FOS_UNDECIDED && isfinite(s->at_most));
+  if (!s->has_definition || !is_bound) return;
+  tp_text_add(t, ", %s", tp_fos_definition_name(s->definition));
+  if (s->mechanism != TP_STANDS) tp_text_add(t, ", %s", tp_mechanism_name(s->mechanism));
+  if (s->without_earthquake) tp_text_add(t, ", without the earthquake");
+}
+
+void tp_text_system_bounds(tp_text *t, const tp_system_bounds *b) {
+  const tp_safety one = {.least = b->at_least, .most = b->at_most};
+  if (b->counts) {
+    add_factor(t, tp_safety_fos(&one).state, b->at_least, b->at_most);
+  } else {
+    tp_text_add(t, "does not count: it does not decide when a motion begins");
+  }
+}
+
+bool tp_system_case_has_critical_acceleration(const tp_system_case *c) {
+  return c->has_acceleration && !tp_system_case_moves_at_rest(c);
+}
+
+bool tp_system_case_shakes_sooner(const tp_system_case *c) {
+  const tp_bounded *limit = &c->critical_acceleration_g;
+  return tp_system_case_has_critical_acceleration(c) && c->has_moving_acceleration &&
+         c->moving_acceleration_g < limit->value - limit->error;
+}
+
 void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
   if (c->fos.state == TP_FOS_NUMBER) {
-    add_number(t, c->fos.value, c->fos_is_least);
+    add_limit_of_forces(t, c->fos.value, c->fos_is_least);
   } else if (c->fos.state == TP_FOS_UNDEFINED) {
     tp_text_add(t, "none: not held with 1000 times the strength");
   } else {
@@ -79,7 +158,7 @@ void tp_text_system_factor(tp_text *t, const tp_system_case *c) {
 void tp_text_system_driving(tp_text *t, const tp_system_case *c) {
   switch (c->fos_driving.state) {
   case TP_FOS_NUMBER:
-    add_number(t, c->fos_driving.value, c->fos_driving_is_least);
+    add_limit_of_forces(t, c->fos_driving.value, c->fos_driving_is_least);
     if (!c->fos_driving_is_least) {
       tp_text_add(t, ", %s", tp_mechanism_name(c->fos_driving_mechanism));
     }

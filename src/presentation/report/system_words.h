@@ -16,11 +16,24 @@ void tp_text_system_stance(tp_text *text, const tp_block_system *system, const t
 const char *tp_text_system_limit_name(const tp_block_system *system);
 void tp_text_system_limit(tp_text *text, const tp_system_case *of);
 
-/* The factor of safety: a number, "above 1000", "none: …" or "undecided". */
-void tp_text_system_factor(tp_text *text, const tp_system_case *of);
+/* The factor of safety, rounded down: a number, "above 1000", "unbounded", "none", or its bounds
+ * where proofs leave it open. With its definition and mechanism: ", driving loads, slides". */
+void tp_text_system_safety(tp_text *text, const tp_system_safety *safety);
+void tp_text_system_against(tp_text *text, const tp_system_safety *safety);
 
-/* The factor on what drives: a number and what it is against, "above 1000", or why it is none. */
+/* Likewise by one definition, of a state of motion that its verdict tells. */
+void tp_text_system_bounds(tp_text *text, const tp_system_bounds *bounds);
+
+/* Up to where forces can hold the blocks, an upper bound of the factor: by strength a number, "above
+ * 1000", "none: …" or "undecided"; on what drives a number and what begins beyond it, "above 1000",
+ * or why it is none. */
+void tp_text_system_factor(tp_text *text, const tp_system_case *of);
 void tp_text_system_driving(tp_text *text, const tp_system_case *of);
+
+/* Is the critical acceleration stated? Not of blocks that move before an earthquake shakes. Is a
+ * motion proven to begin at less? */
+bool tp_system_case_has_critical_acceleration(const tp_system_case *of);
+bool tp_system_case_shakes_sooner(const tp_system_case *of);
 
 /* A force in kN; what is less than the search tells of the largest is nothing. */
 double tp_text_system_force_kn(double newtons, const tp_system_case *of);

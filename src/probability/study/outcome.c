@@ -30,7 +30,7 @@ tp_study_outcome tp_study_outcome_of(tp_mechanism mechanism) {
 
 tp_study_outcome tp_study_outcome_of_system(const tp_system_case *own) {
   const tp_mechanism mechanism = tp_system_case_mechanism(own);
-  switch (own->verdict) {
+  switch (tp_system_case_worst_verdict(own)) {
   case TP_SYSTEM_STANDS:
     return TP_STUDY_STANDS;
   case TP_SYSTEM_CAN_HOLD:

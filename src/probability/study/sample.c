@@ -178,8 +178,9 @@ static tp_status solve_system(tp_study_row *row, size_t at, const tp_study *stud
   const tp_solve_options options = tp_solve_options_default();
   tp_status status = vary(&scene, study, n, count, &why);
   /* a factor that is required must also be excluded from being too small by motions */
-  const tp_motions_sought motions =
-      study->scene->required_fos.given ? TP_MOTIONS_ALL : TP_MOTIONS_AS_THEY_LIE;
+  const bool all = study->scene->required_fos.given ||
+                   tp_block_system_cheap_motions(study->scene) == TP_MOTIONS_ALL;
+  const tp_motions_sought motions = all ? TP_MOTIONS_ALL : TP_MOTIONS_AS_THEY_LIE;
   if (status == TP_OK) status = tp_block_system_solve(&system, scene, &options, motions, &why);
   if (status == TP_OK) {
     tp_study_take_system(row, at, system);

@@ -22,12 +22,22 @@ static double limit_deg(const tp_system_case *own) {
   }
 }
 
-/* A factor that is only known to be exceeded is its proven bound; where no strength is enough, or
- * nothing holds even without what drives, it is below all. */
-static double fos_of(const tp_system_case *own) {
-  const tp_fos fos = tp_system_case_factor(own).fos;
-  if (fos.state == TP_FOS_UNDEFINED) return -INFINITY;
-  return fos.state == TP_FOS_NUMBER ? fos.value.value : (double)NAN;
+/* A factor that is only known to lie between bounds is the upper one, the least number at which a
+ * motion is proven, and the sample is open; without that the number that is exceeded. Where no
+ * strength is enough, or nothing holds even without what drives, it is below all. */
+static double fos_of(const tp_system_safety *own) {
+  switch (own->fos.state) {
+  case TP_FOS_UNDEFINED:
+    return -INFINITY;
+  case TP_FOS_NO_OVERTURNING:
+    return INFINITY;
+  case TP_FOS_NUMBER:
+    return own->fos.value.value;
+  default:
+    return isfinite(own->at_most) ? own->at_most
+           : own->at_least > 1    ? own->at_least
+                                  : (double)NAN;
+  }
 }
 
 static double goodman_bray_fos(const tp_goodman_bray *own) {
@@ -36,6 +46,7 @@ static double goodman_bray_fos(const tp_goodman_bray *own) {
 }
 
 static double acceleration_g(const tp_system_case *own) {
+  if (tp_system_case_moves_at_rest(own)) return -INFINITY;
   if (own->has_acceleration) return own->critical_acceleration_g.value;
   return own->verdict == TP_SYSTEM_COLLAPSES ? -INFINITY : (double)NAN;
 }
@@ -56,10 +67,11 @@ static double support_n_m(const tp_system_case *own) {
   }
 }
 
-static void take_case(tp_study_row *row, const tp_system_case *own) {
+static void take_case(tp_study_row *row, const tp_block_system *system) {
+  const tp_system_case *own = tp_system_governing(system);
   const tp_mechanism collapse = tp_system_case_mechanism(own);
   row->quantities[TP_STUDY_LIMIT_DEG] = limit_deg(own);
-  row->quantities[TP_STUDY_FOS] = fos_of(own);
+  row->quantities[TP_STUDY_FOS] = fos_of(&system->safety);
   row->quantities[TP_STUDY_FOS_GOODMAN_BRAY] = goodman_bray_fos(&own->goodman_bray);
   row->quantities[TP_STUDY_ACCELERATION_G] = acceleration_g(own);
   row->quantities[TP_STUDY_SUPPORT_N_M] = support_n_m(own);
@@ -67,25 +79,29 @@ static void take_case(tp_study_row *row, const tp_system_case *own) {
     row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(collapse));
   }
   row->tilt_deg = own->tilt_angle_deg.value;
-  if (!isnan(row->quantities[TP_STUDY_FOS])) {
-    row->fos_definition = (int)tp_system_case_factor(own).definition;
+  if (!isnan(row->quantities[TP_STUDY_FOS]) && system->safety.has_definition) {
+    row->fos_definition = (int)system->safety.definition;
   }
 }
 
-static bool is_open(const tp_system_case *own) {
-  const tp_system_factor factor = tp_system_case_factor(own);
-  return own->verdict == TP_SYSTEM_UNDECIDED || own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
-         !(factor.fos.state == TP_FOS_NUMBER || factor.fos.state == TP_FOS_UNDEFINED) ||
-         factor.is_least || (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
+/* What forces can hold and no proof says more of is open, and so is what is required of it. */
+static bool is_open(const tp_block_system *system) {
+  const tp_system_case *own = tp_system_governing(system);
+  const tp_system_verdict verdict = tp_system_case_worst_verdict(own);
+  return verdict == TP_SYSTEM_UNDECIDED || verdict == TP_SYSTEM_CAN_HOLD ||
+         own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
+         system->safety.fos.state == TP_FOS_UNDECIDED ||
+         (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {
   const tp_system_case *own = tp_system_governing(system);
-  row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(own)};
-  row->open = row->open || is_open(own);
+  row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(&system->safety)};
+  row->open = row->open || is_open(system);
   if (at > 0) return;
-  take_case(row, own);
+  take_case(row, system);
   if (system->has_required_fos) {
     row->design = (int)tp_block_system_meets(system, system->required_fos.value);
+    row->open = row->open || row->design == TP_DESIGN_OPEN;
   }
 }

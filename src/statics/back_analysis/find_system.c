@@ -11,6 +11,7 @@
 #include "block_system/system.h"
 #include "common/message.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 tp_status tp_search_check_system(const tp_search *s) {
@@ -44,13 +45,21 @@ static void take_factor(tp_sample *at, bool *unbounded, const tp_fos *fos, bool 
   at->result = fos->value;
 }
 
-static void take_from_system(tp_sample *at, bool *unbounded, const tp_system_case *own,
-                             tp_find_target target) {
+/* The one that governs; where proofs leave it open its upper bound, which is a proven motion or a
+ * limit of what forces can hold. */
+static void take_governing(tp_sample *at, bool *unbounded, const tp_system_safety *safety) {
+  *unbounded = isinf(safety->at_most);
+  at->known = safety->fos.state == TP_FOS_NUMBER || isfinite(safety->at_most);
+  at->result = safety->fos.state == TP_FOS_NUMBER ? safety->fos.value
+                                                  : (tp_bounded){.value = safety->at_most};
+}
+
+static void take_from_case(tp_sample *at, bool *unbounded, const tp_system_case *own,
+                           tp_find_target target) {
   const tp_goodman_bray *columns = &own->goodman_bray;
-  const tp_system_factor factor = tp_system_case_factor(own);
   switch (target) {
   case TP_FIND_GOVERNING_FOS:
-    take_factor(at, unbounded, &factor.fos, factor.is_least);
+    take_governing(at, unbounded, &own->safety);
     break;
   case TP_FIND_LIMIT_ANGLE:
     *unbounded = own->limit == TP_SYSTEM_INTERLOCKED;
@@ -73,15 +82,37 @@ static void take_from_system(tp_sample *at, bool *unbounded, const tp_system_cas
   at->result.digits = NULL;
 }
 
+/* The least over all directions; not known where one of them is not. */
+static void take_from_system(tp_sample *at, bool *unbounded, const tp_block_system *system,
+                             tp_find_target target) {
+  tp_sample least = *at;
+  bool all_unbounded = true, all_known = true, any = false;
+  for (size_t k = 0; k < system->case_count; k++) {
+    tp_sample one = *at;
+    bool beyond = false;
+    take_from_case(&one, &beyond, system->cases + k, target);
+    all_unbounded = all_unbounded && beyond;
+    if (beyond) continue;
+    all_known = all_known && one.known;
+    if (!any || one.result.value < least.result.value) least = one;
+    any = true;
+  }
+  *unbounded = all_unbounded;
+  if (any) *at = least;
+  at->known = any && all_known;
+}
+
 tp_status tp_search_take_system(tp_sample *at, bool *unbounded, tp_search *s) {
   tp_scene *scene = NULL;
   tp_block_system *system = NULL;
   tp_status status = tp_varied_scene(&scene, &s->varied, &at->x, &s->why);
   if (status == TP_OK) {
-    status = tp_block_system_solve(&system, scene, &s->varied.options, TP_MOTIONS_NONE, &s->why);
+    const tp_motions_sought motions = s->options->target == TP_FIND_GOVERNING_FOS
+                                          ? tp_block_system_cheap_motions(scene)
+                                          : TP_MOTIONS_NONE;
+    status = tp_block_system_solve(&system, scene, &s->varied.options, motions, &s->why);
   }
-  if (status == TP_OK)
-    take_from_system(at, unbounded, tp_system_governing(system), s->options->target);
+  if (status == TP_OK) take_from_system(at, unbounded, system, s->options->target);
   tp_block_system_free(system);
   tp_scene_free(scene);
   return status;
@@ -89,7 +120,7 @@ tp_status tp_search_take_system(tp_sample *at, bool *unbounded, tp_search *s) {
 
 static void tell_system(tp_found_blocks *blocks, const tp_system_case *own) {
   const tp_goodman_bray *columns = &own->goodman_bray;
-  *blocks = (tp_found_blocks){.verdict = own->verdict,
+  *blocks = (tp_found_blocks){.verdict = tp_system_case_worst_verdict(own),
                               .has_standing_fos = own->has_standing_fos,
                               .standing_fos = own->standing_fos,
                               .has_moving_fos =

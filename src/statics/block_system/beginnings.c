@@ -10,12 +10,14 @@
 #include "block_system/frictionless_blocks.h"
 #include "block_system/from_limit.h"
 #include "block_system/governing_case.h"
+#include "block_system/onset_window.h"
 #include "block_system/standing.h"
 #include "block_system/state_limits.h"
 #include "block_system/system_start.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Along which number a search goes. */
 enum { BY_STRENGTH, BY_TILT, BY_DRIVING, KNOWN };
@@ -30,6 +32,10 @@ typedef struct beginnings {
   tp_known_proofs known[KNOWN]; /* that no motion begins, by search; of all as the blocks lie */
   long proof_work;              /* of the proof that none begins as they lie */
   bool frictionless;            /* blocks are in equilibrium without friction */
+  bool moves;                   /* a motion can begin as they lie, and: */
+  tp_onset_window by_driving, by_strength; /* where it does, as what drives is multiplied or
+                                              strength divided */
+  tp_mechanism driven, weakened;           /* the motions there */
 } beginnings;
 
 static tp_status state_at_strength(bool *exists, tp_blocks_at *at, const void *context,
@@ -201,6 +207,23 @@ static tp_status init_beside(tp_standing_search *s, beginnings *b, int by, tp_mo
   return status;
 }
 
+/* What angles say of accelerations where weights alone act. */
+static void set_accelerations(tp_system_case *own, const tp_resultant *r) {
+  tp_bounded found;
+  own->has_standing_acceleration =
+      own->has_standing_angle && tp_resultant_acceleration_of(&found, r, own->standing_angle_deg) &&
+      found.value - found.error > 0;
+  if (own->has_standing_acceleration) {
+    own->standing_acceleration_g = nextafter(found.value - found.error, 0);
+  }
+  own->has_moving_acceleration =
+      own->has_moving_angle && tp_resultant_acceleration_of(&found, r, own->moving_angle_deg) &&
+      found.value + found.error >= 0;
+  if (own->has_moving_acceleration) {
+    own->moving_acceleration_g = nextafter(found.value + found.error, INFINITY);
+  }
+}
+
 static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *message) {
   const tp_moving_range r = tilts(b);
   tp_system_case *own = b->own;
@@ -220,49 +243,163 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
   }
   own->has_moving_angle = m->found;
   own->moving_angle_deg = m->x;
+  if (runs_straight) set_accelerations(own, b->task->resultant);
   return status;
 }
 
 /* Where weights are measured the tilt does not tell it. */
-static tp_status search_driving(beginnings *b, tp_message *message) {
-  static const double width = 1e-6;
+static tp_status search_multiples(beginnings *b, tp_moving_search *m, tp_standing_search *s,
+                                  tp_message *message) {
+  static const double width = 1e-6, step = 1e-3;
+  tp_system_case *own = b->own;
+  const bool bounded = own->fos_driving.state == TP_FOS_NUMBER && !own->fos_driving_is_least;
+  const double limit = bounded ? own->fos_driving.value.value + own->fos_driving.value.error
+                               : TP_MOST_FACTOR;
+  const tp_moving_range r = {.from = 1,
+                             .least = 1,
+                             .limit = fmin(limit, TP_MOST_FACTOR),
+                             .width = width,
+                             .step = step};
+  double standing = 1;
+  tp_status status = bounded ? tp_moving_from_limit(m, &r, r.from, message) : TP_OK;
+  if (status == TP_OK) status = stand_to_limit(&standing, m, s, &r, message);
+  own->has_standing_fos_driving = status == TP_OK;
+  own->standing_fos_driving = standing > 1 ? nextafter(standing, 0) : 1;
+  own->has_moving_fos_driving = m->found && m->x <= TP_MOST_FACTOR;
+  own->moving_fos_driving = m->x;
+  return status;
+}
+
+static tp_status search_driving(beginnings *b, const tp_moving_search *turned,
+                                tp_message *message) {
   tp_system_case *own = b->own;
   if (!b->task->system->is_measured) {
     tp_driving_of_angles(own, b->task->driving, b->task->resultant);
-    return TP_OK;
+    return own->has_moving_fos_driving
+               ? tp_system_start_mechanism(&own->by_driving.mechanism, turned, message)
+               : TP_OK;
   }
   if (!b->task->driving->drives || own->verdict != TP_SYSTEM_STANDS || !b->task->asks_factor) {
     return TP_OK;
   }
-  const bool bounded = own->fos_driving.state == TP_FOS_NUMBER;
-  const double limit = bounded ? own->fos_driving.value.value : TP_MOST_FACTOR;
+  tp_moving_search m;
   tp_standing_search s;
-  tp_status status = init_beside(&s, b, BY_DRIVING, state_at_driving, message);
+  tp_status status = tp_moving_init(&m, &b->resting, state_at_driving, b, message);
   if (status != TP_OK) return status;
-  status = tp_standing_extend(&own->standing_fos_driving, &s, 1, fmin(limit, TP_MOST_FACTOR), width,
-                              message);
-  own->has_standing_fos_driving = status == TP_OK;
-  tp_standing_clear(&s);
+  status = init_beside(&s, b, BY_DRIVING, state_at_driving, message);
+  if (status == TP_OK) {
+    status = search_multiples(b, &m, &s, message);
+    tp_standing_clear(&s);
+  }
+  if (status == TP_OK && own->has_moving_fos_driving) {
+    status = tp_system_start_mechanism(&own->by_driving.mechanism, &m, message);
+  }
+  tp_moving_clear(&m);
   return status;
 }
+
+/* ---- next to a motion that can begin as they lie -----------------------------------------------
+ */
+
+static bool are_few(const beginnings *b) {
+  enum { FEW = 6 };
+  return b->resting.rows / 3 <= FEW;
+}
+
+/* From the motion as they lie along one of the numbers. */
+static tp_status find_window(tp_onset_window *w, tp_mechanism *mechanism, beginnings *b, int by,
+                             tp_moving_state *state, tp_message *message) {
+  tp_moving_search m;
+  tp_standing_search s;
+  tp_status status = tp_moving_init(&m, &b->resting, state, b, message);
+  if (status != TP_OK) return status;
+  memcpy(m.proven, b->moving.proven, (size_t)b->resting.contact_count * sizeof *m.proven);
+  tp_letting_go_copy(&m.letting_go, &b->moving.letting_go);
+  status = init_beside(&s, b, by, state, message);
+  if (status == TP_OK) {
+    status = tp_onset_window_find(w, &m, &s, message);
+    tp_standing_clear(&s);
+  }
+  if (status == TP_OK && m.found) status = tp_system_start_mechanism(mechanism, &m, message);
+  tp_moving_clear(&m);
+  return status;
+}
+
+/* Of a limit of what forces hold. */
+static double upper_end(const tp_fos *fos) {
+  return fos->state == TP_FOS_NUMBER ? fos->value.value + fos->value.error : 1;
+}
+
+static tp_status find_windows(beginnings *b, tp_message *message) {
+  static const double width = 1e-6;
+  const bool few = are_few(b);
+  b->moves = true;
+  const bool collapses = b->own->verdict == TP_SYSTEM_COLLAPSES;
+  const tp_fos *driving = &b->own->fos_driving, *strength = &b->own->fos;
+  b->by_driving = (tp_onset_window){.from = collapses ? upper_end(driving) : 1,
+                                    .width = width,
+                                    .collapses = collapses,
+                                    .is_few = few,
+                                    .moves = 1};
+  b->by_strength = (tp_onset_window){.from = collapses ? log(upper_end(strength)) : 0,
+                                     .least = -log(TP_MOST_FACTOR),
+                                     .collapses = collapses,
+                                     .width = width,
+                                     .is_few = few};
+  tp_status status = TP_OK;
+  if (b->task->driving->drives && driving->state != TP_FOS_UNDEFINED) {
+    status = find_window(&b->by_driving, &b->driven, b, BY_DRIVING, state_at_driving, message);
+  }
+  b->by_strength.reaches = strength->state == TP_FOS_UNDEFINED;
+  if (status != TP_OK || b->by_strength.reaches) return status;
+  return find_window(&b->by_strength, &b->weakened, b, BY_STRENGTH, state_at_strength, message);
+}
+
+/* Where a thousand times as much strength does not stop the motion it is no way to count. */
+static void take_windows(beginnings *b) {
+  tp_system_bounds *driving = &b->own->by_driving, *strength = &b->own->by_strength;
+  const tp_onset_window *d = &b->by_driving, *w = &b->by_strength;
+  tp_system_case_set_bounds(b->own);
+  if (!b->moves) return;
+  if (driving->counts && b->task->driving->drives && b->own->fos_driving.state != TP_FOS_UNDEFINED) {
+    driving->at_most = fmin(driving->at_most, d->moves);
+    driving->at_least = d->has_stands ? fmax(0, nextafter(d->stands, 0)) : 0;
+    driving->mechanism = b->driven;
+  }
+  if (w->reaches) *strength = (tp_system_bounds){.at_most = INFINITY};
+  if (strength->counts) {
+    strength->at_most = fmin(strength->at_most, nextafter(exp(w->moves), INFINITY));
+    strength->at_least = w->has_stands ? nextafter(exp(w->stands), 0) : 0;
+    strength->mechanism = b->weakened;
+  }
+  tp_system_case_settle_bounds(b->own);
+}
+
+/* ---- all cases ---------------------------------------------------------------------------------
+ */
 
 static tp_status search_both(beginnings *b, tp_message *message) {
   tp_moving_search turned;
   tp_status status = tp_moving_init(&turned, &b->resting, state_at_tilt, b, message);
   if (status != TP_OK) return status;
   status = find_as_they_lie(b, &turned, message);
+  const bool moves = b->own->verdict == TP_SYSTEM_MAY_MOVE && b->task->asks_factor;
+  if (status == TP_OK && moves) status = find_windows(b, message);
   if (status == TP_OK) status = search_factor(b, message);
   if (status == TP_OK) status = search_tilt(b, &turned, message);
-  if (status == TP_OK) status = search_driving(b, message);
+  if (status == TP_OK) status = search_driving(b, &turned, message);
   tp_moving_clear(&turned);
   return status;
 }
 
 /* Where no forces hold the blocks, by which motion they go. */
 static tp_status search_collapse(beginnings *b, tp_message *message) {
-  const tp_status status = tp_moving_try(&b->moving, 0, true, message);
-  return status == TP_OK && b->moving.found ? tp_system_start_set(b->own, &b->moving, message)
-                                            : status;
+  tp_status status = tp_moving_try(&b->moving, 0, true, message);
+  if (status == TP_OK && b->moving.found) {
+    status = tp_system_start_set(b->own, &b->moving, message);
+  }
+  const bool asks = b->task->asks_factor && !b->task->verdict_alone && are_few(b);
+  return status == TP_OK && asks ? find_windows(b, message) : status;
 }
 
 static tp_status search(beginnings *b, tp_message *message) {
@@ -319,6 +456,8 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
     status = search(&b, message);
   }
   if (status == TP_OK) judge_frictionless(&b);
+  if (status == TP_OK) take_windows(&b);
+  if (b.frictionless) own->by_strength.at_least = INFINITY;
   tp_resting_clear(&b.resting);
   return status;
 }

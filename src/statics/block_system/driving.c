@@ -148,11 +148,12 @@ static void set_factor(tp_fos *fos, double held, double bound) {
   fos->value = (tp_bounded){.value = value, .error = fmax(bound - value, value - held) + rounding};
 }
 
-/* Multiples that are held lie between two: where one is not, and a greater one is, none is not. */
+/* Of a bracket of multiples, or of the tangent of the resultant. Multiples that are held lie between
+ * two: where one is not, and a greater one is, none is not. */
 static tp_status take(tp_system_case *own, const tp_driving *d, const tp_built_system *s,
-                      const tp_load_bracket *b, tp_message *message) {
-  const double held = s->is_measured ? b->held : factor_at(d, b->held);
-  const double bound = s->is_measured ? b->bound : factor_at(d, b->bound);
+                      const tp_load_bracket *b, bool by_tilt, tp_message *message) {
+  const double held = by_tilt ? factor_at(d, b->held) : b->held;
+  const double bound = by_tilt ? factor_at(d, b->bound) : b->bound;
   const bool farther = own->verdict == TP_SYSTEM_COLLAPSES && b->is_held && held >= 1;
   own->fos_driving.state = farther ? TP_FOS_UNDEFINED : TP_FOS_UNDECIDED;
   if (farther) return TP_OK;
@@ -165,16 +166,24 @@ static tp_status take(tp_system_case *own, const tp_driving *d, const tp_built_s
   return set_mechanism(own, s, b, message);
 }
 
+/* Where forces hold the blocks at every tilt below 90 degrees, and multiples of what drives would
+ * turn the resultant beyond that, as an earthquake lifts: the tilt does not tell how far. */
+static bool is_beyond_tilts(const tp_driving *d, const tp_load_bracket *side) {
+  return side->is_held && !side->is_bounded && side->held > TP_MOST_LOAD &&
+         !(factor_at(d, side->held) > TP_MOST_FACTOR);
+}
+
 tp_status tp_driving_factor_find(tp_system_case *own, const tp_driving *d, const tp_built_system *s,
                                  const tp_load_bracket *side, tp_message *message) {
   own->fos_driving.state = TP_FOS_NO_OVERTURNING;
   if (!d->drives) return TP_OK;
-  if (!s->is_measured) return take(own, d, s, side, message);
+  const bool by_tilt = !s->is_measured && !is_beyond_tilts(d, side);
+  if (by_tilt) return take(own, d, s, side, true, message);
   const tp_system_state state = {d->loads, 1};
   tp_load_bracket b;
   tp_status status = tp_state_limit_find(&b, s, &state, NULL, message);
   if (status != TP_OK) return status;
-  status = take(own, d, s, &b, message);
+  status = take(own, d, s, &b, false, message);
   tp_load_bracket_clear(&b);
   return status;
 }

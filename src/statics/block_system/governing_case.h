@@ -1,27 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Of the cases of many blocks the one that governs, how its blocks begin to move, and among how
- * many motions are looked for. */
+/* The factor of safety of many blocks by the rule of verdict/safety.h: of each case, and over all of
+ * them; how its blocks begin to move, and among how many motions are looked for. */
 
 #ifndef TP_BLOCK_SYSTEM_GOVERNING_CASE_H
 #define TP_BLOCK_SYSTEM_GOVERNING_CASE_H
 
 #include "topple_block_system.h"
+#include "verdict/safety.h"
 
 enum { TP_MOST_MOVING_BLOCKS = 48 }; /* free ones, among which motions are looked for */
 
-/* The factor of safety of a case: the lesser of that by strength reduction and that on what drives;
- * this one where no strength holds the blocks and it is a number. */
-typedef struct tp_system_factor {
-  tp_fos fos;
-  bool is_least; /* it is only known to be exceeded */
-  tp_fos_definition definition;
-} tp_system_factor;
-tp_system_factor tp_system_case_factor(const tp_system_case *of);
+/* The bounds of both factors, from what was found of a case: limits of what forces can hold, up to
+ * where no motion can begin, and from where on one can; `by_driving.mechanism` is that of the
+ * motion with more of what drives, where one was found. */
+void tp_system_case_set_bounds(tp_system_case *own);
 
-/* Does one certainly govern before the other? By collapse, by the factor, and where that is the
- * same by how much more tilt it bears. */
+/* After bounds were changed: where neither more strength nor less of what drives stops a motion that
+ * can begin, there is no factor above 0. */
+void tp_system_case_settle_bounds(tp_system_case *own);
+
+/* The safety of a case in the terms of the rule, and `safety` of the struct. */
+tp_safety tp_system_case_rule(const tp_system_case *own);
+void tp_system_case_set_safety(tp_system_case *own);
+
+/* Which case governs, and the safety over all. */
+void tp_block_system_set_safety(tp_block_system *system);
+
+/* Does one govern before the other? */
 bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *other);
 
 /* Do they collapse as they lie, though forces hold them farther to its side? */
@@ -32,6 +39,14 @@ const tp_system_case *tp_system_governing(const tp_block_system *system);
 
 /* How the blocks begin to move in the collapse: slide, topple, both; stands: none is known. */
 tp_mechanism tp_system_case_mechanism(const tp_system_case *own);
+
+/* Likewise of the motions of a list. */
+tp_mechanism tp_system_motions_mechanism(const tp_system_motion *motions, size_t count);
+
+/* What the blocks do with or without the scene's earthquake, whichever is the more severe; and can
+ * a motion begin before it shakes, so that no acceleration is critical? */
+tp_system_verdict tp_system_case_worst_verdict(const tp_system_case *own);
+bool tp_system_case_moves_at_rest(const tp_system_case *own);
 
 /* Is a motion proven to begin at less than the factor by strength reduction, beyond which
  * that is no news? */

@@ -46,12 +46,13 @@ static void set_tilt(tp_resultant *r, const tp_scene *scene, bool towards_left) 
 }
 
 /* k_h and 1 - k_v; the earthquake as an angle. */
-static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, bool vertical_acts,
+static tp_status set_earthquake(tp_resultant *r, const tp_scene *scene, const tp_resultant_case *of,
                                 tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
   arb_one(r->along);
+  if (of->is_static) return TP_OK;
   if (loads->horizontal.given) arb_set_fmpq(r->across, loads->horizontal.value, BITS);
-  if (loads->vertical.given && vertical_acts) {
+  if (loads->vertical.given && of->vertical_acts) {
     arb_set_fmpq(r->along, loads->vertical.value, BITS);
     arb_sub_ui(r->along, r->along, 1, BITS);
     arb_neg(r->along, r->along);
@@ -145,7 +146,7 @@ tp_status tp_resultant_init(tp_resultant *r, const tp_scene *scene, const tp_res
   arb_init(r->along);
   arb_init(r->across);
   set_tilt(r, scene, towards_left);
-  const tp_status status = set_earthquake(r, scene, of->vertical_acts, message);
+  const tp_status status = set_earthquake(r, scene, of, message);
   if (status != TP_OK) {
     tp_resultant_clear(r);
   } else if (is_measured) {
@@ -202,13 +203,11 @@ tp_bounded tp_resultant_tilt_deg(const tp_resultant *r, double low, double high)
   return tilt;
 }
 
-bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *r, double low,
-                               double high) {
-  arb_t degrees, sine, cosine;
-  arb_init(degrees);
+/* By the angle of the resultant from the normal. */
+static bool acceleration_at(tp_bounded *acceleration, const tp_resultant *r, arb_t degrees) {
+  arb_t sine, cosine;
   arb_init(sine);
   arb_init(cosine);
-  set_angle(degrees, low, high);
   arb_sub(degrees, degrees, r->tilt_deg, BITS);
   tp_ball_sin_cos(sine, cosine, degrees, BITS);
   const bool known = arb_is_positive(cosine);
@@ -217,8 +216,28 @@ bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *r, 
     arb_mul(sine, sine, r->along, BITS);
     *acceleration = tp_ball_bounded(sine);
   }
-  arb_clear(degrees);
   arb_clear(sine);
   arb_clear(cosine);
+  return known;
+}
+
+bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *r, double low,
+                               double high) {
+  arb_t degrees;
+  arb_init(degrees);
+  set_angle(degrees, low, high);
+  const bool known = acceleration_at(acceleration, r, degrees);
+  arb_clear(degrees);
+  return known;
+}
+
+bool tp_resultant_acceleration_of(tp_bounded *acceleration, const tp_resultant *r,
+                                  double tilt_deg) {
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_d(degrees, tilt_deg);
+  arb_add(degrees, degrees, r->earthquake_deg, BITS);
+  const bool known = acceleration_at(acceleration, r, degrees);
+  arb_clear(degrees);
   return known;
 }

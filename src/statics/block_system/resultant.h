@@ -43,6 +43,7 @@ typedef struct tp_resultant_case {
   bool towards_left;
   bool is_measured; /* weights are held against strength or loads that are given in forces */
   bool vertical_acts;
+  bool is_static; /* without the scene's earthquake */
 } tp_resultant_case;
 
 /* `applied`, borrowed, are loads that are given in forces, or NULL. Refused: an earthquake that
@@ -66,5 +67,9 @@ tp_bounded tp_resultant_tilt_deg(const tp_resultant *resultant, double low, doub
  * left of the angle, times 1 - k_v. False where that is 90 degrees or more. */
 bool tp_resultant_acceleration(tp_bounded *acceleration, const tp_resultant *resultant, double low,
                                double high);
+
+/* Likewise the one that turns the resultant as another tilt does. */
+bool tp_resultant_acceleration_of(tp_bounded *acceleration, const tp_resultant *resultant,
+                                  double tilt_deg);
 
 #endif

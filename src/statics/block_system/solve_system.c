@@ -8,6 +8,7 @@
 #include "block_system/collapse.h"
 #include "block_system/driving.h"
 #include "block_system/goodman_bray.h"
+#include "block_system/governing_case.h"
 #include "block_system/load_results.h"
 #include "block_system/resultant.h"
 #include "block_system/system.h"
@@ -24,6 +25,8 @@ typedef struct solving {
   tp_motions_sought motions;
   tp_block_system *system;
   bool falls_at_rest; /* and an earthquake holds it in one direction */
+  bool has_static[2]; /* by direction, to the right and to the left: the case without earthquake */
+  tp_system_case at_rest[2]; /* was solved: verdict and bounds of factors, no lists */
 } solving;
 
 /* One direction. */
@@ -238,6 +241,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
     status = tp_load_results_set(d->own, d->x->s, &d->resultant, message);
   }
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
+  tp_system_case_set_bounds(d->own);
   if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = find_motions(d, message);
   if (status != TP_OK) return status;
   status = tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
@@ -246,18 +250,37 @@ static tp_status solve_direction(direction *d, tp_message *message) {
                          : status;
 }
 
-/* With or without the vertical part of the earthquake. */
-static tp_status solve_shaken(tp_system_case *own, solving *x, bool left, bool vertical_acts,
-                              tp_message *message) {
-  const tp_resultant_case of = {left, x->s->is_measured, vertical_acts};
+/* Of one whose verdict alone is wanted. */
+static tp_status solve_verdict(direction *d, tp_message *message) {
+  d->own->tilt_angle_deg = tp_ball_bounded(d->resultant.tilt_deg);
+  d->own->fos.state = d->own->fos_driving.state = TP_FOS_NOT_ASKED;
+  tp_status status = find_limits(d, message);
+  tp_system_case_set_bounds(d->own);
+  if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) {
+    const tp_beginnings_task task = {.system = d->x->s,
+                                     .resultant = &d->resultant,
+                                     .driving = &d->driving,
+                                     .verdict_alone = true,
+                                     .held_factor = INFINITY,
+                                     .held_tilt_deg = INFINITY};
+    status = tp_beginnings_find(d->own, &task, message);
+  }
+  d->own->by_strength = d->own->by_driving = (tp_system_bounds){.at_most = INFINITY};
+  return status;
+}
+
+/* With or without the vertical part of the earthquake, or without all of it. */
+static tp_status solve_shaken(tp_system_case *own, solving *x, const tp_resultant_case *of,
+                              bool verdict_alone, tp_message *message) {
+  const bool left = of->towards_left;
   direction d = {.x = x, .own = own};
   own->towards = left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
   tp_status status =
-      tp_resultant_init(&d.resultant, x->s->scene, &of, x->s->loads[left ? 1 : 0].applied, message);
+      tp_resultant_init(&d.resultant, x->s->scene, of, x->s->loads[left ? 1 : 0].applied, message);
   if (status != TP_OK) return status;
   status = tp_driving_init(&d.driving, x->s, &d.resultant, message);
   if (status == TP_OK) {
-    status = solve_direction(&d, message);
+    status = verdict_alone ? solve_verdict(&d, message) : solve_direction(&d, message);
     tp_driving_clear(&d.driving);
   }
   tp_interior_start_clear(&d.by_strength);
@@ -269,31 +292,93 @@ static tp_status solve_shaken(tp_system_case *own, solving *x, bool left, bool v
   return status;
 }
 
-/* Beside the one with it, which is taken out of the list again. */
-static tp_status join_without(solving *x, tp_system_case *with, bool left, tp_message *message) {
+/* After the one with it; taken out of the list again. */
+static tp_status join_without(solving *x, tp_system_case *with, const tp_resultant_case *of,
+                              tp_message *message) {
+  tp_resultant_case without_part = *of;
   tp_system_case *without;
+  without_part.vertical_acts = false;
   tp_status status = tp_system_case_add(x->system, &without, message);
-  if (status == TP_OK) status = solve_shaken(without, x, left, false, message);
+  if (status == TP_OK) status = solve_shaken(without, x, &without_part, false, message);
   if (status == TP_OK) tp_system_case_join(with, without);
   tp_system_case_drop_last(x->system);
   return status;
 }
 
-static tp_status solve_case(solving *x, bool left, tp_message *message) {
-  const tp_vertical_part vertical = tp_scene_vertical_part(x->s->scene, x->s->is_measured);
+/* ---- without the earthquake --------------------------------------------------------------------
+ */
+
+static bool shakes(const tp_scene *scene) {
+  const tp_loads_description *loads = &scene->loads;
+  return (loads->horizontal.given && !fmpq_is_zero(loads->horizontal.value)) ||
+         (loads->vertical.given && !fmpq_is_zero(loads->vertical.value));
+}
+
+/* On a slope loads drive down-dip then. */
+static bool static_side(const tp_scene *scene, bool left) {
+  return scene->frame == TP_FRAME_SLOPE ? scene->slope.left : left;
+}
+
+/* An earthquake to the side to which weights drive adds to that, and one the other way, where that
+ * is a case as well, takes as much: what both leave standing by some factor weights alone do, too.
+ * Else factors are computed without it as well. */
+static bool needs_static_factors(const tp_scene *scene, bool left) {
+  return scene->frame == TP_FRAME_SLOPE && scene->slope.left != left &&
+         !tp_scene_asks_side(scene, scene->slope.left);
+}
+
+static tp_status find_static(solving *x, bool left, tp_message *message) {
+  const bool side = static_side(x->s->scene, left);
+  const tp_resultant_case of = {side, x->s->is_measured, .is_static = true};
   tp_system_case *own;
   tp_status status = tp_system_case_add(x->system, &own, message);
   if (status == TP_OK) {
-    status = solve_shaken(own, x, left, vertical != TP_VERTICAL_IS_LEFT, message);
+    status = solve_shaken(own, x, &of, !needs_static_factors(x->s->scene, left), message);
   }
+  if (status == TP_OK) {
+    x->at_rest[side] = (tp_system_case){.verdict = own->verdict,
+                                        .by_strength = own->by_strength,
+                                        .by_driving = own->by_driving};
+    x->has_static[side] = true;
+  }
+  tp_system_case_drop_last(x->system);
+  return status;
+}
+
+static tp_status join_static(tp_system_case *own, solving *x, bool left, tp_message *message) {
+  const bool side = static_side(x->s->scene, left);
+  if (!shakes(x->s->scene)) return TP_OK;
+  const tp_status status = x->has_static[side] ? TP_OK : find_static(x, left, message);
+  if (status != TP_OK) return status;
+  own->has_static = true;
+  own->static_verdict = x->at_rest[side].verdict;
+  own->static_by_strength = x->at_rest[side].by_strength;
+  own->static_by_driving = x->at_rest[side].by_driving;
+  return TP_OK;
+}
+
+/* ---- all ---------------------------------------------------------------------------------------
+ */
+
+static tp_status solve_case(solving *x, bool left, tp_message *message) {
+  const tp_scene *scene = x->s->scene;
+  const tp_vertical_part vertical = tp_scene_vertical_part(scene, x->s->is_measured, left);
+  const tp_resultant_case of = {left, x->s->is_measured,
+                                .vertical_acts = vertical != TP_VERTICAL_IS_LEFT};
+  tp_system_case *own;
+  tp_status status = tp_system_case_add(x->system, &own, message);
+  if (status == TP_OK) status = solve_shaken(own, x, &of, false, message);
   if (status == TP_OK && vertical == TP_VERTICAL_MAY_ACT) {
-    status = join_without(x, own, left, message);
+    status = join_without(x, own, &of, message);
   }
+  if (status == TP_OK) status = join_static(own, x, left, message);
+  if (status != TP_OK) return status;
+  tp_system_case_set_safety(own);
   own->has_required_fos = x->system->has_required_fos;
   if (own->has_required_fos) {
     own->meets_required = tp_system_case_meets(own, x->system->required_fos.value);
   }
-  return status;
+  return TP_OK;
 }
 
 static tp_status solve_cases(solving *x, tp_message *message) {
@@ -301,8 +386,9 @@ static tp_status solve_cases(solving *x, tp_message *message) {
   tp_status status = TP_OK;
   if (tp_scene_asks_side(scene, true)) status = solve_case(x, true, message);
   if (status == TP_OK && tp_scene_asks_side(scene, false)) status = solve_case(x, false, message);
-  return status == TP_OK ? tp_system_add_cautions(x->system, scene, x->falls_at_rest, message)
-                         : status;
+  if (status != TP_OK) return status;
+  tp_block_system_set_safety(x->system);
+  return tp_system_add_cautions(x->system, scene, x->falls_at_rest, message);
 }
 
 tp_status tp_block_system_solve_as_given(tp_block_system **system, const tp_scene *scene,

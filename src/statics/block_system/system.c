@@ -24,6 +24,13 @@ size_t tp_scene_block_count(const tp_scene *scene) {
   return scene == NULL ? 0 : (size_t)scene->many.count;
 }
 
+tp_motions_sought tp_block_system_cheap_motions(const tp_scene *scene) {
+  enum { FEW = 6 };
+  long free_blocks = 0;
+  for (long k = 0; k < scene->many.count; k++) free_blocks += !scene->many.blocks[k].fixed;
+  return free_blocks <= FEW ? TP_MOTIONS_ALL : TP_MOTIONS_NONE;
+}
+
 static void clear_case(tp_system_case *own) {
   free(own->motions);
   free(own->forces);

@@ -17,6 +17,9 @@ typedef enum tp_motions_sought {
   TP_MOTIONS_ALL
 } tp_motions_sought;
 
+/* Those that cost little: all of few blocks, of more none. */
+tp_motions_sought tp_block_system_cheap_motions(const tp_scene *scene);
+
 /* tp_solve_block_system with so many motions: for many solves in a row. */
 TP_MUST_USE tp_status tp_block_system_solve(tp_block_system **system, const tp_scene *scene,
                                             const tp_solve_options *options,

@@ -6,6 +6,7 @@
 #include "block_system/system_start.h"
 
 #include "block_system/collapse.h"
+#include "block_system/governing_case.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -29,7 +30,20 @@ static tp_touch_state state_of(const tp_moving_search *m, long contact, int end)
                                                                           : TP_TOUCH_STICKS;
 }
 
-tp_status tp_system_start_set(tp_system_case *own, tp_moving_search *m, tp_message *message) {
+/* Twists of a collapse run against the motion. */
+static tp_status set_motions(tp_system_motion *motions, const tp_moving_search *m,
+                             tp_message *message) {
+  const size_t rows = (size_t)m->resting->rows;
+  double *against = calloc(rows + 1, sizeof *against);
+  if (against == NULL) return tp_fail_memory(message, "the motions");
+  for (size_t r = 0; r < rows; r++) against[r] = -m->accelerations[r];
+  const tp_status status = tp_collapse_motions(motions, m->resting->assemblage, against, message);
+  free(against);
+  return status;
+}
+
+tp_status tp_system_start_set(tp_system_case *own, const tp_moving_search *m,
+                              tp_message *message) {
   tp_system_start *start = &own->start;
   const tp_assemblage *a = m->resting->assemblage;
   start->motions = calloc((size_t)a->count + 1, sizeof *start->motions);
@@ -44,7 +58,17 @@ tp_status tp_system_start_set(tp_system_case *own, tp_moving_search *m, tp_messa
   for (long k = 0; k < a->contact_count; k++) {
     start->touches[k] = (tp_system_touch){state_of(m, k, 0), state_of(m, k, 1)};
   }
-  for (long r = 0; r < m->resting->rows; r++) m->accelerations[r] *= -1;
   own->has_start = true;
-  return tp_collapse_motions(start->motions, a, m->accelerations, message);
+  return set_motions(start->motions, m, message);
+}
+
+tp_status tp_system_start_mechanism(tp_mechanism *mechanism, const tp_moving_search *m,
+                                    tp_message *message) {
+  const size_t count = (size_t)m->resting->assemblage->count;
+  tp_system_motion *motions = calloc(count + 1, sizeof *motions);
+  if (motions == NULL) return tp_fail_memory(message, "the motions");
+  const tp_status status = set_motions(motions, m, message);
+  if (status == TP_OK) *mechanism = tp_system_motions_mechanism(motions, count);
+  free(motions);
+  return status;
 }

@@ -8,8 +8,13 @@
 
 #include "block_system/moving.h"
 
-/* Of one that was found along the logarithm of the divisor; its accelerations are turned round. */
-TP_MUST_USE tp_status tp_system_start_set(tp_system_case *own, tp_moving_search *moving,
+/* Of one that was found along the logarithm of the divisor. */
+TP_MUST_USE tp_status tp_system_start_set(tp_system_case *own, const tp_moving_search *moving,
                                           tp_message *message);
+
+/* How the blocks begin to move in the motion that was found last. */
+TP_MUST_USE tp_status tp_system_start_mechanism(tp_mechanism *mechanism,
+                                                const tp_moving_search *moving,
+                                                tp_message *message);
 
 #endif

@@ -7,16 +7,27 @@
 #include "block_system/vertical_part.h"
 
 #include "block_system/governing_case.h"
+#include "block_system/resultant.h"
 
 #include <math.h>
 
-tp_vertical_part tp_scene_vertical_part(const tp_scene *scene, bool is_measured) {
+static bool is_up_dip(const tp_scene *scene, bool towards_left) {
+  fmpq_t tilt;
+  fmpq_init(tilt);
+  tp_scene_side_tilt(tilt, scene, towards_left);
+  const bool up = fmpq_sgn(tilt) < 0;
+  fmpq_clear(tilt);
+  return up;
+}
+
+tp_vertical_part tp_scene_vertical_part(const tp_scene *scene, bool is_measured,
+                                        bool towards_left) {
   const tp_quantity *vertical = &scene->loads.vertical;
   const bool is_tilted = scene->tilt_angle_deg.given || scene->towards_left != scene->towards_right;
   const bool lies_in_place = tp_scene_lies_in_place(scene) || !is_tilted;
   if (!vertical->given || !lies_in_place) return TP_VERTICAL_COUNTS;
   const int sign = fmpq_sgn(vertical->value);
-  if (is_measured && sign != 0) return TP_VERTICAL_MAY_ACT;
+  if (sign != 0 && (is_measured || is_up_dip(scene, towards_left))) return TP_VERTICAL_MAY_ACT;
   return sign < 0 ? TP_VERTICAL_IS_LEFT : TP_VERTICAL_COUNTS;
 }
 
@@ -116,6 +127,10 @@ static void join_standing(tp_system_case *own, const tp_system_case *other) {
   own->standing_fos_driving = fmin(own->standing_fos_driving, other->standing_fos_driving);
   own->has_standing_angle = own->has_standing_angle && other->has_standing_angle;
   own->standing_angle_deg = fmin(own->standing_angle_deg, other->standing_angle_deg);
+  own->has_standing_acceleration =
+      own->has_standing_acceleration && other->has_standing_acceleration;
+  own->standing_acceleration_g =
+      fmin(own->standing_acceleration_g, other->standing_acceleration_g);
 }
 
 static void take_least(bool *has, double *least, bool also, double other) {
@@ -134,12 +149,28 @@ static void join_moving(tp_system_case *own, tp_system_case *other) {
   take_least(&own->has_moving_fos, &own->moving_fos, other->has_moving_fos, other->moving_fos);
   take_least(&own->has_moving_fos_driving, &own->moving_fos_driving, other->has_moving_fos_driving,
              other->moving_fos_driving);
+  take_least(&own->has_moving_acceleration, &own->moving_acceleration_g,
+             other->has_moving_acceleration, other->moving_acceleration_g);
   take_least(&own->has_moving_angle, &own->moving_angle_deg, other->has_moving_angle,
              other->moving_angle_deg);
   if (starts_sooner(other, own)) {
     SWAP(tp_system_start, own->start, other->start);
     own->has_start = true;
   }
+}
+
+/* Of one that does not count the other counts. */
+static void join_bounds(tp_system_bounds *own, const tp_system_bounds *other) {
+  if (!other->counts) return;
+  if (!own->counts) {
+    *own = *other;
+    return;
+  }
+  if (other->at_most < own->at_most) {
+    own->at_most = other->at_most;
+    own->mechanism = other->mechanism;
+  }
+  own->at_least = fmin(own->at_least, other->at_least);
 }
 
 /* ---- support -----------------------------------------------------------------------------------
@@ -174,5 +205,7 @@ void tp_system_case_join(tp_system_case *own, tp_system_case *other) {
   join_acceleration(own, other);
   join_standing(own, other);
   join_moving(own, other);
+  join_bounds(&own->by_strength, &other->by_strength);
+  join_bounds(&own->by_driving, &other->by_driving);
   if (own->has_support) join_support(own, other);
 }

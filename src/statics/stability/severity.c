@@ -9,22 +9,21 @@
 
 #include <math.h>
 
-/* By the verdict, and of those that stand by what is required. */
-static int rank_of(const tp_case *c) {
+tp_severity tp_severity_of_safety(const tp_safety *safety, bool is_required, double required) {
   enum { UNSTABLE = 4, UNDECIDED = 2 };
-  const tp_governing_fos *g = &c->governing_fos;
-  const tp_motion_verdict verdict = tp_case_safety(c).verdict;
-  if (verdict == TP_VERDICT_OPEN) return UNDECIDED;
-  if (verdict != TP_VERDICT_STANDS) return UNSTABLE - (int)verdict;
-  return g->has_required_fos && g->meets_required == TP_DESIGN_NOT_MET ? 1 : 0;
+  const double needed = is_required ? required : 1;
+  const bool lacks = is_required && tp_safety_meets(safety, required) == TP_DESIGN_NOT_MET;
+  tp_severity severity = {lacks, safety->most > 0 ? needed / safety->most : INFINITY,
+                          safety->least > 0 ? needed / safety->least : INFINITY};
+  if (safety->verdict == TP_VERDICT_OPEN) severity.rank = UNDECIDED;
+  if (safety->verdict < TP_VERDICT_OPEN) severity.rank = UNSTABLE - (int)safety->verdict;
+  return severity;
 }
 
 tp_severity tp_severity_of(const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
-  const double required = g->has_required_fos ? g->required_fos.value : 1;
-  const double most = g->at_most > 0 ? required / g->at_most : INFINITY;
-  const double least = g->at_least > 0 ? required / g->at_least : INFINITY;
-  return (tp_severity){rank_of(c), most, least};
+  const tp_safety safety = tp_case_safety(c);
+  return tp_severity_of_safety(&safety, g->has_required_fos, g->required_fos.value);
 }
 
 int tp_severity_compare(tp_severity one, tp_severity other) {

@@ -10,12 +10,14 @@
 #define TP_STABILITY_SEVERITY_H
 
 #include "topple.h"
+#include "verdict/safety.h"
 
 typedef struct tp_severity {
   int rank;               /* from the greatest on */
   double need, most_need; /* by the upper and by the lower bound of the factor */
 } tp_severity;
 
+tp_severity tp_severity_of_safety(const tp_safety *safety, bool is_required, double required);
 tp_severity tp_severity_of(const tp_case *own);
 /* Below 0: the first is the worse one. */
 int tp_severity_compare(tp_severity one, tp_severity other);

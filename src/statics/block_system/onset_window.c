@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The motion that is proven is followed down, and just below its end all motions are excluded. What
+ * the exclusion leaves is tried as a motion, and followed in its turn. Following leaps: between its
+ * end and where the blocks are there may be numbers at which no motion can begin. Of few blocks
+ * those are looked for at intervals; the window ends above the highest. */
+
+#include "block_system/onset_window.h"
+
+#include "block_system/from_limit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROUNDS = 8, INTERVALS = 32 };
+
+/* Just below the end of the motion, and farther. */
+static tp_status exclude_below(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
+                               double least, tp_message *message) {
+  static const double growth = 8, nearest = 4; /* widths */
+  double away = nearest * w->width;
+  tp_status status = TP_OK;
+  w->has_stands = false;
+  for (int k = 0; k < ROUNDS && status == TP_OK && m->x > least; k++) {
+    const double at = fmax(least, m->x - away);
+    bool proven = false;
+    if (s->work > s->most_work) break;
+    status = tp_standing_prove(&proven, s, at, at, message);
+    if (status != TP_OK) break;
+    if (proven) {
+      w->has_stands = true;
+      w->stands = at;
+      break;
+    }
+    const double before = m->x;
+    if (s->left[0] != 0) status = tp_moving_prove_modes(m, at, s->left, message);
+    if (status == TP_OK && m->found && m->x < before) {
+      status = tp_moving_follow(m, least, w->width, message);
+    } else {
+      away *= growth;
+    }
+  }
+  return status;
+}
+
+/* The greatest number of a row between two at which no motion can begin. */
+static tp_status find_gap(bool *found, double *gap, const tp_onset_window *w,
+                          tp_standing_search *s, double low, tp_message *message) {
+  tp_status status = TP_OK;
+  *found = false;
+  for (int k = 1; k < INTERVALS && !*found && status == TP_OK; k++) {
+    const double at = w->from - (w->from - low) * k / INTERVALS;
+    if (w->from - at < w->width || s->work > s->most_work) break;
+    status = tp_standing_prove(found, s, at, at, message);
+    if (*found) *gap = at;
+  }
+  return status;
+}
+
+static tp_status find_from(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
+                           const tp_trial_mode *first, tp_message *message) {
+  double least = w->least;
+  tp_status status = TP_OK;
+  for (int k = 0; k < ROUNDS && status == TP_OK; k++) {
+    bool has_gap = false;
+    double gap = least;
+    if (m->found) status = tp_moving_follow(m, least, w->width, message);
+    if (status == TP_OK) status = exclude_below(w, m, s, least, message);
+    if (status != TP_OK || !w->is_few) break;
+    status = find_gap(&has_gap, &gap, w, s, m->x, message);
+    if (status != TP_OK || !has_gap) break;
+    least = gap;
+    w->has_stands = true;
+    w->stands = gap;
+    m->x = w->collapses ? w->from : INFINITY;
+    status = tp_moving_prove(m, w->from, first, message);
+  }
+  w->moves = fmin(m->x, w->from);
+  w->reaches = m->x <= w->least;
+  return status;
+}
+
+/* Beyond `from` there is one, though it may not be found: then all are excluded below it. */
+static tp_status find_beyond(tp_onset_window *w, tp_moving_search *m, tp_message *message) {
+  static const double steps = 1e3; /* widths */
+  const tp_moving_range r = {.from = w->from,
+                             .least = w->least,
+                             .limit = w->from,
+                             .width = w->width,
+                             .step = steps * w->width};
+  m->x = INFINITY;
+  m->found = false;
+  const tp_status status = tp_moving_from_limit(m, &r, w->least, message);
+  m->x = fmin(m->x, w->from);
+  return status;
+}
+
+static tp_status find_as_they_are(tp_onset_window *w, tp_moving_search *m, const tp_trial_mode *first,
+                                  tp_message *message) {
+  m->x = INFINITY;
+  const tp_status status = tp_moving_prove(m, w->from, first, message);
+  return status == TP_OK && m->x > w->from ? tp_moving_try(m, w->from, true, message) : status;
+}
+
+tp_status tp_onset_window_find(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
+                               tp_message *message) {
+  const size_t size = ((size_t)m->resting->contact_count + 1) * sizeof *m->proven;
+  tp_trial_mode *first = malloc(size);
+  if (first == NULL) return tp_fail_memory(message, "the motions");
+  memcpy(first, m->proven, size - sizeof *m->proven);
+  w->has_stands = w->reaches = false;
+  tp_status status =
+      w->collapses ? find_beyond(w, m, message) : find_as_they_are(w, m, first, message);
+  w->moves = w->from;
+  if (status == TP_OK && m->x <= w->from) {
+    memcpy(first, m->proven, size - sizeof *m->proven);
+    status = find_from(w, m, s, first, message);
+  }
+  free(first);
+  return status;
+}
