@@ -32,6 +32,8 @@ typedef struct beginnings {
   tp_known_proofs known[KNOWN]; /* that no motion begins, by search; of all as the blocks lie */
   long proof_work;              /* of the proof that none begins as they lie */
   bool frictionless;            /* blocks are in equilibrium without friction */
+  double rest_share;            /* of what rests, where what drives is multiplied beyond all tilts */
+  bool is_never_driven;         /* however much what drives is multiplied, no motion can begin */
   bool moves;                   /* a motion can begin as they lie, and: */
   tp_onset_window by_driving, by_strength; /* where it does, as what drives is multiplied or
                                               strength divided */
@@ -61,6 +63,24 @@ static tp_status state_at_driving(bool *exists, tp_blocks_at *at, const void *co
   *exists = true;
   return tp_resting_loads(at->loads, at->central, &b->resting, &b->task->driving->loads,
                           (tp_near){multiple, 0}, at->tension, message);
+}
+
+/* From a multiple of what drives on to all: the share of what rests falls from the inverse of that
+ * multiple to nothing. */
+static tp_status state_beyond(bool *exists, tp_blocks_at *at, const void *context, double share,
+                              tp_message *message) {
+  const beginnings *b = context;
+  const tp_weight_loads *driven = &b->task->driving->loads;
+  tp_weight_loads loads = *driven;
+  for (int axis = 0; axis < 2; axis++) {
+    const tp_near rests = tp_near_times(driven->dead[axis], (tp_near){b->rest_share, 0});
+    loads.dead[axis] = tp_near_plus(driven->live[axis], rests);
+    loads.live[axis] = tp_near_neg(rests);
+  }
+  tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
+  *exists = true;
+  return tp_resting_loads(at->loads, at->central, &b->resting, &loads, (tp_near){share, 0},
+                          at->tension, message);
 }
 
 /* ---- as they lie -------------------------------------------------------------------------------
@@ -270,15 +290,38 @@ static tp_status search_multiples(beginnings *b, tp_moving_search *m, tp_standin
   return status;
 }
 
+/* Weights alone, of blocks that stand up to a multiple next to 90 degrees of tilt: all beyond. */
+static tp_status search_beyond(beginnings *b, double multiple, tp_message *message) {
+  static const double outwards = 1 + 1e-9, width = 1e-3;
+  tp_standing_search s;
+  double share = 0;
+  tp_status status = init_beside(&s, b, BY_TILT, state_beyond, message);
+  if (status != TP_OK) return status;
+  b->rest_share = outwards / multiple;
+  status = tp_standing_extend(&share, &s, 0, 1, width, message);
+  b->is_never_driven = status == TP_OK && share >= 1;
+  tp_standing_clear(&s);
+  return status;
+}
+
+/* By angles. */
+static tp_status search_driving_by_tilt(beginnings *b, const tp_moving_search *turned,
+                                        tp_message *message) {
+  const tp_system_case *own = b->own;
+  const double multiple =
+      tp_driving_of_angles(b->own, b->task->driving, b->task->resultant);
+  if (own->has_moving_fos_driving) {
+    return tp_system_start_mechanism(&b->own->by_driving.mechanism, turned, message);
+  }
+  const bool to_the_end = own->has_standing_angle && own->limit == TP_SYSTEM_INTERLOCKED &&
+                          own->standing_angle_deg >= tilts(b).limit && isfinite(multiple);
+  return to_the_end && b->task->driving->drives ? search_beyond(b, multiple, message) : TP_OK;
+}
+
 static tp_status search_driving(beginnings *b, const tp_moving_search *turned,
                                 tp_message *message) {
   tp_system_case *own = b->own;
-  if (!b->task->system->is_measured) {
-    tp_driving_of_angles(own, b->task->driving, b->task->resultant);
-    return own->has_moving_fos_driving
-               ? tp_system_start_mechanism(&own->by_driving.mechanism, turned, message)
-               : TP_OK;
-  }
+  if (!b->task->system->is_measured) return search_driving_by_tilt(b, turned, message);
   if (!b->task->driving->drives || own->verdict != TP_SYSTEM_STANDS || !b->task->asks_factor) {
     return TP_OK;
   }
@@ -360,6 +403,7 @@ static void take_windows(beginnings *b) {
   tp_system_bounds *driving = &b->own->by_driving, *strength = &b->own->by_strength;
   const tp_onset_window *d = &b->by_driving, *w = &b->by_strength;
   tp_system_case_set_bounds(b->own);
+  if (b->is_never_driven && isinf(driving->at_most)) driving->at_least = INFINITY;
   if (!b->moves) return;
   if (driving->counts && b->task->driving->drives && b->own->fos_driving.state != TP_FOS_UNDEFINED) {
     driving->at_most = fmin(driving->at_most, d->moves);

@@ -211,15 +211,17 @@ static double factor_at_tilt(const tp_driving *d, const tp_resultant *r, double 
   return factor;
 }
 
-void tp_driving_of_angles(tp_system_case *own, const tp_driving *d, const tp_resultant *r) {
-  if (!d->drives) return;
+double tp_driving_of_angles(tp_system_case *own, const tp_driving *d, const tp_resultant *r) {
+  double standing = 1;
+  if (!d->drives) return standing;
   own->has_standing_fos_driving = own->has_standing_angle;
   if (own->has_standing_angle) {
-    const double factor = factor_at_tilt(d, r, own->standing_angle_deg);
     /* rounded down, but as they lie it is 1 */
-    own->standing_fos_driving = fmax(1, fmin(nextafter(factor, 0), TP_MOST_FACTOR));
+    standing = fmax(1, nextafter(factor_at_tilt(d, r, own->standing_angle_deg), 0));
+    own->standing_fos_driving = fmin(standing, TP_MOST_FACTOR);
   }
-  if (!own->has_moving_angle) return;
+  if (!own->has_moving_angle) return standing;
   own->moving_fos_driving = nextafter(factor_at_tilt(d, r, own->moving_angle_deg), INFINITY);
   own->has_moving_fos_driving = own->moving_fos_driving <= TP_MOST_FACTOR;
+  return standing;
 }

@@ -40,8 +40,9 @@ TP_MUST_USE tp_status tp_driving_factor_find(tp_system_case *own, const tp_drivi
                                              const tp_load_bracket *side, tp_message *message);
 
 /* And what the angles of the case say of it where weights are not measured: up to which multiple no
- * motion can begin, and from which one can. */
-void tp_driving_of_angles(tp_system_case *own, const tp_driving *driving,
+ * motion can begin, and from which one can. Returns the former, also beyond TP_MOST_FACTOR; 1 where
+ * there is none. */
+double tp_driving_of_angles(tp_system_case *own, const tp_driving *driving,
                           const tp_resultant *resultant);
 
 #endif
