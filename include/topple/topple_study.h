@@ -75,6 +75,7 @@ typedef struct tp_study_tilt {
   tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by outcome */
   tp_study_share certain_to_stand;            /* certain to stand: stands and interlocked */
   tp_study_share certain_to_move; /* certain to move: slides, topples, both, leaves its base */
+  tp_study_share neither;         /* neither is certain, of valid samples */
 } tp_study_tilt;
 
 /* The numbers that a sample has; in rows and columns infinity where it holds at every tilt, or
@@ -281,7 +282,9 @@ typedef struct tp_study_result {
   tp_study_step *convergence;     /* at each power of two from 16 on, and at the end */
   bool of_many_blocks;            /* the scene is of many blocks: */
   bool has_required_fos;          /* of these, and of a solid: it requires a factor of safety: */
-  tp_study_share below_required;  /* if has_required_fos: samples that certainly lack it */
+  tp_study_share below_required;  /* if has_required_fos: samples that certainly lack it, */
+  tp_study_share meets_required;  /* if has_required_fos: certainly have it, */
+  tp_study_share open_required;   /* if has_required_fos: and of which neither is certain */
   size_t invalid_count;           /* of the first invalid samples, 5 at most */
   tp_study_bad *invalid;          /* these */
   size_t column_count;            /* of the columns */

@@ -10,7 +10,7 @@ import math
 import random
 
 from governing_case import GoverningCase
-from harness import main, rounds, run
+from harness import ROOT, main, rounds, run
 from pile_case import Pile, text_of
 
 NEAR = 2e-5
@@ -114,6 +114,119 @@ class FactorLawBlocks(GoverningCase):
             self.assertLessEqual(low, mirrored[1] * (1 + NEAR), where)
         self.assertGreaterEqual(decided, 0.9 * count)
         self.assertGreaterEqual(moving, 0.1 * count)
+
+    def data(self, name):
+        return ROOT / "tests" / "data" / "factor_law" / name
+
+    def test_pinned(self):
+        """Scenes whose headline, batch or exit status once stated a number above one at which a motion is proven."""
+        for name, towards, verdict, least, most, status in (
+                ("may_move_many.yaml", "left", "may move", 0.39254, 0.39255, 1),  # its toe turns from 8.3277° on: tan 8.3277° / tan 20.45°
+                ("batch_holds_though_may_move.yaml", "left", "may move", 0.39254, 0.39255, 1),
+                ("governs_wrong_way.yaml", "left", "can be held", 0, 2.0345, 1),  # linear program 2.04773; a motion at 2.0344
+                ("fos_many.yaml", "left", "stands", 1.73869, 1.73871, 1),
+                ("vertical_part_up_dip.yaml", "left", "collapses", 0.58716, 0.58718, 0),
+                ("governs_1_19.yaml", "left", "may move", 0, 0.82199, 0),
+                ("columns_phi42.yaml", "left", "may move", 0, 0.92582, 1)):
+            ended, out, err = run("solve", "--json", self.data(name))
+            self.assertEqual(ended, status, (name, err))
+            own = json.loads(out)
+            self.assertEqual(own["governs_towards"], towards, name)
+            self.assertEqual(own["cases"][0]["verdict"], verdict, name)
+            low, high = bounds(own["governing_fos"])
+            self.assertTrue(least <= low <= high <= most, (name, low, high))
+            page = run("solve", self.data(name))[1]
+            self.assertNotIn("(governs)", page)
+            self.assertEqual("critical horizontal acceleration" in page.split("Towards the right")[0],
+                             verdict not in ("may move",) and own["cases"][0].get("critical_acceleration_g") is not None, name)
+            if status == 1:
+                self.assertIn("NOT MET", page)
+
+    def test_slab_in_an_earthquake(self):
+        """λ = a cos α / (H (sin α + k cos α) + a k sin α) where the slab slides and a is tan φ H; one definition in both forms."""
+        angle, shake, friction = math.radians(15), 0.15, math.tan(math.radians(38))
+        truth = friction * math.cos(angle) / (math.sin(angle) + shake * math.cos(angle) + friction * shake * math.sin(angle))
+        own = json.loads(run("solve", "--json", self.data("fos_many.yaml"))[1])["governing_fos"]
+        self.assertAlmostEqual(own["fos"]["value"], truth, delta=5e-6)
+
+    def test_vertical_part_up_dip(self):
+        """The smaller of the values with the vertical part and without it: 2.1130 with, 1.9421 without (tan φ / tan of the resultant)."""
+        case = json.loads(run("solve", "--json", self.data("vertical_part_up_dip.yaml"))[1])["cases"][1]
+        without = math.degrees(math.atan(0.2)) - 23.1
+        self.assertAlmostEqual(case["governing_fos"]["fos"]["value"], math.tan(math.radians(23.8)) / math.tan(math.radians(-without)), delta=1e-4)
+
+    def test_the_static_state_counts(self):
+        """A tower 1 × 3 on a slope of 25° falls by itself, however an up-dip earthquake holds it: no factor is met."""
+        tower = Pile().add("g", [(-9, -1), (9, -1), (9, 0), (-9, 0)], True).add("t", [(0, 0), (1, 0), (1, 3), (0, 3)])
+        for direction in (", direction: up_dip", ""):
+            for side in ("left", "right"):
+                pile = tower if side == "left" else tower.moved(lambda x, y: (-x, y))
+                more = (f"slope: {{dip_deg: 25, towards: {side}}}\nloads: {{seismic: {{horizontal: 0.3{direction}}}}}\nrequired_fos: 0.5\n")
+                status, own = self.solved(pile.scene(35, more))
+                self.assertEqual(status, 1)
+                for case in own["cases"]:
+                    self.assertEqual((case["static_verdict"], case["meets_required"]), ("collapses", "not met"))
+                    self.assertLessEqual(bounds(case["governing_fos"])[1], 1)
+                page = run("solve", self.scene(pile.scene(35, more)))[1]
+                self.assertNotIn("critical horizontal acceleration", page)
+                self.assertNotIn(": met", page)
+
+    def test_block_e(self):
+        """Block E of README under `blocks:` at 20°: moments about the centre of rotation, tan 28.735° / tan 20°; by strength 2.258."""
+        a, b, c, count = 0.030, 0.120, 0.005, 3
+        base = [(k * a / 2, 0 if k % 2 == 0 else c) for k in range(2 * count + 1)]
+        text = Pile().add("g", [(0, -1), (base[-1][0], -1), *reversed(base)], True).add("e", [*base, (base[-1][0], b), (0, b)]).scene(30, tilted(20))
+        own = self.solved(text)[1]["cases"][0]
+        self.assertAlmostEqual(own["governing_fos"]["fos"]["value"], math.tan(math.radians(28.7346)) / math.tan(math.radians(20)), delta=2e-5)
+        self.assertAlmostEqual(own["fos_by_strength"]["at_most"], 2.25819, delta=2e-5)
+        self.assertEqual(own["governing_fos"]["definition"], "driving loads")
+
+    def agrees(self, text, name):
+        """Rows of a batch, a sweep and --find with `solve --json`."""
+        path = self.scene(text)
+        status, out, _ = run("solve", "--json", path)
+        own = json.loads(out)
+        table = self.folder / f"{name}.csv"
+        table.write_text("name\nA\n")
+        ended, out, err = run("solve", "--json", "--batch", table, path)
+        row = json.loads(out)["rows"][0]
+        safety = own["governing_fos"]
+        self.assertEqual(row["fos"], safety["fos"], (text, err))
+        self.assertEqual(row.get("fos_is"), safety.get("fos_is"))
+        self.assertEqual(row["towards"], own["governs_towards"])
+        self.assertEqual(row["fos_mechanism"], safety.get("mechanism"))
+        meets = [case["meets_required"] for case in own["cases"]]
+        worst = "not met" if "not met" in meets else "open" if "open" in meets else "met"
+        self.assertEqual(row["meets_required"], worst)
+        self.assertEqual(status, {"met": 0, "not met": 1, "open": 4}[worst])
+        self.assertEqual(row["standing"] == "holds", worst == "met" and all(c["verdict"] == "stands" for c in own["cases"]), row)
+
+    def test_batch_agrees(self):
+        """Each output takes the factor from the same function: the block that may move held in a batch, exit 0."""
+        draw = random.Random(3)
+        texts = [self.data(n).read_text() for n in ("may_move_many.yaml", "batch_holds_though_may_move.yaml", "fos_many.yaml")]
+        for _ in range(rounds(6, 200)):
+            shape = self.scenes(draw)
+            if shape is None:
+                continue
+            outline, profile = shape
+            ground = [(profile[0][0], -20), (profile[-1][0], -20), *reversed(profile)]
+            shake = draw.choice(("", f"loads: {{seismic: {{horizontal: {draw.choice((0.05, 0.2))}}}}}\n"))
+            texts.append(Pile().add("g", ground, True).add("b", outline).scene(
+                draw.choice((30, 50)), f"tilt: {{towards: both, angle_deg: {draw.choice((5, 15))}}}\n{shake}required_fos: 1.2\n"))
+        for k, text in enumerate(texts):
+            status = run("solve", "--json", self.scene(text))[0]
+            if status in (0, 1, 4):
+                self.agrees(text, f"t{k}")
+
+    def test_study_states_what_is_open(self):
+        """Among twelve samples five are not met and none is met: the other seven are open, which the summary says and JSON counts."""
+        status, out, err = run("study", "--json", self.data("study_open_study.yaml"))
+        self.assertEqual(status, 0, err)
+        own = json.loads(out)
+        self.assertEqual([own[k]["samples"] for k in ("below_required", "meets_required", "open_required")], [5, 0, 7])
+        self.assertGreaterEqual(own["open"], 7)
+        self.assertRegex(run("study", self.data("study_open_study.yaml"))[1], r"certain to be met: 0\.00 %; open: 58\.33 %")
 
 
 if __name__ == "__main__":

@@ -46,13 +46,26 @@ tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved, const c
   return TP_OK;
 }
 
+/* Why it is not known whether a factor is met. */
+static void open_words(char *text, size_t size, const tp_block_system *system) {
+  static const double fifth = 1e5;
+  const tp_system_safety *own = &system->safety;
+  const double least = floor(own->at_least * fifth) / fifth;
+  if (isinf(own->at_most)) {
+    snprintf(text, size, ": the factor is proven to be at least %.5f, and no more is known", least);
+  } else {
+    snprintf(text, size, ": the factor is proven to be at least %.5f and at most %.5f", least,
+             ceil(own->at_most * fifth) / fifth);
+  }
+}
+
 static int judge(const tp_block_system *system, const tp_solve_words *a, const char *path) {
   if (a->has_design_fos || system->has_required_fos) {
     const double required = a->has_design_fos ? a->design_fos : system->required_fos.value;
-    const int ended = tp_cli_judge_required(
-        tp_block_system_meets(system, required), required, path,
-        ": forces can hold the blocks, and that a motion begins all the same is neither excluded "
-        "nor proven");
+    char open[160];
+    open_words(open, sizeof open, system);
+    const int ended =
+        tp_cli_judge_required(tp_block_system_meets(system, required), required, path, open);
     if (ended != 0) return ended;
   }
   if (!tp_block_system_is_undecided(system)) return 0;

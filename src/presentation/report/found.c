@@ -59,6 +59,9 @@ static const char *found_down(char out[TP_NUMBER_SIZE], double factor) {
 
 static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
   char n[TP_NUMBER_SIZE];
+  if (target == TP_FIND_FOS) {
+    tp_text_add(t, "    fos is an upper bound: up to it forces can hold the blocks\n");
+  }
   switch (b->verdict) {
   case TP_SYSTEM_STANDS:
     tp_text_add(t, "    the blocks stand there: no motion can begin");

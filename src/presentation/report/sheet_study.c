@@ -41,6 +41,8 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
     tp_document_add(
         d, TP_PASSAGE_PARAGRAPH, "Below the factor required: %.2f %% (%.2f to %.2f %%).",
         100 * r->below_required.share, 100 * r->below_required.low, 100 * r->below_required.high);
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH, "Certain to be met: %.2f %%; open: %.2f %%.",
+                    100 * r->meets_required.share, 100 * r->open_required.share);
   }
   if (r->samples < r->planned) {
     tp_document_add(d, TP_PASSAGE_CAUTION, "Of %zu samples planned %zu were solved (%s).",
@@ -74,7 +76,12 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
   }
   add_share(d, "certain to stand", &own->certain_to_stand);
   add_share(d, "certain to move", &own->certain_to_move);
-  if (r->has_required_fos) add_share(d, "below the factor required", &r->below_required);
+  add_share(d, "open: neither is certain", &own->neither);
+  if (r->has_required_fos) {
+    add_share(d, "below the factor required", &r->below_required);
+    add_share(d, "certain to meet the factor required", &r->meets_required);
+    add_share(d, "open whether it is met", &r->open_required);
+  }
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
       "Outcomes that did not occur are omitted. Intervals are Wilson intervals of 95 %%, "

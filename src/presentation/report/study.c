@@ -43,11 +43,16 @@ static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt, bool of_many) {
   }
   add_share(t, "certain to stand", &tilt->certain_to_stand);
   add_share(t, "certain to move", &tilt->certain_to_move);
+  add_share(t, "open: neither is certain", &tilt->neither);
 }
 
 static void add_tilts(tp_text *t, const tp_study_result *r) {
   add_own_tilt(t, r->tilts, r->of_many_blocks);
-  if (r->has_required_fos) add_share(t, "below the factor required", &r->below_required);
+  if (r->has_required_fos) {
+    add_share(t, "below the factor required", &r->below_required);
+    add_share(t, "certain to meet it", &r->meets_required);
+    add_share(t, "open: neither is certain", &r->open_required);
+  }
   if (r->tilt_count == 1) return;
   tp_text_add(t, "\nBy tilt\n  %8s  %-25s %-25s %8s\n", "tilt", "certain to stand",
               "certain to move", "neither");

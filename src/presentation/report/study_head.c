@@ -84,13 +84,18 @@ static void add_answer(tp_text *t, const tp_study_result *r) {
   } else {
     tp_text_add(t, "\nAt %.6g° ", own->tilt_deg);
   }
-  tp_text_add(t, "certain to move: %.2f %% (%.2f to %.2f %%), to stand: %.2f %%\n",
+  tp_text_add(t, "certain to move: %.2f %% (%.2f to %.2f %%), to stand: %.2f %%%s",
               100 * own->certain_to_move.share, 100 * own->certain_to_move.low,
-              100 * own->certain_to_move.high, 100 * own->certain_to_stand.share);
+              100 * own->certain_to_move.high, 100 * own->certain_to_stand.share,
+              own->neither.samples > 0 ? "" : "\n");
+  if (own->neither.samples > 0) tp_text_add(t, "; open: %.2f %%\n", 100 * own->neither.share);
   if (!r->has_required_fos) return;
-  tp_text_add(t, "Below the factor required: %.2f %% (%.2f to %.2f %%)\n",
+  tp_text_add(t,
+              "Below the factor required: %.2f %% (%.2f to %.2f %%); certain to be met: %.2f %%; "
+              "open: %.2f %%\n",
               100 * r->below_required.share, 100 * r->below_required.low,
-              100 * r->below_required.high);
+              100 * r->below_required.high, 100 * r->meets_required.share,
+              100 * r->open_required.share);
 }
 
 static const char *method_words(const char *method) {

@@ -52,6 +52,7 @@ void tp_row_counts_row(tp_row_counts *own, const tp_study *study, const tp_study
       (uint64_t)llrint(1e9 * row->seconds);
   for (size_t k = 0; k <= study->tilt_count; k++) own->outcomes[k][row->at[k].outcome]++;
   own->below_required += row->design == TP_DESIGN_NOT_MET;
+  own->meets_required += row->design == TP_DESIGN_MET;
   if (definition >= 0) {
     own->definitions[definition]++;
     own->below[definition] += row->quantities[TP_STUDY_FOS] < 1;
@@ -98,6 +99,16 @@ uint64_t tp_row_counts_moves(const tp_row_counts *own, size_t tilt) {
     if (moves((tp_study_outcome)k)) count += own->outcomes[tilt][k];
   }
   return count;
+}
+
+uint64_t tp_row_counts_open(const tp_row_counts *own, size_t tilt) {
+  return own->samples - own->outcomes[tilt][TP_STUDY_INVALID] - tp_row_counts_stands(own, tilt) -
+         tp_row_counts_moves(own, tilt);
+}
+
+uint64_t tp_row_counts_open_required(const tp_row_counts *own) {
+  return own->samples - own->outcomes[0][TP_STUDY_INVALID] - own->below_required -
+         own->meets_required;
 }
 
 static bool is_narrow(const tp_row_counts *own, const tp_study *study, uint64_t count) {

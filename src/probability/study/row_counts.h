@@ -24,7 +24,7 @@ typedef struct tp_row_counts {
   uint64_t bytes, hash[TP_ROWS_HASH];        /* of the text of the rows */
   uint64_t definitions[TP_FOS_DEFINITIONS];  /* factors by each definition, */
   uint64_t below[TP_FOS_DEFINITIONS];        /* and below 1 */
-  uint64_t below_required;                   /* certainly, of many blocks */
+  uint64_t below_required, meets_required;   /* certainly, of many blocks and of solids */
   uint64_t moved[TP_STUDY_OCTAVES];          /* certain to move at the first tilt, by octave, */
   uint64_t moved_of_shard[TP_STUDY_OCTAVES]; /* and by that of a shard that begins with 0 */
   uint64_t doubles_nanoseconds;              /* of computing, of what was solved here: */
@@ -51,6 +51,11 @@ bool tp_row_counts_same_text(const tp_row_counts *own, const tp_row_counts *othe
 tp_study_share tp_row_counts_share(uint64_t count, uint64_t samples);
 uint64_t tp_row_counts_stands(const tp_row_counts *own, size_t tilt);
 uint64_t tp_row_counts_moves(const tp_row_counts *own, size_t tilt);
+
+/* Valid samples of which neither is certain; and neither that they have the factor required nor that
+ * they lack it. */
+uint64_t tp_row_counts_open(const tp_row_counts *own, size_t tilt);
+uint64_t tp_row_counts_open_required(const tp_row_counts *own);
 
 /* Is every interval, of every outcome at every tilt, as narrow as the study wants it? */
 bool tp_row_counts_is_certain(const tp_row_counts *own, const tp_study *study);

@@ -46,6 +46,7 @@ static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   }
   tilt->certain_to_stand = tp_row_counts_share(tp_row_counts_stands(counts, k), counts->samples);
   tilt->certain_to_move = tp_row_counts_share(tp_row_counts_moves(counts, k), counts->samples);
+  tilt->neither = tp_row_counts_share(tp_row_counts_open(counts, k), counts->samples);
 }
 
 static bool fill_tilts(tp_study_result *result, const tp_tally *tally) {
@@ -241,6 +242,8 @@ static bool fill(tp_study_result *result, const tp_tally *tally) {
   result->has_required_fos =
       (result->of_many_blocks || result->of_solid) && study->scene->required_fos.given;
   result->below_required = tp_row_counts_share(counts->below_required, counts->samples);
+  result->meets_required = tp_row_counts_share(counts->meets_required, counts->samples);
+  result->open_required = tp_row_counts_share(tp_row_counts_open_required(counts), counts->samples);
   result->samples = counts->samples;
   result->kept = tp_tally_kept(tally);
   result->open = counts->open;

@@ -155,6 +155,16 @@ tp_safety tp_system_case_rule(const tp_system_case *c) {
   return tp_safety_of_all(s.of, s.count);
 }
 
+/* Where both definitions have one factor, as of what slides, strength is told of. */
+static void prefer_strength(tp_system_case *c, bool is_static) {
+  static const double same = 1e-5;
+  const tp_system_bounds *strength = is_static ? &c->static_by_strength : &c->by_strength;
+  const tp_system_bounds *driving = is_static ? &c->static_by_driving : &c->by_driving;
+  if (!strength->counts || !(strength->at_most <= driving->at_most * (1 + same))) return;
+  c->safety.definition = TP_FOS_BY_REDUCTION;
+  c->safety.mechanism = strength->mechanism;
+}
+
 void tp_system_case_set_safety(tp_system_case *c) {
   const states s = states_of(c);
   const size_t governing = tp_safety_governing(s.of, s.count);
@@ -169,6 +179,7 @@ void tp_system_case_set_safety(tp_system_case *c) {
   if (range != NULL) {
     c->safety.definition = range->definition;
     c->safety.mechanism = range->mechanism;
+    prefer_strength(c, governing == 1);
   }
 }
 

@@ -64,8 +64,9 @@ function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fo
   }
   if (!tilt && onset?.kind === "angle") return [say("Certain to stand up to %s", degreesText(onset.critical_angle_deg))];
   if (governing.fos === null) return [say("FoS") + " " + say(governing.fos_is ?? "none")];
+  if (governing.mechanism === undefined) return parts("FoS %s", strong(fosText(governing.fos)));
   const [number, against] = [strong(fosText(governing.fos)), againstText(governing.mechanism)];
-  return governing.complete ? parts("FoS %s against %s", number, against) : parts("FoS at most %s against %s", number, against);
+  return governing.complete !== false ? parts("FoS %s against %s", number, against) : parts("FoS at most %s against %s", number, against);
 }
 
 function strong(text) {

@@ -30,5 +30,6 @@ export function drives({ fos, fos_driving: driving }) {
 
 /** The factor that governs a case, of whatever kind; undefined: there is none. */
 export function governingFactor(kase) {
-  return kase.governing_fos?.fos ?? (drives(kase) ? kase.fos_driving : kase.fos);
+  if (kase.governing_fos !== undefined) return kase.governing_fos.fos;
+  return drives(kase) ? kase.fos_driving : kase.fos;
 }
