@@ -237,8 +237,8 @@ typedef struct tp_system_bounds {
 
 /* The factor of safety: the least of those by both definitions (docs/blocks_in_contact.md). */
 typedef struct tp_system_safety {
-  tp_fos fos; /* TP_FOS_NO_OVERTURNING: unbounded; TP_FOS_UNDEFINED: none above 0;
-                 TP_FOS_UNDECIDED: between the bounds alone */
+  tp_fos fos;                   /* TP_FOS_NO_OVERTURNING: unbounded; TP_FOS_UNDEFINED: none above 0;
+                                   TP_FOS_UNDECIDED: between the bounds alone */
   double at_least, at_most;     /* proven bounds; an infinity where there is none above */
   bool has_definition;          /* it is by one of the definitions: */
   tp_fos_definition definition; /* if has_definition: by which, with the least upper bound */
@@ -298,7 +298,7 @@ typedef struct tp_system_case {
   bool has_static; /* the scene has an earthquake: without it as well a motion may begin, and */
   tp_system_verdict static_verdict; /* if has_static: this is what the blocks do then */
   tp_system_bounds static_by_strength, static_by_driving; /* if has_static: the factor then */
-  tp_system_safety safety; /* the factor of safety of the case, with and without earthquake */
+  tp_system_safety safety;      /* the factor of safety of the case, with and without earthquake */
   bool has_moving_acceleration; /* a motion was found: */
   double moving_acceleration_g; /* if has_moving_acceleration: the least horizontal acceleration, in
                                    g, to this side, with which one can begin, of those found */
@@ -360,9 +360,9 @@ bool tp_block_system_is_undecided(const tp_block_system *system);
 
 /* Has a case certainly a factor of `required`, by strength reduction and by what drives, with and
  * without the scene's earthquake? Met only where no motion can begin with the strength divided by
- * it, nor by less, nor with what drives multiplied so: the factor of limit analysis is above that of
- * joints that do not dilate as they slip. Not met where a motion can begin at that number or at a
- * lesser one, and where the factor of Goodman and Bray is below it, too. */
+ * it, nor by less, nor with what drives multiplied so: the factor of limit analysis is above that
+ * of joints that do not dilate as they slip. Not met where a motion can begin at that number or at
+ * a lesser one, and where the factor of Goodman and Bray is below it, too. */
 tp_design tp_system_case_meets(const tp_system_case *one, double required);
 
 /* Does every case certainly have a factor of `required`? */

@@ -256,8 +256,7 @@ static void add_worst(tp_text *t, const tp_block_system *s) {
   tp_text_add(t, "Governs  towards the %s: ", tp_direction_name(worst->towards));
   const tp_system_verdict verdict = tp_system_case_worst_verdict(worst);
   if (verdict == TP_SYSTEM_COLLAPSES) {
-    tp_text_add(t, "it collapses%s\n",
-                verdict == worst->verdict ? "" : " without the earthquake");
+    tp_text_add(t, "it collapses%s\n", verdict == worst->verdict ? "" : " without the earthquake");
     return;
   }
   if (verdict == TP_SYSTEM_MAY_MOVE) tp_text_add(t, "a motion can begin, ");

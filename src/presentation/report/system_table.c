@@ -120,10 +120,10 @@ tp_status tp_report_block_systems_table(char **text, const tp_block_system *cons
   TP_REFUSE_NULL(NULL, systems);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, systems[k]);
   tp_text t = {0};
-  tp_text_add(&t,
-              "| scene | towards | tilt or dip | verdict | FoS | forces hold, strength over | forces "
-              "hold loads times | FoS, Goodman and Bray | greatest tilt or dip | collapse | support |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  tp_text_add(
+      &t, "| scene | towards | tilt or dip | verdict | FoS | forces hold, strength over | forces "
+          "hold loads times | FoS, Goodman and Bray | greatest tilt or dip | collapse | support |\n"
+          "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   bool any = false;
   for (size_t k = 0; k < count; k++) {
     const tp_block_system *s = systems[k];

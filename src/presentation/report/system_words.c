@@ -89,8 +89,7 @@ static void add_range(tp_text *t, double least, double most) {
   } else if (!(least > 0)) {
     tp_text_add(t, "undecided: at most %.5f", high);
   } else {
-    tp_text_add(t, "undecided: at least %.5f, at most %.5f", rounded_down(least),
-                high);
+    tp_text_add(t, "undecided: at least %.5f, at most %.5f", rounded_down(least), high);
   }
 }
 
@@ -118,8 +117,8 @@ void tp_text_system_safety(tp_text *t, const tp_system_safety *s) {
 }
 
 void tp_text_system_against(tp_text *t, const tp_system_safety *s) {
-  const bool is_bound = s->fos.state == TP_FOS_NUMBER ||
-                        (s->fos.state == TP_FOS_UNDECIDED && isfinite(s->at_most));
+  const bool is_bound =
+      s->fos.state == TP_FOS_NUMBER || (s->fos.state == TP_FOS_UNDECIDED && isfinite(s->at_most));
   if (!s->has_definition || !is_bound) return;
   tp_text_add(t, ", %s", tp_fos_definition_name(s->definition));
   if (s->mechanism != TP_STANDS) tp_text_add(t, ", %s", tp_mechanism_name(s->mechanism));

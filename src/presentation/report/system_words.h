@@ -24,9 +24,9 @@ void tp_text_system_against(tp_text *text, const tp_system_safety *safety);
 /* Likewise by one definition, of a state of motion that its verdict tells. */
 void tp_text_system_bounds(tp_text *text, const tp_system_bounds *bounds);
 
-/* Up to where forces can hold the blocks, an upper bound of the factor: by strength a number, "above
- * 1000", "none: …" or "undecided"; on what drives a number and what begins beyond it, "above 1000",
- * or why it is none. */
+/* Up to where forces can hold the blocks, an upper bound of the factor: by strength a number,
+ * "above 1000", "none: …" or "undecided"; on what drives a number and what begins beyond it, "above
+ * 1000", or why it is none. */
 void tp_text_system_factor(tp_text *text, const tp_system_case *of);
 void tp_text_system_driving(tp_text *text, const tp_system_case *of);
 

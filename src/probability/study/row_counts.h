@@ -52,8 +52,8 @@ tp_study_share tp_row_counts_share(uint64_t count, uint64_t samples);
 uint64_t tp_row_counts_stands(const tp_row_counts *own, size_t tilt);
 uint64_t tp_row_counts_moves(const tp_row_counts *own, size_t tilt);
 
-/* Valid samples of which neither is certain; and neither that they have the factor required nor that
- * they lack it. */
+/* Valid samples of which neither is certain; and neither that they have the factor required nor
+ * that they lack it. */
 uint64_t tp_row_counts_open(const tp_row_counts *own, size_t tilt);
 uint64_t tp_row_counts_open_required(const tp_row_counts *own);
 

@@ -34,9 +34,7 @@ static double fos_of(const tp_system_safety *own) {
   case TP_FOS_NUMBER:
     return own->fos.value.value;
   default:
-    return isfinite(own->at_most) ? own->at_most
-           : own->at_least > 1    ? own->at_least
-                                  : (double)NAN;
+    return isfinite(own->at_most) ? own->at_most : own->at_least > 1 ? own->at_least : (double)NAN;
   }
 }
 
@@ -89,8 +87,7 @@ static bool is_open(const tp_block_system *system) {
   const tp_system_case *own = tp_system_governing(system);
   const tp_system_verdict verdict = tp_system_case_worst_verdict(own);
   return verdict == TP_SYSTEM_UNDECIDED || verdict == TP_SYSTEM_CAN_HOLD ||
-         own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
-         system->safety.fos.state == TP_FOS_UNDECIDED ||
+         own->limit == TP_SYSTEM_LIMIT_UNDECIDED || system->safety.fos.state == TP_FOS_UNDECIDED ||
          (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 

@@ -32,9 +32,9 @@ typedef struct beginnings {
   tp_known_proofs known[KNOWN]; /* that no motion begins, by search; of all as the blocks lie */
   long proof_work;              /* of the proof that none begins as they lie */
   bool frictionless;            /* blocks are in equilibrium without friction */
-  double rest_share;            /* of what rests, where what drives is multiplied beyond all tilts */
-  bool is_never_driven;         /* however much what drives is multiplied, no motion can begin */
-  bool moves;                   /* a motion can begin as they lie, and: */
+  double rest_share;    /* of what rests, where what drives is multiplied beyond all tilts */
+  bool is_never_driven; /* however much what drives is multiplied, no motion can begin */
+  bool moves;           /* a motion can begin as they lie, and: */
   tp_onset_window by_driving, by_strength; /* where it does, as what drives is multiplied or
                                               strength divided */
   tp_mechanism driven, weakened;           /* the motions there */
@@ -236,9 +236,9 @@ static void set_accelerations(tp_system_case *own, const tp_resultant *r) {
   if (own->has_standing_acceleration) {
     own->standing_acceleration_g = nextafter(found.value - found.error, 0);
   }
-  own->has_moving_acceleration =
-      own->has_moving_angle && tp_resultant_acceleration_of(&found, r, own->moving_angle_deg) &&
-      found.value + found.error >= 0;
+  own->has_moving_acceleration = own->has_moving_angle &&
+                                 tp_resultant_acceleration_of(&found, r, own->moving_angle_deg) &&
+                                 found.value + found.error >= 0;
   if (own->has_moving_acceleration) {
     own->moving_acceleration_g = nextafter(found.value + found.error, INFINITY);
   }
@@ -273,13 +273,10 @@ static tp_status search_multiples(beginnings *b, tp_moving_search *m, tp_standin
   static const double width = 1e-6, step = 1e-3;
   tp_system_case *own = b->own;
   const bool bounded = own->fos_driving.state == TP_FOS_NUMBER && !own->fos_driving_is_least;
-  const double limit = bounded ? own->fos_driving.value.value + own->fos_driving.value.error
-                               : TP_MOST_FACTOR;
-  const tp_moving_range r = {.from = 1,
-                             .least = 1,
-                             .limit = fmin(limit, TP_MOST_FACTOR),
-                             .width = width,
-                             .step = step};
+  const double limit =
+      bounded ? own->fos_driving.value.value + own->fos_driving.value.error : TP_MOST_FACTOR;
+  const tp_moving_range r = {
+      .from = 1, .least = 1, .limit = fmin(limit, TP_MOST_FACTOR), .width = width, .step = step};
   double standing = 1;
   tp_status status = bounded ? tp_moving_from_limit(m, &r, r.from, message) : TP_OK;
   if (status == TP_OK) status = stand_to_limit(&standing, m, s, &r, message);
@@ -308,8 +305,7 @@ static tp_status search_beyond(beginnings *b, double multiple, tp_message *messa
 static tp_status search_driving_by_tilt(beginnings *b, const tp_moving_search *turned,
                                         tp_message *message) {
   const tp_system_case *own = b->own;
-  const double multiple =
-      tp_driving_of_angles(b->own, b->task->driving, b->task->resultant);
+  const double multiple = tp_driving_of_angles(b->own, b->task->driving, b->task->resultant);
   if (own->has_moving_fos_driving) {
     return tp_system_start_mechanism(&b->own->by_driving.mechanism, turned, message);
   }
@@ -405,7 +401,8 @@ static void take_windows(beginnings *b) {
   tp_system_case_set_bounds(b->own);
   if (b->is_never_driven && isinf(driving->at_most)) driving->at_least = INFINITY;
   if (!b->moves) return;
-  if (driving->counts && b->task->driving->drives && b->own->fos_driving.state != TP_FOS_UNDEFINED) {
+  if (driving->counts && b->task->driving->drives &&
+      b->own->fos_driving.state != TP_FOS_UNDEFINED) {
     driving->at_most = fmin(driving->at_most, d->moves);
     driving->at_least = d->has_stands ? fmax(0, nextafter(d->stands, 0)) : 0;
     driving->mechanism = b->driven;

@@ -148,8 +148,8 @@ static void set_factor(tp_fos *fos, double held, double bound) {
   fos->value = (tp_bounded){.value = value, .error = fmax(bound - value, value - held) + rounding};
 }
 
-/* Of a bracket of multiples, or of the tangent of the resultant. Multiples that are held lie between
- * two: where one is not, and a greater one is, none is not. */
+/* Of a bracket of multiples, or of the tangent of the resultant. Multiples that are held lie
+ * between two: where one is not, and a greater one is, none is not. */
 static tp_status take(tp_system_case *own, const tp_driving *d, const tp_built_system *s,
                       const tp_load_bracket *b, bool by_tilt, tp_message *message) {
   const double held = by_tilt ? factor_at(d, b->held) : b->held;

@@ -43,6 +43,6 @@ TP_MUST_USE tp_status tp_driving_factor_find(tp_system_case *own, const tp_drivi
  * motion can begin, and from which one can. Returns the former, also beyond TP_MOST_FACTOR; 1 where
  * there is none. */
 double tp_driving_of_angles(tp_system_case *own, const tp_driving *driving,
-                          const tp_resultant *resultant);
+                            const tp_resultant *resultant);
 
 #endif

@@ -144,8 +144,8 @@ static states states_of(const tp_system_case *c) {
   states s = {.count = c->has_static ? 2 : 1};
   s.of[0] = state_of(s.ranges[0], c->verdict, &c->by_strength, &c->by_driving);
   if (c->has_static) {
-    s.of[1] = state_of(s.ranges[1], c->static_verdict, &c->static_by_strength,
-                       &c->static_by_driving);
+    s.of[1] =
+        state_of(s.ranges[1], c->static_verdict, &c->static_by_strength, &c->static_by_driving);
   }
   return s;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The factor of safety of many blocks by the rule of verdict/safety.h: of each case, and over all of
- * them; how its blocks begin to move, and among how many motions are looked for. */
+/* The factor of safety of many blocks by the rule of verdict/safety.h: of each case, and over all
+ * of them; how its blocks begin to move, and among how many motions are looked for. */
 
 #ifndef TP_BLOCK_SYSTEM_GOVERNING_CASE_H
 #define TP_BLOCK_SYSTEM_GOVERNING_CASE_H
@@ -17,8 +17,8 @@ enum { TP_MOST_MOVING_BLOCKS = 48 }; /* free ones, among which motions are looke
  * motion with more of what drives, where one was found. */
 void tp_system_case_set_bounds(tp_system_case *own);
 
-/* After bounds were changed: where neither more strength nor less of what drives stops a motion that
- * can begin, there is no factor above 0. */
+/* After bounds were changed: where neither more strength nor less of what drives stops a motion
+ * that can begin, there is no factor above 0. */
 void tp_system_case_settle_bounds(tp_system_case *own);
 
 /* The safety of a case in the terms of the rule, and `safety` of the struct. */

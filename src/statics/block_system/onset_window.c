@@ -63,8 +63,8 @@ static tp_status narrow(tp_onset_window *w, tp_moving_search *m, tp_standing_sea
 }
 
 /* The greatest number of a row between two at which no motion can begin. */
-static tp_status find_gap(bool *found, double *gap, const tp_onset_window *w,
-                          tp_standing_search *s, double low, tp_message *message) {
+static tp_status find_gap(bool *found, double *gap, const tp_onset_window *w, tp_standing_search *s,
+                          double low, tp_message *message) {
   tp_status status = TP_OK;
   *found = false;
   for (int k = 1; k < INTERVALS && !*found && status == TP_OK; k++) {
@@ -115,8 +115,8 @@ static tp_status find_beyond(tp_onset_window *w, tp_moving_search *m, tp_message
   return status;
 }
 
-static tp_status find_as_they_are(tp_onset_window *w, tp_moving_search *m, const tp_trial_mode *first,
-                                  tp_message *message) {
+static tp_status find_as_they_are(tp_onset_window *w, tp_moving_search *m,
+                                  const tp_trial_mode *first, tp_message *message) {
   m->x = INFINITY;
   const tp_status status = tp_moving_prove(m, w->from, first, message);
   return status == TP_OK && m->x > w->from ? tp_moving_try(m, w->from, true, message) : status;

@@ -13,7 +13,7 @@
 typedef struct tp_onset_window {
   double from, least, width; /* motions are looked for from where the blocks are, or from where no
                                 forces hold them on, down to `least` */
-  bool collapses;  /* no forces hold the blocks at any x from there to where they are */
+  bool collapses;            /* no forces hold the blocks at any x from there to where they are */
   bool is_few;     /* of few blocks: also between both whether there are x at which none begins */
   bool reaches;    /* a motion can begin at `least` too */
   bool has_stands; /* none can at: */

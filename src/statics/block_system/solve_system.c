@@ -336,9 +336,8 @@ static tp_status find_static(solving *x, bool left, tp_message *message) {
     status = solve_shaken(own, x, &of, !needs_static_factors(x->s->scene, left), message);
   }
   if (status == TP_OK) {
-    x->at_rest[side] = (tp_system_case){.verdict = own->verdict,
-                                        .by_strength = own->by_strength,
-                                        .by_driving = own->by_driving};
+    x->at_rest[side] = (tp_system_case){
+        .verdict = own->verdict, .by_strength = own->by_strength, .by_driving = own->by_driving};
     x->has_static[side] = true;
   }
   tp_system_case_drop_last(x->system);

@@ -42,8 +42,7 @@ static tp_status set_motions(tp_system_motion *motions, const tp_moving_search *
   return status;
 }
 
-tp_status tp_system_start_set(tp_system_case *own, const tp_moving_search *m,
-                              tp_message *message) {
+tp_status tp_system_start_set(tp_system_case *own, const tp_moving_search *m, tp_message *message) {
   tp_system_start *start = &own->start;
   const tp_assemblage *a = m->resting->assemblage;
   start->motions = calloc((size_t)a->count + 1, sizeof *start->motions);

@@ -129,8 +129,7 @@ static void join_standing(tp_system_case *own, const tp_system_case *other) {
   own->standing_angle_deg = fmin(own->standing_angle_deg, other->standing_angle_deg);
   own->has_standing_acceleration =
       own->has_standing_acceleration && other->has_standing_acceleration;
-  own->standing_acceleration_g =
-      fmin(own->standing_acceleration_g, other->standing_acceleration_g);
+  own->standing_acceleration_g = fmin(own->standing_acceleration_g, other->standing_acceleration_g);
 }
 
 static void take_least(bool *has, double *least, bool also, double other) {

@@ -22,8 +22,7 @@ typedef enum tp_vertical_part {
 } tp_vertical_part;
 
 /* `is_measured`: as of tp_resultant_init. */
-tp_vertical_part tp_scene_vertical_part(const tp_scene *scene, bool is_measured,
-                                        bool towards_left);
+tp_vertical_part tp_scene_vertical_part(const tp_scene *scene, bool is_measured, bool towards_left);
 
 /* Of a case with the vertical part and the same without: of each result the less safe one. What is
  * not taken of `without` is left in it, to be given back as that of a case. */
