@@ -323,6 +323,14 @@ typedef struct tp_system_case {
   size_t load_count;     /* of the list */
   tp_system_load *loads; /* load_count of them: what acts besides weights and earthquake */
   tp_goodman_bray goodman_bray; /* beside it, of columns in a row */
+  bool has_undilated_fos; /* it is not known whether a motion can begin, and an estimate settled: */
+  double undilated_fos; /* if has_undilated_fos: the factor by strength reduction of joints that do
+                           not dilate as they slip, an estimate without a bound */
+  double undilated_fos_spread;    /* if has_undilated_fos: by how much its last rounds differ */
+  bool has_undilated_fos_driving; /* likewise, on driving loads: */
+  double undilated_fos_driving;   /* if has_undilated_fos_driving: that estimate */
+  double undilated_fos_driving_spread; /* if has_undilated_fos_driving: by how much its last rounds
+                                          differ */
 } tp_system_case;
 
 /* All that is known of the blocks of a scene. */

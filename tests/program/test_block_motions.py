@@ -61,7 +61,7 @@ class BlockMotions(GoverningCase):
         self.assertIn("not examined: that is done for up to\n  48 free blocks.", run("solve", "--report", self.folder / "sheet.md", text)[1])
         sheet = (self.folder / "sheet.md").read_text()
         self.assertIn("| not examined |", sheet)
-        self.assertIn("Whether a motion can begin was not examined: that is done for up to 48 free blocks.", sheet)
+        self.assertIn("Up to which factor no motion can begin was not examined: that is done for up to 48 free blocks.", sheet)
         notch = Pile().add("g", [(-9, -5), (9, -5), (9, 2), (2, 2), (0, 0), (-1, 2), (-9, 2)], True).add("wedge", [(0, 0), (2, 2), (0.5, 4), (-1, 2)])
         self.assertEqual(self.case(notch, 0)["verdict"], "stands")
 

@@ -25,6 +25,10 @@ void tp_system_sheet_add_inputs(tp_system_sheet *sheet);
 void tp_system_sheet_add_governing(tp_system_sheet *sheet);
 void tp_system_sheet_add_conclusion(tp_system_sheet *sheet, const tp_system_case *own);
 
+/* Sentences on the estimates of a direction, behind a text; nothing where there are none. */
+void tp_system_sheet_add_estimate(tp_text *text, const tp_system_sheet *sheet,
+                                  const tp_system_case *own);
+
 /* Of a direction, nothing where there is none: loads besides weights, and the support that is asked
  * for. */
 void tp_system_sheet_add_loads(tp_system_sheet *sheet, const tp_system_case *own);

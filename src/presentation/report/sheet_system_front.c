@@ -266,11 +266,11 @@ static void add_limit(tp_text *t, const tp_system_sheet *s, const tp_system_case
 }
 
 static void add_unexamined(tp_text *t, const tp_system_sheet *s, const tp_system_case *c) {
-  if (!tp_system_case_is_unexamined(c) || c->verdict == TP_SYSTEM_COLLAPSES) return;
+  if (!tp_system_case_is_unexamined(c) || c->verdict != TP_SYSTEM_CAN_HOLD) return;
   tp_text_add(t, " ");
   tp_text_add(t,
-              tp_document_say(&s->document, "Whether a motion can begin was not examined: that is "
-                                            "done for up to %d free blocks."),
+              tp_document_say(&s->document, "Up to which factor no motion can begin was not "
+                                            "examined: that is done for up to %d free blocks."),
               TP_MOST_MOVING_BLOCKS);
 }
 
@@ -289,6 +289,7 @@ void tp_system_sheet_add_conclusion(tp_system_sheet *s, const tp_system_case *c)
     add_sentence(&t, tp_document_say(d, verdict_words(c->static_verdict)));
   }
   add_unexamined(&t, s, c);
+  tp_system_sheet_add_estimate(&t, s, c);
   add_limit(&t, s, c);
   if (collapse != TP_STANDS) {
     tp_text_add(&t, " ");

@@ -92,13 +92,25 @@ static void add_tilts(tp_text *t, const tp_block_system *s, const tp_system_case
   }
 }
 
+static void add_estimate(tp_text *t, double factor, const char *definition) {
+  static const double hundred = 100;
+  tp_text_system_label(t, "estimate, joints that do not dilate");
+  tp_text_add(t, "%.2f, %s, not proven\n", down(factor, hundred), definition);
+}
+
+static void add_estimates(tp_text *t, const tp_system_case *c) {
+  if (c->has_undilated_fos) add_estimate(t, c->undilated_fos, "strength reduction");
+  if (c->has_undilated_fos_driving) add_estimate(t, c->undilated_fos_driving, "driving loads");
+}
+
 void tp_text_system_beginnings(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   add_factors(t, c);
   add_driving(t, c);
   add_tilts(t, s, c);
-  if (!tp_system_case_is_unexamined(c) || c->verdict == TP_SYSTEM_COLLAPSES) return;
+  add_estimates(t, c);
+  if (!tp_system_case_is_unexamined(c) || c->verdict != TP_SYSTEM_CAN_HOLD) return;
   tp_text_add(t,
-              "  Whether a motion can begin all the same was not examined: that is done for up to\n"
+              "  Up to which factor no motion can begin was not examined: that is done for up to\n"
               "  %d free blocks.\n",
               TP_MOST_MOVING_BLOCKS);
 }

@@ -7,6 +7,7 @@
 #include "block_system/beginnings.h"
 #include "block_system/collapse.h"
 #include "block_system/driving.h"
+#include "block_system/estimate.h"
 #include "block_system/goodman_bray.h"
 #include "block_system/governing_case.h"
 #include "block_system/load_results.h"
@@ -227,6 +228,16 @@ static tp_status find_motions(direction *d, tp_message *message) {
   return tp_beginnings_find(d->own, &task, message);
 }
 
+/* Where that leaves open whether a motion can begin. */
+static tp_status estimate(direction *d, tp_message *message) {
+  if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
+  const tp_estimate_task task = {.system = d->x->s,
+                                 .resultant = &d->resultant,
+                                 .driving = &d->driving,
+                                 .strength = &d->strength};
+  return tp_estimate_find(d->own, &task, message);
+}
+
 /* ---- cases -------------------------------------------------------------------------------------
  */
 
@@ -243,6 +254,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
   tp_system_case_set_bounds(d->own);
   if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = find_motions(d, message);
+  if (status == TP_OK && d->x->motions == TP_MOTIONS_ALL) status = estimate(d, message);
   if (status != TP_OK) return status;
   status = tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                                 tp_system_is_weighed(d->x->system), message);

@@ -6,6 +6,7 @@
 
 #include "block_system/vertical_part.h"
 
+#include "block_system/estimate.h"
 #include "block_system/governing_case.h"
 #include "block_system/resultant.h"
 
@@ -206,5 +207,6 @@ void tp_system_case_join(tp_system_case *own, tp_system_case *other) {
   join_moving(own, other);
   join_bounds(&own->by_strength, &other->by_strength);
   join_bounds(&own->by_driving, &other->by_driving);
+  tp_estimate_join(own, other);
   if (own->has_support) join_support(own, other);
 }
