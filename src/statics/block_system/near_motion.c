@@ -6,6 +6,7 @@
 
 #include "block_system/near_motion.h"
 
+#include "block_system/column_row.h"
 #include "block_system/moving.h"
 #include "block_system/system_start.h"
 
@@ -69,10 +70,16 @@ static tp_status search(tp_system_case *own, tp_moving_search *m, tp_message *me
 
 tp_status tp_near_motion_find(tp_system_case *own, const tp_built_system *s,
                               const tp_resultant *resultant, tp_message *message) {
-  if (s->assemblage.free_count > TP_MOST_NEAR_MOTION_BLOCKS || resultant->beyond) return TP_OK;
+  if (s->assemblage.free_count > TP_MOST_NEAR_MOTION_COLUMNS || resultant->beyond) return TP_OK;
+  tp_column_row row;
   tp_resting resting;
   tp_moving_search moving;
-  tp_status status = tp_resting_init(&resting, &s->assemblage, s->strengths, message);
+  tp_status status = tp_column_row_find(&row, s, resultant->left, message);
+  if (status != TP_OK) return status;
+  const bool is_row = row.count > 0;
+  tp_column_row_clear(&row);
+  if (!is_row && s->assemblage.free_count > TP_MOST_NEAR_MOTION_BLOCKS) return TP_OK;
+  status = tp_resting_init(&resting, &s->assemblage, s->strengths, message);
   if (status != TP_OK) return status;
   const letting l = {s, resultant, &resting};
   status = tp_moving_init(&moving, &resting, state_at, &l, message);
