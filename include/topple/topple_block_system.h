@@ -327,7 +327,7 @@ typedef struct tp_system_case {
   double undilated_fos; /* if has_undilated_fos: the factor by strength reduction of joints that do
                            not dilate as they slip, an estimate without a bound */
   double undilated_fos_spread;    /* if has_undilated_fos: by how much its last rounds differ */
-  bool has_undilated_fos_driving; /* likewise, on driving loads: */
+  bool has_undilated_fos_driving; /* the same, on driving loads: */
   double undilated_fos_driving;   /* if has_undilated_fos_driving: that estimate */
   double undilated_fos_driving_spread; /* if has_undilated_fos_driving: by how much its last rounds
                                           differ */

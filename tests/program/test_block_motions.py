@@ -175,6 +175,33 @@ class BlockMotions(GoverningCase):
             self.assertEqual((own["verdict"], round(own["moving_fos"], 9)), ("may move", 0.001))
             self.assertEqual([m["block"] for m in own["start"]["motions"] if m["mechanism"] != "stands"], ["m"])
 
+    def test_among_very_many(self):
+        """Of more than 48 blocks no motion was looked for, so that a brick which falls was said to be held. Now one is, and proven. Up
+        to which factor none can begin is still not examined."""
+        pile = Pile()
+        pile.add("g", box(-99, -1, 299, 0), True).add("l", box(-4, 0, -1, 3)).add("r", box(1, 0, 4, 3)).add("m", box(-1, 1, 1, 2))
+        for k in range(60):
+            pile.add(f"b{k}", box(3 * k + 6, 0, 3 * k + 8, 1 + k % 3))
+        own = self.case(pile, 40)
+        self.assertEqual((own["verdict"], own["moving_fos"], own["motions_sought"]), ("may move", 1, "too many blocks"))
+        self.assertEqual([m["block"] for m in own["start"]["motions"] if m["mechanism"] != "stands"], ["m"])
+        self.assertEqual(self.case(pile, 40, "required_fos: 1.01", status=1)["meets_required"], "not met")
+
+    def test_many_columns(self):
+        """A hundred columns: the estimate is below the limit by forces, and a motion is proven within a tenth of it."""
+        heights = [40 * min((k + 0.5) / 62.5, (100 - k - 0.5) / 37.5) + 2 for k in range(100)]
+        text = ("topple: 1\nlength_unit: m\nslope: {dip_deg: 30, towards: left}\nfriction_angle_deg: 60\nblock: {unit_weight_kn_m3: 25}\n"
+                f"columns: {{width: 1.6, step: 0.16, heights: {heights}}}\n")
+        done, out, err = run("solve", "--json", self.scene(text))
+        self.assertEqual(done, 0, err)
+        own = json.loads(out)["cases"][0]
+        self.assertEqual(own["verdict"], "can be held")
+        self.assertLess(own["undilated_fos"], 0.9 * own["fos"]["value"])
+        self.assertLessEqual(own["undilated_fos_spread"], 0.05 * own["undilated_fos"])
+        self.assertLess(own["moving_fos"], 1.1 * own["undilated_fos"])
+        page = run("solve", self.scene(text))[1]
+        self.assertIn(f"estimate, joints that do not dilate   {math.floor(100 * own['undilated_fos']) / 100:.2f}, strength reduction, not proven\n", page)
+
     def test_as_a_scene_of_one(self):
         """Random blocks on random profiles of one to three facets, as one block on its base and as two blocks: what is certain of the one
         is not denied of the other, and both sides enclose the onset by strength, which they mostly narrow to 2e-5."""

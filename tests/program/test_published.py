@@ -25,7 +25,7 @@ def value(number, otherwise):
 def results(scene):
     """The governing direction of a scene: that with the least limit."""
     text = run("solve", "--json", FOLDER / f"{scene}.yaml")[1]
-    return min(json.loads(text)["cases"], key=lambda own: value(own.get("fos"), 0))
+    return min(json.loads(text)["cases"], key=lambda case: value(case.get("fos"), 0))
 
 
 def bounds(case, quantity):
@@ -70,8 +70,8 @@ class Published(unittest.TestCase):
         self.assertEqual({scene for scene, *_ in found}, {row["scene"] for row in self.rows if row["quantity"] == "fos"})
         for scene, *numbers in found:
             case = self.cases[scene]
-            own = [case.get("standing_fos"), case.get("moving_fos"), case.get("undilated_fos"), value(case["fos"], None)]
-            for printed, number, error in zip(numbers, own, (1e-4, 1e-4, 1e-2, 1e-4)):
+            computed = [case.get("standing_fos"), case.get("moving_fos"), case.get("undilated_fos"), value(case["fos"], None)]
+            for printed, number, error in zip(numbers, computed, (1e-4, 1e-4, 1e-2, 1e-4)):
                 with self.subTest(f"{scene}: {number}"):
                     self.assertEqual(printed == "–", number is None)
                     if number is not None:
@@ -89,8 +89,8 @@ class Published(unittest.TestCase):
             self.assertLessEqual(abs(estimate - published), abs(limit - published) + 1e-5)
             nearer += estimate < 0.99 * limit
         self.assertGreaterEqual(nearer, 2)
-        own = self.cases["rj003"]
-        self.assertLess(abs(own["undilated_fos"] - 1.13), 0.08)
+        slope = self.cases["rj003"]
+        self.assertLess(abs(slope["undilated_fos"] - 1.13), 0.08)
 
     def test_collapse(self):
         """The semicircular arch of 100 voussoirs stands with a thickness of 0.1075 of its radius, and collapses at 0.1074 (Milankovitch 1907:
@@ -100,8 +100,8 @@ class Published(unittest.TestCase):
 
     def test_wedged(self):
         """A block between two walls may fall or be held (Kao et al. 2022 say unstable): neither is proven."""
-        own = results("modelH")
-        self.assertEqual((own["verdict"], "standing_fos" in own), ("can be held", False))
+        wedged = results("modelH")
+        self.assertEqual((wedged["verdict"], "standing_fos" in wedged), ("can be held", False))
 
 
 if __name__ == "__main__":

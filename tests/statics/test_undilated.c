@@ -26,15 +26,16 @@ static tp_undilated estimate(const block_pile *p, tp_contact_strength *strengths
   const tp_weight_loads loads = tp_weight_loads_tilted(true);
   const tp_undilated_task task = {
       .system = &s, .loads = &loads, .on_driving = on_driving, .live = {incline, 0}, .divisor = 1};
-  tp_undilated own;
-  ck_assert_int_eq(tp_undilated_find(&own, &task, &message), TP_OK);
+  tp_undilated found;
+  ck_assert_int_eq(tp_undilated_find(&found, &task, &message), TP_OK);
   free(strengths);
-  return own;
+  return found;
 }
 
-static void check(tp_undilated own, double factor) {
-  ck_assert(own.has_factor);
-  ck_assert_msg(fabs(own.factor - factor) <= near_enough * factor, "%g for %g", own.factor, factor);
+static void check(tp_undilated found, double factor) {
+  ck_assert(found.has_factor);
+  ck_assert_msg(fabs(found.factor - factor) <= near_enough * factor, "%g for %g", found.factor,
+                factor);
 }
 
 /* A box w wide and h high on an incline of tan(alpha) slides at tan(phi) / tan(alpha), and topples
@@ -88,7 +89,7 @@ START_TEST(pile_of_boxes) {
 }
 END_TEST
 
-/* A box is driven out below another one, which ground beside it keeps back. That ground may press
+/* A box is driven out below another one, which ground next to it keeps back. That ground may press
  * the upper box down, or hold it up, by tan(phi) times what it bears. By equilibrium of the upper
  * box, of weight V, with N on the lower one, of weight W: what the ground bears is s V + N
  * tan(phi), and N = V +- tan(phi) (s V + N tan(phi)). The lower one slides at s W = N tan(phi) + (W
@@ -110,12 +111,12 @@ START_TEST(kept_back) {
   pile_add_box(&p, 0, 0, 8, 1, 1, false);
   pile_add_box(&p, 0, 1, 8, 2, 1, false);
   pile_build(&p);
-  const tp_undilated own = estimate(&p, pile_strengths(&p, tangent), 0, true);
+  const tp_undilated found = estimate(&p, pile_strengths(&p, tangent), 0, true);
   tp_load_bracket limit = pile_limit(&p, tangent, true, 1e-6);
-  ck_assert(own.has_factor);
-  ck_assert(own.factor <= limit.bound * (1 + near_enough));
-  ck_assert(own.factor >= driven_out(tangent, 1, 1, -1));
-  ck_assert(own.factor <= driven_out(tangent, 1, 1, 1) * (1 + near_enough));
+  ck_assert(found.has_factor);
+  ck_assert(found.factor <= limit.bound * (1 + near_enough));
+  ck_assert(found.factor >= driven_out(tangent, 1, 1, -1));
+  ck_assert(found.factor <= driven_out(tangent, 1, 1, 1) * (1 + near_enough));
   tp_load_bracket_clear(&limit);
   pile_clear(&p);
 }
@@ -134,11 +135,11 @@ START_TEST(walls) {
     block_pile p = {.count = 0};
     pile_add_wall(&p, all[k].courses, 5);
     pile_build(&p);
-    const tp_undilated own = estimate(&p, pile_strengths(&p, tangent), 0, true);
-    ck_assert(own.has_factor);
-    ck_assert_msg(own.factor <= all[k].with * (1 + near_enough) &&
-                      own.factor >= all[k].without * (1 - share),
-                  "%g of %d courses", own.factor, all[k].courses);
+    const tp_undilated found = estimate(&p, pile_strengths(&p, tangent), 0, true);
+    ck_assert(found.has_factor);
+    ck_assert_msg(found.factor <= all[k].with * (1 + near_enough) &&
+                      found.factor >= all[k].without * (1 - share),
+                  "%g of %d courses", found.factor, all[k].courses);
     pile_clear(&p);
   }
 }

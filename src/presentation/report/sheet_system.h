@@ -27,7 +27,7 @@ void tp_system_sheet_add_conclusion(tp_system_sheet *sheet, const tp_system_case
 
 /* Sentences on the estimates of a direction, behind a text; nothing where there are none. */
 void tp_system_sheet_add_estimate(tp_text *text, const tp_system_sheet *sheet,
-                                  const tp_system_case *own);
+                                  const tp_system_case *one);
 
 /* Of a direction, nothing where there is none: loads besides weights, and the support that is asked
  * for. */

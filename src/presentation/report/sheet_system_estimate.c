@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Estimates of factors on the sheet of many blocks, for joints that do not dilate. They stand in a
+/* Estimates of factors on the sheet of many blocks, for joints that do not dilate. They are in a
  * sentence and in no table of factors, as nothing is proven of them. */
 
 #include "report/sheet_system.h"

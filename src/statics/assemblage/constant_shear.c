@@ -12,8 +12,8 @@ static void add_dead(tp_force_program *p, const tp_force_column *column, double 
   for (int k = 0; k < 2; k++) {
     if (column->row[k] < 0) continue;
     for (int e = 0; e < 3; e++) {
-      tp_near *own = p->dead + column->row[k] + e;
-      *own = tp_near_plus(*own, tp_near_times((tp_near){force, 0}, column->entry[k][e]));
+      tp_near *row = p->dead + column->row[k] + e;
+      *row = tp_near_plus(*row, tp_near_times((tp_near){force, 0}, column->entry[k][e]));
     }
   }
 }

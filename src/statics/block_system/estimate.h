@@ -16,14 +16,15 @@ typedef struct tp_estimate_task {
   const tp_resultant *resultant;
   const tp_driving *driving;
   const tp_threshold *strength; /* up to which divisor forces hold, by its logarithm */
+  bool asks_factor;             /* else only whether a motion can begin as they are given */
 } tp_estimate_task;
 
 /* Into a case whose verdict and beginnings are found. A motion that is proven as the blocks are
  * given makes its verdict `may move`. */
-TP_MUST_USE tp_status tp_estimate_find(tp_system_case *own, const tp_estimate_task *task,
+TP_MUST_USE tp_status tp_estimate_find(tp_system_case *one, const tp_estimate_task *task,
                                        tp_message *message);
 
 /* Of two cases of one direction the lesser estimates. */
-void tp_estimate_join(tp_system_case *own, const tp_system_case *other);
+void tp_estimate_join(tp_system_case *one, const tp_system_case *other);
 
 #endif

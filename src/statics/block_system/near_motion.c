@@ -27,13 +27,13 @@ static tp_status state_at(bool *exists, tp_blocks_at *at, const void *context, d
 }
 
 /* As they are given, and by a twentieth more than the estimate. */
-static int set_divisors(double *at, const tp_system_case *own) {
+static int set_divisors(double *at, const tp_system_case *one) {
   static const double more[] = {1.05};
   int count = 0;
   at[count++] = 0;
-  if (own->has_undilated_fos) {
+  if (one->has_undilated_fos) {
     for (size_t k = 0; k < sizeof more / sizeof *more; k++) {
-      const double next = log(more[k] * own->undilated_fos);
+      const double next = log(more[k] * one->undilated_fos);
       if (next > 0) at[count++] = next;
     }
   }
@@ -52,23 +52,23 @@ static tp_status halve(tp_moving_search *m, double low, tp_message *message) {
   return status;
 }
 
-static tp_status search(tp_system_case *own, tp_moving_search *m, tp_message *message) {
+static tp_status search(tp_system_case *one, tp_moving_search *m, tp_message *message) {
   enum { MOST = 2 };
   double at[MOST];
-  const int count = set_divisors(at, own);
+  const int count = set_divisors(at, one);
   tp_status status = TP_OK;
   for (int k = 0; k < count && status == TP_OK && !m->found; k++) {
     status = tp_moving_try(m, at[k], true, message);
     if (status == TP_OK && m->found && k > 0) status = halve(m, 0, message);
   }
   if (status != TP_OK || !m->found) return status;
-  own->has_moving_fos = true;
-  own->moving_fos = m->x > 0 ? nextafter(exp(m->x), INFINITY) : 1;
-  if (m->x <= 0 && own->verdict == TP_SYSTEM_CAN_HOLD) own->verdict = TP_SYSTEM_MAY_MOVE;
-  return tp_system_start_set(own, m, message);
+  one->has_moving_fos = true;
+  one->moving_fos = m->x > 0 ? nextafter(exp(m->x), INFINITY) : 1;
+  if (m->x <= 0 && one->verdict == TP_SYSTEM_CAN_HOLD) one->verdict = TP_SYSTEM_MAY_MOVE;
+  return tp_system_start_set(one, m, message);
 }
 
-tp_status tp_near_motion_find(tp_system_case *own, const tp_built_system *s,
+tp_status tp_near_motion_find(tp_system_case *one, const tp_built_system *s,
                               const tp_resultant *resultant, tp_message *message) {
   if (s->assemblage.free_count > TP_MOST_NEAR_MOTION_COLUMNS || resultant->beyond) return TP_OK;
   tp_column_row row;
@@ -84,7 +84,7 @@ tp_status tp_near_motion_find(tp_system_case *own, const tp_built_system *s,
   const letting l = {s, resultant, &resting};
   status = tp_moving_init(&moving, &resting, state_at, &l, message);
   if (status == TP_OK) {
-    status = search(own, &moving, message);
+    status = search(one, &moving, message);
     tp_moving_clear(&moving);
   }
   tp_resting_clear(&resting);

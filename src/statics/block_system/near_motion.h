@@ -16,7 +16,7 @@ enum { TP_MOST_NEAR_MOTION_COLUMNS = 300, TP_MOST_NEAR_MOTION_BLOCKS = 128 };
 
 /* Into a case that has the estimate, if there is one: its moving factor, the motion, and its
  * verdict where that begins as the blocks are given. */
-TP_MUST_USE tp_status tp_near_motion_find(tp_system_case *own, const tp_built_system *system,
+TP_MUST_USE tp_status tp_near_motion_find(tp_system_case *one, const tp_built_system *system,
                                           const tp_resultant *resultant, tp_message *message);
 
 #endif

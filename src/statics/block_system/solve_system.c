@@ -230,11 +230,13 @@ static tp_status find_motions(direction *d, tp_message *message) {
 
 /* Where that leaves open whether a motion can begin. */
 static tp_status estimate(direction *d, tp_message *message) {
-  if (!d->x->options->strength_reduction || d->resultant.beyond) return TP_OK;
+  if (d->resultant.beyond) return TP_OK;
+  const bool asks_factor = d->x->options->strength_reduction && d->x->motions == TP_MOTIONS_ALL;
   const tp_estimate_task task = {.system = d->x->s,
                                  .resultant = &d->resultant,
                                  .driving = &d->driving,
-                                 .strength = &d->strength};
+                                 .strength = &d->strength,
+                                 .asks_factor = asks_factor};
   return tp_estimate_find(d->own, &task, message);
 }
 
@@ -254,7 +256,7 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status == TP_OK) status = tp_support_find(d->own, d->x->s, &d->resultant, message);
   tp_system_case_set_bounds(d->own);
   if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = find_motions(d, message);
-  if (status == TP_OK && d->x->motions == TP_MOTIONS_ALL) status = estimate(d, message);
+  if (status == TP_OK && d->x->motions != TP_MOTIONS_NONE) status = estimate(d, message);
   if (status != TP_OK) return status;
   status = tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                                 tp_system_is_weighed(d->x->system), message);

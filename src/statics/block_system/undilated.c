@@ -34,9 +34,9 @@ static void take_normals(rounds *r, const tp_force_program *p, const double *for
   const tp_assemblage *a = &r->task->system->assemblage;
   for (long k = 0; k < r->contact_count; k++) {
     const tp_near tangent = tp_built_system_strength(r->task->system, k, divisor).tangent;
-    const int own = tp_contact_frame_of(a, k, (tp_near){0, 0}).exponent;
+    const int exponent = tp_contact_frame_of(a, k, (tp_near){0, 0}).exponent;
     const int of_cone = tp_contact_frame_of(a, k, tangent).exponent;
-    r->normals[k] = ldexp(tp_constant_shear_normal(p, forces, k), own - of_cone);
+    r->normals[k] = ldexp(tp_constant_shear_normal(p, forces, k), exponent - of_cone);
   }
 }
 
@@ -62,9 +62,9 @@ static tp_status begin(bool *is_known, rounds *r, tp_message *message) {
 static void set_shear(rounds *r) {
   const tp_built_system *s = r->task->system;
   for (long k = 0; k < r->contact_count; k++) {
-    const tp_contact_strength *own = s->strengths + k;
+    const tp_contact_strength *strength = s->strengths + k;
     const double length = tp_contact_frame_of(&s->assemblage, k, (tp_near){0, 0}).length.value;
-    r->shear[k] = own->cohesion.value * length + own->tangent.value * r->normals[k];
+    r->shear[k] = strength->cohesion.value * length + strength->tangent.value * r->normals[k];
   }
 }
 
@@ -128,38 +128,38 @@ static tp_status go_round(double *factor, rounds *r, tp_message *message) {
 /* ---- rounds ------------------------------------------------------------------------------------
  */
 
-static void take_last(tp_undilated *own, const rounds *r) {
+static void take_last(tp_undilated *result, const rounds *r) {
   double least = INFINITY, most = 0, sum = 0;
   for (int k = 0; k < LAST; k++) {
     least = fmin(least, r->factors[k]);
     most = fmax(most, r->factors[k]);
     sum += r->factors[k];
   }
-  own->factor = sum / LAST;
-  own->spread = most - least;
+  result->factor = sum / LAST;
+  result->spread = most - least;
 }
 
-static tp_status go_on(tp_undilated *own, rounds *r, tp_message *message) {
+static tp_status go_on(tp_undilated *result, rounds *r, tp_message *message) {
   static const double settled = 5e-3, near_enough = 5e-2;
   tp_status status = TP_OK;
-  while (status == TP_OK && own->rounds < MOST_ROUNDS) {
-    double *factor = r->factors + own->rounds % LAST;
+  while (status == TP_OK && result->rounds < MOST_ROUNDS) {
+    double *factor = r->factors + result->rounds % LAST;
     status = go_round(factor, r, message);
     if (status != TP_OK || *factor == 0) return status;
-    own->rounds++;
-    if (own->rounds < LAST) continue;
-    take_last(own, r);
-    own->has_factor = own->spread <= settled * own->factor;
-    if (own->has_factor) return TP_OK;
+    result->rounds++;
+    if (result->rounds < LAST) continue;
+    take_last(result, r);
+    result->has_factor = result->spread <= settled * result->factor;
+    if (result->has_factor) return TP_OK;
   }
-  own->has_factor = status == TP_OK && own->spread <= near_enough * own->factor;
+  result->has_factor = status == TP_OK && result->spread <= near_enough * result->factor;
   return status;
 }
 
-tp_status tp_undilated_find(tp_undilated *own, const tp_undilated_task *t, tp_message *message) {
+tp_status tp_undilated_find(tp_undilated *result, const tp_undilated_task *t, tp_message *message) {
   const long count = t->system->assemblage.contact_count;
   const size_t room = (size_t)count + 1;
-  memset(own, 0, sizeof *own);
+  memset(result, 0, sizeof *result);
   if (count > TP_MOST_UNDILATED) return TP_OK;
   rounds r = {.task = t,
               .contact_count = count,
@@ -173,7 +173,7 @@ tp_status tp_undilated_find(tp_undilated *own, const tp_undilated_task *t, tp_me
     status = tp_fail_memory(message, "the forces between blocks");
   }
   if (status == TP_OK) status = begin(&is_known, &r, message);
-  if (status == TP_OK && is_known) status = go_on(own, &r, message);
+  if (status == TP_OK && is_known) status = go_on(result, &r, message);
   free(r.normals);
   free(r.shear);
   free(r.nothing);
