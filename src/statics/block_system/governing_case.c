@@ -100,6 +100,16 @@ void tp_system_case_set_bounds(tp_system_case *c) {
   tp_system_case_settle_bounds(c);
 }
 
+void tp_system_case_take_motion(tp_system_case *c, tp_system_verdict before) {
+  if (c->verdict != before) {
+    tp_system_case_set_bounds(c);
+  } else if (c->has_moving_fos && c->by_strength.counts) {
+    take_motion(
+        &c->by_strength, c->moving_fos,
+        tp_system_motions_mechanism(c->start.motions, c->has_start ? c->start.motion_count : 0));
+  }
+}
+
 /* ---- the rule ----------------------------------------------------------------------------------
  */
 

@@ -21,6 +21,10 @@ void tp_system_case_set_bounds(tp_system_case *own);
  * that can begin, there is no factor above 0. */
 void tp_system_case_settle_bounds(tp_system_case *own);
 
+/* The bounds once a further motion was found, which may have changed the verdict from that before.
+ */
+void tp_system_case_take_motion(tp_system_case *own, tp_system_verdict before);
+
 /* The safety of a case in the terms of the rule, and `safety` of the struct. */
 tp_safety tp_system_case_rule(const tp_system_case *own);
 void tp_system_case_set_safety(tp_system_case *own);

@@ -237,7 +237,10 @@ static tp_status estimate(direction *d, tp_message *message) {
                                  .driving = &d->driving,
                                  .strength = &d->strength,
                                  .asks_factor = asks_factor};
-  return tp_estimate_find(d->own, &task, message);
+  const tp_system_verdict before = d->own->verdict;
+  const tp_status status = tp_estimate_find(d->own, &task, message);
+  tp_system_case_take_motion(d->own, before);
+  return status;
 }
 
 /* ---- cases -------------------------------------------------------------------------------------
