@@ -73,8 +73,8 @@ typedef struct tp_tilt_options {
   size_t overturning_count; /* and how many, 2 to 100 000; 0: 65 from 1/16 to 16, and by 0.5 % the
                                octave below the least found to overturn it */
   size_t smaller_count;     /* of a block on rigid contacts whose base shakes, and which is not
-                               overturned: so many smaller factors are tried, evenly on a logarithmic
-                               axis over the octave below 1, at most 100 000; 0: none */
+                               overturned: the number of smaller factors that are tried, evenly on a
+                               logarithmic axis over the octave below 1, at most 100 000; 0: none */
 } tp_tilt_options;
 
 /* The defaults: 400 moments, 128 smaller factors; nothing stops it. `size` is that of the struct as

@@ -86,7 +86,7 @@ class RockingPeak(unittest.TestCase):
         self.assertRegex(text, r"It turned by up to [\d.]+°, at [\d.]+ s: [\d.]+ % of its balance angle of 18\.4[34]\d*°\.")
 
     def test_smaller_factors(self):
-        """Factors of the octave below 1 are tried unless that is not wanted; each that is told to overturn does."""
+        """Factors of the octave below 1 are tried unless that is not wanted; each that is reported to overturn does."""
         status, out, err, _ = tilt("--json", "--smaller=24")
         self.assertEqual(status, 0, err)
         case = json.loads(out)["cases"][0]

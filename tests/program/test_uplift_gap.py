@@ -96,7 +96,7 @@ class UpliftGap(unittest.TestCase):
             front, [depth(p) for p in front])
         self.assertAlmostEqual(found, expected, delta=2e-4)
 
-    def test_told(self):
+    def test_note(self):
         """Heel, toe, pressures and length stand in a note; so they do of a `height`, whose gap draws a caution."""
         notes = " ".join(note["text"] for note in self.uplift("{level: 1.2, faces: behind, uplift: triangular}")[3]["notes"])
         self.assertIn("uplift: heel (1.28, 0.79) m with 4.0221 kPa, toe (0.31, 0.27) m with 0 kPa, 1.1006 m long", notes)

@@ -52,10 +52,10 @@ static void add_place(tp_document *d, const tp_block_system *s, const tp_system_
   tp_document_cell(d, "%s° from x towards y", tp_text_significant(n[0], own->direction_deg, 5));
 }
 
-static void add_told(tp_document *d, const char *word, tp_text *told) {
+static void add_words(tp_document *d, const char *word, tp_text *words) {
   tp_document_word(d, word);
-  tp_document_told_cell(d, told->failed || told->data == NULL ? "" : told->data);
-  d->failed = d->failed || told->failed;
+  tp_document_told_cell(d, words->failed || words->data == NULL ? "" : words->data);
+  d->failed = d->failed || words->failed;
 }
 
 void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
@@ -68,10 +68,10 @@ void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
   tp_document_word(d, "Factor of safety");
   tp_document_cell(d, "%s", tp_text_significant(n, own->fos, 5));
   tp_text_system_design_support(&design, c);
-  add_told(d, "Support", &design);
+  add_words(d, "Support", &design);
   if (tp_text_system_optimistic_support(&optimistic, c)) {
     tp_text_add(&optimistic, ", but a motion may begin");
-    add_told(d, "Optimistic: forces can hold with", &optimistic);
+    add_words(d, "Optimistic: forces can hold with", &optimistic);
   }
   add_place(d, s->system, own);
   tp_text_drop(&design);

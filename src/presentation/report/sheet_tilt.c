@@ -13,7 +13,7 @@
 static void add_verdict(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test) {
   tp_text verdict = {0}, ending = {0};
   tp_document_heading(d, 2, "%s", tp_document_say(d, tp_text_table(test, c)));
-  /* of a block that is shaken, or let go, the answer is how it ended, and statics stand beside it
+  /* of a block that is shaken, or let go, the answer is how it ended; statics follow
    */
   const bool released = test->settings.protocol == TP_TILT_RELEASE;
   tp_tilt_add_verdict(&verdict, c, test);

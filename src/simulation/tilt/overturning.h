@@ -42,7 +42,7 @@ TP_MUST_USE tp_status tp_overturning_check(const tp_tilt_options *options, tp_me
 TP_MUST_USE tp_status tp_tilting_overturning(tp_tilting *tilting, tp_base_shaking *shaking);
 
 /* The same of a block that its own shaking does not overturn, for the factors of the octave below 1
- * alone. A run that is not decided ends the search, which is then told of as far as it came. */
+ * alone. A run that is not decided ends the search; the grid has what was tried before it. */
 TP_MUST_USE tp_status tp_tilting_overturning_below(tp_tilting *tilting, tp_base_shaking *shaking);
 
 #endif
