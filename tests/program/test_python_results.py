@@ -28,7 +28,7 @@ ELSEWHERE = {
     "MotionContact": {"end": lambda c: "right" if c.at_right_end else "left"},
 }
 #: Keys that say in words what other keys, or None, say as well, or that are the program's.
-WORDS = {"index", "critical_angle_is", "method", "tie_is", "fos_is", "fos_elements_is", "fos_strength_is", "is",
+WORDS = {"index", "critical_angle_is", "method", "tie_is", "fos_is", "fos_elements_is", "fos_strength_is", "fos_driving_is", "is",
          "cut_by_default", "weight_unit", "limit_angle_is", "too_dear", "mean_plane"}
 CHECKED_APART = {"Limit": {"otherwise", "holds_from", "holds_from_deg", "holds_from_is", "base_matters", "slides_sooner",
                            "facet", "fos_mechanism"},

@@ -131,7 +131,7 @@ class World(unittest.TestCase):
         """Every point of the results: they have the coordinates of their scene."""
         for value in tree.values() if isinstance(tree, dict) else tree if isinstance(tree, list) else ():
             self.turn_places(value, turn)
-        for x_key in [key for key in tree if key in ("x_m", "centroid_x_m", "centre_x_m")] if isinstance(tree, dict) else ():
+        for x_key in [key for key in tree if key in ("x_m", "centroid_x_m", "centre_x_m", "driving_centre_x_m")] if isinstance(tree, dict) else ():
             y_key = x_key.replace("x_m", "y_m")
             if tree[x_key] is not None:
                 x, y = turn(*(Fraction(tree[key]["value"]) for key in (x_key, y_key)))

@@ -295,10 +295,10 @@ static tp_motion_outcome find_by_modes(finding *f, const split *s) {
       set_number(f, w, &t);
     }
     tp_onset *onset = &f->t->result->onset;
-    onset->has_fos_driving_centre =
+    onset->has_driving_centre =
         f->begins != NULL && w->has_ray && motions.twists.rays[w->ray].axis < 0;
-    if (onset->has_fos_driving_centre) {
-      tp_onset_centre(&onset->fos_driving_centre_x_m, &onset->fos_driving_centre_y_m, &t,
+    if (onset->has_driving_centre) {
+      tp_onset_centre(&onset->driving_centre_x_m, &onset->driving_centre_y_m, &t,
                       &motions.twists.rays[w->ray].twist);
     }
     f->begins = NULL;
@@ -375,7 +375,7 @@ static void take_lesser(finding *f, const held *h, long bits) {
     arb_set(f->factor, h->multiple);
     f->state = TP_FOS_NUMBER;
     f->mechanism = h->mechanism;
-    f->t->result->onset.has_fos_driving_centre = false;
+    f->t->result->onset.has_driving_centre = false;
   } else if (f->state == TP_FOS_NUMBER) {
     arb_min(f->factor, f->factor, h->multiple, bits);
   }
@@ -423,8 +423,8 @@ static void set_centre(const finding *f) {
   tp_onset *onset = &f->t->result->onset;
   const tp_motion_window *w = f->begins;
   if (w == NULL || !w->has_ray || f->of->motions->twists.rays[w->ray].axis >= 0) return;
-  onset->has_fos_driving_centre = true;
-  tp_onset_centre(&onset->fos_driving_centre_x_m, &onset->fos_driving_centre_y_m, f->of,
+  onset->has_driving_centre = true;
+  tp_onset_centre(&onset->driving_centre_x_m, &onset->driving_centre_y_m, f->of,
                   &f->of->motions->twists.rays[w->ray].twist);
 }
 
@@ -434,7 +434,7 @@ tp_motion_outcome tp_onset_driving(const tp_onset_telling *t, tp_onset_asked *as
   finding f = {.t = t, .asked = asked, .moves = moves, .state = TP_FOS_UNDECIDED};
   tp_motion_outcome done = TP_MOTION_PROVEN;
   arb_init(f.factor);
-  onset->has_fos_driving_centre = false;
+  onset->has_driving_centre = false;
   f.mechanism = TP_MECHANISM_UNDECIDED;
   if (t->e->loaded == NULL) {
     find_by_weight(&f, tilt);
