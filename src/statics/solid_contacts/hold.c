@@ -18,7 +18,7 @@ bool tp_hold_init(tp_hold *hold, const tp_friction_cones *cones, double friction
   hold->deep.forces = calloc((size_t)cones->count + 1, sizeof *hold->deep.forces);
   hold->found.forces = calloc((size_t)cones->count + 1, sizeof *hold->found.forces);
   if (hold->deep.forces == NULL || hold->found.forces == NULL) return false;
-  if (!tp_hold_search_init(&hold->search, cones, hold->share.value)) return false;
+  if (!tp_hold_search_init(&hold->search, cones, hold->share.value, 0)) return false;
   tp_hold_basis_choose(&hold->basis, cones);
   if (!tp_hold_find(&answer, &hold->search, TP_HOLD_APART, none, none)) return false;
   hold->has_apart = answer.outcome == TP_HOLD_FOUND;
@@ -46,8 +46,19 @@ static bool find_deep(tp_hold_answer *answer, tp_hold *hold, const tp_hold_load 
   return tp_hold_find(answer, &hold->search, TP_HOLD_DEEPEST, load->nearest, none);
 }
 
-bool tp_hold_load_side(tp_hold_side *side, double twist[TP_WRENCH], tp_hold *hold,
-                       const tp_hold_load *load) {
+/* Forces that were found for other loads come close to each other, and a load can be along some of
+ * those that a search begins with, so that programs are degenerate: what is open is asked again,
+ * with other forces to begin with. */
+enum { TRIES = 3 };
+
+static bool begin_anew(tp_hold *hold, int number) {
+  static const double turn = 0.29; /* of a turn between neighbours of 0.785, no simple part */
+  tp_hold_search_clear(&hold->search);
+  return tp_hold_search_init(&hold->search, hold->cones, hold->share.value, turn * number);
+}
+
+static bool find_side(tp_hold_side *side, double twist[TP_WRENCH], tp_hold *hold,
+                      const tp_hold_load *load) {
   tp_hold_answer answer;
   *side = TP_HOLD_OPEN;
   if (!find_deep(&answer, hold, load)) return false;
@@ -66,6 +77,15 @@ bool tp_hold_load_side(tp_hold_side *side, double twist[TP_WRENCH], tp_hold *hol
         tp_near_sign(tp_hold_gain(twist, load)) > 0) {
       *side = TP_HOLD_MOVES;
     }
+  }
+  return true;
+}
+
+bool tp_hold_load_side(tp_hold_side *side, double twist[TP_WRENCH], tp_hold *hold,
+                       const tp_hold_load *load) {
+  if (!find_side(side, twist, hold, load)) return false;
+  for (int k = 0; k < TRIES && *side == TP_HOLD_OPEN; k++) {
+    if (!begin_anew(hold, k) || !find_side(side, twist, hold, load)) return false;
   }
   return true;
 }
@@ -107,12 +127,11 @@ static bool is_endless(bool *endless, tp_hold *hold, const tp_hold_load *way) {
 static bool forget_forces(tp_hold *hold) {
   enum { MOST_OF_EACH = 30, MOST_BESIDE = 300 };
   if (hold->search.count <= MOST_OF_EACH * hold->cones->count + MOST_BESIDE) return true;
-  tp_hold_search_clear(&hold->search);
-  return tp_hold_search_init(&hold->search, hold->cones, hold->share.value);
+  return begin_anew(hold, 0);
 }
 
-bool tp_hold_limit_find(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *load,
-                        const tp_hold_load *way) {
+static bool find_limit(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *load,
+                       const tp_hold_load *way) {
   tp_hold_answer answer;
   bool proven = false;
   *limit = (tp_hold_limit){.is_open = true};
@@ -136,6 +155,15 @@ bool tp_hold_limit_find(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load 
     return false;
   }
   if (proven) set_between(limit, hold->found.t, upper_end(limit, hold, load, way));
+  return true;
+}
+
+bool tp_hold_limit_find(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *load,
+                        const tp_hold_load *way) {
+  if (!find_limit(limit, hold, load, way)) return false;
+  for (int k = 0; k < TRIES && limit->is_open; k++) {
+    if (!begin_anew(hold, k) || !find_limit(limit, hold, load, way)) return false;
+  }
   return true;
 }
 

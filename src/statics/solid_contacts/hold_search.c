@@ -43,7 +43,7 @@ static bool add_force(tp_hold_search *s, long cone, const double force[3]) {
 }
 
 /* The normal, and some about it on the cone. */
-static bool add_first(tp_hold_search *s, long cone) {
+static bool add_first(tp_hold_search *s, long cone, double turn) {
   const tp_friction_cone *own = s->cones->cones + cone;
   double side[3] = {0}, force[3];
   int least = 0;
@@ -53,8 +53,8 @@ static bool add_first(tp_hold_search *s, long cone) {
   if (tp_near_is_zero(own->friction)) return true;
   for (int k = 0; k < AROUND; k++) {
     const int i = (least + 1) % 3, j = (least + 2) % 3;
-    side[least] = cos(2 * M_PI * k / AROUND);
-    side[i] = sin(2 * M_PI * k / AROUND);
+    side[least] = cos(turn + 2 * M_PI * k / AROUND);
+    side[i] = sin(turn + 2 * M_PI * k / AROUND);
     side[j] = 0;
     (void)tp_friction_cone_worst(force, own, side, s->friction);
     if (!add_force(s, cone, force)) return false;
@@ -62,10 +62,11 @@ static bool add_first(tp_hold_search *s, long cone) {
   return true;
 }
 
-bool tp_hold_search_init(tp_hold_search *search, const tp_friction_cones *cones, double friction) {
+bool tp_hold_search_init(tp_hold_search *search, const tp_friction_cones *cones, double friction,
+                         double turn) {
   *search = (tp_hold_search){.cones = cones, .friction = friction};
   for (long n = 0; n < cones->count; n++) {
-    if (!add_first(search, n)) return false;
+    if (!add_first(search, n, turn)) return false;
   }
   return true;
 }

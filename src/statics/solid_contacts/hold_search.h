@@ -46,9 +46,10 @@ typedef struct tp_hold_answer {
   double (*forces)[3]; /* of each cone: room of the caller's, or NULL */
 } tp_hold_answer;
 
-/* With some forces for each cone; to be cleared also where it is false: memory is exhausted. */
+/* With some forces for each cone, turned about its normal by `turn` radians; to be cleared also
+ * where it is false: memory is exhausted. */
 TP_MUST_USE bool tp_hold_search_init(tp_hold_search *search, const tp_friction_cones *cones,
-                                     double friction);
+                                     double friction, double turn);
 void tp_hold_search_clear(tp_hold_search *search);
 
 /* Forces with sum + load (+ t way) = 0; both act at the centroid. False when memory is exhausted.

@@ -119,12 +119,12 @@ static bool add_corner(polygon *p, double azimuth_deg) {
 }
 
 /* How far the foot lies within the line of a side, and towards which azimuth. */
-static tp_near side_distance(double *azimuth_deg, const polygon *p, long side) {
-  const corner *a = p->corners + side, *b = p->corners + (side + 1) % p->count;
+static tp_near side_distance(double *azimuth_deg, const polygon *p, long from, long to) {
+  const corner *a = p->corners + from, *b = p->corners + to;
   const tp_near east = tp_near_sub(b->east, a->east), north = tp_near_sub(b->north, a->north);
   const tp_near area = tp_near_sub(tp_near_mul(a->north, b->east), tp_near_mul(a->east, b->north));
   const tp_near length = tp_near_length(east, north);
-  const double end = b->azimuth_deg + (side + 1 == p->count ? 360 : 0);
+  const double end = b->azimuth_deg + (to <= from ? 360 : 0);
   const double share =
       fmax(0.05, fmin(0.95, -(a->east.value * east.value + a->north.value * north.value) /
                                 (length.value * length.value)));
@@ -132,12 +132,40 @@ static tp_near side_distance(double *azimuth_deg, const polygon *p, long side) {
   return tp_near_div(area, length);
 }
 
+/* Is the second of three corners within the line of the others? */
+static bool is_within(const corner *a, const corner *b, const corner *c) {
+  const double east = b->east.value - a->east.value, north = b->north.value - a->north.value;
+  return north * (c->east.value - b->east.value) <= east * (c->north.value - b->north.value);
+}
+
+/* The convex hull of the corners, which is held as well: limits of azimuths close to each other
+ * differ by their bounds, and the line of a side between them could run anywhere. */
+static long find_hull(long hull[MOST_POINTS], const polygon *p) {
+  long count = p->count, at = 0;
+  for (long k = 0; k < count; k++) hull[k] = k;
+  for (long convex = 0; convex < count && count > 3;) {
+    const long before = hull[(at + count - 1) % count], after = hull[(at + 1) % count];
+    if (is_within(p->corners + before, p->corners + hull[at], p->corners + after)) {
+      for (long k = at; k + 1 < count; k++) hull[k] = hull[k + 1];
+      count--;
+      at = (at + count - 1) % count;
+      convex = 0;
+    } else {
+      at = (at + 1) % count;
+      convex++;
+    }
+  }
+  return count;
+}
+
 /* The least of all sides, at most, and where to look next. */
 static double inner_bound(double *azimuth_deg, const polygon *p) {
   double least = INFINITY;
-  for (long k = 0; k < p->count; k++) {
+  long hull[MOST_POINTS];
+  const long count = find_hull(hull, p);
+  for (long k = 0; k < count; k++) {
     double own;
-    const tp_near distance = side_distance(&own, p, k);
+    const tp_near distance = side_distance(&own, p, hull[k], hull[(k + 1) % count]);
     const double low = isfinite(distance.error) ? distance.value - distance.error : 0;
     if (low >= least) continue;
     least = low;
