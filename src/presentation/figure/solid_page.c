@@ -114,12 +114,17 @@ static double draw_wedge(cairo_t *cr, const tp_solid_figure *f, double y) {
   head(cr, f, net, "Its planes in the lower hemisphere, equal-angle");
   tp_solid_draw_wedge(cr, f, wedge);
   tp_solid_draw_stereonet(cr, f, net);
-  return explain(
+  y = explain(
       cr, f, left, low + 4, TP_SOLID_PAGE_ROOM,
       "Great circles: joints, face and ground. Circles about the poles of the joints: their cones "
       "of friction. R: the resultant of weight and all other loads; I: the line of both joints. "
       "With friction alone it slides along that line where R is beyond the thick line between the "
       "cones; cohesion holds more.");
+  if (f->solid->wedge.bolt_count == 0) return y;
+  return explain(
+      cr, f, left, y, TP_SOLID_PAGE_ROOM,
+      "Red points with a force: pulls of bolts, which are part of R; hollow where a bolt "
+      "pulls upwards, at the opposite direction.");
 }
 
 /* Where the parts of a rock lie: on a sheet beside one another, so that they are not made small. */

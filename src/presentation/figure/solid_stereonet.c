@@ -14,6 +14,7 @@
 #include "solid_tilt/wedge_shape.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { EAST, NORTH, UP };
@@ -155,6 +156,26 @@ static void draw_point(const net *n, const double way[3], tp_ink ink, const char
   tp_figure_text(n->cr, at.x + 4, at.y - 3, label);
 }
 
+/* The pull of a bolt: hollow, and from the other side, where it goes upwards. */
+static void draw_bolt(const net *n, const tp_solid_figure *f, const tp_wedge_bolt *bolt) {
+  char said[TP_LINE_SIZE], label[TP_LINE_SIZE + 32];
+  double way[3];
+  set_down(way, bolt->dip_deg, bolt->azimuth_deg);
+  const bool upwards = way[UP] > 0;
+  if (upwards) combine(way, -1, way, 0, way);
+  const tp_spot at = spot_of(n, way);
+  tp_figure_ink(n->cr, TP_INK_VERMILION);
+  cairo_set_line_width(n->cr, 1.2);
+  cairo_new_sub_path(n->cr);
+  cairo_arc(n->cr, at.x, at.y, 2.8, 0, 360 * radian);
+  if (upwards) cairo_stroke(n->cr);
+  if (!upwards) cairo_fill(n->cr);
+  snprintf(label, sizeof label, "%s %.4g kN", tp_solid_say(f, said, "bolt"),
+           bolt->force_n.value / 1e3);
+  tp_figure_font(n->cr, TP_SMALL_SIZE, true);
+  tp_figure_text(n->cr, at.x + 4, at.y + (upwards ? 9 : -3), label);
+}
+
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
@@ -220,4 +241,5 @@ void tp_solid_draw_stereonet(cairo_t *cr, const tp_solid_figure *f, tp_box box) 
   draw_point(&n, line, TP_INK_BLUE, "I");
   set_resultant(resultant, f->solid);
   draw_point(&n, resultant, TP_INK_VERMILION, "R");
+  for (size_t k = 0; k < w->bolt_count; k++) draw_bolt(&n, f, w->bolts + k);
 }

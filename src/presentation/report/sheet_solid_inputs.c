@@ -8,6 +8,8 @@
 
 #include "number/shortest.h"
 
+#include <math.h>
+
 static void add_body(tp_solid_sheet *s) {
   const tp_solid *own = s->solid;
   tp_document *d = &s->document;
@@ -72,6 +74,27 @@ static void add_wedge(tp_solid_sheet *s) {
   } else {
     tp_document_word(d, "none");
   }
+}
+
+static void add_bolts(tp_solid_sheet *s) {
+  enum { MOST = 6 };
+  const tp_solid_wedge *w = &s->solid->wedge;
+  tp_document *d = &s->document;
+  for (size_t k = 0; k < w->bolt_count && k < MOST; k++) {
+    const tp_wedge_bolt *own = w->bolts + k;
+    char n[TP_NUMBER_SIZE], azimuth[TP_SHORTEST_SIZE], dip[TP_SHORTEST_SIZE];
+    tp_text_significant(n, tp_text_over(own->force_n, 1e3), 6);
+    tp_shortest(azimuth, own->azimuth_deg);
+    tp_shortest(dip, fabs(own->dip_deg));
+    tp_document_word(d, "Bolt");
+    tp_document_cell(d,
+                     own->dip_deg < 0 ? "%s kN towards %s°, %s° above the horizontal"
+                                      : "%s kN towards %s°, %s° below the horizontal",
+                     n, azimuth, dip);
+  }
+  if (w->bolt_count <= MOST) return;
+  tp_document_word(d, "Bolt");
+  tp_document_cell(d, "and %zu more", w->bolt_count - MOST);
 }
 
 /* "0.002; 0.005": as many as page 1 has. */
@@ -190,6 +213,7 @@ void tp_solid_sheet_add_inputs(tp_solid_sheet *s) {
   add_parts(s);
   if (s->solid->has_wedge) {
     add_wedge(s);
+    add_bolts(s);
     add_quake(s);
   } else {
     add_touching(s);
