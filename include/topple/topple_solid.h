@@ -17,6 +17,7 @@
 
 #include "topple_solid_contacts.h"
 #include "topple_solid_mesh.h"
+#include "topple_solid_safety.h"
 #include "topple_solid_wedge.h"
 #include "topple_solve.h"
 
@@ -100,14 +101,16 @@ typedef struct tp_solid_azimuth {
  * edge with the arm a and the unit vector n outwards where H T . n > a N, with the centroid at the
  * height H, and slides where |T| > N tan(phi). */
 typedef struct tp_solid_stance {
-  tp_mechanism verdict; /* stands, topples, slides, both, leaves its base, or undecided */
-  bool has_fos;         /* something pulls along the base: */
-  tp_bounded fos;       /* if has_fos: the lesser of both factors; the least over azimuths that the
-                           scene leaves open */
-  tp_mechanism fos_mechanism; /* if has_fos: which of both it is against */
-  bool has_fos_toppling;      /* an edge lies that way */
-  tp_bounded fos_toppling; /* if has_fos_toppling: the least a N / (H T . n) of the edges that lie
-                              that way */
+  tp_mechanism verdict;       /* stands, topples, slides, both, leaves its base, or undecided */
+  tp_solid_safety safety;     /* its factor of safety, also without its earthquake */
+  bool has_fos;               /* that factor is a number: */
+  tp_bounded fos;             /* if has_fos: the same; the least over azimuths that the scene leaves
+                                 open */
+  tp_mechanism fos_mechanism; /* if has_fos: which motion it is against */
+  bool has_fos_toppling;      /* something turns it over an edge */
+  tp_bounded fos_toppling; /* if has_fos_toppling: the least multiple of what drives it, the part of
+                              the weight along the base and the earthquake, that turns it over an
+                              edge */
   bool has_fos_sliding;    /* the scene gives friction, and something pulls along the base */
   tp_bounded fos_sliding;  /* if has_fos_sliding: N tan(phi) / |T| */
   bool has_critical;       /* it stands level: */
@@ -222,7 +225,10 @@ TP_MUST_USE tp_status tp_solve_solid(tp_solid **solid, const tp_scene *scene, tp
 /* Is it undecided whether it stands, in the band that governs? Of NULL too. */
 bool tp_solid_is_undecided(const tp_solid *solid);
 
-/* Is a factor of safety met in the band that governs? */
+/* Its factor of safety, in the band that governs; NULL: it does not stand, or it is of no scene. */
+const tp_solid_safety *tp_solid_safety_of(const tp_solid *solid);
+
+/* Is a factor of safety met in the band that governs, and without the earthquake? */
 tp_design tp_solid_meets(const tp_solid *solid, double required);
 
 /* NULL is allowed. */

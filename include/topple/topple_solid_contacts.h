@@ -7,7 +7,7 @@
 #ifndef TOPPLE_SOLID_CONTACTS_H
 #define TOPPLE_SOLID_CONTACTS_H
 
-#include "topple_basics.h"
+#include "topple_solid_safety.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,20 +49,24 @@ typedef struct tp_solid_way {
 } tp_solid_way;
 
 /* A solid on contact points with normals and friction. Forces hold it where some forces, each in
- * its cone of Coulomb, are in equilibrium with its weight and earthquake: then it can stand.
- * Where there are none it certainly moves. The verdict is: stands, where forces hold it and all
- * contacts face one way; may move, where they face different ways and forces hold it that may never
- * have come to be there; what it does, where none do; undecided, too close to tell. */
+ * its cone of Coulomb, are in equilibrium with its weight and earthquake. Where there are none it
+ * certainly moves. Where there are some a motion can begin all the same between contacts that face
+ * different ways, as friction need not be as great as equilibrium asks for. The verdict is: stands,
+ * where no motion can begin; may move, where one can begin, or where that is not decided
+ * (`safety`); what it does, where no forces hold it; undecided, too close to tell. */
 typedef struct tp_solid_contacts {
   size_t contact_count;       /* of them */
   tp_solid_contact *contacts; /* contact_count of them: in the order of the scene */
   tp_mechanism verdict;       /* at its tilt, as told above */
   bool has_motion;            /* none do: */
   tp_solid_motion motion;     /* if has_motion: one that begins */
-  bool has_fos;               /* it has one of both factors that follow: */
-  tp_bounded fos;             /* if has_fos: the lesser of them */
+  bool is_in_section; /* all normals and loads are across one axis, to both sides of which contacts
+                         have partners: motions within that section are decided */
+  tp_solid_safety safety;     /* can a motion begin, and its factor of safety */
+  bool has_fos;               /* that factor is a number: */
+  tp_bounded fos;             /* if has_fos: the same */
   tp_mechanism fos_mechanism; /* if has_fos: what it does then */
-  bool has_fos_friction;      /* some friction is needed, and some is enough: */
+  bool has_fos_friction;      /* some friction is needed, and some is enough; an upper bound: */
   tp_bounded fos_friction; /* if has_fos_friction: what tan(phi) of all contacts may be divided by
                               until no forces hold it */
   bool has_fos_driving;    /* something drives it along its base, and what rests is held: */
@@ -70,7 +74,12 @@ typedef struct tp_solid_contacts {
                               the earthquake may be multiplied by until no forces hold it */
   tp_mechanism fos_driving_mechanism; /* if has_fos_driving: what it does then */
   bool fos_driving_is_open;           /* nothing is proven of it */
-  bool has_critical;                  /* it is held level, and not at any tilt: */
+  bool has_onset;                     /* it is known from which tilt on a motion can begin: */
+  tp_bounded onset_deg; /* if has_onset: without an earthquake, towards the azimuth of its tilt */
+  bool has_onset_acceleration;     /* the same of an acceleration at its tilt: */
+  tp_bounded onset_acceleration_g; /* if has_onset_acceleration: towards the azimuth of its
+                                      earthquake, or of its tilt, in g */
+  bool has_critical;               /* it is held level, and not at any tilt: */
   tp_bounded critical_deg; /* if has_critical: without an earthquake, the tilt up to which it is
                               held: towards the azimuth of its tilt, or the least of all */
   tp_bounded
@@ -122,7 +131,9 @@ typedef struct tp_solid_ground {
   size_t band_count;       /* of the bands */
   tp_solid_ground_band *bands; /* band_count of them: in the order of the scene */
   size_t governing;            /* the least of them, of which the contacts are: from 0 */
-  double metres_per_unit;      /* of a length of its mesh */
+  tp_solid_safety safety; /* in that: on the contacts, and where these are in no section with the
+                             mean of their normals as well */
+  double metres_per_unit; /* of a length of its mesh */
 } tp_solid_ground;
 
 #ifdef __cplusplus

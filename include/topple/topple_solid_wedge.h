@@ -6,7 +6,7 @@
 #ifndef TOPPLE_SOLID_WEDGE_H
 #define TOPPLE_SOLID_WEDGE_H
 
-#include "topple_basics.h"
+#include "topple_solid_safety.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -70,9 +70,10 @@ typedef struct tp_solid_wedge {
   bool has_fos;         /* something drives it: */
   tp_bounded fos;       /* if has_fos: strength over what drives it; the least of all azimuths where
                            its earthquake has none */
-  bool has_azimuth;     /* an earthquake pushes it along the horizontal: */
-  double azimuth_deg;   /* if has_azimuth: towards which: its own, or else the worst */
-  bool has_worst;       /* likewise: */
+  tp_solid_safety safety; /* its factor of safety, also without its earthquake */
+  bool has_azimuth;       /* an earthquake pushes it along the horizontal: */
+  double azimuth_deg;     /* if has_azimuth: towards which: its own, or else the worst */
+  bool has_worst;         /* likewise: */
   tp_bounded worst_fos; /* if has_worst: the least factor of all azimuths, proven from both sides */
   double worst_azimuth_deg;    /* if has_worst: at which it was found */
   const char *worst_slides_on; /* a static string: on which joints it slides there */

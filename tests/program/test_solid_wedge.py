@@ -221,7 +221,7 @@ class Wedges(Case):
             out.write(f"loads: {{{', '.join(loads)}}}\n" if loads else "")
             out.write(f"required_fos: {required}\n" if required else "")
         status, out, err = run("solve", "--json", path)
-        self.assertIn(status, (0, 1) if required else (0,), err)
+        self.assertIn(status, (0, 1, 4) if required else (0,), err)  # 4: the least force gives the factor to its last digit
         return json.loads(out)["wedge"]
 
     def test_worst_azimuth(self):
@@ -402,7 +402,7 @@ class Wedges(Case):
         with open(path, encoding="utf-8") as scene:
             text = scene.read().replace("horizontal: 0.1", "horizontal: 0.1, azimuth_deg: 20")
         text = run("solve", self.put("ahead.yaml", text))[1]
-        self.assertIn(f"least of all azimuths  {got['fos']['value']:.8g} towards {got['azimuth_deg']:.6g}°, along the line of both joints", text)
+        self.assertIn(f"least of all azimuths  {math.floor(1e7 * got['fos']['value']) / 1e7:.7f} towards {got['azimuth_deg']:.6g}°, along the line of both joints", text)
         rows = run("sweep", path, "--x=loads.seismic.horizontal=0.1,0.2,0.3")[1].splitlines()
         names = rows[0].split(",")
         self.assertAlmostEqual(float(rows[2].split(",")[names.index("critical_acceleration_g")]), got["acceleration_g"]["value"], 12)

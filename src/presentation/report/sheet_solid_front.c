@@ -10,6 +10,8 @@
 #include "report/words.h"
 #include "terms/names.h"
 
+#include <math.h>
+
 static void add_required_heads(tp_solid_sheet *s) {
   if (!s->solid->has_required_fos) return;
   tp_document_word(&s->document, "Required");
@@ -25,18 +27,35 @@ static void add_required(tp_solid_sheet *s, bool governs) {
                    governs ? tp_sheet_met_words(tp_solid_meets(own, own->required_fos)) : "–");
 }
 
+/* The factor and what it is against; rounded to the safe side. */
+static void add_factor(tp_document *d, const tp_solid_safety *own) {
+  const bool has_fos = own != NULL && own->fos.state == TP_FOS_NUMBER;
+  const bool bounded = own != NULL && own->fos.state == TP_FOS_UNDECIDED;
+  char n[TP_NUMBER_SIZE];
+  if (has_fos || !bounded) {
+    tp_sheet_add_factor_if(d, has_fos, has_fos ? own->fos.value : (tp_bounded){0}, 6);
+  } else if (own->most < HUGE_VAL) {
+    tp_document_cell(d, "undecided, at most %s",
+                     tp_text_significant_up(n, (tp_bounded){.value = own->most}, 5));
+  } else {
+    tp_document_word(d, "undecided");
+  }
+  const bool told = own != NULL && own->has_factor && (has_fos || bounded) &&
+                    own->factor.mechanism != TP_MECHANISM_UNDECIDED;
+  tp_document_word(d, told ? tp_text_motion(own->factor.mechanism) : "–");
+}
+
 static void add_band_row(tp_solid_sheet *s, size_t k) {
   const tp_solid_band *b = s->solid->bands + k;
   const tp_solid_stance *own = &b->stance;
-  const bool has_fos = b->has_stance && own->has_fos, governs = k == s->solid->governing;
+  const bool governs = k == s->solid->governing;
   tp_document *d = &s->document;
   char n[TP_SHORTEST_SIZE];
   if (governs) tp_document_mark_row(d);
   tp_document_cell(d, "%s", tp_shortest(n, b->band));
   tp_sheet_add_number_if(d, b->stands, b->least.tilt_deg, 6);
   tp_sheet_add_number_if(d, b->stands, b->least.azimuth_deg, 6);
-  tp_sheet_add_factor_if(d, has_fos, own->fos, 6);
-  tp_document_word(d, has_fos ? tp_text_motion(own->fos_mechanism) : "–");
+  add_factor(d, b->has_stance ? &own->safety : NULL);
   add_required(s, governs);
   tp_document_word(d, b->has_stance ? tp_mechanism_name(own->verdict) : "does not stand");
 }
@@ -66,8 +85,7 @@ static void add_of_contacts(tp_solid_sheet *s, unsigned required) {
   tp_document_word(d, "Rock");
   tp_sheet_add_number_if(d, own->has_critical, own->critical_deg, 6);
   tp_sheet_add_number_if(d, own->has_critical, own->critical_azimuth_deg, 6);
-  tp_sheet_add_factor_if(d, own->has_fos, own->fos, 6);
-  tp_document_word(d, own->has_fos ? tp_text_motion(own->fos_mechanism) : "–");
+  add_factor(d, tp_solid_safety_of(s->solid));
   add_required(s, true);
   tp_document_word(d, tp_mechanism_name(own->verdict));
 }
@@ -141,8 +159,16 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
   add_verdict(t, d, own->verdict);
   if (own->verdict == TP_MAY_MOVE) {
     tp_text_add(t, " %s",
-                tp_document_say(d, "Forces can hold it, but contacts that face different ways can "
-                                   "let go: the result depends on the loading history."));
+                tp_document_say(d, own->safety.states->outlook == TP_SOLID_CAN_MOVE
+                                       ? "Forces can hold it, but a motion can begin, proven: the "
+                                         "result depends on the loading history."
+                                       : "Forces can hold it; whether a motion can begin is not "
+                                         "decided."));
+  }
+  if (own->has_onset) {
+    tp_text_add(t, " ");
+    tp_text_add(t, tp_document_say(d, "A motion can begin from a tilt of %s° on."),
+                tp_text_fixed(n[0], own->onset_deg, 3));
   }
   if (own->has_motion) {
     tp_text_add(t, " %s", tp_document_say(d, "No forces of the contacts hold it."));
@@ -156,7 +182,7 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
                 tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
                 tp_document_say(d, tp_text_motion(own->critical.mechanism)));
   }
-  if (!own->has_acceleration) return;
+  if (!own->has_acceleration || own->safety.outlook == TP_SOLID_CAN_MOVE) return;
   tp_text_add(t, " ");
   tp_text_add(t,
               tp_document_say(d, "At its tilt they hold it up to a horizontal acceleration of %s "
@@ -192,6 +218,10 @@ void tp_solid_sheet_add_conclusion(tp_solid_sheet *s) {
     conclude_contacts(&t, d, &own->contacts);
   } else {
     conclude_bands(&t, d, own);
+  }
+  const tp_solid_safety *safety = tp_solid_safety_of(own);
+  if (safety != NULL && safety->states[safety->governing].is_static) {
+    tp_text_add(&t, " %s", tp_document_say(d, "The state without the earthquake governs."));
   }
   if (own->has_required_fos) {
     tp_text_add(&t, " ");

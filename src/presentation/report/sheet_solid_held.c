@@ -101,6 +101,27 @@ static void add_ground_bands(tp_solid_sheet *s) {
   }
 }
 
+static void add_factors(tp_solid_sheet *s) {
+  const tp_solid_safety *own = tp_solid_safety_of(s->solid);
+  tp_document *d = &s->document;
+  if (own->fos.state == TP_FOS_NO_OVERTURNING) return;
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The factor of safety is the lesser of two: what tan φ of all contacts may be "
+                  "divided by, and what the part of the weight along the base and the earthquake "
+                  "may be multiplied by, until a motion can begin.");
+  if (s->solid->contacts.is_in_section) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "All normals and loads are across one axis, with contacts to both sides: motions "
+        "within that section are decided.");
+  } else if (own->fos.state == TP_FOS_UNDECIDED) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "Up to where forces hold it is an upper bound of the factor: a motion can begin "
+        "before, between contacts that face different ways.");
+  }
+}
+
 void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
   const tp_solid_contacts *own = &s->solid->contacts;
   tp_document *d = &s->document;
@@ -110,12 +131,7 @@ void tp_solid_sheet_add_contacts(tp_solid_sheet *s) {
     add_motion(s, &own->motion, "It certainly moves, for no forces hold it: it %s.");
   }
   if (own->has_critical) add_motion(s, &own->critical, "At the limit tilt it %s.");
-  if (own->has_fos) {
-    tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                    "The factor of safety is the lesser of two: what tan φ of all contacts may be "
-                    "divided by, and what the part of the weight along the base and the earthquake "
-                    "may be multiplied by, until no forces hold it.");
-  }
+  add_factors(s);
   add_ground_bands(s);
   add_contact_table(s);
   add_ways(s);

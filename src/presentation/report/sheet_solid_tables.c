@@ -106,25 +106,32 @@ static void add_edge_formula(tp_solid_sheet *s, const tp_solid_band *b) {
 
 static void add_factor_formula(tp_solid_sheet *s, const tp_solid_stance *own) {
   tp_document *d = &s->document;
-  char n[3][TP_NUMBER_SIZE];
-  if (!own->has_fos) return;
+  char n[TP_NUMBER_SIZE];
+  if (!own->has_fos_toppling && !own->has_fos_sliding) return;
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
-      "Factor of safety: the resultant of weight and earthquake presses with N and pulls "
-      "with T along the base; of all edges that T goes towards, at the distance a and "
-      "with the unit vector n outwards, the least counts.");
-  tp_text_significant_down(n[0], own->fos_toppling, 6);
-  tp_text_significant_down(n[1], own->fos_sliding, 6);
-  tp_text_significant_down(n[2], own->fos, 6);
-  if (own->has_fos_toppling && own->has_fos_sliding) {
+      "Factors of safety: the resultant of weight and earthquake presses with N and pulls with T "
+      "along the base, in shares of the weight. On driving loads, the part of the weight along the "
+      "base and the earthquake, it topples about an edge at the distance a with the unit vector n "
+      "outwards, and slides; by strength reduction it slides. The least counts, over all edges, "
+      "with the earthquake and without.");
+  if (own->has_fos_toppling) {
+    tp_text_significant_down(n, own->fos_toppling, 6);
     tp_document_add(d, TP_PASSAGE_EQUATION,
-                    "\\text{FoS} = \\min (\\frac{a N}{H T · n}, \\frac{N \\tan φ}{|T|}) = "
-                    "\\min (%s, %s) = %s",
-                    n[0], n[1], n[2]);
-  } else if (own->has_fos_sliding) {
-    tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\frac{N \\tan φ}{|T|} = %s", n[2]);
-  } else {
-    tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\frac{a N}{H T · n} = %s", n[2]);
+                    "\\text{FoS} = \\frac{a \\cos α}{a (\\cos α - N) + H T · n} = %s", n);
+  }
+  if (!own->has_fos_sliding) return;
+  tp_text_significant_down(n, own->fos_sliding, 6);
+  tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\frac{N \\tan φ}{|T|} = %s", n);
+  const tp_solid_state *state = own->safety.states;
+  for (size_t k = 0; k < state->factor_count; k++) {
+    const tp_solid_factor *f = state->factors + k;
+    if (f->definition != TP_FOS_BY_DRIVING || f->mechanism != TP_SLIDES || !(f->most < HUGE_VAL)) {
+      continue;
+    }
+    tp_text_significant_down(n, (tp_bounded){.value = f->least}, 6);
+    tp_document_add(d, TP_PASSAGE_EQUATION,
+                    "\\text{FoS} = \\frac{\\tan φ \\cos α}{\\tan φ (\\cos α - N) + |T|} = %s", n);
   }
 }
 

@@ -31,13 +31,29 @@ static void add_place(tp_text *t, const tp_solid *solid) {
   if (solid->has_seismic) tp_text_add(t, " and under its earthquake");
 }
 
+static void add_factor(tp_text *t, const tp_solid_safety *own) {
+  tp_text_solid_factor(t, own, 4);
+  if (own->has_factor && own->factor.mechanism != TP_MECHANISM_UNDECIDED) {
+    tp_text_add(t, " against %s", against(own->factor.mechanism));
+  }
+  if (own->states[own->governing].is_static) tp_text_add(t, ", without the earthquake");
+  if (own->states[own->governing].has_mean_normals) {
+    tp_text_add(t, ", with the mean of all normals");
+  }
+}
+
+/* Does anything drive it, or can anything move it? */
+static bool has_factor(const tp_solid_safety *own) {
+  return own->fos.state != TP_FOS_NO_OVERTURNING;
+}
+
 static void add_stance(tp_text *t, const tp_solid *solid, const tp_solid_stance *own) {
   char n[TP_NUMBER_SIZE];
   add_place(t, solid);
   tp_text_add(t, " it %s", tp_mechanism_name(own->verdict));
-  if (own->has_fos) {
-    tp_text_add(t, ": factor of safety %s against %s", tp_text_significant_down(n, own->fos, 4),
-                against(own->fos_mechanism));
+  if (has_factor(&own->safety)) {
+    tp_text_add(t, ": factor of safety ");
+    add_factor(t, &own->safety);
   }
   tp_text_add(t, ". ");
   if (own->has_acceleration) {
@@ -77,18 +93,35 @@ static void add_of_ground(tp_text *t, const tp_solid *solid, const tp_solid_grou
   tp_text_add(t, " it %s at its tilt.", tp_mechanism_name(own->smooth_verdict));
 }
 
+const char *tp_text_solid_held(const tp_solid_contacts *own) {
+  if (own->has_motion) return "No forces of its contacts hold it: it certainly moves.";
+  switch (own->verdict == TP_MECHANISM_UNDECIDED ? TP_SOLID_COLLAPSES
+                                                 : own->safety.states->outlook) {
+  case TP_SOLID_STANDS:
+    return "It stands: no motion can begin.";
+  case TP_SOLID_CAN_MOVE:
+    return "Forces of its contacts can hold it, but a motion can begin, proven: it may move.";
+  case TP_SOLID_OPEN:
+    return "Forces of its contacts can hold it; whether a motion can begin is not decided.";
+  case TP_SOLID_COLLAPSES:
+    break;
+  }
+  return "Undecided.";
+}
+
 static void add_of_contacts(tp_text *t, const tp_solid *solid) {
   const tp_solid_contacts *own = &solid->contacts;
   char n[2][TP_NUMBER_SIZE];
-  tp_text_add(t, own->verdict == TP_MAY_MOVE
-                     ? "Forces within all cones of friction can hold it, but contacts that face "
-                       "different ways can let go: it may move."
-                 : own->verdict == TP_STANDS ? "Forces within all cones of friction hold it."
-                 : own->has_motion ? "No forces of its contacts hold it: it certainly moves."
-                                   : "Undecided.");
-  if (own->has_fos) {
-    tp_text_add(t, " Factor of safety %s: then it %s.", tp_text_significant_down(n[0], own->fos, 4),
-                tp_mechanism_name(own->fos_mechanism));
+  const tp_solid_safety *safety = tp_solid_safety_of(solid);
+  tp_text_add(t, "%s", tp_text_solid_held(own));
+  if (has_factor(safety)) {
+    tp_text_add(t, " Factor of safety ");
+    add_factor(t, safety);
+    tp_text_add(t, ".");
+  }
+  if (own->has_onset) {
+    tp_text_add(t, " A motion can begin from a tilt of %s° on.",
+                tp_text_significant(n[0], own->onset_deg, 5));
   }
   if (own->has_critical) {
     tp_text_add(t, " Forces hold it up to a tilt of %s° towards %s°: then it %s.",
@@ -96,7 +129,7 @@ static void add_of_contacts(tp_text *t, const tp_solid *solid) {
                 tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
                 tp_mechanism_name(own->critical.mechanism));
   }
-  if (own->has_acceleration) {
+  if (own->has_acceleration && own->safety.outlook != TP_SOLID_CAN_MOVE) {
     tp_text_add(t, " At its tilt they do up to a horizontal acceleration of %s g towards %s°.",
                 tp_text_significant(n[0], own->acceleration_g, 4),
                 tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1));
@@ -123,14 +156,35 @@ static void add_of_wedge(tp_text *t, const tp_solid_wedge *own, bool is_worst) {
   }
 }
 
+/* With an earthquake that holds it back, the state without governs. */
+static void add_static(tp_text *t, const tp_solid_safety *own) {
+  if (!own->states[own->governing].is_static) return;
+  tp_text_add(t, " Without its earthquake the factor of safety is ");
+  tp_text_solid_factor(t, own, 4);
+  tp_text_add(t, ", and governs.");
+}
+
+static void add_required(tp_text *t, const tp_solid *solid) {
+  if (!solid->has_required_fos) return;
+  const tp_design met = tp_solid_meets(solid, solid->required_fos);
+  tp_text_add(t,
+              met == TP_DESIGN_OPEN  ? " Whether the required factor of safety %.6g is met is "
+                                       "undecided."
+              : met == TP_DESIGN_MET ? " The required factor of safety %.6g is met."
+                                     : " The required factor of safety %.6g is not met.",
+              solid->required_fos);
+}
+
 void tp_text_solid_answer(tp_text *t, const tp_solid *solid) {
   if (solid->has_wedge) {
     add_of_wedge(t, &solid->wedge, !solid->has_seismic_azimuth);
+    add_static(t, &solid->wedge.safety);
   } else if (solid->has_contacts) {
     add_of_contacts(t, solid);
   } else {
     add_of_band(t, solid);
   }
+  if (solid->of_scene) add_required(t, solid);
 }
 
 void tp_text_solid_answer_wrapped(tp_text *t, const tp_solid *solid) {

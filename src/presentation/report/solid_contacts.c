@@ -65,8 +65,10 @@ static void add_contacts(tp_text *t, const tp_solid_contacts *c) {
   }
 }
 
-static void add_factors(tp_text *t, const tp_solid_contacts *c) {
+/* What forces hold, whether or not a motion can begin. */
+static void add_upper_bounds(tp_text *t, const tp_solid_contacts *c) {
   char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "  forces hold it up to these multiples, upper bounds of the factor of safety:\n");
   tp_text_add(t, "    %s what tan φ of all contacts may be divided by until no forces hold it\n",
               c->has_fos_friction ? tp_text_significant_down(n, c->fos_friction, TILT) : "none:");
   tp_text_add(t,
@@ -76,10 +78,52 @@ static void add_factors(tp_text *t, const tp_solid_contacts *c) {
                                        : "none:");
 }
 
-static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
-  char n[TP_NUMBER_SIZE];
+static void add_outlook(tp_text *t, const tp_solid_contacts *c) {
+  const char *where = c->is_in_section ? " within the section of its contacts" : "";
+  switch (c->safety.states->outlook) {
+  case TP_SOLID_STANDS:
+    tp_text_add(t, "  stands: no motion can begin%s\n", where);
+    break;
+  case TP_SOLID_CAN_MOVE:
+    tp_text_add(t, "  may move: a motion can begin all the same, proven\n");
+    break;
+  case TP_SOLID_OPEN:
+    tp_text_add(t, "  whether a motion can begin all the same is not decided\n");
+    break;
+  case TP_SOLID_COLLAPSES:
+    break;
+  }
+}
+
+static const char *definition_of(const tp_solid_safety *own) {
+  if (own->fos.state != TP_FOS_NUMBER || !own->has_factor) return "";
+  return own->factor.definition == TP_FOS_BY_DRIVING ? ", on driving loads"
+                                                     : ", by strength reduction";
+}
+
+static void add_safety(tp_text *t, const tp_solid_safety *own) {
+  if (own->fos.state == TP_FOS_NO_OVERTURNING) {
+    tp_text_add(t, "  no factor of safety: nothing moves it\n");
+    return;
+  }
+  tp_text_add(t, "  factor of safety ");
+  tp_text_solid_factor(t, own, TILT);
+  tp_text_add(t, "%s", definition_of(own));
+  if (own->has_factor && own->factor.mechanism != TP_MECHANISM_UNDECIDED) {
+    tp_text_add(t, ": then it %s", tp_mechanism_name(own->factor.mechanism));
+  }
+  if (own->states[own->governing].is_static) tp_text_add(t, ", without its earthquake");
+  if (own->states[own->governing].has_mean_normals) {
+    tp_text_add(t, ", with the mean of all normals");
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_verdict(tp_text *t, const tp_solid *s) {
+  const tp_solid_contacts *c = &s->contacts;
   if (tp_solid_is_held(c)) {
     tp_text_add(t, "  can stand: forces within all cones of friction hold it\n");
+    add_outlook(t, c);
   } else if (c->has_motion) {
     tp_text_add(t, "  certainly moves, for no forces hold it:\n  it ");
     tp_text_solid_motion(t, &c->motion);
@@ -87,13 +131,15 @@ static void add_verdict(tp_text *t, const tp_solid_contacts *c) {
   } else {
     tp_text_add(t, "  undecided: too close to tell\n");
   }
-  if (c->has_fos) {
-    tp_text_add(t, "  factor of safety %s: then it %s; the lesser of two:\n",
-                tp_text_significant_down(n, c->fos, TILT), tp_mechanism_name(c->fos_mechanism));
-    add_factors(t, c);
-  } else if (tp_solid_is_held(c)) {
-    tp_text_add(t, "  no factor of safety: it is held without friction\n");
-  }
+  add_safety(t, tp_solid_safety_of(s));
+  if (c->has_fos_friction || c->has_fos_driving) add_upper_bounds(t, c);
+}
+
+static void add_onset(tp_text *t, const tp_solid_contacts *c) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->has_onset) return;
+  tp_text_add(t, "  a motion can begin from a tilt of %s° ± %.1e° on\n",
+              tp_text_significant(n, c->onset_deg, TILT), c->onset_deg.error);
 }
 
 static void add_critical(tp_text *t, const tp_solid *s) {
@@ -129,6 +175,12 @@ static void add_acceleration(tp_text *t, const tp_solid *s) {
                 s->seismic_azimuth_deg, tp_text_significant(own, c->acceleration_ahead_g, TILT),
                 c->acceleration_ahead_g.error);
   }
+  if (c->has_onset_acceleration) {
+    tp_text_add(t, "  a motion can begin from %s g ± %.1e g on, towards where %s acts\n",
+                tp_text_significant(own, c->onset_acceleration_g, TILT),
+                c->onset_acceleration_g.error,
+                s->has_seismic_azimuth ? "the earthquake" : "the tilt");
+  }
 }
 
 static void add_ways(tp_text *t, const tp_solid_contacts *c) {
@@ -158,14 +210,16 @@ void tp_text_solid_contacts(tp_text *t, const tp_solid *s) {
   if (!s->has_contacts) return;
   tp_text_solid_ground(t, s);
   tp_text_solid_loads(t, s);
-  add_verdict(t, &s->contacts);
+  add_verdict(t, s);
+  add_onset(t, &s->contacts);
   add_critical(t, s);
   add_acceleration(t, s);
   tp_text_solid_required(t, s);
   if (s->contacts.verdict == TP_MAY_MOVE) {
-    tp_text_add(t, "  It may move all the same: contacts that face different ways can be wedged by "
-                   "forces that nothing\n  has put there, and a shock can free them; on a point or "
-                   "a line it is balanced at best.\n");
+    tp_text_add(t,
+                "  Contacts that face different ways can be wedged by forces that nothing has put "
+                "there, and a shock can free\n  them; on a point or a line it is balanced at "
+                "best.\n");
   }
   add_contacts(t, &s->contacts);
   add_ways(t, &s->contacts);

@@ -17,6 +17,12 @@ enum { TP_SOLID_TILT_DIGITS = 8 };
 void tp_text_solid_answer(tp_text *t, const tp_solid *solid);
 void tp_text_solid_answer_wrapped(tp_text *t, const tp_solid *solid); /* and an empty line */
 
+/* "1.234", or why it is no number, with its bounds; rounded to the safe side. */
+void tp_text_solid_factor(tp_text *t, const tp_solid_safety *safety, int digits);
+
+/* Can it be held on its contacts, and can a motion begin? A sentence. */
+const char *tp_text_solid_held(const tp_solid_contacts *contacts);
+
 /* Where it was mended: the gaps that were closed; else nothing. */
 void tp_text_solid_repair(tp_text *t, const tp_solid *solid);
 

@@ -37,6 +37,13 @@ void tp_text_solid_loads(tp_text *t, const tp_solid *s) {
   tp_text_add(t, "\n");
 }
 
+/* Where it is no number, its bounds. */
+static void add_no_factor(tp_text *t, const tp_solid_safety *own) {
+  if (own->fos.state == TP_FOS_NO_OVERTURNING) return;
+  tp_text_add(t, "  factor of safety ");
+  tp_text_solid_factor(t, own, TILT);
+}
+
 static void add_stance(tp_text *t, const tp_solid_band *b) {
   const tp_solid_stance *own = &b->stance;
   char n[4][TP_NUMBER_SIZE];
@@ -56,6 +63,10 @@ static void add_stance(tp_text *t, const tp_solid_band *b) {
     tp_text_add(t, " %11s g %9s°  %s", tp_text_significant(n[2], own->acceleration_g, TILT),
                 tp_text_fixed(n[3], own->acceleration_azimuth_deg, 3),
                 tp_mechanism_name(own->acceleration_mechanism));
+  }
+  if (!own->has_fos) add_no_factor(t, &own->safety);
+  if (own->safety.states[own->safety.governing].is_static) {
+    tp_text_add(t, "  (without the earthquake)");
   }
   tp_text_add(t, "\n");
 }
@@ -98,8 +109,10 @@ void tp_text_solid_stances(tp_text *t, const tp_solid *s) {
   tp_text_add(t, "\n");
   for (size_t k = 0; k < s->band_count; k++) add_stance(t, s->bands + k);
   if (any) {
-    tp_text_add(t, "  The factor is that by which the tangent of the resultant to the base may "
-                   "grow in its azimuth\n  until it topples about an edge or slides.\n");
+    tp_text_add(t,
+                "  The factor is the least of those on driving loads, the part of the weight along "
+                "the base and the\n  earthquake, until it topples about an edge or slides, and by "
+                "strength reduction.\n");
   }
   if (shaken) {
     tp_text_add(t,

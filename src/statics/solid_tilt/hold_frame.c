@@ -214,6 +214,17 @@ void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const 
   set_of_scene(load, frame, scene, false);
 }
 
+void tp_hold_frame_still(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
+  arb_struct given[2];
+  turn quake;
+  init_parts(given, 2);
+  arb_one(given + 1);
+  turn_init(&quake, &scene->loads.azimuth_deg);
+  set_shaken(load, frame, scene, given, &quake);
+  clear_parts(given, 2);
+  turn_clear(&quake);
+}
+
 void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
                          const fmpq_t azimuth) {
   arb_struct given[2];

@@ -11,6 +11,7 @@
 #include "ground/ground_contacts.h"
 #include "solid_contacts/hold_load.h"
 #include "solid_tilt/on_contacts.h"
+#include "solid_tilt/solid_safety.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -189,13 +190,16 @@ static void tell_band(tp_solid_ground_band *own, const tp_solid_contacts *c, con
 /* ---- a band ------------------------------------------------------------------------------------
  */
 
-static tp_status solve_on(work *w, tp_solid_contacts *own, const listed *l, size_t azimuths) {
+static tp_status solve_on(work *w, tp_solid_contacts *own, const listed *l, size_t azimuths,
+                          bool has_mean_normals) {
   tp_solid_given given = *w->given; /* borrowed */
+  given.has_mean_normals = has_mean_normals;
   given.contacts = l->contacts;
   given.contact_count = l->count;
   given.contact_gaps = l->gaps;
   given.azimuths = azimuths;
-  return tp_on_contacts_solve(own, &w->solid->notes, w->centre, &given, w->message);
+  const tp_solid_section_inertia inertia = tp_on_contacts_inertia(w->solid);
+  return tp_on_contacts_solve(own, &w->solid->notes, w->centre, &inertia, &given, w->message);
 }
 
 /* To the mean of all normals; false where these cancel. */
@@ -214,18 +218,21 @@ static bool smooth(const listed *l, const tp_solid_contacts *c) {
   return true;
 }
 
-/* With one normal nothing is wedged between bumps that may be noise. */
+/* With one normal nothing is wedged between bumps that may be noise. What is decided in a section
+ * is decided whatever is wedged. */
 static tp_status solve_smooth(work *w, tp_solid_ground_band *band, const listed *l,
-                              const tp_solid_contacts *plain) {
+                              const tp_solid_contacts *plain, tp_solid_safety *safety) {
+  *safety = plain->safety;
   band->has_smooth = smooth(l, plain);
   if (!band->has_smooth) return TP_OK;
   tp_solid_contacts own = {0};
-  const tp_status status = solve_on(w, &own, l, 0);
+  const tp_status status = solve_on(w, &own, l, 0, true);
   band->smooth_verdict = own.verdict;
   band->has_smooth_fos = own.has_fos;
   band->smooth_fos = own.fos;
   band->has_smooth_critical = own.has_critical;
   band->smooth_critical_deg = own.critical_deg;
+  if (!plain->is_in_section) tp_solid_safety_add_mean(safety, &own.safety);
   tp_solid_contacts_clear(&own);
   return status;
 }
@@ -236,10 +243,12 @@ static tp_status solve(work *w, const listed *l, size_t k) {
   tp_solid_contacts other = {0};
   const bool governs = k == ground->governing;
   tp_solid_contacts *own = governs ? &w->solid->contacts : &other;
-  tp_status status = solve_on(w, own, l, governs ? w->given->azimuths : 0);
+  tp_status status = solve_on(w, own, l, governs ? w->given->azimuths : 0, false);
   if (status == TP_OK) {
     tell_band(ground->bands + k, own, l);
-    status = solve_smooth(w, ground->bands + k, l, own);
+    tp_solid_safety safety;
+    status = solve_smooth(w, ground->bands + k, l, own, &safety);
+    if (governs) ground->safety = safety;
   }
   tp_solid_contacts_clear(&other);
   return status;

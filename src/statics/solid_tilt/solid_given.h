@@ -32,6 +32,7 @@ typedef struct tp_solid_given {
   const tp_contact_description *contacts; /* borrowed */
   const double *contact_gaps; /* if not NULL: how far each is from the rock, in metres, found with
                                  its normal: else both are looked for */
+  bool has_mean_normals; /* contacts have the mean of their normals: they are taken as a plane */
 } tp_solid_given;
 
 /* To be cleared, also on failure. */

@@ -8,6 +8,7 @@
 #include "common/host.h"
 #include "common/notes.h"
 #include "scene_varying/settings.h"
+#include "solid_tilt/solid_safety.h"
 #include "solid_tilt/wedge_slide.h"
 
 #include <stdlib.h>
@@ -59,6 +60,7 @@ static void set_wedge_row(tp_solid *own) {
   own->bands->has_stance = true;
   own->bands->stance =
       (tp_solid_stance){.verdict = wedge->verdict,
+                        .safety = wedge->safety,
                         .has_fos = wedge->has_fos,
                         .fos = wedge->fos,
                         .fos_mechanism = TP_SLIDES,
@@ -165,41 +167,19 @@ bool tp_solid_is_undecided(const tp_solid *solid) {
   return own == NULL || (own->has_stance && own->stance.verdict == TP_MECHANISM_UNDECIDED);
 }
 
-/* Without a factor it stands, or falls, whatever is required. */
-static tp_design meets(tp_mechanism verdict, bool has_fos, tp_bounded fos, double required) {
-  if (verdict == TP_MECHANISM_UNDECIDED) return TP_DESIGN_OPEN;
-  if (!has_fos)
-    return verdict == TP_STANDS || verdict == TP_MAY_MOVE ? TP_DESIGN_MET : TP_DESIGN_NOT_MET;
-  if (fos.value - fos.error >= required) return TP_DESIGN_MET;
-  return fos.value + fos.error < required ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN;
-}
-
-/* On a ground also with the mean of all normals. */
-static tp_design meets_smooth(const tp_solid_ground *ground, double required) {
-  const tp_solid_ground_band *own = ground->bands + ground->governing;
-  return own->has_smooth
-             ? meets(own->smooth_verdict, own->has_smooth_fos, own->smooth_fos, required)
-             : TP_DESIGN_MET;
-}
-
-static tp_design worse(tp_design one, tp_design other) {
-  if (one == TP_DESIGN_NOT_MET || other == TP_DESIGN_NOT_MET) return TP_DESIGN_NOT_MET;
-  return one == TP_DESIGN_OPEN ? one : other;
+const tp_solid_safety *tp_solid_safety_of(const tp_solid *solid) {
+  if (solid == NULL || !solid->of_scene) return NULL;
+  if (solid->has_ground) return &solid->ground.safety;
+  if (solid->has_contacts) return &solid->contacts.safety;
+  if (solid->has_wedge) return &solid->wedge.safety;
+  const tp_solid_band *own = governing_band(solid);
+  return own != NULL && own->has_stance ? &own->stance.safety : NULL;
 }
 
 tp_design tp_solid_meets(const tp_solid *solid, double required) {
   TP_GUARD_HOST;
-  if (solid != NULL && solid->has_contacts) {
-    const tp_solid_contacts *own = &solid->contacts;
-    tp_design met = meets(own->verdict, own->has_fos, own->fos, required);
-    if (own->fos_driving_is_open) met = worse(met, TP_DESIGN_OPEN);
-    return solid->has_ground ? worse(met, meets_smooth(&solid->ground, required)) : met;
-  }
-  if (solid != NULL && solid->has_wedge) {
-    return meets(solid->wedge.verdict, solid->wedge.has_fos, solid->wedge.fos, required);
-  }
-  const tp_solid_band *own = governing_band(solid);
-  if (own == NULL) return TP_DESIGN_OPEN;
-  if (!own->has_stance) return TP_DESIGN_NOT_MET;
-  return meets(own->stance.verdict, own->stance.has_fos, own->stance.fos, required);
+  const tp_solid_safety *safety = tp_solid_safety_of(solid);
+  if (safety != NULL) return tp_solid_safety_meets(safety, required);
+  const bool falls = solid != NULL && solid->of_scene && governing_band(solid) != NULL;
+  return falls ? TP_DESIGN_NOT_MET : TP_DESIGN_OPEN; /* a point or a line carries it */
 }

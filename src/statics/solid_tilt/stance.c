@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Each quantity is the least over the edges, and then that of sliding: a `least` keeps what is the
- * least so far, and of which kind. */
+/* Each quantity is the least over the edges: a `least` keeps what is the least so far, and of which
+ * kind. */
 
 #include "solid_tilt/stance.h"
 
 #include "number/near_angle.h"
 #include "solid_tilt/shaken.h"
+#include "solid_tilt/solid_safety.h"
 
 /* ---- loads -------------------------------------------------------------------------------------
  */
@@ -47,9 +48,18 @@ void tp_stance_loads_of(tp_stance_loads *loads, const tp_scene *scene) {
 /* ---- one stance --------------------------------------------------------------------------------
  */
 
+/* 1 - g: what the earthquake lifts. */
+static tp_near lightness(const tp_stance_loads *loads) {
+  const bool lifts = loads->gravity.value != 1 || loads->gravity.error != 0;
+  return lifts ? tp_near_minus(tp_unity, loads->gravity) : tp_nothing;
+}
+
 /* The resultant at an azimuth of the earthquake, c and w. */
-static void set_resultant(tp_near *on, tp_near pull[2], const tp_stance *x, tp_near c, tp_near w) {
+static void set_resultant(tp_near *on, tp_near *lifts, tp_near pull[2], const tp_stance *x,
+                          tp_near c, tp_near w) {
   const tp_near k = x->loads->horizontal, kc = tp_near_times(k, c);
+  *lifts = tp_near_plus(tp_near_times(lightness(x->loads), x->loads->cosine),
+                        tp_near_times(kc, x->loads->sine));
   *on = tp_near_minus(x->weight_on, tp_near_times(kc, x->loads->sine));
   pull[0] = tp_near_plus(x->weight_down, tp_near_times(kc, x->loads->cosine));
   pull[1] = tp_near_times(k, w);
@@ -57,6 +67,7 @@ static void set_resultant(tp_near *on, tp_near pull[2], const tp_stance *x, tp_n
 
 /* What acts. */
 typedef struct pulls {
+  tp_near lifts;         /* cos d - N */
   tp_near on;            /* N, or the least of open azimuths, */
   tp_near most;          /* and the greatest |T| with it */
   bool to_any;           /* towards each edge; else */
@@ -77,7 +88,7 @@ static void set_pulls(pulls *p, const tp_stance *x) {
     tp_azimuth_direction(&east, &north, l->quake_deg);
     tp_stance_turn(&c, &w, x, east, north);
   }
-  set_resultant(&p->on, pull, x, c, w);
+  set_resultant(&p->on, &p->lifts, pull, x, c, w);
   p->along = pull[0];
   p->across = pull[1];
   p->most = tp_near_is_zero(pull[0]) && tp_near_is_zero(pull[1]) ? tp_nothing
@@ -95,25 +106,6 @@ static tp_near overturning(const tp_stance *x, const pulls *p, const tp_stance_e
   return tp_near_plus(tp_near_times(p->along, along), tp_near_times(p->across, across));
 }
 
-/* Of an earthquake towards any azimuth. */
-static bool worst_factor(tp_near *factor, const tp_stance *x, const tp_stance_edge *edge) {
-  const tp_stance_loads *l = x->loads;
-  tp_near along, across;
-  tp_stance_turn(&along, &across, x, edge->east, edge->north);
-  const tp_near k2 = tp_near_times(l->horizontal, l->horizontal);
-  const tp_near g2 = tp_near_times(l->gravity, l->gravity);
-  const tp_near s2 = tp_near_times(l->sine, l->sine), c2 = tp_near_times(l->cosine, l->cosine);
-  const tp_near a2 = tp_near_times(along, along), b2 = tp_near_times(across, across);
-  const tp_near p2 = tp_near_times(edge->arm, edge->arm);
-  const tp_near a = tp_near_minus(tp_near_times(g2, tp_near_times(s2, a2)),
-                                  tp_near_times(k2, tp_near_plus(tp_near_times(c2, a2), b2)));
-  const tp_near both = tp_near_times(tp_near_times(l->sine, l->cosine), along);
-  const tp_near b = tp_near_times(tp_near_times(edge->arm, both), tp_near_plus(g2, k2));
-  const tp_near c = tp_near_times(p2, tp_near_minus(tp_near_times(g2, c2), tp_near_times(k2, s2)));
-  /* a f^2 - 2 b f + c, with c above 0 */
-  return tp_least_root(factor, tp_near_neg(a), b, tp_near_neg(c));
-}
-
 /* The margin a N - H T . n at its least: above 0 where it does not topple about the edge. */
 static tp_near margin(const tp_stance *x, const pulls *p, const tp_stance_edge *edge) {
   if (!p->quake_to_any) {
@@ -126,38 +118,6 @@ static tp_near margin(const tp_stance *x, const pulls *p, const tp_stance_edge *
   const tp_near reach = tp_near_plus(tp_near_times(edge->arm, x->loads->sine),
                                      tp_near_times(along, x->loads->cosine));
   return tp_near_minus(still, tp_near_times(x->loads->horizontal, tp_near_length(reach, across)));
-}
-
-static void take_factor(tp_least *all, const tp_stance *x, const pulls *p,
-                        const tp_stance_edge *edge) {
-  tp_near factor;
-  if (p->quake_to_any) {
-    if (tp_near_sign(edge->arm) > 0 && worst_factor(&factor, x, edge)) {
-      tp_least_take(all, factor, TP_TOPPLES);
-    }
-    return;
-  }
-  const tp_near over = overturning(x, p, edge);
-  if (tp_near_sign(over) <= 0) return;
-  tp_least_take(all, tp_near_div(tp_near_times(edge->arm, p->on), over), TP_TOPPLES);
-}
-
-static void set_factors(tp_solid_stance *own, const tp_stance *x, const pulls *p) {
-  tp_least topples = {.found = false}, all = topples;
-  if (tp_near_sign(p->on) <= 0) return; /* nothing presses on the base */
-  for (size_t k = 0; k < x->count; k++) take_factor(&topples, x, p, x->edges + k);
-  own->has_fos_toppling = topples.found;
-  own->fos_toppling = tp_near_bounded(topples.value);
-  own->has_fos_sliding = x->has_friction && tp_near_sign(p->most) > 0;
-  if (topples.found) tp_least_take(&all, topples.value, TP_TOPPLES);
-  if (own->has_fos_sliding) {
-    const tp_near slides = tp_near_div(tp_near_times(p->on, x->friction), p->most);
-    own->fos_sliding = tp_near_bounded(slides);
-    tp_least_take(&all, slides, TP_SLIDES);
-  }
-  own->has_fos = all.found;
-  own->fos = tp_near_bounded(all.value);
-  own->fos_mechanism = all.mechanism;
 }
 
 static void set_verdict(tp_solid_stance *own, const tp_stance *x, const pulls *p) {
@@ -177,21 +137,126 @@ static void set_verdict(tp_solid_stance *own, const tp_stance *x, const pulls *p
                                                : TP_STANDS;
 }
 
-/* Does it stand at its tilt under its weight alone? */
-static bool stands_still(const tp_stance *x) {
+/* P (cos d - N) + T . q at its worst: what of the driving loads turns it over an edge. */
+static tp_near driving_about(const tp_stance *x, const pulls *p, const tp_stance_edge *edge) {
+  if (!p->quake_to_any) {
+    return tp_near_plus(tp_near_times(edge->arm, p->lifts), overturning(x, p, edge));
+  }
+  tp_near along, across;
+  tp_stance_turn(&along, &across, x, edge->east, edge->north);
+  const tp_near lifts =
+      tp_near_times(edge->arm, tp_near_times(lightness(x->loads), x->loads->cosine));
+  const tp_near reach = tp_near_plus(tp_near_times(edge->arm, x->loads->sine),
+                                     tp_near_times(along, x->loads->cosine));
+  return tp_near_plus(tp_near_plus(lifts, tp_near_times(along, x->weight_down)),
+                      tp_near_times(x->loads->horizontal, tp_near_length(reach, across)));
+}
+
+/* On driving loads, of one edge; `least` falls to what the factor certainly is at least, where that
+ * is all that is known. */
+static void take_edge(tp_least *all, double *least, tp_near rests, tp_near over) {
+  if (tp_near_sign(rests) < 0) { /* beyond the edge as it is */
+    tp_least_take(all, tp_nothing, TP_TOPPLES);
+  } else if (tp_near_sign(rests) > 0 && tp_near_sign(over) > 0) {
+    tp_least_take(all, tp_near_div(rests, over), TP_TOPPLES);
+  } else if (over.value + over.error > 0) {
+    const double low = fmax(0, rests.value - rests.error) * (1 - 4 * DBL_EPSILON);
+    *least = fmin(*least, low / (over.value + over.error));
+  }
+}
+
+static void add_toppling(tp_state_ranges *state, tp_least *all, const tp_stance *x,
+                         const pulls *p) {
+  double least = INFINITY;
+  for (size_t k = 0; k < x->count; k++) {
+    const tp_near rests = tp_near_times(x->edges[k].arm, x->loads->cosine);
+    take_edge(all, &least, rests, driving_about(x, p, x->edges + k));
+  }
+  if (all->found) {
+    tp_state_ranges_add_near(state, TP_FOS_BY_DRIVING, TP_TOPPLES, all->value);
+    state->ranges[state->count - 1].least = fmin(least, state->ranges[state->count - 1].least);
+  } else if (isfinite(least)) {
+    tp_state_ranges_add(state, TP_FOS_BY_DRIVING, TP_TOPPLES, least, INFINITY);
+  }
+}
+
+/* On driving loads and by strength. Down a dip steeper than friction the worst azimuth of an
+ * earthquake is not told: it slides without. */
+static void add_sliding(tp_state_ranges *state, tp_near *strength, const tp_stance *x,
+                        const pulls *p) {
+  const tp_near cosine = x->loads->cosine;
+  const tp_near rests = tp_near_times(x->friction, cosine);
+  const tp_near drives = tp_near_plus(tp_near_times(x->friction, p->lifts), p->most);
+  const bool told = !p->quake_to_any || tp_near_sign(tp_near_minus(rests, x->loads->sine)) >= 0;
+  *strength = tp_near_div(tp_near_times(p->on, x->friction), p->most);
+  if (tp_near_sign(drives) > 0) {
+    tp_state_ranges_add_near(state, TP_FOS_BY_DRIVING, TP_SLIDES, tp_near_div(rests, drives));
+    if (!told) state->ranges[state->count - 1].least = 0;
+  } else if (!(tp_near_sign(drives) < 0)) {
+    tp_state_ranges_add(state, TP_FOS_BY_DRIVING, TP_SLIDES, 0, INFINITY);
+  }
+  /* where it topples, no strength keeps it */
+  const bool topples = state->count > 0 && state->ranges[0].mechanism == TP_TOPPLES &&
+                       state->ranges[0].most < 1;
+  if (!topples && !tp_near_is_zero(x->friction)) {
+    tp_state_ranges_add_near(state, TP_FOS_BY_REDUCTION, TP_SLIDES, *strength);
+  }
+}
+
+static tp_motion_verdict motion_verdict(tp_mechanism verdict) {
+  return verdict == TP_STANDS                ? TP_VERDICT_STANDS
+         : verdict == TP_MECHANISM_UNDECIDED ? TP_VERDICT_OPEN
+                                             : TP_VERDICT_COLLAPSES;
+}
+
+static void set_factors(tp_solid_stance *own, tp_state_ranges *state, const tp_stance *x,
+                        const pulls *p) {
+  tp_least topples = {.found = false};
+  state->verdict = motion_verdict(own->verdict);
+  add_toppling(state, &topples, x, p);
+  own->has_fos_toppling = topples.found;
+  own->fos_toppling = tp_near_bounded(topples.value);
+  own->has_fos_sliding = x->has_friction && tp_near_sign(p->most) > 0;
+  if (!own->has_fos_sliding) return;
+  tp_near slides;
+  add_sliding(state, &slides, x, p);
+  own->has_fos_sliding = tp_near_sign(p->on) > 0;
+  own->fos_sliding = tp_near_bounded(slides);
+}
+
+/* The same without its earthquake: does it stand then? */
+static bool find_static(tp_solid_stance *own, tp_state_ranges *state, const tp_stance *x) {
   const tp_stance_loads still = {.has_tilt = x->loads->has_tilt,
                                  .azimuth_deg = x->loads->azimuth_deg,
                                  .quake_deg = -1,
                                  .sine = x->loads->sine,
                                  .cosine = x->loads->cosine,
-                                 .gravity = x->loads->gravity};
-  tp_stance own = *x;
+                                 .gravity = tp_unity};
+  tp_stance alone = *x;
   pulls p;
-  tp_solid_stance told;
-  own.loads = &still;
-  set_pulls(&p, &own);
-  set_verdict(&told, &own, &p);
-  return told.verdict == TP_STANDS;
+  alone.loads = &still;
+  alone.weight_down = still.sine;
+  alone.weight_on = still.cosine;
+  set_pulls(&p, &alone);
+  set_verdict(own, &alone, &p);
+  set_factors(own, state, &alone, &p);
+  return own->verdict == TP_STANDS;
+}
+
+/* With its earthquake and without, and its factor of safety. */
+static bool find_states(tp_solid_stance *own, const tp_stance *x) {
+  const bool shaken = !tp_near_is_zero(x->loads->horizontal) || x->loads->gravity.value != 1;
+  tp_state_ranges state = {.is_static = false}, at_rest = {.is_static = shaken};
+  tp_solid_stance alone = {.has_fos = false};
+  pulls p;
+  const bool stands = find_static(&alone, &at_rest, x);
+  set_pulls(&p, x);
+  set_verdict(own, x, &p);
+  set_factors(own, &state, x, &p);
+  tp_solid_safety_add(&own->safety, &state);
+  if (shaken) tp_solid_safety_add(&own->safety, &at_rest);
+  own->has_fos = tp_solid_safety_number(&own->fos, &own->fos_mechanism, &own->safety);
+  return stands;
 }
 
 /* ---- all ---------------------------------------------------------------------------------------
@@ -215,12 +280,9 @@ void tp_stance_find(tp_solid_band *band, const tp_stance_loads *loads, const tp_
     tp_near_sin_cos(&sine, &cosine, angle);
     x.friction = tp_near_div(sine, cosine);
   }
-  pulls p;
-  set_pulls(&p, &x);
   band->has_stance = true;
-  set_verdict(&band->stance, &x, &p);
-  set_factors(&band->stance, &x, &p);
+  const bool stands = find_states(&band->stance, &x);
   /* with the tilt towards any azimuth the least acceleration would be that of the worst */
   const bool open = loads->has_tilt && loads->azimuth_deg < 0;
-  if (!open && stands_still(&x)) tp_stance_shake(band, &x);
+  if (!open && stands) tp_stance_shake(band, &x);
 }

@@ -11,13 +11,18 @@
  * it topples where H T . n > a N; it slides where |T| > N tan(phi). With P = a and q = H n, of each
  * edge times its length, all of it is in P and q.
  *
- * Factors of safety: a N / (H T . n), the least over edges that lie that way, and N tan(phi) / |T|:
- * by how much the tangent of the resultant's inclination to the base may grow in its azimuth.
- * Where the tilt has no azimuth, the earthquake has none either, and the worst is that both go the
- * same way: T = g sin d + k_h cos d, N = g cos d - k_h sin d, towards each edge. Where the
- * earthquake alone has none, the factor f about an edge is the least root of
- *     (P g cos d - f g sin d q_t)^2 = k_h^2 ((P sin d + f cos d q_t)^2 + f^2 q_s^2),
- * and of sliding that down the dip, for |F| is the same for all and N the least there.
+ * Factors of safety (docs/mechanics.md). On driving loads the part of the weight along the base and
+ * the earthquake are multiplied by f, and the part of the weight across the base, cos d, stays:
+ *     N(f) = cos d - f (cos d - N),   T(f) = f T,
+ * so that it topples about an edge at f = P cos d / (P (cos d - N) + T . q), and slides at
+ * f = tan(phi) cos d / (tan(phi) (cos d - N) + |T|). By strength reduction it slides at
+ * N tan(phi) / |T|; no strength keeps it from toppling. The least of all counts, with the
+ * earthquake and without. Where the tilt has no azimuth, the earthquake has none either, and the
+ * worst is that both go the same way: T = g sin d + k_h cos d, N = g cos d - k_h sin d, towards
+ * each edge. Where the earthquake alone has none, P (cos d - N) + T . q is P k_v cos d + g sin d
+ * q_t + k_h |(P sin d + q_t cos d, q_s)| at its worst, linear in the direction of the earthquake,
+ * and the worst of sliding is down the dip: |T| - N tan(phi) is concave in c, and rises with it at
+ * c = 1 where tan(phi) >= tan d.
  *
  * Accelerations without k_h of the scene: about an edge
  *     k = g (P cos d - q_t sin d) / (c (P sin d + q_t cos d) + w q_s),

@@ -8,6 +8,7 @@
 
 #include "number/ball.h"
 #include "solid/surface.h"
+#include "solid_tilt/solid_safety.h"
 #include "solid_tilt/wedge_circle.h"
 #include "solid_tilt/wedge_reach.h"
 #include "solid_tilt/wedge_support.h"
@@ -154,6 +155,63 @@ static void tell_way(work *w, const tp_wedge_least *worst) {
   if (is_shaken(w) && !w->scene->loads.azimuth_deg.given) tell_worst(w->result, worst);
 }
 
+/* ---- its factor of safety ----------------------------------------------------------------------
+ */
+
+static tp_motion_verdict motion_verdict(tp_mechanism verdict) {
+  return verdict == TP_STANDS                ? TP_VERDICT_STANDS
+         : verdict == TP_MECHANISM_UNDECIDED ? TP_VERDICT_OPEN
+                                             : TP_VERDICT_COLLAPSES;
+}
+
+/* As Hoek and Bray have it: strength over what drives. */
+static void set_state(tp_state_ranges *state, const tp_solid_wedge *own) {
+  state->verdict = motion_verdict(own->verdict);
+  if (own->verdict == TP_LEAVES_BASE) {
+    tp_state_ranges_add(state, TP_FOS_BY_REDUCTION, TP_LEAVES_BASE, 0, 0);
+  } else if (own->has_fos) {
+    tp_state_ranges_add_near(state, TP_FOS_BY_REDUCTION, TP_SLIDES,
+                             (tp_near){own->fos.value, own->fos.error});
+  } else if (own->verdict == TP_MECHANISM_UNDECIDED) {
+    tp_state_ranges_add(state, TP_FOS_BY_REDUCTION, TP_SLIDES, 0, INFINITY);
+  }
+}
+
+/* The same wedge and bolts without the earthquake. */
+static void find_static(tp_state_ranges *state, const work *w) {
+  tp_wedge_way way = TP_WEDGE_UNKNOWN;
+  tp_solid_wedge result = {.bolt_count = 0};
+  tp_scene still = *w->scene; /* borrowed */
+  fmpz one = 1;
+  still.loads.horizontal.given = still.loads.vertical.given = false;
+  *fmpq_numref(still.loads.horizontal.value) = *fmpq_numref(still.loads.vertical.value) = 0;
+  *fmpq_denref(still.loads.horizontal.value) = *fmpq_denref(still.loads.vertical.value) = one;
+  work own = {.shape = w->shape, .scene = &still, .result = &result};
+  for (int k = 0; k < NUMBERS; k++) arb_init(own.n + k);
+  tp_wedge_values_init(own.values);
+  tp_wedge_forces_init(&own.forces, w->shape, &still);
+  tp_wedge_law_init(&own.law, &own.forces, w->shape, &still);
+  tp_wedge_values(own.values, &own.law, own.n + EAST, own.n + NORTH, false);
+  (void)tp_wedge_law_at(&way, own.n + DRIVING, own.n + STRENGTH, &own.law, own.n + EAST,
+                        own.n + NORTH);
+  tell_factor(&own, way);
+  set_state(state, &result);
+  tp_wedge_law_clear(&own.law);
+  tp_wedge_forces_clear(&own.forces);
+  tp_wedge_values_clear(own.values);
+  for (int k = 0; k < NUMBERS; k++) arb_clear(own.n + k);
+}
+
+static void tell_safety(work *w) {
+  const tp_loads_description *loads = &w->scene->loads;
+  tp_state_ranges state = {.is_static = false}, at_rest = {.is_static = true};
+  set_state(&state, w->result);
+  tp_solid_safety_add(&w->result->safety, &state);
+  if (fmpq_is_zero(loads->horizontal.value) && fmpq_is_zero(loads->vertical.value)) return;
+  find_static(&at_rest, w);
+  tp_solid_safety_add(&w->result->safety, &at_rest);
+}
+
 /* ---- towards azimuths --------------------------------------------------------------------------
  */
 
@@ -287,6 +345,7 @@ tp_status tp_wedge_slide(tp_solid_wedge *result, const tp_wedge_shape *shape, co
   tell_shape(&w);
   find_worst(&w, &worst);
   tell_way(&w, &worst);
+  tell_safety(&w);
   find_acceleration(&w);
   tell_support(&w);
   tp_status status = tell_bolts(&w, message);
