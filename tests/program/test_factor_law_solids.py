@@ -104,10 +104,10 @@ class Law(SceneCase):
             for azimuth in (270, 90):
                 for solid in ("bands: [0.001]", listed([((0, 0), (width, 0))], 1), "base: {file: ground.obj}, bands: [0.001]"):
                     for required, (status, got) in zip(REQUIRED, self.solved(solid, rest, azimuth)):
-                        own = got["safety"]
-                        self.assertIsNotNone(own["fos"], (solid, rest, own))
-                        self.assertAlmostEqual(own["fos"]["value"] / factor, 1, 6, (solid, rest))
-                        self.assertEqual(own["motion"], "collapses" if moves else "none", (solid, rest))
+                        found = got["safety"]
+                        self.assertIsNotNone(found["fos"], (solid, rest, found))
+                        self.assertAlmostEqual(found["fos"]["value"] / factor, 1, 6, (solid, rest))
+                        self.assertEqual(found["motion"], "collapses" if moves else "none", (solid, rest))
                         self.assertEqual(got["meets_required"], "met" if factor >= required and not moves else "not met")
                         self.assertEqual(status, 0 if factor >= required and not moves else 1)
             seen.add((moves, k > 0))
@@ -148,9 +148,9 @@ class Law(SceneCase):
         rest = "friction_angle_deg: 50\ntilt: {angle_deg: 25, azimuth_deg: 270}\nloads: {seismic: {horizontal: 0.3, azimuth_deg: 90}}\nrequired_fos: 1.3\n"
         for solid in ("bands: [0.001]", listed([((0, 0), (1, 0))], 1), "base: {file: ground.obj}, bands: [0.001]"):
             status, out, _ = run("solve", "--json", self.scene_of(solid, rest))
-            own = json.loads(out)["safety"]
-            self.assertEqual((status, json.loads(out)["meets_required"], own["is_static"], own["motion"]), (1, "not met", True, "collapses"), solid)
-            self.assertAlmostEqual(own["fos"]["value"], 1 / (3 * math.tan(math.radians(25))), 8)
+            found = json.loads(out)["safety"]
+            self.assertEqual((status, json.loads(out)["meets_required"], found["is_static"], found["motion"]), (1, "not met", True, "collapses"), solid)
+            self.assertAlmostEqual(found["fos"]["value"], 1 / (3 * math.tan(math.radians(25))), 8)
             text = run("solve", self.scene_of(solid, rest))[1]
             self.assertIn("without the earthquake", " ".join(text.split()))
 
@@ -168,30 +168,30 @@ class Law(SceneCase):
         self.put_mesh("rock.obj", *extruded(outline, 1))
         solid = listed(list(zip(under, under[1:])), 1)
         (status, got), _ = self.solved(solid, rest, azimuth)
-        own = got["safety"]["states"][0]
+        found = got["safety"]["states"][0]
         side = "left" if azimuth == 270 else "right"
         flat = rest.replace("{angle_deg:", f"{{towards: {side}, angle_deg:").replace(", azimuth_deg: AZIMUTH", "")
         _, out, err = run("solve", "--json", self.as_many(under, outline, flat))
         many = json.loads(out)["cases"][0]
-        self.assertEqual(own["motion"], VERDICTS[many["verdict"]], (under, top, rest))
-        ranges = {f["definition"]: f for f in own["factors"]}
+        self.assertEqual(found["motion"], VERDICTS[many["verdict"]], (under, top, rest))
+        ranges = {f["definition"]: f for f in found["factors"]}
         self.within(many, ranges.get("driving loads", {}), "fos_driving", (under, top, rest))
-        if own["motion"] == "none":
+        if found["motion"] == "none":
             self.within(many, ranges.get("strength reduction", {}), "fos", (under, top, rest))
-        self.assertTrue(own["motion"] != "can begin" or own["most"] <= 1)
-        self.assertTrue(own["motion"] != "none" or own.get("is_unbounded") or own["least"] >= 1)
+        self.assertTrue(found["motion"] != "can begin" or found["most"] <= 1)
+        self.assertTrue(found["motion"] != "none" or found.get("is_unbounded") or found["least"] >= 1)
         self.assertEqual(status, {"met": 0, "not met": 1, "open": 4}[got["meets_required"]], err)
-        return own["motion"], got
+        return found["motion"], got
 
-    def within(self, many, own, key, scene):
+    def within(self, many, found, key, scene):
         """What is proven of many blocks, between the bounds of the solid."""
         def number(value):
             return value["value"] if isinstance(value, dict) else value
         stands, moves = many.get(f"standing_{key}"), many.get(f"moving_{key}")
-        if stands is not None and "most" in own:
-            self.assertLessEqual(number(stands), own["most"] * (1 + 1e-5), scene)
+        if stands is not None and "most" in found:
+            self.assertLessEqual(number(stands), found["most"] * (1 + 1e-5), scene)
         if moves is not None and number(moves) > 0.002:
-            self.assertGreaterEqual(number(moves), own.get("least", 0) * (1 - 1e-5) - 1e-9, scene)
+            self.assertGreaterEqual(number(moves), found.get("least", 0) * (1 - 1e-5) - 1e-9, scene)
 
     def test_an_outline_on_two_facets(self):
         """The outline of the defect: a motion about its toe begins at 8.3277 degrees, and forces hold it up to 34.568."""
@@ -201,10 +201,10 @@ class Law(SceneCase):
         self.put_mesh("ground.obj", *sheet(under, 1))
         for solid in (listed(list(zip(under, under[1:])), 1), "base: {file: ground.obj}, bands: [0.001]"):
             for status, got in self.solved(solid, rest, 270):
-                own = got["safety"]
-                self.assertEqual((status, got["meets_required"], got["contacts"]["verdict"], own["motion"]), (1, "not met", "may move", "can begin"))
+                found = got["safety"]
+                self.assertEqual((status, got["meets_required"], got["contacts"]["verdict"], found["motion"]), (1, "not met", "may move", "can begin"))
                 self.assertAlmostEqual(got["contacts"]["onset_deg"]["value"], 8.327688, 5)
-                self.assertAlmostEqual(own["fos"]["value"], math.tan(math.radians(8.3276884)) / math.tan(math.radians(20.45)), 6)
+                self.assertAlmostEqual(found["fos"]["value"], math.tan(math.radians(8.3276884)) / math.tan(math.radians(20.45)), 6)
                 # of all azimuths the least acceleration that forces hold, whichever way contacts are listed
                 self.assertAlmostEqual(got["contacts"]["acceleration_g"]["value"], 0.251514, 6)
                 self.assertLess(got["contacts"]["acceleration_g"]["error"], 1e-8)

@@ -26,15 +26,28 @@ static double factor(const tp_solid_band *own, bool has, tp_bounded fos) {
   return own->has_stance && own->stance.verdict == TP_STANDS ? INFINITY : -INFINITY;
 }
 
-static double fos_of(const tp_solid *solid, const tp_solid_band *own) {
-  return has_load(solid) ? factor(own, own->stance.has_fos, own->stance.fos) : (double)NAN;
+/* No number where it is undecided: infinite would say that nothing moves it. */
+static double fos_of(const tp_solid *solid) {
+  const tp_solid_safety *safety = tp_solid_safety_of(solid);
+  if (!has_load(solid)) return (double)NAN;
+  if (safety == NULL) return -INFINITY;
+  switch (safety->fos.state) {
+  case TP_FOS_NUMBER:
+    return safety->fos.value.value;
+  case TP_FOS_NO_OVERTURNING:
+    return INFINITY;
+  case TP_FOS_UNDEFINED:
+    return -INFINITY;
+  default:
+    return (double)NAN;
+  }
 }
 
 static void take_stance(tp_study_row *row, const tp_solid *solid, const tp_solid_band *own) {
   const tp_solid_stance *stance = &own->stance;
   row->quantities[TP_STUDY_LIMIT_DEG] =
       stance->has_critical ? stance->critical_deg.value : -INFINITY;
-  row->quantities[TP_STUDY_FOS] = fos_of(solid, own);
+  row->quantities[TP_STUDY_FOS] = fos_of(solid);
   row->quantities[TP_STUDY_ACCELERATION_G] = stance->has_acceleration ? stance->acceleration_g.value
                                              : solid->has_tilt_angle && !solid->has_tilt_azimuth
                                                  ? (double)NAN
@@ -55,11 +68,7 @@ static void take_stance(tp_study_row *row, const tp_solid *solid, const tp_solid
 /* On contacts factors of toppling and sliding are one. */
 static void take_contacts(tp_study_row *row, size_t at, const tp_solid *solid) {
   const tp_solid_contacts *own = &solid->contacts;
-  const double fos = !has_load(solid) ? (double)NAN
-                     : own->has_fos   ? own->fos.value
-
-                     : own->verdict == TP_STANDS || own->verdict == TP_MAY_MOVE ? INFINITY
-                                                                                : -INFINITY;
+  const double fos = fos_of(solid);
   row->at[at] = (tp_study_at){tp_study_outcome_of(own->verdict), fos};
   row->open = row->open || tp_solid_is_undecided(solid);
   if (at > 0) return;
@@ -103,7 +112,7 @@ void tp_study_take_solid(tp_study_row *row, size_t at, const tp_solid *solid) {
     return;
   }
   const tp_solid_band *own = solid->bands + solid->governing;
-  row->at[at] = (tp_study_at){tp_study_outcome_of(verdict_of(solid, own)), fos_of(solid, own)};
+  row->at[at] = (tp_study_at){tp_study_outcome_of(verdict_of(solid, own)), fos_of(solid)};
   row->open = row->open || tp_solid_is_undecided(solid);
   if (at > 0) return;
   take_stance(row, solid, own);

@@ -160,16 +160,16 @@ static bool has_width(const tp_solid_section *s) {
 static bool set_contacts(tp_solid_section *s, const tp_friction_cones *cones) {
   for (long n = 0; n < cones->count; n++) {
     if (s->count == TP_SOLID_SECTION_CONTACTS) return false;
-    tp_solid_section_contact *own = s->contacts + s->count;
-    contact_init(own);
-    set_contact(own, s, cones->cones + n);
+    tp_solid_section_contact *entry = s->contacts + s->count;
+    contact_init(entry);
+    set_contact(entry, s, cones->cones + n);
     int k = 0;
-    while (k < s->count && !is_partner(s->contacts + k, own)) k++;
-    s->contacts[k].sides |= own->sides;
+    while (k < s->count && !is_partner(s->contacts + k, entry)) k++;
+    s->contacts[k].sides |= entry->sides;
     if (k == s->count) {
       s->count++;
     } else {
-      contact_clear(own);
+      contact_clear(entry);
     }
   }
   for (int k = 0; k < s->count; k++) {

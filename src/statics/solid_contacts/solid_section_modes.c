@@ -39,11 +39,11 @@ static bool add_ray(tp_solid_section *s, const fmpq twist[3]) {
     s->rays = rays;
     s->ray_room = room;
   }
-  tp_solid_section_ray *own = s->rays + s->ray_count++;
-  tp_rational3_init(own->twist);
-  tp_rational3_init(own->wrench);
-  tp_rational3_set(own->twist, twist);
-  for (int k = 0; k < 3; k++) fmpq_mul(own->wrench + k, s->mass + k, twist + k);
+  tp_solid_section_ray *entry = s->rays + s->ray_count++;
+  tp_rational3_init(entry->twist);
+  tp_rational3_init(entry->wrench);
+  tp_rational3_set(entry->twist, twist);
+  for (int k = 0; k < 3; k++) fmpq_mul(entry->wrench + k, s->mass + k, twist + k);
   return true;
 }
 
@@ -83,9 +83,9 @@ static tp_solid_section_mode *add_mode(tp_solid_section *s) {
     s->modes = modes;
     s->mode_room = room;
   }
-  tp_solid_section_mode *own = s->modes + s->mode_count++;
-  memset(own, 0, sizeof *own);
-  return own;
+  tp_solid_section_mode *entry = s->modes + s->mode_count++;
+  memset(entry, 0, sizeof *entry);
+  return entry;
 }
 
 static void add_force(tp_solid_section_mode *mode, int contact, int slip) {
@@ -108,12 +108,12 @@ static bool is_closed(const tp_solid_section *s, int contact, long ray) {
 }
 
 static bool add_ray_mode(tp_solid_section *s, long ray) {
-  tp_solid_section_mode *own = add_mode(s);
-  if (own == NULL) return false;
-  own->rays[own->ray_count++] = (int)ray;
+  tp_solid_section_mode *entry = add_mode(s);
+  if (entry == NULL) return false;
+  entry->rays[entry->ray_count++] = (int)ray;
   for (int k = 0; k < s->count; k++) {
     if (is_closed(s, k, ray)) {
-      add_forces(own, s, k, tp_rational3_sign(s->contacts[k].slip, s->rays[ray].twist));
+      add_forces(entry, s, k, tp_rational3_sign(s->contacts[k].slip, s->rays[ray].twist));
     }
   }
   return true;
@@ -122,19 +122,19 @@ static bool add_ray_mode(tp_solid_section *s, long ray) {
 /* Where both are on a face, and no contact slips one way along one and the other way along the
  * other. */
 static bool add_sector(tp_solid_section *s, long a, long b) {
-  tp_solid_section_mode *own = add_mode(s);
-  if (own == NULL) return false;
+  tp_solid_section_mode *entry = add_mode(s);
+  if (entry == NULL) return false;
   bool fits = true;
-  own->rays[own->ray_count++] = (int)a;
-  own->rays[own->ray_count++] = (int)b;
+  entry->rays[entry->ray_count++] = (int)a;
+  entry->rays[entry->ray_count++] = (int)b;
   for (int k = 0; k < s->count && fits; k++) {
     if (!is_closed(s, k, a) || !is_closed(s, k, b)) continue;
     const int one = tp_rational3_sign(s->contacts[k].slip, s->rays[a].twist);
     const int other = tp_rational3_sign(s->contacts[k].slip, s->rays[b].twist);
     fits = one * other >= 0 && (one != 0 || other != 0);
-    if (fits) add_forces(own, s, k, one != 0 ? one : other);
+    if (fits) add_forces(entry, s, k, one != 0 ? one : other);
   }
-  if (!fits || own->force_count == 0) s->mode_count--;
+  if (!fits || entry->force_count == 0) s->mode_count--;
   return true;
 }
 

@@ -129,9 +129,9 @@ static void set_generators(onsets *o, const tp_solid_section_mode *mode, bool st
   o->ray_count = mode->ray_count;
   o->rays = mode->rays;
   for (int k = 0; k < mode->ray_count; k++) {
-    vector *own = o->generators + o->count++;
-    vector_zero(own);
-    tp_rational3_set(own->at[0], o->s->rays[mode->rays[k]].wrench);
+    vector *entry = o->generators + o->count++;
+    vector_zero(entry);
+    tp_rational3_set(entry->at[0], o->s->rays[mode->rays[k]].wrench);
   }
   for (int k = 0; k < mode->force_count; k++) {
     set_force(o->generators + o->count++, o->s, mode->forces + k, stays);
@@ -150,15 +150,15 @@ static void set_load(vector *v, const tp_solid_section *s, const tp_hold_load *l
 static void add_interval(onsets *o, double from, double to, const double twist[3]) {
   if (o->interval_count == o->interval_room) {
     const long room = o->interval_room > 0 ? 2 * o->interval_room : 64;
-    interval *own = realloc(o->intervals, (size_t)room * sizeof *own);
-    o->failed = o->failed || own == NULL;
-    if (own == NULL) return;
-    o->intervals = own;
+    interval *entry = realloc(o->intervals, (size_t)room * sizeof *entry);
+    o->failed = o->failed || entry == NULL;
+    if (entry == NULL) return;
+    o->intervals = entry;
     o->interval_room = room;
   }
-  interval *own = o->intervals + o->interval_count++;
-  *own = (interval){.from = from, .to = to};
-  memcpy(own->twist, twist, sizeof own->twist);
+  interval *entry = o->intervals + o->interval_count++;
+  *entry = (interval){.from = from, .to = to};
+  memcpy(entry->twist, twist, sizeof entry->twist);
 }
 
 /* x between two rationals: from zero on, and perhaps without an upper end. */
@@ -217,27 +217,27 @@ static void middle_of(fmpq_t middle, const stretch *t) {
 /* The acceleration at x: sum of c_i r_i, of any length; false where it is none. */
 static bool set_twist(double twist[3], onsets *o, const int chosen[3], int chosen_count,
                       const fmpq_t x, const fmpq_t u) {
-  fmpq_t own, det;
+  fmpq_t entry, det;
   bool moves = false;
-  fmpq_init(own);
+  fmpq_init(entry);
   fmpq_init(det);
   evaluate(det, o->dets, u);
   const int sign = fmpq_sgn(det);
   memset(twist, 0, 3 * sizeof *twist);
   for (int i = 0; i < chosen_count; i++) {
     if (chosen[i] >= o->ray_count) continue;
-    evaluate(own, o->parts + 1 + i, u);
-    fmpq_mul(own, own, x);
+    evaluate(entry, o->parts + 1 + i, u);
+    fmpq_mul(entry, entry, x);
     evaluate(det, o->dets + 1 + i, u);
-    fmpq_add(own, own, det);
-    negate_if(own, sign < 0);
-    const double share = fmpq_get_d(own);
-    moves = moves || fmpq_sgn(own) > 0;
+    fmpq_add(entry, entry, det);
+    negate_if(entry, sign < 0);
+    const double share = fmpq_get_d(entry);
+    moves = moves || fmpq_sgn(entry) > 0;
     for (int k = 0; k < 3; k++) {
       twist[k] += share * fmpq_get_d(o->s->rays[o->rays[chosen[i]]].twist + k);
     }
   }
-  fmpq_clear(own);
+  fmpq_clear(entry);
   fmpq_clear(det);
   return moves;
 }
@@ -326,22 +326,22 @@ static int compare_doubles(const void *a, const void *b) {
 
 /* Are all three not negative at u, with a motion? */
 static bool holds_at(double twist[3], onsets *o, const int chosen[3], double u) {
-  fmpq_t at, own, none;
+  fmpq_t at, entry, none;
   bool holds = true;
   fmpq_init(at);
-  fmpq_init(own);
+  fmpq_init(entry);
   fmpq_init(none);
   tp_hold_double(at, u);
-  evaluate(own, o->dets, at);
-  const int sign = fmpq_sgn(own);
+  evaluate(entry, o->dets, at);
+  const int sign = fmpq_sgn(entry);
   holds = sign != 0;
   for (int i = 0; i < 3 && holds; i++) {
-    evaluate(own, o->dets + 1 + i, at);
-    holds = fmpq_sgn(own) * sign >= 0;
+    evaluate(entry, o->dets + 1 + i, at);
+    holds = fmpq_sgn(entry) * sign >= 0;
   }
   holds = holds && set_twist(twist, o, chosen, 3, none, at);
   fmpq_clear(at);
-  fmpq_clear(own);
+  fmpq_clear(entry);
   fmpq_clear(none);
   return holds;
 }
@@ -385,24 +385,24 @@ static void take_mode(onsets *o, bool by_strength) {
 /* It leaves all contacts: a = w / M. */
 static void take_open(onsets *o, bool by_strength) {
   stretch t;
-  fmpq own[2][3];
+  fmpq entry[2][3];
   fmpq_t part[2], middle;
   double twist[3] = {0};
   stretch_init(&t);
   fmpq_init(middle);
   for (int i = 0; i < 2; i++) {
     fmpq_init(part[i]);
-    tp_rational3_init(own[i]);
-    for (int k = 0; k < 3; k++) fmpq_div(own[i] + k, o->load[i].at[0] + k, o->s->mass + k);
+    tp_rational3_init(entry[i]);
+    for (int k = 0; k < 3; k++) fmpq_div(entry[i] + k, o->load[i].at[0] + k, o->s->mass + k);
   }
   for (int n = 0; n < o->s->count; n++) {
-    for (int i = 0; i < 2; i++) tp_rational3_dot(part[i], o->s->contacts[n].normal, own[i]);
+    for (int i = 0; i < 2; i++) tp_rational3_dot(part[i], o->s->contacts[n].normal, entry[i]);
     cut(&t, part[0], part[1]);
   }
   if (!t.is_empty) {
     middle_of(middle, &t);
     for (int k = 0; k < 3; k++) {
-      twist[k] = fmpq_get_d(own[0] + k) + fmpq_get_d(middle) * fmpq_get_d(own[1] + k);
+      twist[k] = fmpq_get_d(entry[0] + k) + fmpq_get_d(middle) * fmpq_get_d(entry[1] + k);
     }
     if (by_strength) {
       add_interval(o, 0, INFINITY, twist);
@@ -414,7 +414,7 @@ static void take_open(onsets *o, bool by_strength) {
   fmpq_clear(middle);
   for (int i = 0; i < 2; i++) {
     fmpq_clear(part[i]);
-    tp_rational3_clear(own[i]);
+    tp_rational3_clear(entry[i]);
   }
 }
 
@@ -470,10 +470,10 @@ static void follow_down(tp_solid_section_onset *onset, const onsets *o, double f
   for (bool changed = true; changed;) {
     changed = false;
     for (long k = 0; k < o->interval_count; k++) {
-      const interval *own = o->intervals + k;
-      if (own->from >= onset->x || !reaches(own->to, onset->x)) continue;
-      onset->x = own->from;
-      set_motion(onset, o->s, own->twist);
+      const interval *entry = o->intervals + k;
+      if (entry->from >= onset->x || !reaches(entry->to, onset->x)) continue;
+      onset->x = entry->from;
+      set_motion(onset, o->s, entry->twist);
       changed = true;
     }
   }
@@ -482,11 +482,11 @@ static void follow_down(tp_solid_section_onset *onset, const onsets *o, double f
 static void find_above(tp_solid_section_onset *onset, const onsets *o, double from, double limit) {
   onset->x = limit;
   for (long k = 0; k < o->interval_count; k++) {
-    const interval *own = o->intervals + k;
-    const double at = fmax(own->from, from);
-    if (own->to < from || at >= onset->x) continue;
+    const interval *entry = o->intervals + k;
+    const double at = fmax(entry->from, from);
+    if (entry->to < from || at >= onset->x) continue;
     onset->x = at;
-    set_motion(onset, o->s, own->twist);
+    set_motion(onset, o->s, entry->twist);
   }
   onset->is_endless = isinf(onset->x);
 }
@@ -494,9 +494,10 @@ static void find_above(tp_solid_section_onset *onset, const onsets *o, double fr
 static void find_onset(tp_solid_section_onset *onset, const onsets *o, double from, double limit) {
   *onset = (tp_solid_section_onset){.moves_at_from = limit < from};
   for (long k = 0; k < o->interval_count && !onset->moves_at_from; k++) {
-    const interval *own = o->intervals + k;
-    onset->moves_at_from = own->to > from && (own->from < from || from == 0) && own->from <= from;
-    if (onset->moves_at_from) set_motion(onset, o->s, own->twist);
+    const interval *entry = o->intervals + k;
+    onset->moves_at_from =
+        entry->to > from && (entry->from < from || from == 0) && entry->from <= from;
+    if (onset->moves_at_from) set_motion(onset, o->s, entry->twist);
   }
   if (onset->moves_at_from) {
     follow_down(onset, o, from, limit);

@@ -17,17 +17,17 @@
  */
 
 static bool is_parallel(const fmpq a[3], const fmpq b[3]) {
-  fmpq_t own, other;
+  fmpq_t entry, other;
   bool same = true;
-  fmpq_init(own);
+  fmpq_init(entry);
   fmpq_init(other);
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    fmpq_mul(own, a + i, b + j);
+    fmpq_mul(entry, a + i, b + j);
     fmpq_mul(other, a + j, b + i);
-    same = same && fmpq_equal(own, other);
+    same = same && fmpq_equal(entry, other);
   }
-  fmpq_clear(own);
+  fmpq_clear(entry);
   fmpq_clear(other);
   return same;
 }
@@ -41,21 +41,21 @@ static bool faces_as(const fmpq a[3], const fmpq b[3]) {
 
 /* Do the contacts lie on one line, or in one point? */
 static bool is_on_line(const tp_friction_cones *cones) {
-  fmpq way[3], own[3];
+  fmpq way[3], entry[3];
   bool on_line = true, has_way = false;
   for (int k = 0; k < 3; k++) {
     fmpq_init(way + k);
-    fmpq_init(own + k);
+    fmpq_init(entry + k);
   }
   for (long n = 1; n < cones->count; n++) {
-    for (int k = 0; k < 3; k++) fmpq_sub(own + k, cones->cones[n].at + k, cones->cones[0].at + k);
-    on_line = on_line && (!has_way || is_parallel(way, own));
-    for (int k = 0; k < 3 && !has_way; k++) fmpq_set(way + k, own + k);
+    for (int k = 0; k < 3; k++) fmpq_sub(entry + k, cones->cones[n].at + k, cones->cones[0].at + k);
+    on_line = on_line && (!has_way || is_parallel(way, entry));
+    for (int k = 0; k < 3 && !has_way; k++) fmpq_set(way + k, entry + k);
     has_way = !(fmpq_is_zero(way) && fmpq_is_zero(way + 1) && fmpq_is_zero(way + 2));
   }
   for (int k = 0; k < 3; k++) {
     fmpq_clear(way + k);
-    fmpq_clear(own + k);
+    fmpq_clear(entry + k);
   }
   return on_line;
 }
@@ -76,13 +76,13 @@ static bool is_steep(const tp_friction_cone *a, const tp_friction_cone *b) {
 
 static bool is_plane(const tp_friction_cones *cones) {
   for (long n = 1; n < cones->count; n++) {
-    const tp_friction_cone *own = cones->cones + n;
-    if (!faces_as(cones->cones[0].normal, own->normal) ||
-        own->friction.value != cones->cones[0].friction.value) {
+    const tp_friction_cone *entry = cones->cones + n;
+    if (!faces_as(cones->cones[0].normal, entry->normal) ||
+        entry->friction.value != cones->cones[0].friction.value) {
       return false;
     }
     for (long k = 0; k < n; k++) {
-      if (is_steep(cones->cones + k, own)) return false;
+      if (is_steep(cones->cones + k, entry)) return false;
     }
   }
   return true;
@@ -103,9 +103,9 @@ static bool init_smooth(tp_strong_side *strong, const tp_friction_cones *cones) 
 }
 
 static tp_solid_section_inertia scaled(const tp_contact_work *w) {
-  tp_solid_section_inertia own = *w->inertia;
-  for (int k = 0; k < 6; k++) own.second[k] /= w->points.metres * w->points.metres;
-  return own;
+  tp_solid_section_inertia entry = *w->inertia;
+  for (int k = 0; k < 6; k++) entry.second[k] /= w->points.metres * w->points.metres;
+  return entry;
 }
 
 bool tp_contact_strong_init(tp_strong_side *strong, const tp_contact_work *w) {
@@ -184,11 +184,11 @@ static void take_plane(tp_state_ranges *state, const tp_contact_work *w, const t
 static void take_onset(tp_state_ranges *state, tp_fos_definition definition, double share,
                        const tp_solid_section_onset *onset, const tp_contact_work *w,
                        const double weak_twist[TP_WRENCH]) {
-  const tp_mechanism own = mechanism_of(w, onset->twist);
+  const tp_mechanism entry = mechanism_of(w, onset->twist);
   const double least = fmax(0, onset->x - share * (1 + onset->x));
   const double most = onset->x == 0 ? 0 : onset->x + share * (1 + onset->x);
   tp_state_ranges_add(state, definition,
-                      own != TP_MECHANISM_UNDECIDED ? own : mechanism_of(w, weak_twist),
+                      entry != TP_MECHANISM_UNDECIDED ? entry : mechanism_of(w, weak_twist),
                       onset->is_endless ? INFINITY : least, onset->is_endless ? INFINITY : most);
 }
 
@@ -290,15 +290,15 @@ static tp_near near_of(const tp_solid_section_onset *onset) {
 /* Towards the azimuth of its tilt. */
 static bool find_tilt(const tp_strong_side *strong, const tp_contact_work *w) {
   const tp_quantity *azimuth = &w->given->scene->tilt_azimuth_deg;
-  tp_solid_contacts *own = w->results;
+  tp_solid_contacts *entry = w->results;
   tp_solid_section_onset onset;
   if (!azimuth->given) return true;
   tp_hold_load way;
   tp_hold_load_init(&way);
   tp_hold_frame_way(&way, &w->frame, azimuth->value);
   const bool done = find_from_level(&onset, strong, &w->level.load, &way);
-  own->has_onset = done && !onset.is_endless;
-  if (own->has_onset) own->onset_deg = tp_near_bounded(tp_near_arctangent(near_of(&onset)));
+  entry->has_onset = done && !onset.is_endless;
+  if (entry->has_onset) entry->onset_deg = tp_near_bounded(tp_near_arctangent(near_of(&onset)));
   tp_hold_load_clear(&way);
   return done;
 }
@@ -308,15 +308,15 @@ static bool find_acceleration(const tp_strong_side *strong, const tp_contact_wor
   const tp_scene *scene = w->given->scene;
   const tp_quantity *azimuth =
       scene->loads.azimuth_deg.given ? &scene->loads.azimuth_deg : &scene->tilt_azimuth_deg;
-  tp_solid_contacts *own = w->results;
+  tp_solid_contacts *entry = w->results;
   tp_solid_section_onset onset;
   if (!azimuth->given) return true;
   tp_hold_load way;
   tp_hold_load_init(&way);
   tp_hold_frame_shake(&way, &w->frame, scene, azimuth->value);
   const bool done = find_from_level(&onset, strong, &w->tilted.load, &way);
-  own->has_onset_acceleration = done && !onset.is_endless && !onset.moves_at_from;
-  if (own->has_onset_acceleration) own->onset_acceleration_g = tp_near_bounded(near_of(&onset));
+  entry->has_onset_acceleration = done && !onset.is_endless && !onset.moves_at_from;
+  if (entry->has_onset_acceleration) entry->onset_acceleration_g = tp_near_bounded(near_of(&onset));
   tp_hold_load_clear(&way);
   return done;
 }

@@ -29,10 +29,10 @@ void tp_state_ranges_add(tp_state_ranges *state, tp_fos_definition definition,
 void tp_state_ranges_add_near(tp_state_ranges *state, tp_fos_definition definition,
                               tp_mechanism mechanism, tp_near number) {
   const tp_fos fos = {TP_FOS_NUMBER, {.value = number.value, .error = number.error}};
-  const tp_factor_range own = tp_factor_range_of(definition, mechanism, fos);
+  const tp_factor_range entry = tp_factor_range_of(definition, mechanism, fos);
   const bool told = isfinite(number.value) && isfinite(number.error);
-  tp_state_ranges_add(state, definition, mechanism, told ? own.least : 0,
-                      told ? own.most : INFINITY);
+  tp_state_ranges_add(state, definition, mechanism, told ? entry.least : 0,
+                      told ? entry.most : INFINITY);
 }
 
 /* ---- the rule ----------------------------------------------------------------------------------
@@ -41,8 +41,8 @@ void tp_state_ranges_add_near(tp_state_ranges *state, tp_fos_definition definiti
 static tp_safety safety_of(const tp_solid_state *state) {
   tp_factor_range ranges[TP_SOLID_FACTORS];
   for (size_t k = 0; k < state->factor_count; k++) {
-    const tp_solid_factor *own = state->factors + k;
-    ranges[k] = (tp_factor_range){own->definition, own->mechanism, own->least, own->most};
+    const tp_solid_factor *entry = state->factors + k;
+    ranges[k] = (tp_factor_range){entry->definition, entry->mechanism, entry->least, entry->most};
   }
   return tp_safety_of(verdict_of(state->outlook), ranges, state->factor_count);
 }
@@ -66,25 +66,26 @@ static void settle(tp_solid_safety *safety) {
 }
 
 void tp_solid_safety_add(tp_solid_safety *safety, const tp_state_ranges *state) {
-  tp_solid_state *own = safety->states + safety->state_count++;
-  *own = (tp_solid_state){.is_static = state->is_static,
-                          .outlook = outlook_of(state->verdict),
-                          .factor_count = state->count};
+  tp_solid_state *entry = safety->states + safety->state_count++;
+  *entry = (tp_solid_state){.is_static = state->is_static,
+                            .outlook = outlook_of(state->verdict),
+                            .factor_count = state->count};
   for (size_t k = 0; k < state->count; k++) {
     const tp_factor_range *from = state->ranges + k;
-    own->factors[k] = (tp_solid_factor){from->definition, from->mechanism, from->least, from->most};
+    entry->factors[k] =
+        (tp_solid_factor){from->definition, from->mechanism, from->least, from->most};
   }
-  const tp_safety alone = safety_of(own);
-  own->least = alone.least;
-  own->most = alone.most;
+  const tp_safety alone = safety_of(entry);
+  entry->least = alone.least;
+  entry->most = alone.most;
   settle(safety);
 }
 
 void tp_solid_safety_add_mean(tp_solid_safety *safety, const tp_solid_safety *mean) {
   for (size_t k = 0; k < mean->state_count && safety->state_count < TP_SOLID_STATES; k++) {
-    tp_solid_state *own = safety->states + safety->state_count++;
-    *own = mean->states[k];
-    own->has_mean_normals = true;
+    tp_solid_state *entry = safety->states + safety->state_count++;
+    *entry = mean->states[k];
+    entry->has_mean_normals = true;
   }
   settle(safety);
 }

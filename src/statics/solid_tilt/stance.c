@@ -196,8 +196,8 @@ static void add_sliding(tp_state_ranges *state, tp_near *strength, const tp_stan
     tp_state_ranges_add(state, TP_FOS_BY_DRIVING, TP_SLIDES, 0, INFINITY);
   }
   /* where it topples, no strength keeps it */
-  const bool topples = state->count > 0 && state->ranges[0].mechanism == TP_TOPPLES &&
-                       state->ranges[0].most < 1;
+  const bool topples =
+      state->count > 0 && state->ranges[0].mechanism == TP_TOPPLES && state->ranges[0].most < 1;
   if (!topples && !tp_near_is_zero(x->friction)) {
     tp_state_ranges_add_near(state, TP_FOS_BY_REDUCTION, TP_SLIDES, *strength);
   }
