@@ -294,11 +294,13 @@ typedef struct tp_system_case {
   bool has_moving_angle;     /* a motion was found: */
   double moving_angle_deg; /* if has_moving_angle: the least tilt found, of those from level on, at
                               which a motion can begin, proven */
-  tp_system_bounds by_strength, by_driving; /* the factor of safety by each definition */
+  tp_system_bounds fos_by_strength, fos_by_driving; /* the factor of safety by each definition */
   bool has_static; /* the scene has an earthquake: without it as well a motion may begin, and */
   tp_system_verdict static_verdict; /* if has_static: this is what the blocks do then */
-  tp_system_bounds static_by_strength, static_by_driving; /* if has_static: the factor then */
-  tp_system_safety safety;      /* the factor of safety of the case, with and without earthquake */
+  tp_system_bounds static_fos_by_strength,
+      static_fos_by_driving; /* if has_static: the factor then */
+  tp_system_safety
+      governing_fos;            /* the factor of safety of the case, with and without earthquake */
   bool has_moving_acceleration; /* a motion was found: */
   double moving_acceleration_g; /* if has_moving_acceleration: the least horizontal acceleration, in
                                    g, to this side, with which one can begin, of those found */
@@ -346,13 +348,13 @@ typedef struct tp_block_system {
   tp_notes notes;          /* and cautions beside the answer */
   tp_settings settings;    /* what was set in the scene */
   size_t block_count, contact_count, case_count; /* of the lists */
-  tp_system_block *blocks;     /* block_count of them: in the order of the scene */
-  tp_system_contact *contacts; /* contact_count of them: by the numbers of their blocks */
-  tp_system_case *cases;       /* case_count of them: one for each direction */
-  size_t governing;            /* the number of the case that governs */
-  tp_system_safety safety;     /* the factor of safety over all cases */
-  char *partial_factors;       /* those that it was solved with, as they act in the combination that
-                                  governs; NULL: none. All numbers are of the factored scene */
+  tp_system_block *blocks;        /* block_count of them: in the order of the scene */
+  tp_system_contact *contacts;    /* contact_count of them: by the numbers of their blocks */
+  tp_system_case *cases;          /* case_count of them: one for each direction */
+  size_t governing;               /* the number of the case that governs */
+  tp_system_safety governing_fos; /* the factor of safety over all cases */
+  char *partial_factors; /* those that it was solved with, as they act in the combination that
+                            governs; NULL: none. All numbers are of the factored scene */
 } tp_block_system;
 
 /* Solve a scene of many blocks. Of the options strength_reduction alone counts. Statuses as of

@@ -56,12 +56,12 @@ const char *tp_factor_standing_name(tp_factor_standing standing);
 /* The factor against one way to move. */
 typedef struct tp_factor {
   tp_fos_definition definition; /* by which it is defined */
-  tp_mechanism mechanism; /* against which; by reduction, what happens at the strength reduced */
-  size_t pivot;           /* if definition == TP_FOS_BY_MOMENTS: the pivot's index */
-  bool toe;               /* it is the end of the contact down-dip */
-  bool counts;            /* false: it is shown for comparison, as `standing` says */
-  tp_fos fos;             /* the factor itself */
-  tp_factor_standing standing; /* why it counts, or not */
+  tp_mechanism mechanism;       /* against which: the motion with which it begins */
+  size_t pivot;                 /* if definition == TP_FOS_BY_MOMENTS: the pivot's index */
+  bool toe;                     /* it is the end of the contact down-dip */
+  bool counts;                  /* false: it is shown for comparison, as `standing` says */
+  tp_fos fos;                   /* the factor itself */
+  tp_factor_standing standing;  /* why it counts, or not */
   bool raised; /* by strength: more of it lets a motion begin, or less would stop it */
 } tp_factor;
 

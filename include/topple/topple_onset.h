@@ -145,9 +145,8 @@ typedef struct tp_onset {
                          any multiple; below 1 where one can begin, TP_FOS_UNDEFINED where one can
                          even without driving loads. For the weight alone tan(onset) / tan(tilt) */
   tp_mechanism fos_driving_mechanism; /* if fos_driving.state == TP_FOS_NUMBER: what begins there */
-  bool has_driving_centre;        /* it turns: */
-  tp_bounded driving_centre_x_m,
-      driving_centre_y_m; /* if has_driving_centre: about this point */
+  bool has_driving_centre;            /* it turns: */
+  tp_bounded driving_centre_x_m, driving_centre_y_m; /* if has_driving_centre: about this point */
 } tp_onset;
 
 #ifdef __cplusplus

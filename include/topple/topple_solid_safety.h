@@ -36,24 +36,24 @@ enum { TP_SOLID_FACTORS = 3, TP_SOLID_STATES = 4 };
 
 /* A solid under one set of loads. */
 typedef struct tp_solid_state {
-  bool is_static;           /* without its earthquake */
-  bool has_mean_normals;    /* on a ground, with the mean of all normals */
-  tp_solid_outlook outlook; /* can a motion begin? */
-  double least, most;       /* of its factor: the least of the factors */
-  size_t factor_count;
-  tp_solid_factor factors[TP_SOLID_FACTORS];
+  bool is_static;                            /* without its earthquake */
+  bool has_mean_normals;                     /* on a ground, with the mean of all normals */
+  tp_solid_outlook motion;                   /* can a motion begin? */
+  double least, most;                        /* of its factor: the least of the factors */
+  size_t factor_count;                       /* of those that are known */
+  tp_solid_factor factors[TP_SOLID_FACTORS]; /* factor_count of them */
 } tp_solid_state;
 
 /* Over all states. The state that governs is the most severe; the factor is the least of all. */
 typedef struct tp_solid_safety {
-  tp_solid_outlook outlook; /* of the state that governs */
-  tp_fos fos;               /* a number where both bounds agree to a thousandth, else why not */
-  double least, most;       /* its proven bounds; 0 and infinite where nothing is proven */
-  bool has_factor;          /* the state that governs has one that governs: */
-  tp_solid_factor factor;   /* if has_factor: that */
-  size_t governing;         /* that state */
-  size_t state_count;
-  tp_solid_state states[TP_SOLID_STATES];
+  tp_solid_outlook motion; /* of the state that governs */
+  tp_fos fos;              /* a number where both bounds agree to a thousandth, else why not */
+  double least, most;      /* its proven bounds; 0 and infinite where nothing is proven */
+  bool has_factor;         /* the state that governs has one that governs: */
+  tp_solid_factor factor;  /* if has_factor: that */
+  size_t governing;        /* that state */
+  size_t state_count;      /* of those that it has */
+  tp_solid_state states[TP_SOLID_STATES]; /* state_count of them */
 } tp_solid_safety;
 
 #ifdef __cplusplus

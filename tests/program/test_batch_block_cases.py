@@ -44,12 +44,12 @@ def case(name, friction=None, required=None):
 
 
 def expected(cases):
-    """Name, standing and factor of the worst: what fails or lacks its factor first, then by required over factor, then by name."""
+    """Name, standing and factor of the worst: what fails first, then what lacks its factor, then by required over factor, then by name."""
     told = []
     for name, friction, required in cases:
         own = factor(friction if friction is not None else 35)
         standing = "fails" if own < 1 else "below required" if required and own < required else "holds"
-        told.append((standing == "holds", -(required or 1) / own, name, standing, own))
+        told.append((("fails", "below required", "holds").index(standing), -(required or 1) / own, name, standing, own))
     return min(told)[2:]
 
 

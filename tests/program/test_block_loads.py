@@ -283,7 +283,11 @@ class BlockLoads(GoverningCase):
             force = f"loads: {{forces: [{{block: column 1, at: [0, 4], direction_deg: -30, force_kn: {least * share!r}}}]}}"
             held = self.case(text.replace("EXTRA", force), "--set", friction)
             self.assertIn(held["verdict"], (verdict, "may move") if verdict == "can be held" else (verdict,))
-            self.assertFalse(held["goodman_bray"]["applies"])
+            # Their columns bear the force too: what they ask for is less by it.
+            self.assertTrue(held["goodman_bray"]["applies"])
+            self.assertAlmostEqual(held["goodman_bray"]["support_n_m"] / 1000, own["goodman_bray"]["support_n_m"] / 1000 - least * share, delta=1e-4)
+            self.assertLess(own["goodman_bray"]["fos"], held["goodman_bray"]["fos"])
+            self.assertLess(held["goodman_bray"]["fos"], 1)
 
     def test_what_is_refused(self):
         """Loads that act on nothing are told by their place and by the names of blocks, before anything is solved."""

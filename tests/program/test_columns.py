@@ -188,10 +188,11 @@ class Columns(GoverningCase):
             self.assertIn(told, err)
 
     def test_required_factor(self):
-        """At 40° the method has 1.0682 and the free limit 1.27: between them a required factor is not met; nor is it where a motion can
-        begin, from 0.88 on."""
-        for required, status in (("0.85", 4), ("0.9", 1), ("1.1", 1), ("1.3", 1)):
-            self.assertEqual(run("solve", "--fail-below", required, self.scene(scene(friction="40")))[0], status, required)
+        """At 40° the method has 1.0682 and the free limit 1.27, but a motion can begin as they lie: no required factor is met. At 52° none
+        is known to begin, nor excluded: what is below the 1.365 from which one can is open, what is above is not met."""
+        for friction, required, status in (("40", "0.5", 1), ("40", "0.85", 1), ("40", "0.9", 1), ("40", "1.1", 1), ("40", "1.3", 1),
+                                           ("52", "1.1", 4), ("52", "1.36", 4), ("52", "1.37", 1)):
+            self.assertEqual(run("solve", "--fail-below", required, self.scene(scene(friction=friction)))[0], status, (friction, required))
         out = run("solve", self.scene(scene(friction="40", more=DIP + "\nrequired_fos: 1.1")))[1]
         self.assertIn("1.1: NOT MET", out)
 

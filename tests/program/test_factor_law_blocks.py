@@ -150,10 +150,19 @@ class FactorLawBlocks(GoverningCase):
         self.assertAlmostEqual(own["fos"]["value"], truth, delta=5e-6)
 
     def test_vertical_part_up_dip(self):
-        """The smaller of the values with the vertical part and without it: 2.1130 with, 1.9421 without (tan φ / tan of the resultant)."""
-        case = json.loads(run("solve", "--json", self.data("vertical_part_up_dip.yaml"))[1])["cases"][1]
-        without = math.degrees(math.atan(0.2)) - 23.1
-        self.assertAlmostEqual(case["governing_fos"]["fos"]["value"], math.tan(math.radians(23.8)) / math.tan(math.radians(-without)), delta=1e-4)
+        """The smaller of the values with the vertical part, which presses down, and without it: 1.9421 with, 2.1130 without
+        (tan φ / tan of the resultant, which slides down all the same)."""
+        text = self.data("vertical_part_up_dip.yaml").read_text()
+
+        def truth(up):
+            return math.tan(math.radians(23.8)) / math.tan(math.radians(23.1) - math.atan(0.2 / (1 - up)))
+
+        self.assertLess(truth(-0.1), truth(0) - 0.1)
+        for up, counts in ((-0.1, -0.1), (0, 0), (0.1, 0)):
+            case = self.solved(text.replace("vertical: -0.1", f"vertical: {up}"))[1]["cases"][1]
+            own = case["governing_fos"]
+            self.assertEqual((case["towards"], own["definition"], own["mechanism"]), ("right", "strength reduction", "slides"))
+            self.assertAlmostEqual(own["fos"]["value"], truth(counts), delta=5e-6)
 
     def test_the_static_state_counts(self):
         """A tower 1 × 3 on a slope of 25° falls by itself, however an up-dip earthquake holds it: no factor is met."""
@@ -174,8 +183,8 @@ class FactorLawBlocks(GoverningCase):
     def test_block_e(self):
         """Block E of README under `blocks:` at 20°: moments about the centre of rotation, tan 28.735° / tan 20°; by strength 2.258."""
         a, b, c, count = 0.030, 0.120, 0.005, 3
-        base = [(k * a / 2, 0 if k % 2 == 0 else c) for k in range(2 * count + 1)]
-        text = Pile().add("g", [(0, -1), (base[-1][0], -1), *reversed(base)], True).add("e", [*base, (base[-1][0], b), (0, b)]).scene(30, tilted(20))
+        base = [(k * a, 0 if k % 2 == 0 else c) for k in range(count + 1)]  # three facets of 30 mm, left end a valley
+        text = Pile().add("g", [(0, -1), (base[-1][0], -1), *reversed(base)], True).add("e", [*base, (base[-1][0], b + c), (0, b + c)]).scene(30, tilted(20))
         own = self.solved(text)[1]["cases"][0]
         self.assertAlmostEqual(own["governing_fos"]["fos"]["value"], math.tan(math.radians(28.7346)) / math.tan(math.radians(20)), delta=2e-5)
         self.assertAlmostEqual(own["fos_by_strength"]["at_most"], 2.25819, delta=2e-5)
@@ -188,7 +197,7 @@ class FactorLawBlocks(GoverningCase):
         own = json.loads(out)
         table = self.folder / f"{name}.csv"
         table.write_text("name\nA\n")
-        ended, out, err = run("solve", "--json", "--batch", table, path)
+        ended, out, err = run("solve", "--json", "--batch", table, "--template", path)
         row = json.loads(out)["rows"][0]
         safety = own["governing_fos"]
         self.assertEqual(row["fos"], safety["fos"], (text, err))

@@ -86,8 +86,8 @@ class Teeth(GenerateCase):
 
     def test_noise(self):
         """Points move along y alone, by six deviations at most, with their standard deviation and mean."""
-        line = [(Fraction(k, 3), Fraction(k % 7, 7)) for k in range(3000)]
-        self.write("\n".join(f"{x},{y}" for x, y in line), "line.csv")
+        line = [(Fraction(k, 4), Fraction(k % 7, 8)) for k in range(3000)]
+        self.write("\n".join(f"{float(x)},{float(y)}" for x, y in line), "line.csv")
         _, points = self.profile("measured: line.csv, noise: {deviation: 0.05, seed: 2}", block=WIDE)
         self.assertEqual([x for x, _ in points], [x for x, _ in line])
         moved = [float(b - a) for (_, a), (_, b) in zip(line, points)]

@@ -55,7 +55,12 @@ class Wanted(unittest.TestCase):
         path = self.path / "out.csv"
         status, _, err = run("solve", self.write(scene(profile, **more)), "--write-profile", path)
         self.assertEqual((status, err), (0, ""), profile)
-        return [tuple(map(Fraction, line.split(","))) for line in path.read_text().splitlines()[1:]]
+        lines = path.read_text().splitlines()
+        # where a coordinate is no decimal, and there alone, a first line says so
+        self.assertEqual(lines[0] == "# coordinates are exact fractions", any("/" in line for line in lines[1:]), lines[:3])
+        lines = lines[1:] if lines[0].startswith("#") else lines
+        self.assertEqual(lines[0], "x,y")
+        return [tuple(map(Fraction, line.split(","))) for line in lines[1:]]
 
     def refused(self, profile, expected):
         status, _, err = run("solve", self.write(scene(profile)))

@@ -19,6 +19,9 @@ SLAB = ("topple: 1\nlength_unit: {unit}\nblock: {{slab: {{width: {width}, height
 
 #: What solve says of a base that shakes.
 SHAKING = "the shaking of the base is not included in these results: 'topple tilt' simulates it"
+UPLIFT = {"block_under_water.yaml": "heel (2, 0) m with 27.99 kPa, toe (0, 0) m with 0 kPa, 2 m long",
+          "filled_crack.yaml": "heel (642314, 1207) m with 19.62 kPa, toe (642310, 1204) m with 9.81 kPa, 5 m long"}
+TURNED_TO_REST = {"boulder_on_rough_ground.yaml": "-9.76", "scanned_boulder.yaml": "-11.82"}  # the degrees
 
 
 class Notes(unittest.TestCase):
@@ -190,6 +193,12 @@ class Notes(unittest.TestCase):
                     self.assertIn("the pressures of the water are taken as the block lies", notes.pop())
                 if scene.name == "boulder_traced.yaml":
                     self.assertTrue(notes.pop().startswith("curves of the outline are chords, which leave them by"))
+                if scene.name in UPLIFT:
+                    self.assertEqual(notes.pop(), f"uplift: {UPLIFT[scene.name]}")
+                if scene.name in TURNED_TO_REST:
+                    self.assertEqual(notes.pop(), f"'place: rest' turned the block by {TURNED_TO_REST[scene.name]}°, and all results "
+                                     "are of that pose: if it was surveyed in its place, check outline and profile, or say "
+                                     "'contact: {within: …}' instead")
                 self.assertEqual(notes, [SHAKING] if shakes else [])
 
 

@@ -205,7 +205,7 @@ class Scenes(unittest.TestCase):
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
             "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name", "tp_settling_end_name",  # Word
             "tp_study_outcome_name", "tp_study_quantity_name",
-            "tp_system_verdict_name", "tp_joint_state_name", "tp_touch_state_name", "tp_column_state_name", "tp_system_load_kind_name",
+            "tp_system_verdict_name", "tp_solid_outlook_name", "tp_solid_safety_of", "tp_joint_state_name", "tp_touch_state_name", "tp_column_state_name", "tp_system_load_kind_name",
             "tp_converge_quantity_name", "tp_converge_setting_name", "tp_converge_verdict_name", "tp_fault_name",
             "tp_tilt_engine_name", "tp_tilt_protocol_name", "tp_tilt_event_name", "tp_tilt_end_name",
         }

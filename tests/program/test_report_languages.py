@@ -134,6 +134,8 @@ class Languages(unittest.TestCase):
     def test_table(self):
         """Each phrase has every language, with the same arguments, and a table that lacks one is refused by the build."""
         codes, rows = make_phrases.table()
+        longest = max(rows, key=lambda row: len(make_phrases.arguments(row["en"])))
+        self.assertLessEqual(len(make_phrases.arguments(longest["en"])), 8, longest["en"])  # ARGUMENTS of translate.c: more never match
         self.assertEqual(codes, ["en", "es", "de"])
         self.assertGreater(len(rows), 100)
         self.assertEqual(make_phrases.arguments("%2$s of %1$zu"), ["zu", "s"])
@@ -249,7 +251,7 @@ class Languages(unittest.TestCase):
                          encoding="utf-8")
         page = self.sheet(scene, "--language", "de")
         rows = page.tables("Lastfälle, der maßgebende zuerst")[0]
-        self.assertEqual(rows[1][:2], ["the left end", "1,597"])
+        self.assertEqual(rows[1][:2], ["the left end", "1,596"])
 
     def test_decimals(self):
         """A comma in Spanish and German, in equations too, unless the scene wants a point, and the other way round."""

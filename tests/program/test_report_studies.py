@@ -48,9 +48,11 @@ class Studies(unittest.TestCase):
         table = self.page.tables("At the scene's tilt")[0]
         own = self.told["tilts"][0]
         expected = {o["outcome"]: o for o in own["outcomes"] if o["samples"] > 0}
-        expected |= {"certain to stand": own["certain_to_stand"], "certain to move": own["certain_to_move"]}
+        expected |= {"certain to stand": own["certain_to_stand"], "certain to move": own["certain_to_move"],
+                     "open: neither is certain": own["neither"]}
         self.assertEqual([row[0] for row in table[1:]], list(expected))
         total = self.told["samples"]
+        self.assertEqual(sum(int(row[1]) for row in table[-3:]), total)
         for label, count, share, low, high in table[1:]:
             self.assertEqual(int(count), expected[label]["samples"])
             for text, key in ((share, "share"), (low, "low"), (high, "high")):

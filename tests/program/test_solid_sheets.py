@@ -71,11 +71,15 @@ class Sheets(SceneCase):
             for cell, key in zip((row[1], row[2], row[4]), ("toppling_deg", "critical_deg", "acceleration_g")):
                 self.same(cell, own[key])
         held, got = self.of("rock_on_contacts")
-        got = got["contacts"]
+        safety, got = got["safety"], got["contacts"]
         row = held.tables(NAMES["rock_on_contacts"])[0][1]
         self.assertEqual(row[3:], ["sliding and toppling", got["verdict"]])
-        for cell, key in zip(row, ("critical_deg", "critical_azimuth_deg", "fos")):
+        for cell, key in zip(row, ("critical_deg", "critical_azimuth_deg")):
             self.same(cell, got[key])
+        # Whether a motion can begin is open here, so the factor is a bound alone, rounded up.
+        self.assertEqual(safety["fos_is"], "undecided")
+        bound = re.fullmatch(r"undecided, at most ([\d.]+)", row[2])
+        self.assertTrue(0 <= float(bound[1]) - safety["most"] < 1e-4, row[2])
         for row, own in zip(held.tables("Contacts, with one of the systems of forces that hold it, across and along each, in shares of "
                                            "its weight")[0][1:], got["contacts"], strict=True):
             self.assertAlmostEqual(float(row[8]), dot(own["force"], own["normal"]), delta=5.1e-5)
@@ -98,7 +102,7 @@ class Sheets(SceneCase):
                 for value in values[1:]:
                     self.assertTrue(values[0].meets(value), line)
                     count += 1
-        self.assertGreaterEqual(count, 4)
+        self.assertGreaterEqual(count, 3)
 
     def test_record(self):
         """The scene and its mesh by their hashes, the mesh by that alone; the same bytes again; letterhead; neither is overwritten."""

@@ -91,7 +91,9 @@ class Words(unittest.TestCase):
             self.assertAlmostEqual(sliding["fos"]["value"], factor, delta=1e-12)
             page = run("solve", path)[1]
             self.assertIn("Sliding under the loads: at every tilt.", page)
-            self.assertRegex(page, r"\n[> ] 0\.058 +sliding +shear strength over force along the facet\n")
+            # with the inertia of 9 g at half its height it turns about its heel as it slips: the row names how it begins to move
+            self.assertIn("\n    slides and topples about (2, ", page)
+            self.assertRegex(page, r"\n> 0\.058 +sliding and toppling +shear strength over force along the facet\n")
 
     def test_a_weight_past_its_pivot(self):
         """Of a pivot up-dip of the centroid tan(angle) / tan(tilt) is below zero: a quotient, but no factor of

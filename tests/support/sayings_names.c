@@ -43,6 +43,9 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_SYSTEM_UNDECIDED + 1; k++) {
     note_text(s, tp_system_verdict_name((tp_system_verdict)k));
   }
+  for (int k = 0; k <= TP_SOLID_STANDS + 1; k++) {
+    note_text(s, tp_solid_outlook_name((tp_solid_outlook)k));
+  }
   for (int k = 0; k <= TP_JOINT_OPENS + 1; k++) {
     note_text(s, tp_joint_state_name((tp_joint_state)k));
   }

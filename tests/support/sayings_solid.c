@@ -46,6 +46,8 @@ static void say_solid_of_scene(sayings *s) {
   note_status(s, status, &message);
   note_number(s, tp_solid_is_undecided(solid));
   note_number(s, (long)tp_solid_meets(solid, 1.5));
+  const tp_solid_safety *safety = tp_solid_safety_of(solid);
+  note_number(s, safety == NULL ? -1 : (long)safety->motion);
   if (solid != NULL && tp_report_solid_row_csv(next_saying(s), solid) != TP_OK) s->count--;
   if (solid != NULL) {
     say_solid_figure(s, solid);

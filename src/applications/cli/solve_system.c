@@ -49,7 +49,7 @@ tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved, const c
 /* Why it is not known whether a factor is met. */
 static void open_words(char *text, size_t size, const tp_block_system *system) {
   static const double fifth = 1e5;
-  const tp_system_safety *own = &system->safety;
+  const tp_system_safety *own = &system->governing_fos;
   const double least = floor(own->at_least * fifth) / fifth;
   if (isinf(own->at_most)) {
     snprintf(text, size, ": the factor is proven to be at least %.5f, and no more is known", least);

@@ -366,7 +366,7 @@ static int bin_of(const double at[3]) {
   if (!(sizes[axis] > 0)) return 0;
   int bin = 2 * axis + (at[axis] > 0);
   for (int k = 1; k < 3; k++) {
-    const int place = (int)((at[(axis + k) % 3] / sizes[axis] + 1) * (BINS / 2));
+    const int place = (int)((at[(axis + k) % 3] / sizes[axis] + 1) * (BINS / 2.0));
     bin = bin * BINS + (place < BINS ? place : BINS - 1);
   }
   return bin;

@@ -32,8 +32,8 @@ static void take_governing(tp_map_sample *sample, const tp_block_system *system)
   sample->has_limit = own->limit == TP_SYSTEM_LIMIT_NUMBER;
   sample->limit_deg = own->critical_angle_deg;
   sample->limit_deg.digits = NULL;
-  sample->has_fos = isfinite(system->safety.at_most) && system->safety.at_most > 0;
-  sample->fos = (tp_bounded){.value = system->safety.at_most};
+  sample->has_fos = isfinite(system->governing_fos.at_most) && system->governing_fos.at_most > 0;
+  sample->fos = (tp_bounded){.value = system->governing_fos.at_most};
 }
 
 tp_map_sample tp_map_take_system(tp_map *map, const double *values) {

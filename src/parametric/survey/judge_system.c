@@ -39,8 +39,8 @@ static tp_mechanism verdict_of(const tp_system_case *c) {
 
 tp_severity tp_batch_system_severity(const tp_block_system *system) {
   const tp_safety safety = {.verdict = tp_system_case_rule(tp_system_governing(system)).verdict,
-                            .least = system->safety.at_least,
-                            .most = system->safety.at_most};
+                            .least = system->governing_fos.at_least,
+                            .most = system->governing_fos.at_most};
   return tp_severity_of_safety(&safety, system->has_required_fos, system->required_fos.value);
 }
 
@@ -70,7 +70,7 @@ static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
   if (verdict != c->verdict) {
     tp_text_add(&text, "%swithout the earthquake", text.length > 0 ? "; this is " : "this is ");
   }
-  tell_bounds(&text, &s->safety);
+  tell_bounds(&text, &s->governing_fos);
   if (c->goodman_bray.applies && c->goodman_bray.has_fos) {
     char n[TP_NUMBER_SIZE];
     tp_text_add(&text, "%sby Goodman and Bray the factor is %s", text.length > 0 ? "; " : "",
@@ -86,7 +86,7 @@ static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
 
 tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_message *message) {
   const tp_system_case *c = tp_system_governing(s);
-  const tp_system_safety *safety = &s->safety;
+  const tp_system_safety *safety = &s->governing_fos;
   const tp_design meets = tp_block_system_meets(s, s->required_fos.value);
   char *remark = tell_remark(s, c);
   if (remark == NULL) return tp_fail_memory(message, "a table");

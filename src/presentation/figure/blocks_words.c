@@ -70,8 +70,8 @@ bool tp_blocks_heading(double *y, cairo_t *cr, const tp_blocks_figure *f, double
 /* The one that governs, and the upper bounds by what forces can hold. */
 static void add_both_factors(tp_text *t, const tp_system_case *c) {
   tp_text_add(t, "Factor of safety: ");
-  tp_text_system_safety(t, &c->safety);
-  tp_text_system_against(t, &c->safety);
+  tp_text_system_safety(t, &c->governing_fos);
+  tp_text_system_against(t, &c->governing_fos);
   tp_text_add(t, "; forces can hold, with strength divided by, ");
   tp_text_system_factor(t, c);
   if (c->fos_driving.state == TP_FOS_NO_OVERTURNING) return;

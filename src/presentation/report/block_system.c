@@ -99,14 +99,14 @@ static void add_limit(tp_text *t, const tp_block_system *s, const tp_system_case
 /* The factor, and by each definition. */
 static void add_safety(tp_text *t, const tp_system_case *c) {
   tp_text_system_label(t, "factor of safety");
-  tp_text_system_safety(t, &c->safety);
-  tp_text_system_against(t, &c->safety);
+  tp_text_system_safety(t, &c->governing_fos);
+  tp_text_system_against(t, &c->governing_fos);
   tp_text_add(t, "\n");
   tp_text_system_label(t, "  on driving loads");
-  tp_text_system_bounds(t, &c->by_driving);
+  tp_text_system_bounds(t, &c->fos_by_driving);
   tp_text_add(t, "\n");
   tp_text_system_label(t, "  by strength reduction");
-  tp_text_system_bounds(t, &c->by_strength);
+  tp_text_system_bounds(t, &c->fos_by_strength);
   tp_text_add(t, "\n");
 }
 
@@ -261,8 +261,8 @@ static void add_worst(tp_text *t, const tp_block_system *s) {
   }
   if (verdict == TP_SYSTEM_MAY_MOVE) tp_text_add(t, "a motion can begin, ");
   tp_text_add(t, "factor of safety ");
-  tp_text_system_safety(t, &s->safety);
-  tp_text_system_against(t, &worst->safety);
+  tp_text_system_safety(t, &s->governing_fos);
+  tp_text_system_against(t, &worst->governing_fos);
   tp_text_add(t, "\n");
 }
 

@@ -159,7 +159,7 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
   add_verdict(t, d, own->verdict);
   if (own->verdict == TP_MAY_MOVE) {
     tp_text_add(t, " %s",
-                tp_document_say(d, own->safety.states->outlook == TP_SOLID_CAN_MOVE
+                tp_document_say(d, own->safety.states->motion == TP_SOLID_CAN_MOVE
                                        ? "Forces can hold it, but a motion can begin, proven: the "
                                          "result depends on the loading history."
                                        : "Forces can hold it; whether a motion can begin is not "
@@ -182,7 +182,7 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
                 tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
                 tp_document_say(d, tp_text_motion(own->critical.mechanism)));
   }
-  if (!own->has_acceleration || own->safety.outlook == TP_SOLID_CAN_MOVE) return;
+  if (!own->has_acceleration || own->safety.motion == TP_SOLID_CAN_MOVE) return;
   tp_text_add(t, " ");
   tp_text_add(t,
               tp_document_say(d, "At its tilt they hold it up to a horizontal acceleration of %s "

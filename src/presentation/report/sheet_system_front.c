@@ -196,7 +196,7 @@ void tp_system_sheet_add_governing(tp_system_sheet *s) {
     const tp_system_case *c = own->cases + k;
     if (c == governing && own->case_count > 1) tp_document_mark_row(d);
     tp_document_word(d, tp_direction_name(c->towards));
-    add_safety(d, &c->safety);
+    add_safety(d, &c->governing_fos);
     add_factor(d, &c->fos, c->fos_is_least);
     add_factor(d, &c->fos_driving, c->fos_driving_is_least);
     add_goodman_bray(d, &c->goodman_bray);

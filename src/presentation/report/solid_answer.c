@@ -96,7 +96,7 @@ static void add_of_ground(tp_text *t, const tp_solid *solid, const tp_solid_grou
 const char *tp_text_solid_held(const tp_solid_contacts *own) {
   if (own->has_motion) return "No forces of its contacts hold it: it certainly moves.";
   switch (own->verdict == TP_MECHANISM_UNDECIDED ? TP_SOLID_COLLAPSES
-                                                 : own->safety.states->outlook) {
+                                                 : own->safety.states->motion) {
   case TP_SOLID_STANDS:
     return "It stands: no motion can begin.";
   case TP_SOLID_CAN_MOVE:
@@ -129,7 +129,7 @@ static void add_of_contacts(tp_text *t, const tp_solid *solid) {
                 tp_text_fixed(n[1], own->critical_azimuth_deg, 1),
                 tp_mechanism_name(own->critical.mechanism));
   }
-  if (own->has_acceleration && own->safety.outlook != TP_SOLID_CAN_MOVE) {
+  if (own->has_acceleration && own->safety.motion != TP_SOLID_CAN_MOVE) {
     tp_text_add(t, " At its tilt they do up to a horizontal acceleration of %s g towards %s°.",
                 tp_text_significant(n[0], own->acceleration_g, 4),
                 tp_text_fixed(n[1], own->acceleration_azimuth_deg, 1));

@@ -80,7 +80,7 @@ static void add_upper_bounds(tp_text *t, const tp_solid_contacts *c) {
 
 static void add_outlook(tp_text *t, const tp_solid_contacts *c) {
   const char *where = c->is_in_section ? " within the section of its contacts" : "";
-  switch (c->safety.states->outlook) {
+  switch (c->safety.states->motion) {
   case TP_SOLID_STANDS:
     tp_text_add(t, "  stands: no motion can begin%s\n", where);
     break;

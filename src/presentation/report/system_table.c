@@ -95,8 +95,8 @@ static void add_row(tp_text *t, const tp_block_system *s, const tp_system_case *
   tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
   tp_text_add(t, " | %s | %s° | %s | ", tp_direction_name(c->towards),
               tp_text_fixed(n, c->tilt_angle_deg, 3), tp_system_verdict_name(c->verdict));
-  tp_text_system_safety(t, &c->safety);
-  tp_text_system_against(t, &c->safety);
+  tp_text_system_safety(t, &c->governing_fos);
+  tp_text_system_against(t, &c->governing_fos);
   if (c->has_required_fos) {
     tp_text_add(t, " (%s required: %s)", tp_text_significant(n, s->required_fos, 5),
                 tp_design_name(c->meets_required));

@@ -93,9 +93,9 @@ static void add_range(tp_text *t, double least, double most) {
   }
 }
 
-/* Beyond the most that is looked at. */
+/* Beyond the most that is looked at, but for the rounding of the search's end. */
 static bool is_above(double least, double most) {
-  return isinf(most) && least >= nextafter(TP_MOST_FACTOR, 0) && isfinite(least);
+  return isinf(most) && least >= TP_MOST_FACTOR * (1 - 1e-14) && isfinite(least);
 }
 
 static void add_factor(tp_text *t, tp_fos_state state, double least, double most) {

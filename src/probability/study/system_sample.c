@@ -69,7 +69,7 @@ static void take_case(tp_study_row *row, const tp_block_system *system) {
   const tp_system_case *own = tp_system_governing(system);
   const tp_mechanism collapse = tp_system_case_mechanism(own);
   row->quantities[TP_STUDY_LIMIT_DEG] = limit_deg(own);
-  row->quantities[TP_STUDY_FOS] = fos_of(&system->safety);
+  row->quantities[TP_STUDY_FOS] = fos_of(&system->governing_fos);
   row->quantities[TP_STUDY_FOS_GOODMAN_BRAY] = goodman_bray_fos(&own->goodman_bray);
   row->quantities[TP_STUDY_ACCELERATION_G] = acceleration_g(own);
   row->quantities[TP_STUDY_SUPPORT_N_M] = support_n_m(own);
@@ -77,8 +77,8 @@ static void take_case(tp_study_row *row, const tp_block_system *system) {
     row->limit_mechanism = tp_study_outcome_name(tp_study_outcome_of(collapse));
   }
   row->tilt_deg = own->tilt_angle_deg.value;
-  if (!isnan(row->quantities[TP_STUDY_FOS]) && system->safety.has_definition) {
-    row->fos_definition = (int)system->safety.definition;
+  if (!isnan(row->quantities[TP_STUDY_FOS]) && system->governing_fos.has_definition) {
+    row->fos_definition = (int)system->governing_fos.definition;
   }
 }
 
@@ -87,13 +87,14 @@ static bool is_open(const tp_block_system *system) {
   const tp_system_case *own = tp_system_governing(system);
   const tp_system_verdict verdict = tp_system_case_worst_verdict(own);
   return verdict == TP_SYSTEM_UNDECIDED || verdict == TP_SYSTEM_CAN_HOLD ||
-         own->limit == TP_SYSTEM_LIMIT_UNDECIDED || system->safety.fos.state == TP_FOS_UNDECIDED ||
+         own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
+         system->governing_fos.fos.state == TP_FOS_UNDECIDED ||
          (own->has_support && own->support.state == TP_SYSTEM_SUPPORT_UNDECIDED);
 }
 
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {
   const tp_system_case *own = tp_system_governing(system);
-  row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(&system->safety)};
+  row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(&system->governing_fos)};
   row->open = row->open || is_open(system);
   if (at > 0) return;
   take_case(row, system);

@@ -59,7 +59,7 @@ static void take_from_case(tp_sample *at, bool *unbounded, const tp_system_case 
   const tp_goodman_bray *columns = &own->goodman_bray;
   switch (target) {
   case TP_FIND_GOVERNING_FOS:
-    take_governing(at, unbounded, &own->safety);
+    take_governing(at, unbounded, &own->governing_fos);
     break;
   case TP_FIND_LIMIT_ANGLE:
     *unbounded = own->limit == TP_SYSTEM_INTERLOCKED;

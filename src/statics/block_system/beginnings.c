@@ -307,7 +307,7 @@ static tp_status search_driving_by_tilt(beginnings *b, const tp_moving_search *t
   const tp_system_case *own = b->own;
   const double multiple = tp_driving_of_angles(b->own, b->task->driving, b->task->resultant);
   if (own->has_moving_fos_driving) {
-    return tp_system_start_mechanism(&b->own->by_driving.mechanism, turned, message);
+    return tp_system_start_mechanism(&b->own->fos_by_driving.mechanism, turned, message);
   }
   const bool to_the_end = own->has_standing_angle && own->limit == TP_SYSTEM_INTERLOCKED &&
                           own->standing_angle_deg >= tilts(b).limit && isfinite(multiple);
@@ -331,7 +331,7 @@ static tp_status search_driving(beginnings *b, const tp_moving_search *turned,
     tp_standing_clear(&s);
   }
   if (status == TP_OK && own->has_moving_fos_driving) {
-    status = tp_system_start_mechanism(&own->by_driving.mechanism, &m, message);
+    status = tp_system_start_mechanism(&own->fos_by_driving.mechanism, &m, message);
   }
   tp_moving_clear(&m);
   return status;
@@ -396,7 +396,7 @@ static tp_status find_windows(beginnings *b, tp_message *message) {
 
 /* Where a thousand times as much strength does not stop the motion it is no way to count. */
 static void take_windows(beginnings *b) {
-  tp_system_bounds *driving = &b->own->by_driving, *strength = &b->own->by_strength;
+  tp_system_bounds *driving = &b->own->fos_by_driving, *strength = &b->own->fos_by_strength;
   const tp_onset_window *d = &b->by_driving, *w = &b->by_strength;
   tp_system_case_set_bounds(b->own);
   if (b->is_never_driven && isinf(driving->at_most)) driving->at_least = INFINITY;
@@ -498,7 +498,7 @@ tp_status tp_beginnings_find(tp_system_case *own, const tp_beginnings_task *task
   }
   if (status == TP_OK) judge_frictionless(&b);
   if (status == TP_OK) take_windows(&b);
-  if (b.frictionless) own->by_strength.at_least = INFINITY;
+  if (b.frictionless) own->fos_by_strength.at_least = INFINITY;
   tp_resting_clear(&b.resting);
   return status;
 }

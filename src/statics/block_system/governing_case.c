@@ -55,7 +55,7 @@ static void take_motion(tp_system_bounds *b, double moving, tp_mechanism mechani
 }
 
 static void bound_strength(tp_system_case *c) {
-  tp_system_bounds *b = &c->by_strength;
+  tp_system_bounds *b = &c->fos_by_strength;
   const tp_mechanism start =
       tp_system_motions_mechanism(c->start.motions, c->has_start ? c->start.motion_count : 0);
   const bool helps_not = moves(c) && (c->moving_fos_is_most || c->fos.state == TP_FOS_UNDEFINED);
@@ -72,7 +72,7 @@ static void bound_strength(tp_system_case *c) {
 }
 
 static void bound_driving(tp_system_case *c) {
-  tp_system_bounds *b = &c->by_driving;
+  tp_system_bounds *b = &c->fos_by_driving;
   const tp_fos *limit = &c->fos_driving;
   const tp_mechanism moving = begin(b);
   take_limit(b, limit, c->fos_driving_is_least, c->fos_driving_mechanism);
@@ -90,8 +90,8 @@ static void bound_driving(tp_system_case *c) {
 }
 
 void tp_system_case_settle_bounds(tp_system_case *c) {
-  if (!moves(c) || c->by_strength.counts || c->by_driving.counts) return;
-  c->by_driving = (tp_system_bounds){.counts = true};
+  if (!moves(c) || c->fos_by_strength.counts || c->fos_by_driving.counts) return;
+  c->fos_by_driving = (tp_system_bounds){.counts = true};
 }
 
 void tp_system_case_set_bounds(tp_system_case *c) {
@@ -103,9 +103,9 @@ void tp_system_case_set_bounds(tp_system_case *c) {
 void tp_system_case_take_motion(tp_system_case *c, tp_system_verdict before) {
   if (c->verdict != before) {
     tp_system_case_set_bounds(c);
-  } else if (c->has_moving_fos && c->by_strength.counts) {
+  } else if (c->has_moving_fos && c->fos_by_strength.counts) {
     take_motion(
-        &c->by_strength, c->moving_fos,
+        &c->fos_by_strength, c->moving_fos,
         tp_system_motions_mechanism(c->start.motions, c->has_start ? c->start.motion_count : 0));
   }
 }
@@ -152,10 +152,10 @@ typedef struct states {
 
 static states states_of(const tp_system_case *c) {
   states s = {.count = c->has_static ? 2 : 1};
-  s.of[0] = state_of(s.ranges[0], c->verdict, &c->by_strength, &c->by_driving);
+  s.of[0] = state_of(s.ranges[0], c->verdict, &c->fos_by_strength, &c->fos_by_driving);
   if (c->has_static) {
-    s.of[1] =
-        state_of(s.ranges[1], c->static_verdict, &c->static_by_strength, &c->static_by_driving);
+    s.of[1] = state_of(s.ranges[1], c->static_verdict, &c->static_fos_by_strength,
+                       &c->static_fos_by_driving);
   }
   return s;
 }
@@ -168,11 +168,11 @@ tp_safety tp_system_case_rule(const tp_system_case *c) {
 /* Where both definitions have one factor, as of what slides, strength is told of. */
 static void prefer_strength(tp_system_case *c, bool is_static) {
   static const double same = 1e-5;
-  const tp_system_bounds *strength = is_static ? &c->static_by_strength : &c->by_strength;
-  const tp_system_bounds *driving = is_static ? &c->static_by_driving : &c->by_driving;
+  const tp_system_bounds *strength = is_static ? &c->static_fos_by_strength : &c->fos_by_strength;
+  const tp_system_bounds *driving = is_static ? &c->static_fos_by_driving : &c->fos_by_driving;
   if (!strength->counts || !(strength->at_most <= driving->at_most * (1 + same))) return;
-  c->safety.definition = TP_FOS_BY_REDUCTION;
-  c->safety.mechanism = strength->mechanism;
+  c->governing_fos.definition = TP_FOS_BY_REDUCTION;
+  c->governing_fos.mechanism = strength->mechanism;
 }
 
 void tp_system_case_set_safety(tp_system_case *c) {
@@ -181,14 +181,14 @@ void tp_system_case_set_safety(tp_system_case *c) {
   const tp_safety all = tp_safety_of_all(s.of, s.count);
   const tp_factor_range *range =
       all.has_factor ? &s.ranges[governing][s.of[governing].factor] : NULL;
-  c->safety = (tp_system_safety){.fos = tp_safety_fos(&all),
-                                 .at_least = all.least,
-                                 .at_most = all.most,
-                                 .has_definition = range != NULL,
-                                 .without_earthquake = governing == 1};
+  c->governing_fos = (tp_system_safety){.fos = tp_safety_fos(&all),
+                                        .at_least = all.least,
+                                        .at_most = all.most,
+                                        .has_definition = range != NULL,
+                                        .without_earthquake = governing == 1};
   if (range != NULL) {
-    c->safety.definition = range->definition;
-    c->safety.mechanism = range->mechanism;
+    c->governing_fos.definition = range->definition;
+    c->governing_fos.mechanism = range->mechanism;
     prefer_strength(c, governing == 1);
   }
 }
@@ -203,15 +203,15 @@ void tp_block_system_set_safety(tp_block_system *s) {
   for (size_t k = 1; k < s->case_count; k++) {
     if (tp_system_case_is_worse(s->cases + k, s->cases + s->governing)) s->governing = k;
   }
-  s->safety = s->cases[s->governing].safety;
+  s->governing_fos = s->cases[s->governing].governing_fos;
   tp_safety all = tp_system_case_rule(s->cases + s->governing);
   for (size_t k = 0; k < s->case_count; k++) {
-    all.least = fmin(all.least, s->cases[k].safety.at_least);
-    all.most = fmin(all.most, s->cases[k].safety.at_most);
+    all.least = fmin(all.least, s->cases[k].governing_fos.at_least);
+    all.most = fmin(all.most, s->cases[k].governing_fos.at_most);
   }
-  s->safety.fos = tp_safety_fos(&all);
-  s->safety.at_least = all.least;
-  s->safety.at_most = all.most;
+  s->governing_fos.fos = tp_safety_fos(&all);
+  s->governing_fos.at_least = all.least;
+  s->governing_fos.at_most = all.most;
 }
 
 const tp_system_case *tp_system_governing(const tp_block_system *system) {

@@ -13,7 +13,7 @@
 enum { TP_MOST_MOVING_BLOCKS = 48 }; /* free ones, among which motions are looked for */
 
 /* The bounds of both factors, from what was found of a case: limits of what forces can hold, up to
- * where no motion can begin, and from where on one can; `by_driving.mechanism` is that of the
+ * where no motion can begin, and from where on one can; `fos_by_driving.mechanism` is that of the
  * motion with more of what drives, where one was found. */
 void tp_system_case_set_bounds(tp_system_case *own);
 

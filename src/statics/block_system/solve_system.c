@@ -282,7 +282,7 @@ static tp_status solve_verdict(direction *d, tp_message *message) {
                                      .held_tilt_deg = INFINITY};
     status = tp_beginnings_find(d->own, &task, message);
   }
-  d->own->by_strength = d->own->by_driving = (tp_system_bounds){.at_most = INFINITY};
+  d->own->fos_by_strength = d->own->fos_by_driving = (tp_system_bounds){.at_most = INFINITY};
   return status;
 }
 
@@ -353,8 +353,9 @@ static tp_status find_static(solving *x, bool left, tp_message *message) {
     status = solve_shaken(own, x, &of, !needs_static_factors(x->s->scene, left), message);
   }
   if (status == TP_OK) {
-    x->at_rest[side] = (tp_system_case){
-        .verdict = own->verdict, .by_strength = own->by_strength, .by_driving = own->by_driving};
+    x->at_rest[side] = (tp_system_case){.verdict = own->verdict,
+                                        .fos_by_strength = own->fos_by_strength,
+                                        .fos_by_driving = own->fos_by_driving};
     x->has_static[side] = true;
   }
   tp_system_case_drop_last(x->system);
@@ -368,8 +369,8 @@ static tp_status join_static(tp_system_case *own, solving *x, bool left, tp_mess
   if (status != TP_OK) return status;
   own->has_static = true;
   own->static_verdict = x->at_rest[side].verdict;
-  own->static_by_strength = x->at_rest[side].by_strength;
-  own->static_by_driving = x->at_rest[side].by_driving;
+  own->static_fos_by_strength = x->at_rest[side].fos_by_strength;
+  own->static_fos_by_driving = x->at_rest[side].fos_by_driving;
   return TP_OK;
 }
 

@@ -205,8 +205,8 @@ void tp_system_case_join(tp_system_case *own, tp_system_case *other) {
   join_acceleration(own, other);
   join_standing(own, other);
   join_moving(own, other);
-  join_bounds(&own->by_strength, &other->by_strength);
-  join_bounds(&own->by_driving, &other->by_driving);
+  join_bounds(&own->fos_by_strength, &other->fos_by_strength);
+  join_bounds(&own->fos_by_driving, &other->fos_by_driving);
   tp_estimate_join(own, other);
   if (own->has_support) join_support(own, other);
 }

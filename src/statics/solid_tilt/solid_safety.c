@@ -44,7 +44,7 @@ static tp_safety safety_of(const tp_solid_state *state) {
     const tp_solid_factor *entry = state->factors + k;
     ranges[k] = (tp_factor_range){entry->definition, entry->mechanism, entry->least, entry->most};
   }
-  return tp_safety_of(verdict_of(state->outlook), ranges, state->factor_count);
+  return tp_safety_of(verdict_of(state->motion), ranges, state->factor_count);
 }
 
 static tp_safety all_of(const tp_solid_safety *safety, tp_safety states[TP_SOLID_STATES]) {
@@ -57,7 +57,7 @@ static void settle(tp_solid_safety *safety) {
   const tp_safety all = all_of(safety, states);
   safety->governing = tp_safety_governing(states, safety->state_count);
   const tp_solid_state *governs = safety->states + safety->governing;
-  safety->outlook = outlook_of(all.verdict);
+  safety->motion = outlook_of(all.verdict);
   safety->least = all.least;
   safety->most = all.most;
   safety->fos = tp_safety_fos(&all);
@@ -68,7 +68,7 @@ static void settle(tp_solid_safety *safety) {
 void tp_solid_safety_add(tp_solid_safety *safety, const tp_state_ranges *state) {
   tp_solid_state *entry = safety->states + safety->state_count++;
   *entry = (tp_solid_state){.is_static = state->is_static,
-                            .outlook = outlook_of(state->verdict),
+                            .motion = outlook_of(state->verdict),
                             .factor_count = state->count};
   for (size_t k = 0; k < state->count; k++) {
     const tp_factor_range *from = state->ranges + k;

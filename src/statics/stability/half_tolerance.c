@@ -94,6 +94,5 @@ tp_status tp_half_tolerance_check(tp_solution *solution, const tp_scene *scene,
     return status;
   }
   return tp_notes_add(&solution->notes, message, TP_CAUTION, within->place,
-                      "with half of this distance there is no answer to compare with: %s",
-                      why.text);
+                      "with half of this distance there is no answer to compare with");
 }
