@@ -32,7 +32,11 @@ typedef struct tp_solid_factor {
   double most;                  /* infinite: no upper bound is proven, or as above */
 } tp_solid_factor;
 
-enum { TP_SOLID_FACTORS = 3, TP_SOLID_STATES = 4 };
+/* The most that there are of each. */
+enum {
+  TP_SOLID_FACTORS = 3, /* of a state */
+  TP_SOLID_STATES = 4   /* of a solid */
+};
 
 /* A solid under one set of loads. */
 typedef struct tp_solid_state {

@@ -248,7 +248,7 @@ class BlockSweeps(unittest.TestCase):
         self.assertEqual((status, err), (0, ""))
         table = [[cell.strip() for cell in line.split("|")[1:-1]] for line in out.splitlines() if line.startswith("|")]
         self.assertEqual([row[0] for row in table[2:]], ["The slope of Goodman and Bray (1976)", "Columns on a wet slope"])
-        self.assertAlmostEqual(float(table[2][6]), math.tan(math.radians(37)) / 0.785544, delta=1e-4)
+        self.assertAlmostEqual(float(table[2][7]), math.tan(math.radians(37)) / 0.785544, delta=1e-4)
         self.assertIn("set: friction\\_angle\\_deg = 37", out)
         status, out, err = run("solve", "--csv", scenes[0], ROOT / "examples" / "slab.yaml")
         self.assertEqual((status, out), (3, ""))
@@ -266,7 +266,7 @@ class BlockBatches(StudyCase):
         status, out, err = run("solve", "--batch", "--csv", "--template", self.folder / "row.yaml", "--figures", self.folder / "figures", table)
         self.assertEqual(status, 1, err)
         told = [*csv.DictReader(io.StringIO(out))]
-        self.assertEqual([row["name"] for row in told], ["C", "B", "A"])
+        self.assertEqual([row["name"] for row in told], ["B", "C", "A"])  # equally severe: in the order of the table
         for row in told:
             phi, width = rows[row["name"]]
             case = json.loads(run("solve", "--json", "--set", f"friction_angle_deg={phi}", "--set", f"columns.width={width}",
@@ -367,7 +367,7 @@ class BlockFinds(StudyCase):
             self.assertEqual("moving_fos" in found["blocks"][0], case.get("moving_fos", math.inf) < case["fos"]["value"])
         page = run("solve", "--find", "friction_angle_deg", "--for", "fos=1.2", "--from", "34", "--to", "35", self.folder / "own.yaml")[1]
         self.assertIn("Caution: forces can hold the blocks there; that a motion begins", page)
-        self.assertIn("by Goodman and Bray the factor there is 1.2", page)
+        self.assertIn("by Goodman and Bray the factor there is 1.1999", page)  # rounded down
 
     def test_none_and_refused(self):
         found = self.find(SLAB, "friction_angle_deg", "--for", "fos=3", "--from", "31", "--to", "40")

@@ -46,16 +46,19 @@ tp_status tp_cli_check_kinds(bool *of_many, const tp_cli_solved *solved, const c
   return TP_OK;
 }
 
-/* Why it is not known whether a factor is met. */
+/* Why it is not known whether a factor is met: the bounds that are proven. */
 static void open_words(char *text, size_t size, const tp_block_system *system) {
   static const double fifth = 1e5;
-  const tp_system_safety *own = &system->governing_fos;
-  const double least = floor(own->at_least * fifth) / fifth;
-  if (isinf(own->at_most)) {
+  const double least = floor(system->governing_fos.at_least * fifth) / fifth;
+  const double most = ceil(system->governing_fos.at_most * fifth) / fifth;
+  if (isinf(most) && least <= 0) {
+    snprintf(text, size, ": nothing is proven of the factor");
+  } else if (isinf(most)) {
     snprintf(text, size, ": the factor is proven to be at least %.5f, and no more is known", least);
+  } else if (least <= 0) {
+    snprintf(text, size, ": the factor is proven to be at most %.5f, and no less is known", most);
   } else {
-    snprintf(text, size, ": the factor is proven to be at least %.5f and at most %.5f", least,
-             ceil(own->at_most * fifth) / fifth);
+    snprintf(text, size, ": the factor is proven to be between %.5f and %.5f", least, most);
   }
 }
 
