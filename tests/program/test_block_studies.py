@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import math
+import re
 import pathlib
 import statistics
 import tempfile
@@ -275,7 +276,8 @@ class BlockBatches(StudyCase):
             self.assertEqual((row["fos"] and float(row["fos"]), row["fos_is"]), (safety["fos"]["value"] if safety["fos"] else "", safety.get("fos_is", "")))
             self.assertEqual(row["meets_required"], case["meets_required"])
             self.assertEqual(row["standing"], {"collapses": "fails", "may move": "fails", "can be held": "undecided"}[case["verdict"]])
-            self.assertIn(f"by Goodman and Bray the factor is {case['goodman_bray']['fos']:.5g}", row["remark"])
+            by_columns = float(re.search(r"by Goodman and Bray the factor is ([\d.]+)", row["remark"])[1].rstrip("."))
+            self.assertTrue(0 <= case["goodman_bray"]["fos"] - by_columns < 1e-4, row["remark"])  # rounded down
         self.assertEqual(len([*(self.folder / "figures").iterdir()]), 3)
 
     def test_stands(self):
