@@ -8,8 +8,8 @@ import csv
 import io
 import json
 import math
-import re
 import pathlib
+import re
 import statistics
 import tempfile
 import unittest
