@@ -48,6 +48,24 @@ class Parts(unittest.TestCase):
         self.assertGreater(bounded, 10)
         self.assertLess(bounded, 2000)
 
+    def test_factors_are_rounded_to_the_safe_side(self):
+        """No factor is printed above its proven lower end, and no upper bound below its own; both within the digit."""
+        draw = random.Random(24)
+        given = []
+        for _ in range(4000):
+            value = draw.choice((draw.uniform(0, 100), round(draw.uniform(0, 3), draw.randrange(5)), 1.0495407, 0.9999999))
+            given.append({"value": value, "error": draw.choice((0.0, value * 2.0 ** -53, 10.0 ** draw.uniform(-9, -1)))})
+        for function, side in (("fosText", -1), ("fosAtMostText", 1)):
+            texts = node(PANELS / "certain.js", f"return given.map((each) => it.{function}(each));", given)
+            for number, text in zip(given, texts):
+                value, error = (fractions.Fraction(number[key]) for key in ("value", "error"))
+                shown, place = fractions.Fraction(text), fractions.Fraction(1, 1000)
+                while place < error:
+                    place *= 10
+                noise = max(error, value / 2 ** 53) if error <= place / 10 ** 9 else 0  # 0.3 is no double
+                self.assertGreaterEqual(side * (shown - value) - error + 2 * noise, 0, (number, text))
+                self.assertLessEqual(side * (shown - value) - error, place, (number, text))
+
     def test_bounds_are_rounded_up(self):
         draw = random.Random(21)
         given = [10.0 ** draw.uniform(-300, 5) for _ in range(1000)] + [1e-5, 9.5e-7, 1.0, 0.0]

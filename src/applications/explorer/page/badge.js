@@ -3,7 +3,7 @@
 
 /** What the block does, and the factor of safety that governs, in a corner of its drawing. */
 
-import { degreesText, fosText } from "../panels/certain.js";
+import { degreesText, fosAtMostText, fosText } from "../panels/certain.js";
 import { COLOUR_CLASS, againstText, sentence } from "../panels/words.js";
 import { drives } from "../scene/solution.js";
 import { parts, say } from "../words/language.js";
@@ -65,8 +65,10 @@ function factorWords({ governing_fos: governing, tilt_angle_deg: tilt, onset, fo
   if (!tilt && onset?.kind === "angle") return [say("Certain to stand up to %s", degreesText(onset.critical_angle_deg))];
   if (governing.fos === null) return [say("FoS") + " " + say(governing.fos_is ?? "none")];
   if (governing.mechanism === undefined) return parts("FoS %s", strong(fosText(governing.fos)));
-  const [number, against] = [strong(fosText(governing.fos)), againstText(governing.mechanism)];
-  return governing.complete !== false ? parts("FoS %s against %s", number, against) : parts("FoS at most %s against %s", number, against);
+  const against = againstText(governing.mechanism);
+  return governing.complete !== false
+    ? parts("FoS %s against %s", strong(fosText(governing.fos)), against)
+    : parts("FoS at most %s against %s", strong(fosAtMostText(governing.fos)), against);
 }
 
 function strong(text) {

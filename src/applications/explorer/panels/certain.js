@@ -3,7 +3,7 @@
 
 /**
  * Numbers with their bounds as text, in which every digit is certain: the value and both ends of its bound round to
- * the same digits. What has no certain digit is printed with its bound.
+ * the same digits. What has no certain digit is printed with its bound. Factors of safety are rounded down.
  */
 
 import { numeral } from "../words/language.js";
@@ -12,6 +12,9 @@ import { numeral } from "../words/language.js";
 
 /** What a change of the unit, and the sum with a bound, may be off in doubles, as a share of the value. */
 const ROUNDING = 2 ** -51;
+
+/** An error of so little of the last digit is only rounding. */
+const NOISE = 1e-9;
 
 /**
  * @param {Bounded|null|undefined} number
@@ -58,9 +61,35 @@ export function degreesText(angle) {
   return angle === null || angle === undefined ? "—" : certainText(angle, 3) + "°";
 }
 
-/** @param {Bounded|null|undefined} fos */
+/** A factor of safety, never more than the proven one. @param {Bounded|null|undefined} fos */
 export function fosText(fos) {
-  return certainText(fos, 3);
+  return numeral(roundedText(fos, 3, -1));
+}
+
+/** A factor of safety that is only bounded above, never less than its bound. @param {Bounded|null|undefined} fos */
+export function fosAtMostText(fos) {
+  return numeral(roundedText(fos, 3, 1));
+}
+
+/**
+ * Towards one side from that end of value ± error, with no more decimals than the error leaves. An error that is only
+ * rounding, a billionth of the last digit, does not move a number past the digit that it reaches (core/output/text.h).
+ * @param {Bounded|null|undefined} number
+ * @param {-1|1} side -1: down, 1: up
+ */
+function roundedText(number, decimals, side) {
+  if (number === null || number === undefined || !Number.isFinite(number.value)) return "—";
+  let count = decimals;
+  while (count > 0 && 10 ** -count < number.error) count--;
+  const place = 10 ** -count;
+  if (place < number.error) return plainText(number, decimals);
+  const isExact = number.error <= NOISE * place;
+  const proven = number.value + side * number.error * (1 + ROUNDING);
+  const end = isExact ? number.value - side * number.error : proven;
+  const text = end.toFixed(count);
+  const exceeds = side * (Number(text) - end) < 0;
+  const rounded = exceeds ? (end + 0.6 * side * place).toFixed(count) : text;
+  return number.error === 0 ? String(Number(rounded)) : noMinusZero(rounded);
 }
 
 function noMinusZero(text) {

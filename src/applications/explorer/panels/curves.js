@@ -6,6 +6,7 @@
  * point is a solve of the core's `sweep`; first a few, then more between them.
  */
 
+import { fosText } from "./certain.js";
 import { element } from "./element.js";
 import { drawChart, saveLink } from "./chart.js";
 import { readTable } from "./csv.js";
@@ -134,7 +135,7 @@ function fosCurve(x, at, towards) {
     values: fos.map((value) => (value === null || value > FOS_MAX ? null : value)),
     told: (index) => {
       const row = at.get(x[index]);
-      return say("%s against %s (%s)", numeral(fos[index].toPrecision(5)), againstText(row.fos_mechanism), say(row.fos_definition));
+      return say("%s against %s (%s)", fosText({ value: fos[index], error: Number(row.fos_error) }), againstText(row.fos_mechanism), say(row.fos_definition));
     },
   };
 }

@@ -7,7 +7,7 @@
  */
 
 import { alpha, element } from "./element.js";
-import { degreesText, fosText } from "./certain.js";
+import { degreesText, fosAtMostText, fosText } from "./certain.js";
 import { lengthUnit, pointText } from "./lengths.js";
 import { loadCasesTable } from "./load_cases_table.js";
 import { Panel } from "./panel.js";
@@ -106,7 +106,7 @@ export class VerdictPanel extends Panel {
       { class: "fos" },
       this.terms.word("FoS"),
       governing.complete ? " " : " " + say("at most") + " ",
-      element("strong", { "data-number": "governing_fos" }, fosText(governing.fos)),
+      element("strong", { "data-number": "governing_fos" }, governing.complete ? fosText(governing.fos) : fosAtMostText(governing.fos)),
       " " + say("against %s", againstText(governing.mechanism)) + " (",
       this.terms.word(governing.definition, termOfDefinition(governing.definition)),
       ")",
