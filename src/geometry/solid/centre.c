@@ -59,6 +59,21 @@ void tp_centre_of_exact(tp_centre *centre, const tp_surface *surface, const fmpz
   }
 }
 
+bool tp_centre_exactly(tp_centre *exact, const tp_centre *centre) {
+  const tp_surface *summed = centre->summed;
+  *exact = (tp_centre){.level = TP_LEVEL_DOUBLE};
+  if (summed == NULL || summed->weights != NULL || centre->surface->weights != NULL) return false;
+  fmpz sums[TP_SOLID_XX120];
+  fmpz_t multiple;
+  fmpz_init_set_ui(multiple, 1);
+  for (int k = 0; k < TP_SOLID_XX120; k++) fmpz_init(sums + k);
+  tp_solid_first_sums_exact(sums, summed);
+  tp_centre_of_exact(exact, centre->surface, sums, multiple);
+  for (int k = 0; k < TP_SOLID_XX120; k++) fmpz_clear(sums + k);
+  fmpz_clear(multiple);
+  return true;
+}
+
 void tp_centre_clear(tp_centre *centre) {
   fmpz_clear(centre->weight4);
   for (int k = 0; k < 3; k++) fmpz_clear(centre->moment + k);

@@ -18,10 +18,11 @@
 
 typedef struct tp_centre {
   const tp_surface *surface;
-  tp_level level;  /* of the sums: double or exact */
-  tp_near near[3]; /* G, as the surface's `near` */
-  tp_near volume6; /* V6, likewise */
-  fmpz_t weight4;  /* 4 V6 and M, at the level exact */
+  const tp_surface *summed; /* within which all is of one weight; NULL: there is none */
+  tp_level level;           /* of the sums: double or exact */
+  tp_near near[3];          /* G, as the surface's `near` */
+  tp_near volume6;          /* V6, likewise */
+  fmpz_t weight4;           /* 4 V6 and M, at the level exact */
   fmpz moment[3];
 } tp_centre;
 
@@ -48,6 +49,10 @@ void tp_rest_plane_clear(tp_rest_plane *plane);
 tp_near tp_centre_height(const tp_centre *centre, const tp_rest_plane *plane, double accuracy);
 tp_near tp_centre_arm(const tp_centre *centre, const tp_rest_plane *plane, long from, long to,
                       double accuracy);
+
+/* At the level exact where the sums are those of one surface whose points have no weights: false,
+ * and empty, where they are not. To be cleared. */
+bool tp_centre_exactly(tp_centre *exact, const tp_centre *centre);
 
 /* At the level exact: the sign of the height over one plane less that over another, both above 0.
  */

@@ -1,24 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Signs of determinants of vectors from the inner point: by doubles with one bound for all, by
- * doubles with a bound for each, and by whole numbers where neither decides. The triangle whose
- * cone has a point is found by a walk over any side that the point is beyond, from the triangle
- * found last in about that direction. A walk that takes long is followed by a search of all.
+/* Signs of determinants of vectors from the inner point: by doubles with one bound for all; where
+ * that does not decide by words, or, where coordinates do not fit into these, by doubles with a
+ * bound for each and by whole numbers. The inner point is in no plane of symmetry of the four
+ * points that it is a mean of, where it would be level with many a vertex. The triangle whose cone
+ * has a point is found by a walk over any side that the point is beyond, from the triangle found
+ * last in about that direction. A walk that takes long is followed by a search of all.
  *
- * The bound for all: with u = 2^-53, a coordinate is at most 1 and off by u, the inner point by 4
- * u, a vector from it by 7 u and at most 2, the sum of three of these by 33 u and at most 6. A
- * product of two is off by 32 u, a component of the cross product of two by 72 u and at most 8, its
- * product with the third vector by 6 (72 u) + 8 (33 u) + 48 u, less than 750 u, and the sum of
- * three, with its roundings, by less than 2550 u: less than 2^12 u = 2^-41. */
+ * The bound for all: with u = 2^-53, a coordinate is at most 1 and off by u, the inner point by 5
+ * u, a vector from it by 8 u and at most 2, the sum of three of these by 36 u and at most 6. A
+ * product of two is off by 36 u, a component of the cross product of two by 80 u and at most 8, its
+ * product with the third vector by 6 (80 u) + 8 (36 u) + 48 u, less than 820 u, and the sum of
+ * three, with its roundings, by less than 2750 u: less than 2^12 u = 2^-41. */
 
 #include "solid/hull_proof.h"
 
 #include "solid/sides.h"
 #include "solid/turns.h"
+#include "solid/word_turns.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+/* By which the four points are weighed, and their sum: a power of two. */
+enum { HULL_WEIGHT = 64 };
+static const int hull_weights[4] = {14, 15, 17, 18};
 
 typedef struct proof {
   tp_hull *hull;
@@ -27,6 +34,8 @@ typedef struct proof {
   fmpz top[3];     /* o = top / bottom in whole numbers, bottom above 0 */
   fmpz bottom;
   fmpz exact[11]; /* room for three vectors, a sum and a term of it */
+  bool has_words;
+  int64_t word_top[3]; /* o times HULL_WEIGHT where coordinates fit into words */
 } proof;
 
 /* A vector from o: to a vertex, or the sum of those to the corners of a triangle. */
@@ -104,6 +113,25 @@ static void set_exact(fmpz *vector, const proof *p, const aim *to) {
   }
 }
 
+/* HULL_WEIGHT times the same, of less than TP_TURN_WORD_BITS. */
+static void set_words(int64_t vector[3], const proof *p, const aim *to) {
+  for (int k = 0; k < 3; k++) {
+    vector[k] = 0;
+    for (int n = 0; n < to->count; n++) {
+      const int64_t at = tp_word_get(p->surface->whole + 3L * to->vertices[n] + k);
+      vector[k] += HULL_WEIGHT * at - p->word_top[k];
+    }
+  }
+}
+
+static int word_sign(const proof *p, const aim *a, const aim *b, const aim *c) {
+  int64_t one[3], other[3], last[3];
+  set_words(one, p, a);
+  set_words(other, p, b);
+  set_words(last, p, c);
+  return tp_word_turn(one, other, last);
+}
+
 static int exact_sign(proof *p, const aim *a, const aim *b, const aim *c) {
   fmpz *one = p->exact, *other = p->exact + 3, *last = p->exact + 6, *sum = p->exact + 9;
   fmpz *turn = p->exact + 10;
@@ -143,6 +171,7 @@ static double determinant(const double a[3], const double b[3], const double c[3
 static int sign_of(proof *p, const aim *a, const aim *b, const aim *c) {
   const double value = determinant(a->at, b->at, c->at);
   if (fabs(value) > bound_for_all) return value > 0 ? 1 : -1;
+  if (p->has_words) return word_sign(p, a, b, c);
   const int sign = near_sign(p, a, b, c);
   return sign != 0 ? sign : exact_sign(p, a, b, c);
 }
@@ -223,10 +252,10 @@ bool tp_hull_span(int four[4], const tp_surface *surface) {
   return true;
 }
 
-/* The mean of four points p / w: with b the product of all w, the sum of p b / w over 4 b. */
+/* A mean of four points p / w: with b the product of all w, the sum of p b / w by their weights
+ * over HULL_WEIGHT b. */
 static void set_centre(proof *p, const int four[4]) {
   const tp_surface *s = p->surface;
-  static const tp_near quarter = {0.25, 0};
   fmpz_one(&p->bottom);
   for (int n = 0; n < 4 && s->weights != NULL; n++) {
     fmpz_mul(&p->bottom, &p->bottom, s->weights + four[n]);
@@ -236,15 +265,21 @@ static void set_centre(proof *p, const int four[4]) {
   for (int n = 0; n < 4; n++) {
     fmpz_set(factor, &p->bottom);
     if (s->weights != NULL) fmpz_divexact(factor, factor, s->weights + four[n]);
+    fmpz_mul_si(factor, factor, hull_weights[n]);
     for (int k = 0; k < 3; k++) fmpz_addmul(p->top + k, factor, s->whole + 3L * four[n] + k);
   }
   fmpz_clear(factor);
-  fmpz_mul_ui(&p->bottom, &p->bottom, 4);
+  fmpz_mul_ui(&p->bottom, &p->bottom, HULL_WEIGHT);
   for (int k = 0; k < 3; k++) {
-    tp_near sum = tp_surface_near(s, four[0], k);
-    for (int n = 1; n < 4; n++) sum = tp_near_add(sum, tp_surface_near(s, four[n], k));
-    p->near[k] = tp_near_mul(sum, quarter);
+    tp_near sum = {0, 0};
+    for (int n = 0; n < 4; n++) {
+      const tp_near part = {(double)hull_weights[n] / HULL_WEIGHT, 0};
+      sum = tp_near_plus(sum, tp_near_mul(part, tp_surface_near(s, four[n], k)));
+    }
+    p->near[k] = sum;
   }
+  p->has_words = tp_surface_has_words(s);
+  for (int k = 0; k < 3 && p->has_words; k++) p->word_top[k] = tp_word_get(p->top + k);
 }
 
 /* ---- conditions --------------------------------------------------------------------------------

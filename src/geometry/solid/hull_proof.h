@@ -47,8 +47,8 @@ typedef enum tp_hull_fault {
 /* Four points of the surface that are not in one plane; false: all are in one. */
 bool tp_hull_span(int four[4], const tp_surface *surface);
 
-/* `hull` has its corners; `across` and `level` are allocated and set as far as the proof goes. The
- * mean of the four points is o. */
+/* `hull` has its corners; `across` and `level` are allocated and set as far as the proof goes. A
+ * weighted mean of the four points is o. */
 tp_hull_fault tp_hull_prove(tp_hull *hull, const tp_surface *surface, const int four[4]);
 
 /* For a message: what a fault means. */

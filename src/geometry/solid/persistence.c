@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Heights of facets and arms about their sides in doubles with bounds; passes in their order; sets
- * of facets that are joined, each with its lowest pose. */
+/* Passes in their order; sets of facets that are joined, each with its lowest pose. Two heights
+ * that doubles do not separate, as those of like facets, are compared in whole numbers, at the
+ * level double as well. */
 
 #include "solid/persistence.h"
 
 #include "solid/sides.h"
-#include "solid/tilting.h"
+#include "solid/word_heights.h"
 
 #include <stdlib.h>
 
@@ -20,38 +21,29 @@ typedef struct pass {
 typedef struct landscape {
   const tp_centre *centre;
   const tp_hull_facets *facets;
+  const tp_hull_heights *over;
   const bool *is_pose;
-  tp_near *heights; /* of facets */
-  tp_near *arms;    /* about sides, above 0 where the foot lies within */
   pass *passes;
   long pass_count;
   double most_error;     /* of passes */
   int *leaders, *lowest; /* sets of facets, and the lowest pose of each at its leader; -1: none */
   bool is_undecided;     /* the level does not separate two heights */
-  bool is_open;          /* a side has no twin: no closed surface, which a proven hull is */
+  bool is_made;          /* what compares heights exactly, as one was needed: */
+  bool has_words, has_made;
+  tp_word_centre words;
+  tp_centre made;
+  bool is_open; /* a side has no twin: no closed surface, which a proven hull is */
 } landscape;
 
-static void set_plane(tp_rest_plane *plane, const landscape *l, long facet) {
-  const tp_hull_side *sides = l->facets->sides + l->facets->starts[facet];
-  const int corners[3] = {sides[0].from, sides[1].from, sides[2].from};
-  tp_rest_plane_below(plane, l->centre->surface, corners);
-}
-
-static void measure_facet(landscape *l, long facet) {
-  const tp_hull_side *sides = l->facets->sides;
-  const long first = l->facets->starts[facet], past = l->facets->starts[facet + 1];
+/* An arm above 0 as a length. */
+static tp_near length_of_arm(const landscape *l, long facet, long side) {
+  const tp_hull_side *own = l->facets->sides + side;
   tp_rest_plane plane;
-  set_plane(&plane, l, facet);
-  l->heights[facet] = tp_near_div(tp_centre_height(l->centre, &plane, tp_solid_accuracy),
-                                  tp_near_norm(plane.near_up));
-  if (!tp_near_tells(l->heights[facet], 100 * tp_solid_accuracy)) l->is_undecided = true;
-  for (long k = first; k < past; k++) {
-    tp_near outward[3]; /* seen from above the sides of a facet run the other way */
-    tp_rest_plane_outward(outward, l->centre->surface, &plane, sides[k].to, sides[k].from);
-    const tp_near arm = tp_centre_arm(l->centre, &plane, sides[k].to, sides[k].from, 0);
-    l->arms[k] = tp_near_is_zero(arm) ? arm : tp_near_div(arm, tp_near_norm(outward));
-  }
+  tp_near outward[3]; /* seen from above the sides of a facet run the other way */
+  tp_hull_heights_plane(&plane, l->over, facet);
+  tp_rest_plane_outward(outward, l->centre->surface, &plane, own->to, own->from);
   tp_rest_plane_clear(&plane);
+  return tp_near_div(l->over->arms[side], tp_near_norm(outward));
 }
 
 /* The same edge as a side of the neighbour; below 0: there is none. */
@@ -71,10 +63,11 @@ static void set_pass(landscape *l, long facet, long side) {
     l->is_open = true;
     return;
   }
-  const tp_near own = l->arms[side], beyond = l->arms[twin];
-  tp_near height = tp_near_larger(l->heights[facet], l->heights[other]);
-  if (own.value > 0 && beyond.value > 0) {
-    height = tp_near_larger(height, tp_near_length(l->heights[facet], own));
+  const tp_near *heights = l->over->heights, *arms = l->over->arms;
+  tp_near height = tp_near_larger(heights[facet], heights[other]);
+  if (arms[side].value > 0 && arms[twin].value > 0) {
+    const tp_near arm = length_of_arm(l, facet, side);
+    height = tp_near_larger(height, tp_near_length(heights[facet], arm));
   }
   l->most_error = fmax(l->most_error, height.error);
   l->passes[l->pass_count++] = (pass){height, (int)facet, other};
@@ -87,25 +80,51 @@ static int compare_passes(const void *one, const void *other) {
   return (a->other > b->other) - (a->other < b->other);
 }
 
+static void make_exact(landscape *l) {
+  const tp_surface *summed = l->centre->summed;
+  l->is_made = true;
+  l->has_words = l->centre->level != TP_LEVEL_EXACT && summed != NULL &&
+                 tp_surface_has_words(summed) && tp_surface_has_words(l->centre->surface);
+  if (l->has_words) {
+    tp_word_centre_init(&l->words, summed);
+  } else if (l->centre->level != TP_LEVEL_EXACT) {
+    l->has_made = tp_centre_exactly(&l->made, l->centre);
+  }
+}
+
+/* The sign of one height less another in whole numbers. */
+static int compare_exactly(landscape *l, int a, int b) {
+  if (!l->is_made) make_exact(l);
+  if (l->has_words) {
+    int one[3], other[3];
+    tp_hull_heights_corners(one, l->over, a);
+    tp_hull_heights_corners(other, l->over, b);
+    return tp_word_centre_compare(&l->words, l->centre->surface, one, other);
+  }
+  if (l->centre->level != TP_LEVEL_EXACT && !l->has_made) {
+    l->is_undecided = true;
+    return 0;
+  }
+  tp_rest_plane one, other;
+  tp_hull_heights_plane(&one, l->over, a);
+  tp_hull_heights_plane(&other, l->over, b);
+  const int order = tp_centre_compare_heights(l->has_made ? &l->made : l->centre, &one, &other);
+  tp_rest_plane_clear(&one);
+  tp_rest_plane_clear(&other);
+  return order;
+}
+
 /* The first of two poses of the same height counts as the lower one. */
 static bool is_lower_pose(landscape *l, int a, int b) {
-  int order = tp_near_sign(tp_near_sub(l->heights[a], l->heights[b]));
-  if (order == 0 && l->centre->level == TP_LEVEL_EXACT) {
-    tp_rest_plane one, other;
-    set_plane(&one, l, a);
-    set_plane(&other, l, b);
-    order = tp_centre_compare_heights(l->centre, &one, &other);
-    tp_rest_plane_clear(&one);
-    tp_rest_plane_clear(&other);
-  } else if (order == 0) {
-    l->is_undecided = true;
-  }
+  const tp_near *heights = l->over->heights;
+  int order = tp_near_sign(tp_near_sub(heights[a], heights[b]));
+  if (order == 0) order = compare_exactly(l, a, b);
   return order != 0 ? order < 0 : a < b;
 }
 
 static tp_near rise_to(const landscape *l, const pass *own, int facet) {
   const tp_near way = {own->height.value, l->most_error};
-  const tp_near rise = tp_near_sub(way, l->heights[facet]);
+  const tp_near rise = tp_near_sub(way, l->over->heights[facet]);
   return (tp_near){fmax(rise.value, 0), rise.error + fmax(-rise.value, 0)};
 }
 
@@ -133,23 +152,19 @@ static void join_facets(tp_persistence *persistences, landscape *l) {
 
 static bool make_landscape(landscape *l) {
   const size_t count = (size_t)l->facets->count, sides = (size_t)l->facets->starts[count];
-  l->heights = malloc(count * sizeof *l->heights);
-  l->arms = malloc(sides * sizeof *l->arms);
   l->passes = malloc(sides * sizeof *l->passes);
   l->leaders = malloc(count * sizeof *l->leaders);
   l->lowest = malloc(count * sizeof *l->lowest);
-  return l->heights != NULL && l->arms != NULL && l->passes != NULL && l->leaders != NULL &&
-         l->lowest != NULL;
+  return l->passes != NULL && l->leaders != NULL && l->lowest != NULL;
 }
 
-tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *centre,
-                               const tp_hull_facets *facets, const bool *is_pose, bool *told,
-                               tp_message *message) {
-  landscape l = {.centre = centre, .facets = facets, .is_pose = is_pose};
+tp_status tp_persistences_find(tp_persistence **persistences, const tp_hull_heights *over,
+                               const bool *is_pose, bool *told, tp_message *message) {
+  const tp_hull_facets *facets = over->facets;
+  landscape l = {.centre = over->centre, .facets = facets, .over = over, .is_pose = is_pose};
   tp_persistence *own = calloc((size_t)facets->count, sizeof *own);
   const bool done = make_landscape(&l) && own != NULL;
-  for (long f = 0; f < facets->count && done && !l.is_undecided; f++) measure_facet(&l, f);
-  for (long f = 0; f < facets->count && done && !l.is_undecided; f++) {
+  for (long f = 0; f < facets->count && done; f++) {
     for (long k = facets->starts[f]; k < facets->starts[f + 1]; k++) {
       if (facets->sides[k].neighbour > f) set_pass(&l, f, k);
     }
@@ -162,14 +177,14 @@ tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *c
   } else {
     free(own);
   }
-  free(l.heights);
-  free(l.arms);
+  if (l.has_words) tp_word_centre_clear(&l.words);
+  if (l.has_made) tp_centre_clear(&l.made);
   free(l.passes);
   free(l.leaders);
   free(l.lowest);
   if (!done) return tp_fail_memory(message, "the poses of a solid");
   if (!l.is_open) return TP_OK;
-  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){centre->surface->mesh->file, 0, 0},
+  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){l.centre->surface->mesh->file, 0, 0},
                  "facets of the convex hull of the solid do not close; please report this together "
                  "with the mesh");
 }

@@ -22,8 +22,7 @@
 #ifndef TP_SOLID_PERSISTENCE_H
 #define TP_SOLID_PERSISTENCE_H
 
-#include "solid/centre.h"
-#include "solid/hull_facets.h"
+#include "solid/hull_heights.h"
 
 typedef struct tp_persistence {
   bool is_left; /* a pose, and there is another one with the centroid lower */
@@ -32,8 +31,8 @@ typedef struct tp_persistence {
 
 /* For each facet, to be freed; `is_pose` has one for each. `*told` becomes false where the level
  * does not decide which of two poses is the lower one. */
-TP_MUST_USE tp_status tp_persistences_find(tp_persistence **persistences, const tp_centre *centre,
-                                           const tp_hull_facets *facets, const bool *is_pose,
+TP_MUST_USE tp_status tp_persistences_find(tp_persistence **persistences,
+                                           const tp_hull_heights *over, const bool *is_pose,
                                            bool *told, tp_message *message);
 
 #endif

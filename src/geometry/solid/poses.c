@@ -22,6 +22,7 @@ typedef struct place {
 typedef struct search {
   const tp_centre *centre;
   const tp_hull_facets *facets;
+  tp_hull_heights over;
   place *places;
   bool *is_pose; /* of each facet */
   tp_persistence *persistences;
@@ -40,12 +41,6 @@ static long set_edges(search *s, long facet) {
   return count;
 }
 
-static void set_plane(tp_rest_plane *plane, const search *s, long facet) {
-  const tp_hull_side *sides = s->facets->sides + s->facets->starts[facet];
-  const int corners[3] = {sides[0].from, sides[1].from, sides[2].from};
-  tp_rest_plane_below(plane, s->centre->surface, corners);
-}
-
 /* How far the foot lies beyond an edge, times |up|. */
 static tp_near beyond(const search *s, const tp_rest_plane *plane, tp_support_edge edge,
                       double accuracy) {
@@ -55,36 +50,32 @@ static tp_near beyond(const search *s, const tp_rest_plane *plane, tp_support_ed
   return tp_near_is_zero(arm) ? arm : tp_near_neg(tp_near_div(arm, tp_near_norm(outward)));
 }
 
-/* The side over which it rolls. Those that whole numbers tell apart by less than 14 digits count as
+/* The facet that it rolls to. Those that whole numbers tell apart by less than 14 digits count as
  * equal, of which the first is taken. */
-static long farthest(search *s, const tp_rest_plane *plane, long count) {
+static int roll(search *s, long facet) {
+  const long count = set_edges(s, facet);
+  tp_rest_plane plane;
+  tp_hull_heights_plane(&plane, &s->over, facet);
   const bool is_exact = s->centre->level == TP_LEVEL_EXACT;
   const double accuracy = is_exact ? 1e-15 : 1e-9;
   tp_near most = {0, 0};
   long found = 0;
   for (long k = 0; k < count; k++) {
-    const tp_near own = beyond(s, plane, s->edges[k], accuracy);
+    const tp_near own = beyond(s, &plane, s->edges[k], accuracy);
     if (k > 0 && tp_near_sign(tp_near_sub(own, most)) == 0) s->open = s->open || !is_exact;
     if (k > 0 && tp_near_sign(tp_near_sub(own, most)) <= 0) continue;
     most = own;
     found = k;
   }
-  return found;
+  tp_rest_plane_clear(&plane);
+  return s->facets->sides[s->facets->starts[facet] + found].neighbour;
 }
 
 static void judge(search *s, long facet) {
-  const long count = set_edges(s, facet);
-  tp_rest_plane plane;
-  set_plane(&plane, s, facet);
-  const int side = tp_foot_side(s->centre, &plane, s->edges, count);
-  place *own = s->places + facet;
+  const int side = tp_hull_heights_side(&s->over, facet);
   if (side == 2) s->open = true;
-  own->next =
-      side == 1 || side == 2
-          ? (int)facet
-          : s->facets->sides[s->facets->starts[facet] + farthest(s, &plane, count)].neighbour;
-  s->is_pose[facet] = own->next == facet;
-  tp_rest_plane_clear(&plane);
+  s->places[facet].next = side == 1 || side == 2 ? (int)facet : roll(s, facet);
+  s->is_pose[facet] = s->places[facet].next == facet;
 }
 
 /* ---- shares ------------------------------------------------------------------------------------
@@ -152,7 +143,7 @@ static void describe(tp_solid_pose *pose, search *s, long facet, double metres_p
   const long count = set_edges(s, facet);
   tp_rest_plane plane;
   tp_map_frame frame;
-  set_plane(&plane, s, facet);
+  tp_hull_heights_plane(&plane, &s->over, facet);
   bool told = true;
   const tp_near length = tp_near_norm(plane.near_up);
   const tp_near height =
@@ -227,10 +218,12 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
   tp_status status = s.places != NULL && s.is_pose != NULL && s.edges != NULL
                          ? TP_OK
                          : tp_fail_memory(message, "the poses of a solid");
+  if (status == TP_OK) status = tp_hull_heights_init(&s.over, centre, facets, message);
+  s.open = s.over.is_open;
   for (long f = 0; f < facets->count && status == TP_OK && !s.open; f++) judge(&s, f);
   if (status == TP_OK && !s.open) {
     bool decided = true;
-    status = tp_persistences_find(&s.persistences, centre, facets, s.is_pose, &decided, message);
+    status = tp_persistences_find(&s.persistences, &s.over, s.is_pose, &decided, message);
     s.open = !decided;
   }
   if (status == TP_OK && !s.open) {
@@ -243,6 +236,7 @@ tp_status tp_solid_poses_find(tp_solid_pose **poses, size_t *count, const tp_cen
     *poses = NULL;
     *count = 0;
   }
+  tp_hull_heights_clear(&s.over);
   free(s.persistences);
   free(s.places);
   free(s.is_pose);

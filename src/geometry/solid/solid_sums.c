@@ -11,6 +11,7 @@ enum { SOLID_REGISTERS = 11 };
 /* ---- doubles with bounds -----------------------------------------------------------------------
  */
 
+#define COUNT TP_SOLID_SUM_COUNT
 #define NUMBER tp_near
 #define FUNCTION add_near
 #define ADD(sum, a, b) (*(sum) = tp_near_add(*(a), *(b)))
@@ -53,8 +54,18 @@ void tp_solid_sums_near(tp_near sums[TP_SOLID_SUM_COUNT], const tp_surface *surf
 /* ---- whole numbers -----------------------------------------------------------------------------
  */
 
+#define COUNT TP_SOLID_SUM_COUNT
 #define NUMBER fmpz
 #define FUNCTION add_exact
+#define ADD fmpz_add
+#define SUBTRACT fmpz_sub
+#define MULTIPLY fmpz_mul
+#define ADD_PRODUCT fmpz_addmul
+#include "solid/solid_sums_in.h"
+
+#define COUNT TP_SOLID_XX120
+#define NUMBER fmpz
+#define FUNCTION add_first
 #define ADD fmpz_add
 #define SUBTRACT fmpz_sub
 #define MULTIPLY fmpz_mul
@@ -165,4 +176,17 @@ void tp_solid_sums_exact(fmpz *sums, fmpz_t multiple, const tp_surface *surface)
   for (int k = 0; k < TP_SOLID_SUM_COUNT; k++) fmpz_swap(sums + k, own.sums + k);
   fmpz_swap(multiple, own.multiple);
   end_exact(&own);
+}
+
+void tp_solid_first_sums_exact(fmpz *sums, const tp_surface *surface) {
+  fmpz r[SOLID_REGISTERS];
+  for (int k = 0; k < SOLID_REGISTERS; k++) fmpz_init(r + k);
+  for (int k = 0; k < TP_SOLID_XX120; k++) fmpz_zero(sums + k);
+  for (long t = 0; t < surface->triangle_count; t++) {
+    const int *own = surface->triangles + 3 * t;
+    const fmpz *const corners[3] = {surface->whole + 3L * own[0], surface->whole + 3L * own[1],
+                                    surface->whole + 3L * own[2]};
+    add_first(sums, corners, r);
+  }
+  for (int k = 0; k < SOLID_REGISTERS; k++) fmpz_clear(r + k);
 }

@@ -38,4 +38,8 @@ void tp_solid_sums_near(tp_near sums[TP_SOLID_SUM_COUNT], const tp_surface *surf
  */
 void tp_solid_sums_exact(fmpz *sums, fmpz_t multiple, const tp_surface *surface);
 
+/* Those up to TP_SOLID_Z24, of `whole`, where points have no weights, for less than half of the
+ * cost; initialised. */
+void tp_solid_first_sums_exact(fmpz *sums, const tp_surface *surface);
+
 #endif

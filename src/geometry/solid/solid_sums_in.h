@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What one triangle adds to the sums of solid_sums.h, in one arithmetic; included once for each.
- * The includer defines NUMBER, FUNCTION and the operations ADD, SUBTRACT, MULTIPLY and ADD_PRODUCT
- * on pointers to NUMBER. `r` are SOLID_REGISTERS numbers to compute in. All are undefined at the
- * end. No include guard: that is meant.
+/* What one triangle adds to the first COUNT sums of solid_sums.h, in one arithmetic; included once
+ * for each. The includer defines COUNT, NUMBER, FUNCTION and the operations ADD, SUBTRACT, MULTIPLY
+ * and ADD_PRODUCT on pointers to NUMBER. `r` are SOLID_REGISTERS numbers to compute in. All are
+ * undefined at the end. No include guard: that is meant.
  *
  * The tetrahedron of the origin and the corners a, b, c: with d = a . (b x c), six times its
  * volume, and s = a + b + c, 24 int x  = d s_x,   120 int x y = d (a_x a_y + b_x b_y + c_x c_y +
@@ -34,7 +34,7 @@ static void FUNCTION(NUMBER *sums, const NUMBER *const corners[3], NUMBER *r) {
     ADD(r + S + k, r + S + k, c + k);
     ADD_PRODUCT(sums + TP_SOLID_X24 + k, r + D, r + S + k);
   }
-  for (int k = TP_SOLID_XX120; k < TP_SOLID_SUM_COUNT; k++) {
+  for (int k = TP_SOLID_XX120; k < COUNT; k++) {
     const int i = tp_solid_axes[k - TP_SOLID_XX120][0], j = tp_solid_axes[k - TP_SOLID_XX120][1];
     MULTIPLY(r + T, a + i, a + j);
     ADD_PRODUCT(r + T, b + i, b + j);
@@ -44,6 +44,7 @@ static void FUNCTION(NUMBER *sums, const NUMBER *const corners[3], NUMBER *r) {
   }
 }
 
+#undef COUNT
 #undef NUMBER
 #undef FUNCTION
 #undef ADD

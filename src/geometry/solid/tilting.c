@@ -44,15 +44,25 @@ void tp_tilt_least(tp_solid_tilt *least, const tp_centre *centre, const tp_rest_
   if (!tp_tilt_is_told(angle)) *told = false;
 }
 
+/* Of one more arm, after those of before. */
+static int next_side(int before, tp_near arm) {
+  const int side = tp_near_sign(arm);
+  if (side < 0) return -1;
+  if (side > 0 || before == 2) return before;
+  return tp_near_is_zero(arm) ? 0 : 2;
+}
+
+int tp_arms_side(const tp_near *arms, long count) {
+  int side = 1;
+  for (long k = 0; k < count && side >= 0; k++) side = next_side(side, arms[k]);
+  return side;
+}
+
 int tp_foot_side(const tp_centre *centre, const tp_rest_plane *plane, const tp_support_edge *edges,
                  long count) {
-  bool on_border = false, open = false;
-  for (long k = 0; k < count; k++) {
-    const tp_near arm = tp_centre_arm(centre, plane, edges[k].from, edges[k].to, 0);
-    const int side = tp_near_sign(arm);
-    if (side < 0) return -1;
-    if (side == 0 && tp_near_is_zero(arm)) on_border = true;
-    if (side == 0 && !tp_near_is_zero(arm)) open = true;
+  int side = 1;
+  for (long k = 0; k < count && side >= 0; k++) {
+    side = next_side(side, tp_centre_arm(centre, plane, edges[k].from, edges[k].to, 0));
   }
-  return open ? 2 : on_border ? 0 : 1;
+  return side;
 }

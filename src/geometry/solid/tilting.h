@@ -36,6 +36,9 @@ void tp_tilt_least(tp_solid_tilt *least, const tp_centre *centre, const tp_rest_
 int tp_foot_side(const tp_centre *centre, const tp_rest_plane *plane, const tp_support_edge *edges,
                  long count);
 
+/* The same by arms about all edges. */
+int tp_arms_side(const tp_near *arms, long count);
+
 /* A number as results have it. */
 static inline tp_bounded tp_near_bounded(tp_near number) {
   return (tp_bounded){.value = number.value, .error = number.error};

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Signs of determinants of coordinate differences, by doubles with bounds before whole numbers. */
+/* Signs of determinants of coordinate differences: by words where coordinates fit into them, else
+ * by doubles with bounds before whole numbers. */
 
 #include "solid/turns.h"
+
+#include "solid/word_turns.h"
 
 /* (b - a) x (c - a) */
 static void near_turn(tp_near turn[3], const tp_surface *surface, int a, int b, int c) {
@@ -34,6 +37,13 @@ static void exact_turn(fmpz *turn, const tp_surface *surface, int a, int b, int 
 }
 
 bool tp_surface_is_straight(const tp_surface *surface, int a, int b, int c) {
+  if (tp_surface_has_words(surface)) {
+    int64_t one[3], other[3];
+    tp_surface_word_way(one, surface, a, b);
+    tp_surface_word_way(other, surface, a, c);
+    return tp_word_cross(one, other, 0) == 0 && tp_word_cross(one, other, 1) == 0 &&
+           tp_word_cross(one, other, 2) == 0;
+  }
   tp_near near[3];
   near_turn(near, surface, a, b, c);
   for (int k = 0; k < 3; k++) {
@@ -48,6 +58,13 @@ bool tp_surface_is_straight(const tp_surface *surface, int a, int b, int c) {
 }
 
 int tp_surface_side(const tp_surface *surface, const int corners[3], int vertex) {
+  if (tp_surface_has_words(surface)) {
+    int64_t ways[3][3];
+    tp_surface_word_way(ways[0], surface, corners[0], corners[1]);
+    tp_surface_word_way(ways[1], surface, corners[0], corners[2]);
+    tp_surface_word_way(ways[2], surface, corners[0], vertex);
+    return tp_word_turn(ways[0], ways[1], ways[2]);
+  }
   tp_near near[3], sum = {0, 0};
   near_turn(near, surface, corners[0], corners[1], corners[2]);
   for (int k = 0; k < 3; k++) {

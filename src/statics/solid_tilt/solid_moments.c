@@ -24,6 +24,7 @@ void tp_solid_moments_init(tp_solid_moments *moments, const tp_surface *surface)
   tp_solid_sums_near(moments->near, surface);
   moments->near_volume6 = moments->near[TP_SOLID_V6];
   tp_centre_of_near(&moments->centre, surface, moments->near);
+  moments->centre.summed = surface;
 }
 
 void tp_solid_moments_lie_on(tp_solid_moments *moments, const tp_surface *surface) {
@@ -111,6 +112,7 @@ void tp_solid_moments_weigh(tp_solid_moments *weighed, const tp_solid_moments *m
     take_exact(weighed);
   } else {
     tp_centre_of_near(&weighed->centre, weighed->surface, weighed->near);
+    weighed->centre.summed = part_count == 0 ? weighed->summed : NULL;
   }
 }
 
