@@ -86,7 +86,7 @@ class BatchBlocksSame(unittest.TestCase):
         for key in ("at_least", "at_most"):
             self.assertEqual(float(row[key]) if row[key] else None, safety.get(key))
         found = re.search(r"the factor of safety is(?: at least ([\d.]+))?(?: and)?(?: at most ([\d.]+))?", row["remark"])
-        known = [key for key in ("at_least", "at_most") if safety.get(key, 0) >= 1e-5]
+        known = [key for key, digits in (("at_least", 1e-5), ("at_most", 0)) if safety.get(key, -1) >= digits]
         self.assertEqual([key for k, key in enumerate(("at_least", "at_most")) if found and found[k + 1]], known, row["remark"])
         if "at_least" in known:
             self.assertTrue(0 <= safety["at_least"] - float(found[1]) < 1.01e-5)
