@@ -86,6 +86,8 @@ typedef struct tp_batch_row {
   TP_OUTSIDE char *scene_name;   /* the file that its scene is over, beside which it names others */
   TP_OUTSIDE char *scene; /* the scene that was solved, with all its load cases, as the text of a
                              scene file; NULL: there is none */
+  double at_least; /* if has_case: a proven lower bound of the factor; 0: nothing is proven */
+  double at_most;  /* if has_case: a proven upper bound of it; an infinity where there is none */
 } tp_batch_row;
 
 /* What is wrong with rows: the same with one or more. */
@@ -112,10 +114,10 @@ typedef struct tp_batch {
 
 /* Solve each row of the table in `path`: CSV with a head that names its columns. Order: what fails,
  * what lacks the factor required, what is undecided, what was not solved, what holds; each by the
- * factor over that required, or over 1, the least first, then by name and by line. A row that is
- * wrong stops nothing; a head that is wrong, or a file that is no table, is bad input of the whole.
- * The same by any number of threads. `*batch` is the caller's, to be freed by tp_batch_free.
- * TP_DEPENDENCY_FAILED. */
+ * factor over that required, or over 1, the least first, then by name and by line. An undecided
+ * factor counts by its upper bound, then by its lower one. A row that is wrong stops nothing; a
+ * head that is wrong, or a file that is no table, is bad input of the whole. The same by any number
+ * of threads. `*batch` is the caller's, to be freed by tp_batch_free. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_batch_solve(tp_batch **batch, const char *path,
                                      const tp_batch_options *options, tp_message *message);
 

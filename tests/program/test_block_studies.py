@@ -279,14 +279,17 @@ class BlockBatches(StudyCase):
         status, out, err = run("solve", "--batch", "--csv", "--template", self.folder / "row.yaml", "--figures", self.folder / "figures", table)
         self.assertEqual(status, 1, err)
         told = [*csv.DictReader(io.StringIO(out))]
-        self.assertEqual([row["name"] for row in told], ["B", "C", "A"])
-        # B and C tie, as rows hold no bounds, though C has the smaller one (0.72, 0.89)
+        # B and C fail, with proven upper bounds alone: 0.72 is worse than 0.89
+        self.assertEqual([row["name"] for row in told], ["C", "B", "A"])
         for row in told:
             phi, width = rows[row["name"]]
             case = json.loads(run("solve", "--json", "--set", f"friction_angle_deg={phi}", "--set", f"columns.width={width}",
                                   self.folder / "row.yaml")[1])["cases"][0]
             safety = case["governing_fos"]
             self.assertEqual((row["fos"] and float(row["fos"]), row["fos_is"]), (safety["fos"]["value"] if safety["fos"] else "", safety.get("fos_is", "")))
+            self.assertEqual([float(row[key]) if row[key] else None for key in ("at_least", "at_most")],
+                             [safety.get(key) for key in ("at_least", "at_most")])
+            self.assertNotIn("0.00000", row["remark"])  # nothing is proven from below
             self.assertEqual(row["meets_required"], case["meets_required"])
             self.assertEqual(row["standing"], {"collapses": "fails", "may move": "fails", "can be held": "undecided"}[case["verdict"]])
             by_columns = float(re.search(r"by Goodman and Bray the factor is ([\d.]+)", row["remark"])[1].rstrip("."))

@@ -11,13 +11,14 @@
 #include "xlsx/xlsx.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <xlsxwriter.h>
 
-enum { COLUMNS = 12, EXCEL_TEXT = 32767, FACTOR_DECIMALS = 6 };
+enum { COLUMNS = 14, EXCEL_TEXT = 32767, FACTOR_DECIMALS = 6 };
 
 typedef struct sheet {
   lxw_worksheet *to;
@@ -63,6 +64,8 @@ static void put_heads(sheet *s) {
                         {"line", 8},
                         {"case", 20},
                         {"required/FoS", 12},
+                        {"FoS at least", 12},
+                        {"FoS at most", 12},
                         {"remark", 60}};
   for (int column = 0; column < COLUMNS; column++) {
     const lxw_col_t k = (lxw_col_t)column;
@@ -70,6 +73,14 @@ static void put_heads(sheet *s) {
     put_text(s, 0, k, columns[k].head, s->bold);
   }
   worksheet_freeze_panes(s->to, 1, 1);
+}
+
+/* A proven bound of a factor, outwards to the digits that the cell shows. */
+static double rounded(double bound, bool up) {
+  char n[TP_NUMBER_SIZE];
+  const tp_bounded number = {.value = bound};
+  if (!isfinite(bound)) return bound;
+  return strtod((up ? tp_text_fixed_up : tp_text_fixed_down)(n, number, FACTOR_DECIMALS), NULL);
 }
 
 static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
@@ -94,7 +105,10 @@ static void put_row(sheet *s, lxw_row_t at, const tp_batch_row *row) {
   put_number(s, at, 8, true, (double)row->line, NULL);
   put_text(s, at, 9, row->load_case, NULL);
   put_number(s, at, 10, row->has_design_utilisation, utilisation, s->factor);
-  put_text(s, at, 11, row->remark, NULL);
+  const bool bounded = row->has_case && row->fos.state == TP_FOS_UNDECIDED;
+  put_number(s, at, 11, bounded && row->at_least > 0, rounded(row->at_least, false), s->factor);
+  put_number(s, at, 12, bounded && isfinite(row->at_most), rounded(row->at_most, true), s->factor);
+  put_text(s, at, 13, row->remark, NULL);
 }
 
 static lxw_error write_book(const char *path, const tp_batch *batch) {

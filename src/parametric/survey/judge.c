@@ -16,19 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Between the factor and what it is to be: the least certain value of it. */
-static double share_of(const tp_governing_fos *g) {
-  const double required = g->has_required_fos ? g->required_fos.value : 1;
-  switch (g->fos.state) {
-  case TP_FOS_NUMBER:
-    return g->fos.value.value / required;
-  case TP_FOS_NO_OVERTURNING:
-    return INFINITY;
-  default:
-    return -INFINITY;
-  }
-}
-
 static bool is_certain_to_stand(const tp_case *c) {
   return c->mechanism == TP_STANDS || c->mechanism == TP_INTERLOCKED;
 }
@@ -47,10 +34,22 @@ static tp_batch_standing standing_of(const tp_case *c, bool factored) {
   return TP_BATCH_HOLDS;
 }
 
-/* The cautions, one after the other. */
-static char *make_remark(const tp_solution *s) {
+void tp_batch_add_bounds(tp_text *text, const tp_batch_row *row) {
+  static const double fifth = 1e5;
+  if (row->fos.state != TP_FOS_UNDECIDED) return;
+  const double least = floor(row->at_least * fifth) / fifth;
+  const bool has_least = least > 0, has_most = isfinite(row->at_most);
+  if (!has_least && !has_most) return;
+  tp_text_add(text, "%sthe factor of safety is", text->length > 0 ? "; " : "");
+  if (has_least) tp_text_add(text, " at least %.5f%s", least, has_most ? " and" : "");
+  if (has_most) tp_text_add(text, " at most %.5f", ceil(row->at_most * fifth) / fifth);
+}
+
+/* What is known of an undecided factor, and the cautions, one after the other. */
+static char *make_remark(const tp_batch_row *row, const tp_solution *s) {
   tp_text text = {0};
   char *remark = NULL;
+  tp_batch_add_bounds(&text, row);
   for (size_t k = 0; k < s->notes.count; k++) {
     const tp_note *note = s->notes.items + k;
     if (note->kind == TP_CAUTION) {
@@ -78,7 +77,9 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   const tp_case *c = s->cases + tp_severity_worst(s);
   const tp_governing_fos *g = &c->governing_fos;
   const tp_factor *factor = tp_case_factor(c);
-  char *remark = make_remark(s);
+  tp_batch_row own = {
+      .has_case = true, .fos = g->fos, .at_least = g->at_least, .at_most = g->at_most};
+  char *remark = make_remark(&own, s);
   if (remark == NULL) return tp_fail_memory(message, "a table");
   char *load_case = s->load_case != NULL ? strdup(s->load_case) : NULL;
   if (s->load_case != NULL && load_case == NULL) {
@@ -100,6 +101,8 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   row->towards = c->towards;
   row->verdict = c->mechanism;
   row->fos = g->fos;
+  row->at_least = g->at_least;
+  row->at_most = g->at_most;
   row->has_fos_mechanism = factor != NULL;
   if (factor != NULL) row->fos_mechanism = factor->mechanism;
   row->has_required_fos = g->has_required_fos;
@@ -114,18 +117,38 @@ tp_status tp_batch_judge(tp_batch_row *row, const tp_solution *s, tp_message *me
   return TP_OK;
 }
 
-static double share_of_row(const tp_batch_row *row) {
-  const tp_governing_fos g = {.fos = row->fos,
-                              .has_required_fos = row->has_required_fos,
-                              .required_fos = row->required_fos};
-  return row->has_case ? share_of(&g) : 0;
+/* The factor over what it is to be; of an undecided one its upper bound, then its lower one. */
+enum { BY_MOST, BY_LEAST, SHARES };
+
+static void set_shares(double shares[SHARES], const tp_batch_row *row) {
+  const double required = row->has_required_fos ? row->required_fos.value : 1;
+  shares[BY_MOST] = shares[BY_LEAST] = 0;
+  if (!row->has_case) return;
+  switch (row->fos.state) {
+  case TP_FOS_NUMBER:
+    shares[BY_MOST] = shares[BY_LEAST] = row->fos.value.value / required;
+    return;
+  case TP_FOS_NO_OVERTURNING:
+    shares[BY_MOST] = shares[BY_LEAST] = INFINITY;
+    return;
+  case TP_FOS_UNDECIDED:
+    shares[BY_MOST] = row->at_most / required;
+    shares[BY_LEAST] = row->at_least / required;
+    return;
+  default:
+    return;
+  }
 }
 
 int tp_batch_compare(const void *one, const void *other) {
   const tp_batch_row *a = one, *b = other;
-  const double x = share_of_row(a), y = share_of_row(b);
+  double of_a[SHARES], of_b[SHARES];
   if (a->standing != b->standing) return a->standing < b->standing ? -1 : 1;
-  if (x < y || y < x) return x < y ? -1 : 1;
+  set_shares(of_a, a);
+  set_shares(of_b, b);
+  for (int k = 0; k < SHARES; k++) {
+    if (of_a[k] < of_b[k] || of_b[k] < of_a[k]) return of_a[k] < of_b[k] ? -1 : 1;
+  }
   const int names = strcmp(a->name, b->name);
   if (names != 0) return names;
   return (a->line > b->line) - (a->line < b->line);

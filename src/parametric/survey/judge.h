@@ -6,6 +6,7 @@
 #ifndef TP_SURVEY_JUDGE_H
 #define TP_SURVEY_JUDGE_H
 
+#include "output/text.h"
 #include "stability/severity.h"
 #include "topple_batch.h"
 #include "topple_solve.h"
@@ -25,7 +26,12 @@ TP_MUST_USE tp_status tp_batch_solve_scene(tp_batch_row *row, tp_scene *scene,
 
 void tp_batch_row_clear(tp_batch_row *row);
 
-/* By standing, by the factor over that required, by name, by line: below 0 where `one` is worse. */
+/* The proven bounds of an undecided factor in words, rounded outwards, behind what there is;
+ * nothing where nothing is proven. */
+void tp_batch_add_bounds(tp_text *text, const tp_batch_row *row);
+
+/* By standing, by the factor over that required, of an undecided one by its upper bound and then by
+ * its lower one, by name, by line: below 0 where `one` is worse. */
 int tp_batch_compare(const void *one, const void *other);
 
 #endif

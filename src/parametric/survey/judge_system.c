@@ -8,9 +8,9 @@
 
 #include "block_system/governing_case.h"
 #include "common/message.h"
-#include "output/text.h"
+#include "number/bounded.h"
+#include "survey/judge.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 static tp_batch_standing standing_of_system(tp_system_verdict verdict, bool is_required,
@@ -44,19 +44,9 @@ tp_severity tp_batch_system_severity(const tp_block_system *system) {
   return tp_severity_of_safety(&safety, system->has_required_fos, system->required_fos.value);
 }
 
-/* Rounded outwards: of a factor that is only known to lie between bounds. */
-static void tell_bounds(tp_text *t, const tp_system_safety *safety) {
-  static const double fifth = 1e5;
-  if (safety->fos.state != TP_FOS_UNDECIDED) return;
-  tp_text_add(t, "%sthe factor of safety is at least %.5f", t->length > 0 ? "; " : "",
-              floor(safety->at_least * fifth) / fifth);
-  if (isfinite(safety->at_most)) {
-    tp_text_add(t, " and at most %.5f", ceil(safety->at_most * fifth) / fifth);
-  }
-}
-
 /* What the factor does not say, and the cautions. */
-static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
+static char *tell_remark(const tp_batch_row *row, const tp_block_system *s,
+                         const tp_system_case *c) {
   tp_text text = {0};
   char *remark = NULL;
   const tp_system_verdict verdict = tp_system_case_worst_verdict(c);
@@ -70,7 +60,7 @@ static char *tell_remark(const tp_block_system *s, const tp_system_case *c) {
   if (verdict != c->verdict) {
     tp_text_add(&text, "%swithout the earthquake", text.length > 0 ? "; this is " : "this is ");
   }
-  tell_bounds(&text, &s->governing_fos);
+  tp_batch_add_bounds(&text, row);
   if (c->goodman_bray.applies && c->goodman_bray.has_fos) {
     char n[TP_NUMBER_SIZE];
     tp_text_add(&text, "%sby Goodman and Bray the factor is %s", text.length > 0 ? "; " : "",
@@ -88,7 +78,9 @@ tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_
   const tp_system_case *c = tp_system_governing(s);
   const tp_system_safety *safety = &s->governing_fos;
   const tp_design meets = tp_block_system_meets(s, s->required_fos.value);
-  char *remark = tell_remark(s, c);
+  const tp_batch_row own = {
+      .fos = safety->fos, .at_least = safety->at_least, .at_most = safety->at_most};
+  char *remark = tell_remark(&own, s, c);
   if (remark == NULL) return tp_fail_memory(message, "a table");
   free(row->remark);
   row->remark = remark;
@@ -100,11 +92,19 @@ tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_
   row->towards = c->towards;
   row->verdict = verdict_of(c);
   row->fos = safety->fos;
+  row->at_least = safety->at_least;
+  row->at_most = safety->at_most;
   row->has_fos_mechanism = safety->has_definition && safety->mechanism != TP_STANDS;
   row->fos_mechanism = safety->mechanism;
   row->has_required_fos = s->has_required_fos;
   row->required_fos = s->required_fos;
   row->meets_required = meets;
-  row->dip_deg.digits = row->fos.value.digits = row->required_fos.digits = NULL;
+  row->has_design_utilisation = s->has_required_fos && safety->fos.state == TP_FOS_NUMBER &&
+                                safety->fos.value.value > safety->fos.value.error;
+  if (row->has_design_utilisation) {
+    row->design_utilisation = tp_bounded_over(s->required_fos, safety->fos.value);
+  }
+  row->dip_deg.digits = row->fos.value.digits = row->required_fos.digits =
+      row->design_utilisation.digits = NULL;
   return TP_OK;
 }

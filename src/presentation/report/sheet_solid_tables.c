@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* So many rows of a table; --json has all. */
 enum { MOST_ROWS = 60, ROSE_ROWS = 24, POSE_ROWS = 12 };
@@ -104,9 +105,37 @@ static void add_edge_formula(tp_solid_sheet *s, const tp_solid_band *b) {
                   bracketed(p->east_m * sin(way) + p->north_m * cos(way)).text, n[1], n[2]);
 }
 
+/* Factors as they are printed, by which the least is repeated with a calculator. */
+typedef struct printed_factors {
+  char text[3][TP_NUMBER_SIZE];
+  int count;
+} printed_factors;
+
+static const char *print_factor(printed_factors *p, tp_bounded factor) {
+  return tp_text_significant_down(p->text[p->count++], factor, 6);
+}
+
+/* The factor of safety is the least of these, unless another state has a lesser one. */
+static void add_least_factor(tp_document *d, const printed_factors *p,
+                             const tp_solid_safety *safety) {
+  tp_text list = {0};
+  const char *least = p->text[0];
+  if (p->count < 2 || safety->states->most > safety->most) return;
+  for (int k = 0; k < p->count; k++) {
+    tp_text_add(&list, "%s%s", k > 0 ? ", " : "", p->text[k]);
+    if (strtod(p->text[k], NULL) < strtod(least, NULL)) least = p->text[k];
+  }
+  if (list.failed) {
+    d->failed = true;
+  } else {
+    tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\min (%s) = %s", list.data, least);
+  }
+  tp_text_drop(&list);
+}
+
 static void add_factor_formula(tp_solid_sheet *s, const tp_solid_stance *own) {
   tp_document *d = &s->document;
-  char n[TP_NUMBER_SIZE];
+  printed_factors printed = {.count = 0};
   if (!own->has_fos_toppling && !own->has_fos_sliding) return;
   tp_document_add(
       d, TP_PASSAGE_PARAGRAPH,
@@ -116,23 +145,25 @@ static void add_factor_formula(tp_solid_sheet *s, const tp_solid_stance *own) {
       "outwards, and slides; by strength reduction it slides. The least counts, over all edges, "
       "with the earthquake and without.");
   if (own->has_fos_toppling) {
-    tp_text_significant_down(n, own->fos_toppling, 6);
     tp_document_add(d, TP_PASSAGE_EQUATION,
-                    "\\text{FoS} = \\frac{a \\cos α}{a (\\cos α - N) + H T · n} = %s", n);
+                    "\\text{FoS} = \\frac{a \\cos α}{a (\\cos α - N) + H T · n} = %s",
+                    print_factor(&printed, own->fos_toppling));
   }
   if (!own->has_fos_sliding) return;
-  tp_text_significant_down(n, own->fos_sliding, 6);
-  tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\frac{N \\tan φ}{|T|} = %s", n);
+  tp_document_add(d, TP_PASSAGE_EQUATION, "\\text{FoS} = \\frac{N \\tan φ}{|T|} = %s",
+                  print_factor(&printed, own->fos_sliding));
   const tp_solid_state *state = own->safety.states;
   for (size_t k = 0; k < state->factor_count; k++) {
     const tp_solid_factor *f = state->factors + k;
     if (f->definition != TP_FOS_BY_DRIVING || f->mechanism != TP_SLIDES || !(f->most < HUGE_VAL)) {
       continue;
     }
-    tp_text_significant_down(n, (tp_bounded){.value = f->least}, 6);
+    if (printed.count == sizeof printed.text / sizeof printed.text[0]) break;
     tp_document_add(d, TP_PASSAGE_EQUATION,
-                    "\\text{FoS} = \\frac{\\tan φ \\cos α}{\\tan φ (\\cos α - N) + |T|} = %s", n);
+                    "\\text{FoS} = \\frac{\\tan φ \\cos α}{\\tan φ (\\cos α - N) + |T|} = %s",
+                    print_factor(&printed, (tp_bounded){.value = f->least}));
   }
+  add_least_factor(d, &printed, &own->safety);
 }
 
 static void add_rose(tp_solid_sheet *s, const tp_solid_band *b) {

@@ -81,21 +81,21 @@ static double rounded_down(double number) {
 
 static void add_range(tp_text *t, double least, double most) {
   static const double fifth = 1e5;
-  const double high = ceil(most * fifth) / fifth;
-  if (isinf(most) && !(least > 0)) {
+  const double low = rounded_down(least), high = ceil(most * fifth) / fifth;
+  if (isinf(most) && !(low > 0)) {
     tp_text_add(t, "undecided");
   } else if (isinf(most)) {
-    tp_text_add(t, "undecided: at least %.5f", rounded_down(least));
-  } else if (!(least > 0)) {
+    tp_text_add(t, "undecided: at least %.5f", low);
+  } else if (!(low > 0)) {
     tp_text_add(t, "undecided: at most %.5f", high);
   } else {
-    tp_text_add(t, "undecided: at least %.5f, at most %.5f", rounded_down(least), high);
+    tp_text_add(t, "undecided: at least %.5f, at most %.5f", low, high);
   }
 }
 
-/* Beyond the most that is looked at, but for the rounding of the search's end. */
+/* Proven to be no less than the most that is looked for. */
 static bool is_above(double least, double most) {
-  return isinf(most) && least >= TP_MOST_FACTOR * (1 - 1e-14) && isfinite(least);
+  return isinf(most) && least >= TP_MOST_FACTOR && isfinite(least);
 }
 
 static void add_factor(tp_text *t, tp_fos_state state, double least, double most) {

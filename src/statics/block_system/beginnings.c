@@ -135,7 +135,7 @@ static tp_moving_range factors(const beginnings *b) {
   static const double width = 1e-6, step = 1e-3;
   return (tp_moving_range){.from = 0,
                            .least = -log(TP_MOST_FACTOR),
-                           .limit = log(fmin(b->task->held_factor, TP_MOST_FACTOR)),
+                           .limit = log(fmin(b->task->held_factor, TP_MOST_SEARCHED)),
                            .width = width,
                            .step = step};
 }
@@ -206,8 +206,8 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
     double standing = 0;
     status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
     own->has_standing_fos = true;
-    own->standing_fos = standing > 0 ? nextafter(exp(standing), 0) : 1;
-    own->standing_fos_is_least = standing >= log(TP_MOST_FACTOR);
+    own->standing_fos = standing > 0 ? fmin(nextafter(exp(standing), 0), TP_MOST_FACTOR) : 1;
+    own->standing_fos_is_least = own->standing_fos >= TP_MOST_FACTOR;
   }
   own->has_moving_fos = b->moving.found;
   own->moving_fos = exp(b->moving.x);
@@ -274,14 +274,14 @@ static tp_status search_multiples(beginnings *b, tp_moving_search *m, tp_standin
   tp_system_case *own = b->own;
   const bool bounded = own->fos_driving.state == TP_FOS_NUMBER && !own->fos_driving_is_least;
   const double limit =
-      bounded ? own->fos_driving.value.value + own->fos_driving.value.error : TP_MOST_FACTOR;
+      bounded ? own->fos_driving.value.value + own->fos_driving.value.error : TP_MOST_SEARCHED;
   const tp_moving_range r = {
-      .from = 1, .least = 1, .limit = fmin(limit, TP_MOST_FACTOR), .width = width, .step = step};
+      .from = 1, .least = 1, .limit = fmin(limit, TP_MOST_SEARCHED), .width = width, .step = step};
   double standing = 1;
   tp_status status = bounded ? tp_moving_from_limit(m, &r, r.from, message) : TP_OK;
   if (status == TP_OK) status = stand_to_limit(&standing, m, s, &r, message);
   own->has_standing_fos_driving = status == TP_OK;
-  own->standing_fos_driving = standing > 1 ? nextafter(standing, 0) : 1;
+  own->standing_fos_driving = standing > 1 ? fmin(nextafter(standing, 0), TP_MOST_FACTOR) : 1;
   own->has_moving_fos_driving = m->found && m->x <= TP_MOST_FACTOR;
   own->moving_fos_driving = m->x;
   return status;

@@ -201,29 +201,42 @@ static void apply(tp_applied_load *row, tp_near *steady, const tp_trig *of, cons
   row->down[1] = tp_near_plus(row->down[1], part_of(of->of + TP_COS, unit, true));
 }
 
-/* To the side and off the base together. */
-static double drive_of(const tp_block_loads *loads, const tp_block_load *own) {
-  const double x = arf_get_d(arb_midref(own->wrench.x.of + TP_ONE), ARF_RND_NEAR);
-  const double y = arf_get_d(arb_midref(own->wrench.y.of + TP_ONE), ARF_RND_NEAR);
-  return (loads->left ? -x : x) + y;
+/* Adds by how much a force points to the side and off the base together. */
+static void add_push(arb_t push, const tp_block_loads *loads, const tp_block_load *own) {
+  (loads->left ? arb_sub : arb_add)(push, push, own->wrench.x.of + TP_ONE, BITS);
+  arb_add(push, push, own->wrench.y.of + TP_ONE, BITS);
 }
 
-static double drive_of_water(const tp_block_loads *loads) {
-  double sum = 0;
+/* A push that is zero counts as driving, as balls may not distinguish it from one that is not; so
+ * it does for one block (onset/onset_driving.c). */
+static bool water_drives(const tp_block_loads *loads) {
+  arb_t push;
+  arb_init(push);
   for (long k = 0; k < loads->count; k++) {
-    if (tp_block_load_is_water(loads->items + k)) sum += drive_of(loads, loads->items + k);
+    if (tp_block_load_is_water(loads->items + k)) add_push(push, loads, loads->items + k);
   }
-  return sum;
+  const bool does = !arb_is_negative(push);
+  arb_clear(push);
+  return does;
 }
 
-static bool drives(const tp_block_loads *loads, const tp_block_load *own, double of_water) {
+static bool force_drives(const tp_block_loads *loads, const tp_block_load *own) {
+  arb_t push;
+  arb_init(push);
+  add_push(push, loads, own);
+  const bool does = !arb_is_negative(push);
+  arb_clear(push);
+  return does;
+}
+
+static bool drives(const tp_block_loads *loads, const tp_block_load *own, bool of_water) {
   switch (own->kind) {
   case TP_SYSTEM_LOAD_WATER_IN_JOINTS:
   case TP_SYSTEM_LOAD_WATER_ON_FACES:
-    return of_water > 0;
+    return of_water;
   case TP_SYSTEM_LOAD_PRESSURE:
   case TP_SYSTEM_LOAD_FORCE:
-    return drive_of(loads, own) > 0;
+    return force_drives(loads, own);
   default:
     return false;
   }
@@ -257,7 +270,7 @@ static tp_status apply_all(tp_block_loads *loads, const tp_assemblage *a, tp_mes
   arb_set_fmpq(units + 2, a->lattice.step_m, BITS);
   arb_mul_2exp_si(units + 2, units + 2, a->length_exponent);
   arb_mul(units + 2, units + 2, units, BITS);
-  const double of_water = drive_of_water(loads);
+  const bool of_water = water_drives(loads);
   for (long k = 0; k < loads->count; k++) {
     const tp_block_load *own = loads->items + k;
     apply_one(loads, own, ROW * a->blocks[own->block].number, units, drives(loads, own, of_water));

@@ -26,10 +26,14 @@ static bool moves(const tp_system_case *c) {
   return c->verdict == TP_SYSTEM_COLLAPSES || c->verdict == TP_SYSTEM_MAY_MOVE;
 }
 
+/* The mechanism stays where it is not known, and that before begins at the same number, to digits
+ * that are printed. */
 static void take_most(tp_system_bounds *b, double most, tp_mechanism mechanism) {
+  static const double near = 1e-5;
   if (!(most < b->at_most)) return;
+  const bool is_same = most >= b->at_most * (1 - near);
   b->at_most = most;
-  if (mechanism != TP_STANDS) b->mechanism = mechanism;
+  if (mechanism != TP_STANDS || !is_same) b->mechanism = mechanism;
 }
 
 /* Beyond a limit of what forces can hold a motion begins. */
@@ -179,17 +183,22 @@ void tp_system_case_set_safety(tp_system_case *c) {
   const states s = states_of(c);
   const size_t governing = tp_safety_governing(s.of, s.count);
   const tp_safety all = tp_safety_of_all(s.of, s.count);
+  /* the factor that is the least, which may be that of the other state */
+  size_t least = governing;
+  for (size_t k = 0; k < s.count; k++) {
+    if (s.of[k].has_factor && s.of[k].most < s.of[least].most) least = k;
+  }
   const tp_factor_range *range =
-      all.has_factor ? &s.ranges[governing][s.of[governing].factor] : NULL;
+      s.of[least].has_factor ? &s.ranges[least][s.of[least].factor] : NULL;
   c->governing_fos = (tp_system_safety){.fos = tp_safety_fos(&all),
                                         .at_least = all.least,
                                         .at_most = all.most,
                                         .has_definition = range != NULL,
-                                        .without_earthquake = governing == 1};
+                                        .without_earthquake = least == 1};
   if (range != NULL) {
     c->governing_fos.definition = range->definition;
     c->governing_fos.mechanism = range->mechanism;
-    prefer_strength(c, governing == 1);
+    prefer_strength(c, least == 1);
   }
 }
 
@@ -203,7 +212,12 @@ void tp_block_system_set_safety(tp_block_system *s) {
   for (size_t k = 1; k < s->case_count; k++) {
     if (tp_system_case_is_worse(s->cases + k, s->cases + s->governing)) s->governing = k;
   }
-  s->governing_fos = s->cases[s->governing].governing_fos;
+  /* with the mechanism of the least factor, which may be that of another case */
+  size_t least = s->governing;
+  for (size_t k = 0; k < s->case_count; k++) {
+    if (s->cases[k].governing_fos.at_most < s->cases[least].governing_fos.at_most) least = k;
+  }
+  s->governing_fos = s->cases[least].governing_fos;
   tp_safety all = tp_system_case_rule(s->cases + s->governing);
   for (size_t k = 0; k < s->case_count; k++) {
     all.least = fmin(all.least, s->cases[k].governing_fos.at_least);

@@ -162,7 +162,7 @@ static tp_status find_factor(direction *d, tp_message *message) {
                                       .target = d->resultant.target,
                                       .from = 0,
                                       .step = log(4),
-                                      .most = log(TP_MOST_FACTOR),
+                                      .most = log(TP_MOST_SEARCHED),
                                       .divides = true,
                                       .limit = &d->limits.side,
                                       .start = &d->by_strength};
@@ -177,8 +177,9 @@ static tp_status find_factor(direction *d, tp_message *message) {
   if (status != TP_OK || !found->is_held) return status;
   d->own->fos_is_least = !found->is_bounded;
   const double least = d->own->verdict == TP_SYSTEM_CAN_HOLD ? 1 : 0; /* as they are held */
-  fos->value = found->is_bounded ? between(exp(found->held), exp(found->bound))
-                                 : (tp_bounded){.value = fmax(exp(found->held), least)};
+  fos->value = found->is_bounded
+                   ? between(exp(found->held), exp(found->bound))
+                   : (tp_bounded){.value = fmax(fmin(exp(found->held), TP_MOST_FACTOR), least)};
   return TP_OK;
 }
 

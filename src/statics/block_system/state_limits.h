@@ -10,6 +10,9 @@
 
 #define TP_LIMIT_SHARE 1e-6   /* of itself, to which a limit is proven */
 #define TP_MOST_FACTOR 1000.0 /* no greater factor of safety is looked for */
+/* Where searches for it end, so that TP_MOST_FACTOR is proven after what is taken off for rounding.
+ */
+#define TP_MOST_SEARCHED (TP_MOST_FACTOR * (1 + 0x1p-40))
 
 /* What acts on the blocks, and what their strength is divided by, at x. */
 typedef struct tp_system_state {

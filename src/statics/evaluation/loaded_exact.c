@@ -41,6 +41,15 @@ static void set_joint(tp_exact_setting *s, const tp_base_joint *joint) {
   fmpq_neg(s->toe_x, s->toe_x);
 }
 
+/* All but the pivot. */
+static void set_setting(tp_exact_setting *s, const tp_loaded *loaded, const tp_evaluation *e) {
+  const tp_problem *problem = e->problem;
+  tp_exact_setting_init(s, problem->scene, loaded->mirrored);
+  if (tp_problem_has_wetted(problem)) s->wetted = problem->wetted + (loaded->mirrored ? 1 : 0);
+  s->has_centroid = set_centroid(s, e);
+  if (problem->scene->loads.water.given) set_joint(s, &problem->joint);
+}
+
 bool tp_loaded_vanishes(const tp_load *load, tp_load_part part, const tp_loaded *loaded,
                         const tp_evaluation *e, long k) {
   const tp_problem *problem = e->problem;
@@ -48,14 +57,21 @@ bool tp_loaded_vanishes(const tp_load *load, tp_load_part part, const tp_loaded 
   const tp_outline_point pivot = tp_contact_on_outline(problem->contact.points + k);
   if (pivot.cut != NULL) return false;
   tp_exact_setting s;
-  tp_exact_setting_init(&s, problem->scene, loaded->mirrored);
+  set_setting(&s, loaded, e);
   tp_lattice_metres_x(s.pivot_x, l, l->x + pivot.point);
   tp_lattice_metres_y(s.pivot_y, l, l->y + pivot.point);
   if (s.mirrored) fmpq_neg(s.pivot_x, s.pivot_x);
-  if (tp_problem_has_wetted(problem)) s.wetted = problem->wetted + (loaded->mirrored ? 1 : 0);
-  s.has_centroid = set_centroid(&s, e);
-  if (problem->scene->loads.water.given) set_joint(&s, &problem->joint);
   const bool vanishes = tp_load_vanishes(load, part, &s, problem->scene->tilt_angle_deg.value);
   tp_exact_setting_clear(&s);
   return vanishes;
+}
+
+bool tp_loaded_is_central(const tp_load *load, const tp_loaded *loaded, const tp_evaluation *e) {
+  tp_exact_setting s;
+  set_setting(&s, loaded, e);
+  fmpq_set(s.pivot_x, s.x);
+  fmpq_set(s.pivot_y, s.y);
+  const bool central = s.has_centroid && tp_load_vanishes(load, TP_LOAD_WHOLE, &s, NULL);
+  tp_exact_setting_clear(&s);
+  return central;
 }

@@ -55,11 +55,15 @@ static void set_point(fmpq_t x, fmpq_t y, const tp_quantity *px, const tp_quanti
   if (s->mirrored) fmpq_neg(x, x);
 }
 
+static void set_gravity(exact_force *f, tp_load_part part) {
+  if (part != TP_WEIGHT_NORMAL) fmpq_set_si(f->fx + TP_SIN, -1, 1);
+  if (part != TP_WEIGHT_PARALLEL) fmpq_set_si(f->fy + TP_COS, -1, 1);
+}
+
 static bool set_weight(exact_force *f, tp_load_part part, const tp_exact_setting *s) {
   fmpq_set(f->x, s->x);
   fmpq_set(f->y, s->y);
-  if (part != TP_WEIGHT_NORMAL) fmpq_set_si(f->fx + TP_SIN, -1, 1);
-  if (part != TP_WEIGHT_PARALLEL) fmpq_set_si(f->fy + TP_COS, -1, 1);
+  set_gravity(f, part);
   return s->has_centroid;
 }
 
@@ -161,7 +165,8 @@ static bool set_wet_lines(exact_force *f, const tp_wet_lines *lines, const tp_ex
   return lines->count > 0;
 }
 
-static bool set_surcharge(exact_force *f, const tp_line_load *load, const tp_exact_setting *s) {
+static bool set_surcharge(exact_force *f, const tp_line_load *load, tp_load_part part,
+                          const tp_exact_setting *s) {
   fmpq_t x, y;
   fmpq_init(x);
   fmpq_init(y);
@@ -171,8 +176,7 @@ static bool set_surcharge(exact_force *f, const tp_line_load *load, const tp_exa
   fmpq_add(f->y, f->y, y);
   fmpq_div_2exp(f->x, f->x, 1);
   fmpq_div_2exp(f->y, f->y, 1);
-  fmpq_set_si(f->fx + TP_SIN, -1, 1);
-  fmpq_set_si(f->fy + TP_COS, -1, 1);
+  set_gravity(f, part);
   fmpq_clear(x);
   fmpq_clear(y);
   return true;
@@ -224,7 +228,7 @@ static bool set_force(exact_force *f, const tp_load *load, tp_load_part part,
   case TP_LOAD_SUPPORT:
     return set_pressure(f, load->line, s);
   case TP_LOAD_SURCHARGE:
-    return set_surcharge(f, load->line, s);
+    return set_surcharge(f, load->line, part, s);
   case TP_LOAD_ANCHOR:
     return set_anchor(f, load->anchor, load->row, s);
   }
@@ -252,12 +256,13 @@ static const struct {
     {-60, {0, 0, 0, 1, 2}, -1},
 };
 
-static bool cancels(const fmpq *moment, const fmpq_t tilt_deg) {
+/* NULL: at every tilt. */
+static bool cancels(const fmpq *moment, const fmpq *tilt_deg) {
   static const int nothing[TP_BASIS] = {0};
   const int *times = nothing;
   int zero_there = -1;
   for (size_t k = 0; k < sizeof rational / sizeof rational[0]; k++) {
-    if (fmpq_cmp_si(tilt_deg, rational[k].degrees) != 0) continue;
+    if (tilt_deg == NULL || fmpq_cmp_si(tilt_deg, rational[k].degrees) != 0) continue;
     times = rational[k].times;
     zero_there = rational[k].zero;
   }
@@ -277,7 +282,7 @@ static bool cancels(const fmpq *moment, const fmpq_t tilt_deg) {
 }
 
 bool tp_load_vanishes(const tp_load *load, tp_load_part part, const tp_exact_setting *s,
-                      const fmpq_t tilt_deg) {
+                      const fmpq *tilt_deg) {
   exact_force f;
   force_init(&f);
   bool zero = set_force(&f, load, part, s);

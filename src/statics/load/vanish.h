@@ -29,11 +29,12 @@ typedef struct tp_exact_setting {
 void tp_exact_setting_init(tp_exact_setting *setting, const tp_scene *scene, bool mirrored);
 void tp_exact_setting_clear(tp_exact_setting *setting);
 
-/* All of a load, or of the weight its part normal to the base or along it. */
+/* All of a load, or of a weight (a surcharge, too) its part normal to the base or along it. */
 typedef enum tp_load_part { TP_LOAD_WHOLE, TP_WEIGHT_NORMAL, TP_WEIGHT_PARALLEL } tp_load_part;
 
-/* At a tilt in degrees; false where it does not, or where that is not told exactly. */
+/* At a tilt in degrees, or at every tilt (NULL); false where it does not, or where that is not
+ * known exactly. */
 bool tp_load_vanishes(const tp_load *load, tp_load_part part, const tp_exact_setting *setting,
-                      const fmpq_t tilt_deg);
+                      const fmpq *tilt_deg);
 
 #endif

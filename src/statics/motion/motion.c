@@ -38,8 +38,19 @@ typedef struct collecting {
   tp_motion_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
+/* Loads through a point have no moment about it, exactly, where the question knows that. */
+static void settle_zeros(tp_trig *f, const tp_source *plane, const tp_motion_question *q) {
+  if (q->vanishes == NULL || plane->kind != TP_FROM_SITE) return;
+  for (int basis = 0; basis < TP_BASIS; basis++) {
+    arb_struct *own = f->of + basis;
+    if (!arb_contains_zero(own) || arb_is_zero(own)) continue;
+    if (q->vanishes(q->loads, plane->a, basis)) arb_zero(own);
+  }
+}
+
 /* h . w, and the scale of its terms where the judge may ask for it. */
-static double set_work(tp_trig *f, const tp_vector *h, const tp_motion_question *q) {
+static double set_work(tp_trig *f, const tp_bound *bound, const tp_motion_question *q) {
+  const tp_vector *h = &bound->h;
   const tp_trig *load[] = {&q->load.x, &q->load.y, &q->load.moment};
   double log2_scale = -INFINITY;
   for (int basis = 0; basis < TP_BASIS; basis++) {
@@ -52,6 +63,7 @@ static double set_work(tp_trig *f, const tp_vector *h, const tp_motion_question 
       log2_scale = fmax(log2_scale, tp_ball_log2_above(h->of + row) + tp_ball_log2_above(own));
     }
   }
+  settle_zeros(f, &bound->source, q);
   return log2_scale;
 }
 
@@ -80,7 +92,7 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
     zero.source.mode = shared ? c->number : c->q->cones->count + c->mode;
   }
   zero.rays = bound->rays;
-  double log2_scale = set_work(&f, &bound->h, c->q);
+  double log2_scale = set_work(&f, bound, c->q);
   if (!arb_is_zero(bound->held)) {
     arb_struct *capacity = f.of + c->q->capacity_basis;
     arb_sub(capacity, capacity, bound->held, c->q->judge.precision);
@@ -168,7 +180,7 @@ static tp_motion_outcome apply_chosen(collecting *c, long number, const tp_mode 
   tp_tilt_init(&zero);
   zero.source = bound->source;
   zero.rays = bound->rays;
-  set_work(&f, &bound->h, c->q);
+  set_work(&f, bound, c->q);
   tp_tilt_set_zero(end, &zero, f.of + TP_COS, f.of + TP_SIN, bound->lower, c->q->judge.bits);
   tp_trig_clear(&f);
   tp_tilt_clear(&zero);

@@ -20,6 +20,10 @@ typedef struct tp_motion_question {
   arb_t gyration; /* square of its radius about the centroid */
   tp_wrench load; /* of all loads, about the centroid, as functions of the tilt; any factor */
   bool through_centroid; /* the loads have no moment about it */
+  /* Is the moment about a site of all loads with one function of the tilt zero, exactly? Asked
+   * where its ball contains zero; NULL: nobody knows. */
+  bool (*vanishes)(const void *loads, long site, int basis);
+  const void *loads;
   const tp_cones
       *strong;        /* the same cones with their capacities, for cohesion and bonds; or NULL */
   int capacity_basis; /* with which function of the tilt capacities go: TP_ONE, unless changed */

@@ -19,8 +19,9 @@
 #include "onset/onset_driving.h"
 
 #include "evaluation/friction.h"
-#include "evaluation/loaded.h"
+#include "evaluation/loaded_exact.h"
 #include "limit/limit.h"
+#include "motion/generators.h"
 #include "number/ball.h"
 #include "static_limit/limit_result.h"
 
@@ -29,6 +30,7 @@
 
 /* Loads at the scene's tilt: what rests goes with TP_COS, what drives with TP_SIN. */
 typedef struct split {
+  const tp_evaluation *e;
   tp_wrench all, others; /* of all loads; of those that do not act at the centroid */
   bool has_others;
   arb_t sine, cosine; /* of the scene's tilt */
@@ -76,9 +78,10 @@ static void add_push(arb_t push, const split *s, const tp_load *load) {
   arb_clear(value);
 }
 
-/* Does a load that does not turn with gravity drive the block? Water does as one; a push whose sign
- * is not known counts as driving. */
-static bool drives(const split *s, const tp_loaded *loaded, const tp_load *load) {
+/* Does a load that does not turn with gravity drive the block? Water does as one. A push that is
+ * zero counts as driving, as balls may not tell it from one that is not. */
+static bool drives(const split *s, const tp_load *load) {
+  const tp_loaded *loaded = s->e->loaded;
   switch (load->kind) {
   case TP_LOAD_SEISMIC:
     return true;
@@ -94,13 +97,39 @@ static bool drives(const split *s, const tp_loaded *loaded, const tp_load *load)
   for (long k = 0; k < loaded->count && is_water(load); k++) {
     if (is_water(loaded->items + k)) add_push(push, s, loaded->items + k);
   }
-  const bool does = !arb_is_nonpositive(push);
+  const bool does = !arb_is_negative(push);
   arb_clear(push);
   return does;
 }
 
+/* The weight, and what counts as such: it rests by one part and drives by the other. */
+static bool is_by_parts(const tp_load *load) {
+  return load->kind == TP_LOAD_WEIGHT || load->kind == TP_LOAD_SURCHARGE;
+}
+
+/* Is the moment about a contact point of all that rests (TP_COS), or drives (TP_SIN), zero, as that
+ * of each load is, exactly? Of a tp_motion_question. */
+static bool vanishes(const void *of, long site, int basis) {
+  const split *s = of;
+  const tp_evaluation *e = s->e;
+  const bool driving = basis == TP_SIN;
+  if (site >= e->problem->contact.point_count) return false;
+  for (long k = 0; k < e->loaded->count; k++) {
+    const tp_load *load = e->loaded->items + k;
+    tp_load_part part = TP_LOAD_WHOLE;
+    if (is_by_parts(load) && arb_is_positive(s->sine)) {
+      part = driving ? TP_WEIGHT_PARALLEL : TP_WEIGHT_NORMAL;
+    } else if ((!is_by_parts(load) && drives(s, load)) != driving) {
+      continue;
+    }
+    if (!tp_loaded_vanishes(load, part, e->loaded, e, site)) return false;
+  }
+  return true;
+}
+
 static void split_init(split *s, const tp_evaluation *e, const arb_t tilt) {
   const tp_loaded *loaded = e->loaded;
+  s->e = e;
   s->bits = e->rung.bits;
   s->has_others = false;
   tp_wrench_init(&s->all);
@@ -110,8 +139,8 @@ static void split_init(split *s, const tp_evaluation *e, const arb_t tilt) {
   tp_ball_sin_cos(s->sine, s->cosine, tilt, s->bits);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *load = loaded->items + k;
-    const bool by_parts = load->kind == TP_LOAD_WEIGHT || load->kind == TP_LOAD_SURCHARGE;
-    const bool pushes = !by_parts && drives(s, loaded, load);
+    const bool by_parts = is_by_parts(load);
+    const bool pushes = !by_parts && drives(s, load);
     add_to(s, &s->all, load, by_parts, pushes);
     if (tp_onset_load_is_central(load)) continue;
     add_to(s, &s->others, load, by_parts, pushes);
@@ -244,8 +273,13 @@ static void find_by_direction(finding *f, const split *s, const arb_t tilt) {
   cross(f->factor, s->all.x.of + TP_COS, s->all.y.of + TP_COS, x, y, bits);
   cross(over, s->all.x.of + TP_SIN, s->all.y.of + TP_SIN, x, y, bits);
   arb_neg(over, over);
-  arb_div(f->factor, f->factor, over, bits);
-  set_number(f, w, f->t);
+  if (arb_contains_zero(over) && w->from.source.kind == TP_FROM_SITE &&
+      vanishes(s, w->from.source.a, TP_SIN)) {
+    set_endless(f); /* what drives passes through the point that it would turn about */
+  } else {
+    arb_div(f->factor, f->factor, over, bits);
+    set_number(f, w, f->t);
+  }
   arb_clear(sine);
   arb_clear(cosine);
   arb_clear(x);
@@ -270,6 +304,8 @@ static tp_motion_outcome find_by_modes(finding *f, const split *s) {
   q.judge = f->asked->question.judge;
   q.work = f->asked->question.work;
   q.capacity_basis = TP_COS;
+  q.vanishes = vanishes;
+  q.loads = s;
   tp_onset_question_load(&q, e, f->t->result->towards, &s->all, s->has_others ? &s->others : NULL);
   tp_motion_outcome done = tp_motions_init(&motions, &q);
   if (done == TP_MOTION_PROVEN) {

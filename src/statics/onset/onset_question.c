@@ -6,7 +6,7 @@
 
 #include "onset/onset_question.h"
 
-#include "evaluation/loaded.h"
+#include "evaluation/loaded_exact.h"
 #include "static_limit/limit_asked.h"
 #include "static_limit/limit_cones.h"
 
@@ -73,6 +73,19 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, const tp_w
   arb_clear(factor);
 }
 
+/* Does none of the other loads have a moment about the centroid, exactly? Asked where balls do not
+ * exclude it. */
+static bool others_are_central(const tp_motion_question *q, const tp_evaluation *e) {
+  for (int basis = 0; basis < TP_BASIS; basis++) {
+    if (!arb_contains_zero(q->load.moment.of + basis)) return false;
+  }
+  for (long k = 0; k < e->loaded->count; k++) {
+    const tp_load *own = e->loaded->items + k;
+    if (!tp_onset_load_is_central(own) && !tp_loaded_is_central(own, e->loaded, e)) return false;
+  }
+  return true;
+}
+
 void tp_onset_question_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards,
                             const tp_wrench *all, const tp_wrench *others) {
   tp_wrench_clear(&q->load);
@@ -81,6 +94,9 @@ void tp_onset_question_load(tp_motion_question *q, const tp_evaluation *e, tp_di
   tp_trig_add(&q->load.y, &all->y, e->rung.bits);
   q->through_centroid = others == NULL;
   if (others != NULL) set_moment(q, e, others, towards);
+  if (others == NULL || !others_are_central(q, e)) return;
+  for (int basis = 0; basis < TP_BASIS; basis++) arb_zero(q->load.moment.of + basis);
+  q->through_centroid = true;
 }
 
 static void set_load(tp_motion_question *q, const tp_evaluation *e, tp_direction towards) {
