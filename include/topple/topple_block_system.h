@@ -170,6 +170,14 @@ typedef struct tp_system_support {
   bool has_goodman_bray;         /* it acts on the toe of columns in a row, and can hold it: */
   double goodman_bray_n_m; /* if has_goodman_bray: the force for which to design, by their method
                               with strength divided by the factor; 0: none is needed */
+  bool was_sought;         /* was it looked for from which force on no motion can begin? */
+  bool has_standing;       /* some such force was found: */
+  double standing_n_m, standing_to_n_m; /* if has_standing: with any force from the former to the
+                                           latter no motion can begin, proven. More may push the
+                                           blocks up */
+  bool has_moving;                      /* a lesser force does not suffice: */
+  double moving_n_m; /* if has_moving: with that force a motion can begin, or no forces hold the
+                        blocks, proven */
 } tp_system_support;
 
 /* Is there a limit as all is tilted? */

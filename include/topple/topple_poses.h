@@ -49,7 +49,8 @@ typedef struct tp_pose_verdict {
 } tp_pose_verdict;
 
 /* A resting pose: what touches, vertices and edges. Over a basin the pose shifts and turns with the
- * starting position; its numbers here are those from the middle of its widest basin. */
+ * starting position; its numbers here are those from the middle of its widest basin; of the
+ * pose that the block reaches as given, those from there. */
 typedef struct tp_resting_pose {
   size_t basins;           /* how many basins lead to it */
   size_t widest_basin;     /* index of the widest of them */

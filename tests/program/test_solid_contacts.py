@@ -9,6 +9,7 @@ the search that found them: forces in equilibrium within their cones, and motion
 import math
 import random
 import unittest
+from fractions import Fraction
 
 from harness import main, run
 from mesh_case import box
@@ -139,6 +140,38 @@ class Contacts(SceneCase):
             self.assertLessEqual(abs(own["value"] - truth), own["error"] + 1e-13)
             self.assertLess(own["error"], 1e-6)
             self.assertEqual(got["critical"]["mechanism"], "slides")
+
+    def test_groove_of_the_same_angle(self):
+        """eta = phi = 45 degrees, of rational tangent 1: opposite contacts press against each other along an edge of both cones. They bear any load
+        along the groove, but do not pull the box down. So it is interlocked where the contacts are as high as its centroid; else it turns about the
+        edge below, at the half-length over the height. With a little less friction it is nearly the same; it was undecided."""
+        turns = ((1, 0, 5), (Fraction(3, 5), Fraction(4, 5), 1))
+        for length, width, height in ((3, 1, 1), (2, 1, 4), (3, 2, 0)):
+            for cosine, sine, size in turns:
+                def turned(p, c=cosine, s=sine):
+                    return [c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]]
+                corners, faces = box((-length, -width, -5), (length, width, 5))
+                self.put("rock.obj", exact_obj([list(map(Fraction, turned(p))) for p in corners], faces))
+                four = [{"at": list(map(float, turned([x, y, -height]))), "normal": list(map(float, [size * k for k in turned([0, -y, width])]))}
+                        for x in (-length, length) for y in (-width, width)]
+                turn = round(math.degrees(math.atan2(float(sine), float(cosine))), 9)
+                for azimuth, reach in ((90, length), (270, length), (0, width)):
+                    along = azimuth - turn
+                    rest = f"tilt: {{angle_deg: 5, azimuth_deg: {along % 360}}}\n"
+                    got = self.found(four, "friction_angle_deg: 45\n" + rest)
+                    near = self.found(four, "friction_angle_deg: 44.9999\n" + rest)
+                    if height == 0:
+                        self.assertNotIn("critical_deg", got)
+                        if turn == 0:
+                            self.assertEqual(got["ways"][round(azimuth / 45)]["mechanism"], "interlocked")
+                        self.assertTrue("critical_deg" not in near or near["critical_deg"]["value"] > 89)
+                        continue
+                    truth = math.degrees(math.atan2(reach, height))
+                    self.assertLessEqual(abs(got["critical_deg"]["value"] - truth), got["critical_deg"]["error"] + 1e-7 * (turn != 0) + 1e-12)
+                    self.assertEqual(got["critical"]["mechanism"], "topples")
+                    self.assertLess(got["critical_deg"]["error"], 1e-10)
+                    self.assertAlmostEqual(near["critical_deg"]["value"], truth, 1)
+                    self.assertAlmostEqual(got["fos_driving"]["value"] * math.tan(math.radians(5)), reach / height, 6)
 
     def test_both_halves_by_what_they_print(self):
         """Five contacts on a ball, of any friction: what holds and what moves, a hair within and beyond the limit."""

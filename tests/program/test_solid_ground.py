@@ -232,16 +232,18 @@ class References(GroundCase):
         self.assertGreaterEqual(tilts[2] + 1e-6, tilts[1])
 
     def test_groove(self):
-        """A prism in a groove of the half-angle eta: tan = mu / sqrt(sin^2 eta - mu^2 cos^2 eta) along it; interlocked from tan eta."""
-        for run_, rise, phi in ((1, 1, 20), (7, 4, 25), (4, 3, 60)):
+        """A prism in a groove of the half-angle eta: tan = mu / sqrt(sin^2 eta - mu^2 cos^2 eta) along it; interlocked from tan eta,
+        that included: it was undecided where both are 45 degrees."""
+        for run_, rise, phi in ((1, 1, 20), (7, 4, 25), (4, 3, 60), (1, 1, 45)):
             rock = prism([(0, 0), (Fraction(run_), Fraction(rise)), (-Fraction(run_), Fraction(rise))], 3, [(0, 1, 2)])
             self.meshes(rock, sheet([(-2 * run_, 2 * rise), (0, 0), (2 * run_, 2 * rise)], 9))
             got = self.told(self.on("0", f"friction_angle_deg: {phi}\ntilt: {{angle_deg: 5, azimuth_deg: 0}}\n"))
             self.assertEqual(got["contacts"]["verdict"], "may move")
             eta, mu = math.atan2(run_, rise), math.tan(math.radians(phi))
             self.assertAlmostEqual(got["ground"]["bands"][0]["normals_deg"], 180 - 2 * math.degrees(eta), 9)
-            if mu >= math.tan(eta):
+            if phi == 45 or mu >= math.tan(eta):
                 self.assertNotIn("critical_deg", got["contacts"])
+                self.assertEqual(got["contacts"]["ways"][0]["mechanism"], "interlocked")
                 continue
             own = got["contacts"]["critical_deg"]
             truth = math.degrees(math.atan2(mu, math.sqrt(math.sin(eta) ** 2 - (mu * math.cos(eta)) ** 2)))

@@ -61,7 +61,7 @@ static void add_words(tp_document *d, const char *word, tp_text *words) {
 void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
   const tp_system_support *own = &c->support;
   tp_document *d = &s->document;
-  tp_text design = {0}, optimistic = {0};
+  tp_text design = {0}, optimistic = {0}, standing = {0};
   char n[TP_NUMBER_SIZE];
   if (!c->has_support) return;
   tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Support for a wanted factor");
@@ -69,6 +69,9 @@ void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
   tp_document_cell(d, "%s", tp_text_significant(n, own->fos, 5));
   tp_text_system_design_support(&design, c);
   add_words(d, "Support", &design);
+  if (tp_text_system_standing_support(&standing, c)) {
+    add_words(d, "No motion can begin with", &standing);
+  }
   if (tp_text_system_optimistic_support(&optimistic, c)) {
     tp_text_add(&optimistic, ", but a motion may begin");
     add_words(d, "Optimistic: forces can hold with", &optimistic);
@@ -76,4 +79,5 @@ void tp_system_sheet_add_support(tp_system_sheet *s, const tp_system_case *c) {
   add_place(d, s->system, own);
   tp_text_drop(&design);
   tp_text_drop(&optimistic);
+  tp_text_drop(&standing);
 }

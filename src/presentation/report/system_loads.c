@@ -19,15 +19,35 @@ static bool stands_without(const tp_system_case *c) {
   return wanted <= 1 || (c->has_standing_fos && c->standing_fos >= wanted);
 }
 
+/* Forces for which nothing can move are rounded towards these, and others away. */
+static const char *force_up(char n[TP_NUMBER_SIZE], double force_n_m) {
+  return tp_text_significant_up(n, (tp_bounded){.value = force_n_m / kilo}, 5);
+}
+
+static const char *force_down(char n[TP_NUMBER_SIZE], double force_n_m) {
+  return tp_text_significant_down(n, (tp_bounded){.value = force_n_m / kilo}, 5);
+}
+
+/* A motion is proven with as much as the method has. */
+static bool moves_with_method(const tp_system_support *own) {
+  return own->has_moving && own->goodman_bray_n_m <= own->moving_n_m;
+}
+
 void tp_text_system_design_support(tp_text *t, const tp_system_case *c) {
   const tp_system_support *own = &c->support;
+  char n[TP_NUMBER_SIZE];
   if (stands_without(c)) {
     tp_text_add(t, "none needed: no motion can begin");
   } else if (own->state == TP_SYSTEM_SUPPORT_NONE) {
     tp_text_add(t, "no such force holds the blocks");
-  } else if (own->has_goodman_bray && own->goodman_bray_n_m > 0) {
+  } else if (own->has_goodman_bray && own->goodman_bray_n_m > 0 && !moves_with_method(own)) {
     tp_text_add(t, "%.5g kN/m, by Goodman and Bray", own->goodman_bray_n_m / kilo);
-  } else if (own->has_goodman_bray && c->verdict != TP_SYSTEM_MAY_MOVE) {
+  } else if (own->has_standing) {
+    tp_text_add(t, "%s kN/m: no motion can begin", force_up(n, own->standing_n_m));
+  } else if (own->has_goodman_bray && own->goodman_bray_n_m > 0) {
+    tp_text_add(t, "no design value: with %.5g kN/m, by Goodman and Bray, a motion can begin",
+                own->goodman_bray_n_m / kilo);
+  } else if (own->has_goodman_bray && c->verdict != TP_SYSTEM_MAY_MOVE && !own->has_moving) {
     tp_text_add(t, "none needed, by Goodman and Bray");
   } else if (own->has_goodman_bray) {
     tp_text_add(t, "no design value: by Goodman and Bray none is needed, but a motion can begin");
@@ -54,12 +74,31 @@ bool tp_text_system_optimistic_support(tp_text *t, const tp_system_case *c) {
   return false;
 }
 
+bool tp_text_system_standing_support(tp_text *t, const tp_system_case *c) {
+  const tp_system_support *own = &c->support;
+  char n[3][TP_NUMBER_SIZE];
+  if (!own->was_sought || stands_without(c)) return false;
+  const char *moving = own->has_moving ? force_down(n[2], own->moving_n_m) : "";
+  if (own->has_standing && own->has_moving) {
+    tp_text_add(t, "%s to %s kN/m; with %s kN/m one can", force_up(n[0], own->standing_n_m),
+                force_down(n[1], own->standing_to_n_m), moving);
+  } else if (own->has_standing) {
+    tp_text_add(t, "%s to %s kN/m", force_up(n[0], own->standing_n_m),
+                force_down(n[1], own->standing_to_n_m));
+  } else if (own->has_moving) {
+    tp_text_add(t, "undecided; with %s kN/m one can", moving);
+  } else {
+    tp_text_add(t, "undecided");
+  }
+  return true;
+}
+
 void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   enum { LABEL = 64 };
   const tp_system_support *own = &c->support;
   const int digits = tp_text_system_digits(s) + 1;
   char label[LABEL], n[TP_NUMBER_SIZE], name[LABEL];
-  tp_text optimistic = {0};
+  tp_text optimistic = {0}, standing = {0};
   if (!c->has_support) return;
   snprintf(label, sizeof label, "support for a factor of %s", tp_text_significant(n, own->fos, 5));
   tp_text_system_label(t, label);
@@ -68,12 +107,17 @@ void tp_text_system_support(tp_text *t, const tp_block_system *s, const tp_syste
   tp_text_add(t, "\n    on '%s' at (%.*g, %.*g), towards %.5g° from x towards y\n", name, digits,
               own->x_m.value / s->metres_per_unit, digits, own->y_m.value / s->metres_per_unit,
               own->direction_deg.value);
+  if (tp_text_system_standing_support(&standing, c) && !standing.failed) {
+    tp_text_system_label(t, "no motion can begin with");
+    tp_text_add(t, "%s\n", standing.data);
+  }
   if (tp_text_system_optimistic_support(&optimistic, c) && !optimistic.failed) {
     tp_text_system_label(t, "optimistic: forces can hold with");
     tp_text_add(t, "%s, but a motion may begin\n", optimistic.data);
   }
-  t->failed = t->failed || optimistic.failed;
+  t->failed = t->failed || optimistic.failed || standing.failed;
   tp_text_drop(&optimistic);
+  tp_text_drop(&standing);
 }
 
 void tp_text_system_loads(tp_text *t, const tp_block_system *s, const tp_system_case *c,

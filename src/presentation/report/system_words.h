@@ -60,5 +60,8 @@ void tp_text_system_start(tp_text *text, const tp_system_case *of);
  * forces says, which is optimistic: false where that adds nothing. */
 void tp_text_system_design_support(tp_text *text, const tp_system_case *of);
 bool tp_text_system_optimistic_support(tp_text *text, const tp_system_case *of);
+/* With which forces no motion can begin, and with which one can: false where that was not looked
+ * for. */
+bool tp_text_system_standing_support(tp_text *text, const tp_system_case *of);
 
 #endif

@@ -105,32 +105,6 @@ static void judge(tp_system_case *own, bool stands, bool moves) {
 /* ---- along a number ----------------------------------------------------------------------------
  */
 
-/* What an exclusion just past where it is proven leaves is tried as a motion, and followed down. */
-static tp_status close_gap(tp_moving_search *m, tp_standing_search *s, double *standing,
-                           double limit, double width, tp_message *message) {
-  enum { MOST = 4 };
-  tp_status status = TP_OK;
-  for (int k = 0; k < MOST && status == TP_OK; k++) {
-    const double end = fmin(m->x, limit), at = *standing + 4 * width;
-    bool proven = false;
-    if (end - *standing <= 8 * width || s->work > s->most_work) break;
-    status = tp_standing_prove(&proven, s, at, at, message);
-    if (status != TP_OK || proven || s->left[0] == 0) break;
-    const double before = m->x;
-    status = tp_moving_prove_modes(m, at, s->left, message);
-    if (status != TP_OK || !m->found || m->x >= before) break;
-    status = tp_moving_follow(m, *standing, width, message);
-  }
-  return status;
-}
-
-static tp_status stand_to_limit(double *standing, tp_moving_search *m, tp_standing_search *s,
-                                const tp_moving_range *r, tp_message *message) {
-  const double end = fmin(m->x, r->limit);
-  const tp_status status = tp_standing_extend(standing, s, r->from, end, r->width, message);
-  return status == TP_OK ? close_gap(m, s, standing, r->limit, r->width, message) : status;
-}
-
 static tp_moving_range factors(const beginnings *b) {
   static const double width = 1e-6, step = 1e-3;
   return (tp_moving_range){.from = 0,
@@ -204,7 +178,7 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
   if (moves) status = tp_moving_least(&b->moving, &r, message);
   if (status == TP_OK && own->verdict == TP_SYSTEM_STANDS && own->sought == TP_SYSTEM_SOUGHT) {
     double standing = 0;
-    status = stand_to_limit(&standing, &b->moving, &b->standing, &r, message);
+    status = tp_standing_to_limit(&standing, &b->moving, &b->standing, &r, message);
     own->has_standing_fos = true;
     own->standing_fos = standing > 0 ? fmin(nextafter(exp(standing), 0), TP_MOST_FACTOR) : 1;
     own->standing_fos_is_least = own->standing_fos >= TP_MOST_FACTOR;
@@ -256,7 +230,7 @@ static tp_status search_tilt(beginnings *b, tp_moving_search *m, tp_message *mes
     double standing = 0;
     status = init_beside(&s, b, BY_TILT, state_at_tilt, message);
     if (status != TP_OK) return status;
-    status = stand_to_limit(&standing, m, &s, &r, message);
+    status = tp_standing_to_limit(&standing, m, &s, &r, message);
     own->has_standing_angle = true;
     own->standing_angle_deg = standing;
     tp_standing_clear(&s);
@@ -279,7 +253,7 @@ static tp_status search_multiples(beginnings *b, tp_moving_search *m, tp_standin
       .from = 1, .least = 1, .limit = fmin(limit, TP_MOST_SEARCHED), .width = width, .step = step};
   double standing = 1;
   tp_status status = bounded ? tp_moving_from_limit(m, &r, r.from, message) : TP_OK;
-  if (status == TP_OK) status = stand_to_limit(&standing, m, s, &r, message);
+  if (status == TP_OK) status = tp_standing_to_limit(&standing, m, s, &r, message);
   own->has_standing_fos_driving = status == TP_OK;
   own->standing_fos_driving = standing > 1 ? fmin(nextafter(standing, 0), TP_MOST_FACTOR) : 1;
   own->has_moving_fos_driving = m->found && m->x <= TP_MOST_FACTOR;

@@ -264,8 +264,12 @@ static tp_status solve_direction(direction *d, tp_message *message) {
   if (status != TP_OK) return status;
   status = tp_goodman_bray_find(&d->own->goodman_bray, d->x->s, &d->resultant,
                                 tp_system_is_weighed(d->x->system), message);
-  return status == TP_OK ? tp_goodman_bray_support(d->own, d->x->s, &d->resultant, message)
-                         : status;
+  if (status == TP_OK) {
+    status = tp_goodman_bray_support(d->own, d->x->s, &d->resultant, message);
+  }
+  return status == TP_OK && d->x->motions == TP_MOTIONS_ALL
+             ? tp_support_onset(d->own, d->x->s, &d->resultant, message)
+             : status;
 }
 
 /* Of one whose verdict alone is wanted. */

@@ -16,6 +16,7 @@
 #include "block_system/load_results.h"
 
 #include "block_system/block_faces.h"
+#include "block_system/support_onset.h"
 #include "block_system/threshold.h"
 #include "common/outside.h"
 #include "evaluation/certainty.h"
@@ -200,6 +201,55 @@ static tp_status find(const supporting *x, tp_message *message) {
     status = find_nearer(x, ldexp(1, ilogb(-b.held * unit) + 1), message);
   }
   tp_load_bracket_clear(&b);
+  return status;
+}
+
+/* Where forces do hold with some force: the greatest one with which they do, within what is looked
+ * at. */
+static tp_status find_most(double *most, const supporting *x, tp_message *message) {
+  const double unit = greatest_unit(x);
+  tp_load_bracket b;
+  const tp_status status = find_bracket(&b, x, -unit, message);
+  if (status != TP_OK) return status;
+  *most = b.is_held ? fmin(b.held, 1) * unit : 0;
+  tp_load_bracket_clear(&b);
+  return TP_OK;
+}
+
+tp_status tp_support_onset(tp_system_case *own, const tp_built_system *s, const tp_resultant *r,
+                           tp_message *message) {
+  tp_system_support *support = &own->support;
+  const bool needed = support->state == TP_SYSTEM_SUPPORT_NUMBER;
+  if (!own->has_support || r->beyond ||
+      (!needed && support->state != TP_SYSTEM_SUPPORT_NOT_NEEDED)) {
+    return TP_OK;
+  }
+  const double wanted = support->fos.value;
+  if (own->verdict == TP_SYSTEM_STANDS &&
+      (wanted <= 1 || (own->has_standing_fos && own->standing_fos >= wanted))) {
+    return TP_OK; /* none is needed */
+  }
+  supporting x = {.s = s, .r = r, .divisor = wanted, .own = support};
+  const double scale = ldexp(newtons * r->along_normal, (int)s->assemblage.weight_exponent);
+  set_force(&x);
+  tp_near *push = calloc(ROW * (size_t)s->assemblage.free_count + 1, sizeof *push);
+  if (push == NULL) return tp_fail_memory(message, "the support");
+  for (int e = 0; e < ROW; e++) {
+    push[ROW * s->assemblage.blocks[support->block].number + e] = x.force[e];
+  }
+  tp_support_task task = {.system = s,
+                          .resultant = r,
+                          .loads = loads_as_they_lie(&x, push),
+                          .divisor = x.divisor,
+                          .newtons = scale};
+  if (needed) {
+    task.fails = (support->force_n_m.value - support->force_n_m.error) / scale;
+    task.held = (support->force_n_m.value + support->force_n_m.error) / scale;
+  }
+  if (support->has_goodman_bray) task.by_method = support->goodman_bray_n_m / scale;
+  tp_status status = find_most(&task.most, &x, message);
+  if (status == TP_OK) status = tp_support_onset_find(support, &task, message);
+  free(push);
   return status;
 }
 

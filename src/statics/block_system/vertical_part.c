@@ -183,7 +183,20 @@ static int support_rank(tp_system_support_state state) {
                                                 : 0;
 }
 
+/* Forces with which no motion can begin in either case; with which one can in one of them. */
+static void join_standing_support(tp_system_support *own, const tp_system_support *other) {
+  own->was_sought = own->was_sought || other->was_sought;
+  own->standing_n_m = fmax(own->standing_n_m, other->standing_n_m);
+  own->standing_to_n_m = fmin(own->standing_to_n_m, other->standing_to_n_m);
+  own->has_standing =
+      own->has_standing && other->has_standing && own->standing_n_m <= own->standing_to_n_m;
+  own->moving_n_m =
+      fmax(own->has_moving ? own->moving_n_m : 0, other->has_moving ? other->moving_n_m : 0);
+  own->has_moving = own->has_moving || other->has_moving;
+}
+
 static void join_support(tp_system_case *own, const tp_system_case *other) {
+  tp_system_support joined = own->support;
   const bool known = own->support.has_goodman_bray && other->support.has_goodman_bray;
   const double by_method = fmax(own->support.goodman_bray_n_m, other->support.goodman_bray_n_m);
   const int rank_of_own = support_rank(own->support.state),
@@ -195,6 +208,13 @@ static void join_support(tp_system_case *own, const tp_system_case *other) {
   }
   own->support.has_goodman_bray = known;
   own->support.goodman_bray_n_m = by_method;
+  join_standing_support(&joined, &other->support);
+  own->support.was_sought = joined.was_sought;
+  own->support.has_standing = joined.has_standing;
+  own->support.standing_n_m = joined.standing_n_m;
+  own->support.standing_to_n_m = joined.standing_to_n_m;
+  own->support.has_moving = joined.has_moving;
+  own->support.moving_n_m = joined.moving_n_m;
 }
 
 void tp_system_case_join(tp_system_case *own, tp_system_case *other) {

@@ -6,6 +6,8 @@
 
 #include "solid_contacts/hold.h"
 
+#include "solid_contacts/squeezed.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -158,13 +160,47 @@ static bool find_limit(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *
   return true;
 }
 
+/* Do forces strictly within all cones hold a load? In those of a little less friction. */
+static bool is_inside(bool *inside, tp_hold *hold, const tp_hold_load *load) {
+  static const tp_near little_less = {1 - 0x1p-30, 0};
+  tp_hold_answer answer;
+  *inside = false;
+  if (!find_deep(&answer, hold, load)) return false;
+  if (answer.outcome != TP_HOLD_FOUND || !(answer.t > 0)) return true;
+  copy_forces(&hold->found, &hold->deep, hold->cones->count);
+  hold->found.t = hold->deep.t = answer.t;
+  if (!tp_hold_prove_forces(inside, &hold->found, &hold->deep, hold->cones, &hold->basis,
+                            little_less, load, NULL)) {
+    return false;
+  }
+  for (long n = 0; n < hold->cones->count && *inside; n++) {
+    const double *own = hold->found.forces[n];
+    *inside = own[0] != 0 || own[1] != 0 || own[2] != 0;
+  }
+  return true;
+}
+
+/* What doubles leave open, in rational numbers. */
+static bool find_squeezed(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *load,
+                          const tp_hold_load *way) {
+  bool inside;
+  tp_squeezed_limit own;
+  tp_squeezed_find(&own, hold->cones, load, way);
+  if (!own.is_known) return true;
+  if (!is_inside(&inside, hold, load)) return false;
+  if (!inside) return true;
+  *limit = (tp_hold_limit){.is_endless = own.is_endless, .t = own.t};
+  for (int k = 0; k < TP_WRENCH; k++) limit->twist[k] = own.twist[k];
+  return true;
+}
+
 bool tp_hold_limit_find(tp_hold_limit *limit, tp_hold *hold, const tp_hold_load *load,
                         const tp_hold_load *way) {
   if (!find_limit(limit, hold, load, way)) return false;
   for (int k = 0; k < TRIES && limit->is_open; k++) {
     if (!begin_anew(hold, k) || !find_limit(limit, hold, load, way)) return false;
   }
-  return true;
+  return !limit->is_open || hold->friction != 1 || find_squeezed(limit, hold, load, way);
 }
 
 /* ---- the factor --------------------------------------------------------------------------------

@@ -57,10 +57,13 @@ static void set_metres(tp_contact_points *points, const tp_surface *surface,
   fmpq_clear(metres);
 }
 
+/* Without error at 0 and 45 degrees, the only rational angles in degrees of a rational tangent. */
 static tp_near friction_of(const fmpq_t degrees) {
+  enum { UNITY = 45 };
   const double value = tp_surface_nearest(degrees);
   tp_near sine, cosine;
   if (fmpq_is_zero(degrees)) return (tp_near){0, 0};
+  if (fmpq_cmp_si(degrees, UNITY) == 0) return (tp_near){1, 0};
   tp_near_sin_cos(&sine, &cosine, (tp_near){value, value * DBL_EPSILON});
   return tp_near_div(sine, cosine);
 }

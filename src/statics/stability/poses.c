@@ -180,10 +180,17 @@ static tp_status describe_basin(search *s, long k, tp_message *message) {
   return status;
 }
 
-/* Set the block down in the middle of the pose's widest basin; at its first position where what
- * lies in the middle is another, which is narrower than the spacing. */
+/* Set the block down as given, in the pose that it reaches from there: all other results are for
+ * that position, and a contact that slides along a facet has its ends elsewhere from another one.
+ * In any other pose, in the middle of its widest basin; at the basin's first position where the
+ * middle belongs to another one, which is narrower than the spacing. */
 static tp_status set_down(fmpq_t shift, search *s, const pose_basins *pose, tp_message *message) {
   const tp_basin_found *basin = s->basins.items + pose->widest;
+  if (s->result->has_given && pose == s->poses + s->result->given) {
+    fmpq_zero(shift);
+    tp_status given = tp_settle_from(&s->rested->settling, shift, message);
+    return given == TP_OK ? tp_rested_shift(s->rested, s->scene, shift, message) : given;
+  }
   long ending = -1;
   fmpq_add(shift, &basin->first, &basin->last);
   fmpq_div_2exp(shift, shift, 1);
@@ -267,10 +274,9 @@ static tp_status describe(search *s, tp_message *message) {
   }
   result->pose_count = (size_t)s->pose_count;
   result->basin_count = (size_t)b->count;
-  tp_status status = TP_OK;
+  tp_status status = find_given(s, message);
   for (long k = 0; k < b->count && status == TP_OK; k++) status = describe_basin(s, k, message);
   for (long k = 0; k < s->pose_count && status == TP_OK; k++) status = describe_pose(s, k, message);
-  if (status == TP_OK) status = find_given(s, message);
   return status;
 }
 
