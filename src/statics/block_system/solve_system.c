@@ -380,6 +380,11 @@ static tp_status join_static(tp_system_case *own, solving *x, bool left, tp_mess
   if (status != TP_OK) return status;
   own->has_static = true;
   own->static_verdict = x->at_rest[side].verdict;
+  if (side != left && tp_scene_asks_side(x->s->scene, side)) { /* its factors are of that case */
+    own->static_fos_by_strength = own->static_fos_by_driving =
+        (tp_system_bounds){.at_most = INFINITY};
+    return TP_OK;
+  }
   own->static_fos_by_strength = x->at_rest[side].fos_by_strength;
   own->static_fos_by_driving = x->at_rest[side].fos_by_driving;
   return TP_OK;
