@@ -11,6 +11,7 @@ one down-dip, as it was never solved at rest. Of many blocks the state without t
 earthquake acts up-dip alone: a pressure that drives the block was left out. A scene of one block ran without end, as a motion was
 looked for from a number that is infinite."""
 
+import csv
 import json
 import math
 import random
@@ -215,6 +216,19 @@ class FactorLawLoads(GoverningCase):
             for angle, verdict in ((3, "moves"), (11.3, "moves"), (11.4, "stands")):
                 scene = Scene(OVERHANGS, [(0, 0), (1, 0)], 60, angle, on_slope=on_slope, seismic=(0.1, 0, direction))
                 self.assertEqual(self.check(scene), verdict, (direction, angle))
+
+    def test_rows_that_fall_up_dip(self):
+        """Samples that doubles tell, and rows of a batch, are those of the block at rest as well."""
+        scene = Scene(OVERHANGS, [(0, 0), (1, 0)], 60, 3, on_slope=False, seismic=(0.4, 0, None))
+        path, rows, table = self.scene(scene.one()), self.folder / "rows.csv", self.folder / "table.csv"
+        self.scene("topple_study: 1\nscene: scene.yaml\nsamples: 50\nvary: {friction_angle_deg: {uniform: {low: 50, high: 60}}}\n", "study.yaml")
+        status, _, err = run("study", "--rows", rows, self.folder / "study.yaml")
+        self.assertEqual(status, 0, err)
+        told = list(csv.DictReader(line for line in rows.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
+        self.assertEqual({row["outcome"] for row in told}, {"topples"})
+        table.write_text("name,friction\nA,55\nB,60\n", encoding="utf-8")
+        status, out, _ = run("solve", "--json", "--batch", table, "--template", path)
+        self.assertEqual((status, {row["standing"] for row in json.loads(out)["rows"]}), (1, {"fails"}))
 
     def test_a_pressure_that_drives_up_dip(self):
         """At rest a pressure on the face below drives the block up-dip, with a factor by strength of 1.6457; the earthquake down-dip
