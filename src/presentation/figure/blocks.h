@@ -53,8 +53,9 @@ tp_ink tp_blocks_tint(const tp_blocks_figure *figure, size_t block);
 bool tp_blocks_force(tp_spot *from, tp_spot *to, const tp_blocks_figure *figure, size_t contact);
 
 /* "Factor of safety by strength reduction", those on driving loads and by Goodman and Bray, and
- * from which divisor of strength on a motion can begin; nothing where none of it is known. */
-void tp_blocks_factors(tp_text *text, const tp_system_case *of);
+ * from which divisor of strength on a motion can begin; nothing where none of it is known. Then
+ * whether a required factor is met. */
+void tp_blocks_factors(tp_text *text, const tp_block_system *system, const tp_system_case *of);
 
 /* Are there bolts; are there other loads than water? */
 bool tp_blocks_pulled(const tp_blocks_figure *figure, bool by_bolts);

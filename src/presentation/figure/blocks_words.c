@@ -8,6 +8,7 @@
 #include "figure/legend.h"
 #include "report/column_page.h"
 #include "report/page.h"
+#include "report/sheet.h"
 #include "report/system_words.h"
 #include "terms/names.h"
 
@@ -79,7 +80,14 @@ static void add_both_factors(tp_text *t, const tp_system_case *c) {
   tp_text_system_driving(t, c);
 }
 
-void tp_blocks_factors(tp_text *t, const tp_system_case *c) {
+static void add_required(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->has_required_fos) return;
+  tp_text_add(t, "%sRequired factor of safety %s: %s.", t->length > 0 ? " " : "",
+              tp_text_significant(n, s->required_fos, 6), tp_sheet_met_words(c->meets_required));
+}
+
+void tp_blocks_factors(tp_text *t, const tp_block_system *s, const tp_system_case *c) {
   if (c->fos.state != TP_FOS_NOT_ASKED) {
     add_both_factors(t, c);
     tp_text_add(t, c->goodman_bray.applies ? "; by Goodman and Bray: " : ".");
@@ -93,13 +101,14 @@ void tp_blocks_factors(tp_text *t, const tp_system_case *c) {
     tp_text_system_moving(t, c);
     tp_text_add(t, ".");
   }
+  add_required(t, s, c);
 }
 
 static void add_numbers(tp_text *t, const tp_blocks_figure *f) {
   const tp_system_case *c = f->own;
   char n[TP_NUMBER_SIZE];
   tp_text factors = {0};
-  tp_blocks_factors(&factors, c);
+  tp_blocks_factors(&factors, f->system, c);
   tp_text_add(t, "%s", tp_system_verdict_name(tp_system_case_worst_verdict(c)));
   if (tp_system_case_worst_verdict(c) != c->verdict) tp_text_add(t, " without the earthquake");
   tp_text_add(t, ".");

@@ -188,8 +188,11 @@ static void add_words(cad *d) {
   tp_text lines[LINES] = {{0}, {0}, {0}, {0}};
   if (d->figure->system->title != NULL) tp_encode_plain(lines, d->figure->system->title);
   tp_text_system_stance(lines + 1, d->figure->system, c);
-  tp_text_add(lines + 1, ": %s", tp_system_verdict_name(c->verdict));
-  tp_blocks_factors(lines + 2, c);
+  tp_text_add(lines + 1, ": %s", tp_system_verdict_name(tp_system_case_worst_verdict(c)));
+  if (tp_system_case_worst_verdict(c) != c->verdict) {
+    tp_text_add(lines + 1, " without the earthquake");
+  }
+  tp_blocks_factors(lines + 2, d->figure->system, c);
   tp_text_add(lines + 3,
               "Lengths in %s; forces and the mechanism are not to scale. topple " TP_VERSION,
               d->scene->length_unit);

@@ -65,7 +65,7 @@ tp_status tp_built_system_set_loads(tp_built_system *s, tp_message *message) {
   s->is_measured = s->has_cohesion || tp_block_loads_are_called_for(s->scene);
   tp_status status = check_weighed(s, message);
   for (int left = 0; left < 2 && status == TP_OK; left++) {
-    if (!tp_scene_asks_side(s->scene, left == 1)) continue;
+    if (!tp_scene_needs_side(s->scene, left == 1)) continue;
     status = tp_block_loads_init(s->loads + left, &blocks, left == 1, message);
   }
   return status == TP_OK ? note_water(s, message) : status;

@@ -9,12 +9,43 @@
 #include "block_system/onset_window.h"
 
 #include "block_system/from_limit.h"
+#include "common/message.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { ROUNDS = 8, INTERVALS = 32 };
+
+/* A motion where it was first proven: its modes, and the forces that its proof began with. */
+typedef struct first_motion {
+  tp_trial_mode *modes;
+  tp_letting_go forces;
+} first_motion;
+
+static tp_status first_init(first_motion *first, const tp_resting *r, tp_message *message) {
+  *first = (first_motion){.modes = calloc((size_t)r->contact_count + 1, sizeof *first->modes)};
+  if (first->modes == NULL) return tp_fail_memory(message, "the motions");
+  const tp_status status = tp_letting_go_init(&first->forces, r, message);
+  if (status != TP_OK) free(first->modes);
+  return status;
+}
+
+static void first_clear(first_motion *first) {
+  tp_letting_go_clear(&first->forces);
+  free(first->modes);
+}
+
+static void first_keep(first_motion *first, const tp_moving_search *m) {
+  memcpy(first->modes, m->proven, (size_t)m->resting->contact_count * sizeof *first->modes);
+  tp_letting_go_copy(&first->forces, &m->letting_go);
+}
+
+static tp_status first_prove(tp_moving_search *m, double x, const first_motion *first,
+                             tp_message *message) {
+  tp_letting_go_copy(&m->letting_go, &first->forces);
+  return tp_moving_prove(m, x, first->modes, message);
+}
 
 /* Just below the end of the motion, and farther. */
 static tp_status exclude_below(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
@@ -76,8 +107,10 @@ static tp_status find_gap(bool *found, double *gap, const tp_onset_window *w, tp
   return status;
 }
 
+/* The highest gap ends the window: what is below it is another one. A motion was proven at `from`,
+ * so the window reaches that, even where the proof does not succeed once more. */
 static tp_status find_from(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
-                           const tp_trial_mode *first, tp_message *message) {
+                           const first_motion *first, tp_message *message) {
   double least = w->least;
   tp_status status = TP_OK;
   for (int k = 0; k < ROUNDS && status == TP_OK; k++) {
@@ -92,7 +125,11 @@ static tp_status find_from(tp_onset_window *w, tp_moving_search *m, tp_standing_
     w->has_stands = true;
     w->stands = gap;
     m->x = w->collapses ? w->from : INFINITY;
-    status = tp_moving_prove(m, w->from, first, message);
+    status = first_prove(m, w->from, first, message);
+    if (status == TP_OK && m->x > w->from) {
+      m->x = w->from;
+      break;
+    }
   }
   if (status == TP_OK && w->is_few) status = narrow(w, m, s, message);
   w->moves = fmin(m->x, w->from);
@@ -116,26 +153,25 @@ static tp_status find_beyond(tp_onset_window *w, tp_moving_search *m, tp_message
 }
 
 static tp_status find_as_they_are(tp_onset_window *w, tp_moving_search *m,
-                                  const tp_trial_mode *first, tp_message *message) {
+                                  const first_motion *first, tp_message *message) {
   m->x = INFINITY;
-  const tp_status status = tp_moving_prove(m, w->from, first, message);
+  const tp_status status = first_prove(m, w->from, first, message);
   return status == TP_OK && m->x > w->from ? tp_moving_try(m, w->from, true, message) : status;
 }
 
 tp_status tp_onset_window_find(tp_onset_window *w, tp_moving_search *m, tp_standing_search *s,
                                tp_message *message) {
-  const size_t size = ((size_t)m->resting->contact_count + 1) * sizeof *m->proven;
-  tp_trial_mode *first = malloc(size);
-  if (first == NULL) return tp_fail_memory(message, "the motions");
-  memcpy(first, m->proven, size - sizeof *m->proven);
+  first_motion first;
+  tp_status status = first_init(&first, m->resting, message);
+  if (status != TP_OK) return status;
+  first_keep(&first, m);
   w->has_stands = w->reaches = false;
-  tp_status status =
-      w->collapses ? find_beyond(w, m, message) : find_as_they_are(w, m, first, message);
+  status = w->collapses ? find_beyond(w, m, message) : find_as_they_are(w, m, &first, message);
   w->moves = w->from;
   if (status == TP_OK && m->x <= w->from) {
-    memcpy(first, m->proven, size - sizeof *m->proven);
-    status = find_from(w, m, s, first, message);
+    first_keep(&first, m);
+    status = find_from(w, m, s, &first, message);
   }
-  free(first);
+  first_clear(&first);
   return status;
 }

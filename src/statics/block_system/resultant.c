@@ -18,6 +18,11 @@ bool tp_scene_asks_side(const tp_scene *scene, bool left) {
   return !only || (loads->direction == TP_SEISMIC_DOWN_DIP) == down_dip;
 }
 
+bool tp_scene_needs_side(const tp_scene *scene, bool left) {
+  return tp_scene_asks_side(scene, left) ||
+         (scene->frame == TP_FRAME_SLOPE && scene->slope.left == left);
+}
+
 void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left) {
   fmpq_zero(degrees);
   if (scene->frame == TP_FRAME_SLOPE) {

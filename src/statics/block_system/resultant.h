@@ -33,6 +33,10 @@ typedef struct tp_resultant {
  * way. */
 bool tp_scene_asks_side(const tp_scene *scene, bool left);
 
+/* Are loads to that side needed? Down-dip of a slope also where an earthquake up-dip alone is asked
+ * for: without the earthquake the blocks are driven there. */
+bool tp_scene_needs_side(const tp_scene *scene, bool left);
+
 /* How far the scene is tilted to a side; below 0 to the other one. */
 void tp_scene_side_tilt(fmpq_t degrees, const tp_scene *scene, bool towards_left);
 

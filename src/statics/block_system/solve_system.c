@@ -330,10 +330,13 @@ static tp_status join_without(solving *x, tp_system_case *with, const tp_resulta
 /* ---- without the earthquake --------------------------------------------------------------------
  */
 
+static bool acts(const tp_quantity *share) {
+  return share->given && !fmpq_is_zero(share->value);
+}
+
 static bool shakes(const tp_scene *scene) {
   const tp_loads_description *loads = &scene->loads;
-  return (loads->horizontal.given && !fmpq_is_zero(loads->horizontal.value)) ||
-         (loads->vertical.given && !fmpq_is_zero(loads->vertical.value));
+  return acts(&loads->horizontal) || acts(&loads->vertical);
 }
 
 /* On a slope loads drive down-dip then. */
@@ -341,12 +344,20 @@ static bool static_side(const tp_scene *scene, bool left) {
   return scene->frame == TP_FRAME_SLOPE ? scene->slope.left : left;
 }
 
-/* An earthquake to the side to which weights drive adds to that, and one the other way, where that
- * is a case as well, takes as much: what both leave standing by some factor weights alone do, too.
- * Else factors are computed without it as well. */
-static bool needs_static_factors(const tp_scene *scene, bool left) {
-  return scene->frame == TP_FRAME_SLOPE && scene->slope.left != left &&
-         !tp_scene_asks_side(scene, scene->slope.left);
+/* Do loads besides weights act, which may drive the blocks to any side? */
+static bool has_loads(const tp_loads_description *loads) {
+  return loads->anchor_count > 0 || loads->support_count > 0 || loads->pressure_count > 0 ||
+         loads->force_count > 0 || loads->water.given;
+}
+
+/* Of weights alone an earthquake to the side to which they drive adds to that, and one the other
+ * way, where that is a case as well, takes as much: what both leave standing by some factor weights
+ * alone do, too. Else, as where an earthquake to one side or a vertical part may hold the blocks,
+ * factors are computed without it as well. */
+static bool needs_static_factors(const tp_scene *scene) {
+  const tp_loads_description *loads = &scene->loads;
+  return !tp_scene_asks_side(scene, true) || !tp_scene_asks_side(scene, false) ||
+         has_loads(loads) || acts(&loads->vertical) || fmpq_sgn(loads->horizontal.value) < 0;
 }
 
 static tp_status find_static(solving *x, bool left, tp_message *message) {
@@ -355,7 +366,7 @@ static tp_status find_static(solving *x, bool left, tp_message *message) {
   tp_system_case *own;
   tp_status status = tp_system_case_add(x->system, &own, message);
   if (status == TP_OK) {
-    status = solve_shaken(own, x, &of, !needs_static_factors(x->s->scene, left), message);
+    status = solve_shaken(own, x, &of, !needs_static_factors(x->s->scene), message);
   }
   if (status == TP_OK) {
     x->at_rest[side] = (tp_system_case){.verdict = own->verdict,
@@ -374,6 +385,11 @@ static tp_status join_static(tp_system_case *own, solving *x, bool left, tp_mess
   if (status != TP_OK) return status;
   own->has_static = true;
   own->static_verdict = x->at_rest[side].verdict;
+  if (side != left && tp_scene_asks_side(x->s->scene, side)) { /* its factors are of that case */
+    own->static_fos_by_strength = own->static_fos_by_driving =
+        (tp_system_bounds){.at_most = INFINITY};
+    return TP_OK;
+  }
   own->static_fos_by_strength = x->at_rest[side].fos_by_strength;
   own->static_fos_by_driving = x->at_rest[side].fos_by_driving;
   return TP_OK;

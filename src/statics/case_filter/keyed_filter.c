@@ -162,6 +162,7 @@ static bool take_values(numbers *n, const tp_keyed_filter *f, const double *valu
   size_t next = 0;
   n->sample.friction_deg = f->friction_deg;
   n->sample.variables = n->variables;
+  n->sample.at_rest = false;
   memcpy(n->sample.numbers, f->of->loads.numbers, sizeof n->sample.numbers);
   n->tilt_deg = f->tilt_deg;
   for (size_t k = 0; k < f->count; k++) {

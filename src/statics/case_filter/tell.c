@@ -184,14 +184,28 @@ static bool tell_at(tp_mechanism *mechanism, tp_filter_state *state, const tp_ca
 /* ---- without the earthquake --------------------------------------------------------------------
  */
 
+/* Can its weight alone move the block up-dip, along a facet that dips that way or past the end of
+ * its contact? */
+static bool may_move_up_dip(const tp_case_told *told, tp_near tangent) {
+  const tp_shape_point *points = told->of.shape->points;
+  bool is_within = false;
+  for (int k = 0; k < told->of.plan->point_count; k++) {
+    const tp_near rise = tp_near_plus(points[k].ty, tp_near_times(points[k].tx, tangent));
+    if (!tp_near_is_zero(rise) && tp_near_sign(rise) <= 0) return true;
+    const tp_near along = tp_near_minus(points[k].x, tp_near_times(points[k].y, tangent));
+    is_within = is_within || (!tp_near_is_zero(along) && tp_near_sign(along) > 0);
+  }
+  return !is_within;
+}
+
 /* Does the state without the earthquake count, too (stability/static_state.h)? Not where a motion
  * can begin anyway. */
-static bool asks_rest(const tp_case_told *told, tp_mechanism mechanism) {
+static bool asks_rest(const tp_case_told *told, tp_mechanism mechanism, tp_near tangent) {
   const tp_case_filter *f = told->filter;
   const tp_near *numbers = told->sample.numbers;
   return f->loads.shakes && mechanism == TP_STANDS &&
          (f->rests || numbers[TP_NUMBER_HORIZONTAL].value < 0 ||
-          !tp_near_is_zero(numbers[TP_NUMBER_VERTICAL]));
+          !tp_near_is_zero(numbers[TP_NUMBER_VERTICAL]) || may_move_up_dip(told, tangent));
 }
 
 static bool tell_rest(tp_case_told *rest, tp_case_told_at *at, tp_filter_state *state,
@@ -209,7 +223,7 @@ bool tp_case_filter_tell_mechanism(tp_mechanism *mechanism, const tp_case_told *
                                    tp_near tilt_deg) {
   tp_filter_state state;
   if (!tell_at(mechanism, &state, told, tilt_deg)) return false;
-  if (!asks_rest(told, *mechanism)) return true;
+  if (!asks_rest(told, *mechanism, state.tangent)) return true;
   tp_case_told rest;
   tp_case_told_at at;
   if (!tell_rest(&rest, &at, &state, told, tilt_deg)) return false;
@@ -229,7 +243,7 @@ bool tp_case_filter_tell_at(tp_case_told_at *at, tp_case_told *told, tp_near til
   if (!tell_at(&at->mechanism, &state, told, tilt_deg) || !tp_factor_filter(at, told, &state)) {
     return false;
   }
-  if (!asks_rest(told, at->mechanism)) return true;
+  if (!asks_rest(told, at->mechanism, state.tangent)) return true;
   tp_case_told rest;
   tp_case_told_at rest_at;
   if (!tell_rest(&rest, &rest_at, &state, told, tilt_deg) ||

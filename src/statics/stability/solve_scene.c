@@ -43,8 +43,8 @@ static tp_status note_shaking(tp_notes *notes, const tp_scene *scene, tp_message
       "the shaking of the base is not included in these results: 'topple tilt' simulates it");
 }
 
-static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *scene,
-                      const tp_solve_options *options, tp_message *message) {
+static tp_status fill(tp_solution *solution, tp_tilts *tilts, bool *rest_may_govern,
+                      const tp_scene *scene, const tp_solve_options *options, tp_message *message) {
   tp_problem problem;
   tp_status status = tp_scene_notes(&solution->notes, scene, message);
   if (status == TP_OK) status = note_shaking(&solution->notes, scene, message);
@@ -56,6 +56,9 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
   if (status == TP_OK) {
     status = tp_rough_sole_cautions(&solution->notes, solution, &problem, message);
   }
+  if (status == TP_OK && rest_may_govern != NULL) {
+    *rest_may_govern = tp_static_state_may_govern(&problem, solution);
+  }
   tp_problem_clear(&problem);
   if (status == TP_OK && scene->base.all_poses) {
     status = tp_poses_find(solution, scene, options, message);
@@ -63,26 +66,32 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
   return status;
 }
 
-static tp_status solve_one(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
-                           const tp_solve_options *options, tp_message *message) {
+static void drop_tilts(tp_tilts *tilts) {
+  for (size_t k = 0; tilts != NULL && k < tilts->count; k++) {
+    tp_solution_free(tilts->solutions[k]);
+    tilts->solutions[k] = NULL;
+  }
+}
+
+/* `*rest_may_govern`, unless NULL: as tp_static_state_may_govern. */
+static tp_status solve_one(tp_solution **solution, tp_tilts *tilts, bool *rest_may_govern,
+                           const tp_scene *scene, const tp_solve_options *options,
+                           tp_message *message) {
   tp_solution *filled = tp_solution_new();
   if (filled == NULL) return tp_fail_memory(message, "the solution");
-  const tp_status status = fill(filled, tilts, scene, options, message);
+  const tp_status status = fill(filled, tilts, rest_may_govern, scene, options, message);
   if (status == TP_OK) {
     *solution = filled;
     return TP_OK;
   }
   tp_solution_free(filled);
-  for (size_t k = 0; tilts != NULL && k < tilts->count; k++) {
-    tp_solution_free(tilts->solutions[k]);
-    tilts->solutions[k] = NULL;
-  }
+  drop_tilts(tilts);
   return status;
 }
 
 static tp_status solve_alone(tp_solution **solution, const tp_scene *scene,
                              const tp_solve_options *options, tp_message *message) {
-  return solve_one(solution, NULL, scene, options, message);
+  return solve_one(solution, NULL, NULL, scene, options, message);
 }
 
 static tp_status solve_combination(tp_solution **solution, const tp_scene *scene,
@@ -97,11 +106,17 @@ static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *
   }
   tp_status status = tp_earthquakes_asked(&several, scene, message);
   if (status != TP_OK) return status;
-  const bool rests = tp_static_state_counts(scene); /* then each tilt is solved by itself, too */
-  status = several ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
-                   : solve_one(solution, rests ? NULL : tilts, scene, options, message);
+  bool rests = tp_static_state_counts(scene),
+       may_govern = false; /* then each tilt by itself, too */
+  status = several
+               ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
+               : solve_one(solution, rests ? NULL : tilts, &may_govern, scene, options, message);
+  if (status == TP_OK && may_govern && !rests) {
+    drop_tilts(tilts);
+    rests = true;
+  }
   if (status != TP_OK || !rests) return status;
-  status = tp_static_state_join(*solution, scene, options, solve_alone, message);
+  status = tp_static_state_join(solution, scene, options, solve_alone, message);
   if (status == TP_OK) return TP_OK;
   tp_solution_free(*solution);
   *solution = NULL;

@@ -7,20 +7,29 @@
 #ifndef TP_STABILITY_STATIC_STATE_H
 #define TP_STABILITY_STATIC_STATE_H
 
+#include "problem/problem.h"
 #include "scene/scene.h"
 #include "topple.h"
 
-/* Can the state without the earthquake be the less safe one? Not where the earthquake acts down-dip
- * and horizontally, and nothing else holds or pulls the block: then it only adds driving loads. */
+/* Is the scene shaken, so that there is a state without the earthquake? */
+bool tp_static_state_exists(const tp_scene *scene);
+
+/* Does that state have to be solved, whatever the block? Not where the earthquake acts down-dip and
+ * horizontally, and nothing else holds or pulls the block: then that depends on the block. */
 bool tp_static_state_counts(const tp_scene *scene);
+
+/* Can a block that only an earthquake down-dip and its weight drive be less safe without it? Then a
+ * motion up-dip can begin at rest: a facet of its base dips up-dip, or the weight passes the up-dip
+ * end of the contact. `solution` is of the block with its earthquake. */
+bool tp_static_state_may_govern(const tp_problem *problem, const tp_solution *solution);
 
 /* Solve a scene as it is. */
 typedef tp_status tp_static_state_solve(tp_solution **solution, const tp_scene *scene,
                                         const tp_solve_options *options, tp_message *message);
 
-/* Solves the scene without its earthquake, and puts its cases in place of those of `solution` that
+/* Solves the scene without its earthquake, and puts its cases in place of those of `*solution` that
  * are less severe, with a caution for each. */
-TP_MUST_USE tp_status tp_static_state_join(tp_solution *solution, const tp_scene *scene,
+TP_MUST_USE tp_status tp_static_state_join(tp_solution **solution, const tp_scene *scene,
                                            const tp_solve_options *options,
                                            tp_static_state_solve *solve, tp_message *message);
 

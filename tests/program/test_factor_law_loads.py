@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""One factor of safety under loads: the same scene as `block:` and as `blocks:` of one, and its mirror image.
+
+Earthquakes down-dip, up-dip and both ways, with a vertical part, cohesion, pressures, surcharges and water below the block: each form
+has the same verdict, the bounds of the factor overlap, and so have the required result and the exit status. The forms are solved by
+different code: enclosed modes of one block, linear programs and a branch and bound over contact modes.
+
+The stories. A block on a slope that its own weight moves had "met" under an earthquake up-dip, and one that falls up-dip had it under
+one down-dip, as it was never solved at rest. Of many blocks the state without the earthquake had no factor, and no loads where the
+earthquake acts up-dip alone: a pressure that drives the block was left out. A scene of one block ran without end, as a motion was
+looked for from a number that is infinite."""
+
+import csv
+import json
+import math
+import random
+
+from governing_case import GoverningCase
+from harness import main, rounds, run
+from pile_case import text_of
+
+NEAR = 2e-5
+HEAD = "topple: 1\nlength_unit: m\n"
+VERDICTS = {"stands": "stands", "interlocked": "stands", "may move": "moves", "collapses": "moves", "can be held": "open",
+            "undecided": "open"}
+
+
+def bounds(factor):
+    if factor.get("fos") is not None:
+        return factor["fos"]["value"] - factor["fos"]["error"], factor["fos"]["value"] + factor["fos"]["error"]
+    told = factor.get("fos_is", "")
+    if told.startswith("unbounded"):
+        return math.inf, math.inf
+    return (0, 0) if told.startswith("none") else (factor.get("at_least", 0), factor.get("at_most", math.inf))
+
+
+class Scene:
+    """A block on a profile, how it is inclined, and what acts on it."""
+
+    def __init__(self, outline, profile, friction, angle, side="left", on_slope=True, required=1.1, **loads):
+        self.outline, self.profile, self.friction, self.angle, self.side = outline, profile, friction, angle, side
+        self.on_slope, self.required, self.loads = on_slope, required, loads
+
+    def mirrored(self):
+        def image(points):
+            return [(-x, y) for x, y in reversed(points)]
+
+        loads = dict(self.loads)
+        for name in ("pressure", "surcharge"):
+            if name in loads:
+                line, kpa = loads[name]
+                loads[name] = image(line), kpa[::-1]
+        return Scene(image(self.outline), image(self.profile), self.friction, self.angle, {"left": "right", "right": "left"}[self.side],
+                     self.on_slope, self.required, **loads)
+
+    def acting(self):
+        told, loads = [], self.loads
+        if "seismic" in loads:
+            horizontal, vertical, direction = loads["seismic"]
+            told.append(f"seismic: {{horizontal: {horizontal}, vertical: {vertical}" + (f", direction: {direction}}}" if direction else "}"))
+        if "cohesion" in loads:
+            told.append(f"cohesion_kpa: {loads['cohesion']}")
+        for name in ("pressure", "surcharge"):
+            if name in loads:
+                (a, b), kpa = loads[name]
+                told.append(f"{name}s: [{{from: {list(a)}, to: {list(b)}, kpa: {kpa if name == 'pressure' else kpa[0]}}}]")
+        if "level" in loads:
+            told.append(f"water: {{level: {loads['level']}, faces: both, uplift: full}}")
+        return f"loads: {{{', '.join(told)}}}\n" if told else ""
+
+    def rest(self):
+        lies = (f"slope: {{dip_deg: {self.angle}, towards: {self.side}}}\n" if self.on_slope else
+                f"tilt: {{towards: {self.side}, angle_deg: {self.angle}}}\n")
+        return f"{lies}friction_angle_deg: {self.friction}\nrequired_fos: {self.required}\n{self.acting()}"
+
+    def one(self):
+        return (f"{HEAD}block: {{outline: {text_of(self.outline)}, unit_weight_kn_m3: 25}}\nbase: {{profile: {text_of(self.profile)}}}\n"
+                + self.rest())
+
+    def many(self):
+        ground = [(self.profile[0][0], -20), (self.profile[-1][0], -20), *reversed(self.profile)]
+        return (f"{HEAD}block: {{unit_weight_kn_m3: 25}}\nblocks:\n  - {{name: g, ground: true, outline: {text_of(ground)}}}\n"
+                f"  - {{name: b, outline: {text_of(self.outline)}}}\n{self.rest()}")
+
+
+OVERHANGS = [(0, 0), (1, 0), (2.6, 3), (1.6, 3)]  # its weight passes its right end by 0.3
+
+
+class FactorLawLoads(GoverningCase):
+    def solved(self, text):
+        status, out, err = run("solve", "--json", self.scene(text), timeout=120)
+        return status, json.loads(out) if status in (0, 1, 4) else None, err
+
+    def of_one(self, scene):
+        status, own, err = self.solved(scene.one())
+        if own is None:
+            return None
+        (case,) = own["cases"]
+        meets = case["governing_fos"]["meets_required"]
+        self.assertEqual(status, {"met": 0, "not met": 1}.get(meets, 4), scene.one() + err)
+        return VERDICTS.get(case["mechanism"], "moves"), bounds(case["governing_fos"]), {"undecided": "open"}.get(meets, meets)
+
+    def of_many(self, scene):
+        status, own, err = self.solved(scene.many())
+        if own is None:
+            return None
+        verdicts = [VERDICTS[case[key]] for case in own["cases"] for key in ("verdict", "static_verdict") if case.get(key)]
+        meets = [case["meets_required"] for case in own["cases"]]
+        worst = next(m for m in ("not met", "open", "met") if m in meets)
+        self.assertEqual(status, {"met": 0, "not met": 1, "open": 4}[worst], scene.many() + err)
+        return next(v for v in ("moves", "open", "stands") if v in verdicts), bounds(own["governing_fos"]), worst
+
+    def agree(self, one, other, where):
+        """Two answers, of which each may be open. Of what moves the factor is below 1 in both, and is not compared: the directions of
+        one that falls without its earthquake have a factor of 0 or more."""
+        if "open" not in (one[0], other[0]):
+            self.assertEqual(one[0], other[0], where)
+        if "open" not in (one[2], other[2]):
+            self.assertEqual(one[2], other[2], where)
+        for verdict, (least, most), _ in (one, other):
+            if verdict != "open":
+                self.assertEqual(most <= 1 + NEAR, verdict == "moves", where)
+            self.assertLessEqual(least, most * (1 + NEAR), where)
+        if (one[0], other[0]) != ("moves", "moves"):
+            for (least, _), (_, most) in ((one[1], other[1]), (other[1], one[1])):
+                self.assertLessEqual(min(least, 900), most * (1 + NEAR) + NEAR, where)
+
+    def check(self, scene):
+        """The verdict, or None where a form refuses the scene: then both do."""
+        one, many = self.of_one(scene), self.of_many(scene)
+        self.assertEqual(one is None, many is None, scene.one())
+        if one is None:
+            return None
+        self.agree(one, many, scene.one())
+        image = scene.mirrored()
+        self.agree(one, self.of_one(image), image.one())
+        self.agree(many, self.of_many(image), image.many())
+        return one[0] if many[0] == one[0] else "open"
+
+    def drawn(self, draw):
+        count = draw.randint(1, 3)
+        profile, x = [(0, 0)], 0
+        for _ in range(count):
+            x += draw.randint(3, 10)
+            profile.append((x / 5, draw.randint(-12, 12) / 10 if count > 1 else draw.choice((0, 0, draw.randint(-6, 6) / 10))))
+        top = max(y for _, y in profile) + draw.randint(4, 20) / 5
+        left, right = draw.randint(-6, 6) / 5, x / 5 + draw.randint(-6, 6) / 5
+        if left >= right:
+            return None
+        loads, on_slope = {}, draw.random() < 0.7
+        if draw.random() < 0.8:
+            direction = draw.choice((None, "both", "down_dip", "up_dip")) if on_slope else None
+            loads["seismic"] = draw.choice((0.02, 0.05, 0.1, 0.2, 0.4)), draw.choice((0, 0, 0.1, -0.1, 0.3)), direction
+        if draw.random() < 0.3:
+            loads["cohesion"] = draw.choice((1, 3, 10, 30))
+        if draw.random() < 0.3:
+            line = draw.choice((((x / 5, profile[-1][1]), (right, top)), ((left, top), (0, 0))))
+            loads["pressure"] = line, [draw.choice((1, 5, 20)), draw.choice((0, 5))]
+        if draw.random() < 0.2:
+            loads["surcharge"] = ((right, top), (left, top)), [draw.choice((5, 20))] * 2
+        return Scene([*profile, (right, top), (left, top)], profile, draw.choice((20, 30, 40, 50, 60, 70)), draw.choice((3, 8, 15, 25)),
+                     draw.choice(("left", "right")), on_slope, draw.choice((1.1, 1.5)), **loads)
+
+    def wet(self, draw):
+        """On one plane, where the water in the joint is the same by both rules, and driven down-dip alone: against an earthquake up-dip
+        one block has no push from behind (docs/loads.md)."""
+        width, top = draw.randint(3, 12) / 5, draw.randint(4, 20) / 5
+        left, right = draw.choice((0, -0.2, 0.3)), width + draw.choice((0, -0.2, 0.3))
+        loads, on_slope = {"level": draw.choice((0.2, 0.5, 0.8))}, draw.random() < 0.5
+        if draw.random() < 0.5:
+            loads["seismic"] = draw.choice((0.05, 0.1, 0.2)), 0, "down_dip" if on_slope else None
+        if draw.random() < 0.3:
+            loads["cohesion"] = draw.choice((1, 5))
+        profile = [(0, 0), (width, 0)]  # water has its level over the up-dip end of the joint, or over the origin
+        return Scene([*profile, (right, top), (left, top)], profile, draw.choice((20, 30, 50, 70)), draw.choice((3, 8, 15, 25)), "right",
+                     on_slope, draw.choice((1.1, 1.5)), **loads)
+
+    def test_water(self):
+        draw, words = random.Random(61), set()
+        for _ in range(rounds(15, 500)):
+            words.add(self.check(self.wet(draw)))
+        self.assertIn("stands", words)
+
+    def test_random(self):
+        draw, words = random.Random(60), {}
+        for _ in range(rounds(60, 2000)):
+            scene = self.drawn(draw)
+            if scene is not None:
+                word = self.check(scene)
+                words[word] = words.get(word, 0) + 1
+        count = sum(words.values())
+        self.assertGreater(words["stands"], 0.3 * count, words)
+        self.assertGreater(words["moves"], 0.05 * count, words)
+        self.assertLess(words.get(None, 0), 0.05 * count, words)
+
+    # ---- the state without the earthquake --------------------------------------------------------
+
+    def test_up_dip_alone(self):
+        """A block on 25 degrees with a friction of 20 slides at rest, tan 20 / tan 25, whatever an earthquake up-dip takes from that."""
+        at_rest = math.tan(math.radians(20)) / math.tan(math.radians(25))
+        for side in ("left", "right"):
+            scene = Scene([(0, 0), (2, 0), (2, 1), (0, 1)], [(0, 0), (2, 0)], 20, 25, side, required=0.5, seismic=(0.2, 0, "up_dip"))
+            for verdict, (least, most), meets in (self.of_one(scene), self.of_many(scene)):
+                self.assertEqual((verdict, meets), ("moves", "not met"))
+                self.assertLessEqual(least - NEAR, at_rest)
+                self.assertGreaterEqual(most + NEAR, at_rest)
+            out = " ".join(run("solve", self.scene(scene.one()))[1].split())
+            self.assertIn("the state without the earthquake governs", out)
+            self.assertIn("FoS 0.780 against sliding", out)
+
+    def test_falls_up_dip(self):
+        """A block that overhangs falls up-dip by its weight: 0.3 of its width beyond its end at a height of 1.5, it stands from
+        arctan 0.2 = 11.31 degrees on. An earthquake towards the other side is no support."""
+        for on_slope, direction in ((True, "down_dip"), (False, None)):
+            for angle, verdict in ((3, "moves"), (11.3, "moves"), (11.4, "stands")):
+                scene = Scene(OVERHANGS, [(0, 0), (1, 0)], 60, angle, on_slope=on_slope, seismic=(0.1, 0, direction))
+                self.assertEqual(self.check(scene), verdict, (direction, angle))
+
+    def test_rows_that_fall_up_dip(self):
+        """Samples that doubles tell, and rows of a batch, are those of the block at rest as well."""
+        scene = Scene(OVERHANGS, [(0, 0), (1, 0)], 60, 3, on_slope=False, seismic=(0.4, 0, None))
+        path, rows, table = self.scene(scene.one()), self.folder / "rows.csv", self.folder / "table.csv"
+        self.scene("topple_study: 1\nscene: scene.yaml\nsamples: 50\nvary: {friction_angle_deg: {uniform: {low: 50, high: 60}}}\n", "study.yaml")
+        status, _, err = run("study", "--rows", rows, self.folder / "study.yaml")
+        self.assertEqual(status, 0, err)
+        told = list(csv.DictReader(line for line in rows.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
+        self.assertEqual({row["outcome"] for row in told}, {"topples"})
+        table.write_text("name,friction\nA,55\nB,60\n", encoding="utf-8")
+        status, out, _ = run("solve", "--json", "--batch", table, "--template", path)
+        self.assertEqual((status, {row["standing"] for row in json.loads(out)["rows"]}), (1, {"fails"}))
+
+    def test_a_pressure_that_drives_up_dip(self):
+        """At rest a pressure on the face below drives the block up-dip, with a factor by strength of 1.6457; the earthquake down-dip
+        holds against it. Both forms have the lesser factor, that of the state at rest."""
+        outline, line = [(0, 0), (1.4, 0.6), (0.2, 3), (0, 3)], ((1.4, 0.6), (0.2, 3))
+        for seismic in ((0.4, 0, "down_dip"), None):
+            loads = {"pressure": (line, [1, 5])} | ({"seismic": seismic} if seismic else {})
+            scene = Scene(outline, outline[:2], 40, 3, "right", required=1.7, **loads)
+            for verdict, (least, most), meets in (self.of_one(scene), self.of_many(scene)):
+                self.assertEqual((verdict, meets), ("stands", "not met"))
+                self.assertAlmostEqual(least, 1.645685, delta=4e-6)
+                self.assertAlmostEqual(most, 1.645685, delta=4e-6)
+
+    def test_loads_at_rest(self):
+        """Under an earthquake up-dip alone loads act on the blocks at rest, too: a pressure behind a slab drives it down-dip."""
+        width, height, angle, kpa = 1.6, 1, math.radians(10), 5
+        weight = 25 * width * height
+        loads = {"pressure": (((width, 0), (width, height)), [kpa, kpa])}
+        driven = weight * math.sin(angle) + kpa * height
+        truth = weight * math.cos(angle) * math.tan(math.radians(40)) / driven
+        scene = Scene([(0, 0), (width, 0), (width, height), (0, height)], [(0, 0), (width, 0)], 40, 10, required=truth + 0.01,
+                      seismic=(0.05, 0, "up_dip"), **loads)
+        for verdict, (least, most), meets in (self.of_one(scene), self.of_many(scene)):
+            self.assertEqual((verdict, meets), ("stands", "not met"))
+            self.assertLessEqual(least, truth + NEAR)
+            self.assertGreaterEqual(most, truth - NEAR)
+
+    # ---- a search that ended nowhere -------------------------------------------------------------
+
+    def test_motions_on_both_sides_of_a_gap(self):
+        """As what drives is multiplied, a motion can begin, then none, then another one. The search for the first went on from an
+        infinite multiple, and never ended."""
+        profile = [(0, 0), (1.2, 0.3), (2.2, 0.5), (2.8, -0.5)]
+        scene = Scene([*profile, (1.6, 2.1), (-1, 2.1)], profile, 30, 15, on_slope=False, required=1.5, seismic=(0.4, 0.1, None))
+        self.assertEqual(self.check(scene), "moves")
+        self.assertLess(self.of_many(scene)[1][1], 1)
+
+
+if __name__ == "__main__":
+    main()
