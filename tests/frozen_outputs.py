@@ -8,7 +8,8 @@
 
 A record covers every scene, study, claim and mesh in examples/, tests/hard and tests/bad, and the help of each
 command: text, JSON, CSV, sheets in three languages, figures, standard error and exit status. It is one file of hashes,
-and the texts themselves, each once, so that `compare` can show a difference. Both lie outside the tree.
+and the texts themselves, each once, so that `compare` can show a difference. Choose a folder outside the tree. Times
+are left out, as they differ from run to run.
 """
 
 import argparse
@@ -17,6 +18,7 @@ import difflib
 import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -30,8 +32,14 @@ COMMANDS = ("solve", "sweep", "derive", "verify", "accuracy", "chart", "profile"
 MESHES = (".obj", ".stl", ".ply", ".off")
 DRAWINGS = (".dxf", ".wkt", ".geojson", ".svg")
 SECONDS = 300
-# Times depend on the machine, and a figure in PDF or PNG on the libraries that draw it.
+# All of what it prints are times.
 TIMED = ("accuracy",)
+LEVELS = ("exact|exakt|exacta|double|doppelte Genauigkeit|doble precisión|compensated|kompensiert|compensada|ball"
+          "|Kugelarithmetik|aritmética de bolas")
+# A time, and what follows it, each in its own place of an output.
+TIMES = [re.compile(pattern.encode()) for pattern in (
+    r'("seconds": )[0-9.e+-]+()', r"(; [a-z]+, )[0-9.e+-]+( ms)", r"( runs?, )[0-9.e+-]+( s\.)",
+    rf'(<td>(?:{LEVELS})</td><td class="number">)[0-9.,e+-]+(</td></tr>)', rf"(\| (?:{LEVELS}) \| )[0-9.,e+-]+( \|)")]
 
 
 def scenes() -> list[Path]:
@@ -79,6 +87,12 @@ def all_runs() -> list[list[str]]:
     return runs + [run for path in scenes() for run in runs_of(path)]
 
 
+def without_times(text: bytes) -> bytes:
+    for pattern in TIMES:
+        text = pattern.sub(rb"\1TIME\2", text)
+    return text
+
+
 class Record:
     """Hashes by run and stream, and each text once."""
 
@@ -98,7 +112,7 @@ class Record:
         with tempfile.TemporaryDirectory() as folder:
             outputs = Path(folder)
             command = [str(self.program), *(word.replace("OUT.", folder + "/out.") for word in run)]
-            environment = dict(os.environ, LC_ALL="C.UTF-8", TOPPLE_THREADS="1", COLUMNS="80", NO_COLOR="1")
+            environment = dict(os.environ, LC_ALL="C.UTF-8", SOURCE_DATE_EPOCH="0", COLUMNS="80", NO_COLOR="1")
             try:
                 done = subprocess.run(command, cwd=ROOT, capture_output=True, timeout=SECONDS, check=False,
                                       env=environment, stdin=subprocess.DEVNULL)
@@ -106,7 +120,7 @@ class Record:
                 return {"status": "timed out"}
             streams = {"output": done.stdout, "errors": done.stderr}
             streams.update({path.name: path.read_bytes() for path in sorted(outputs.iterdir())})
-            kept = {name: self._keep(text.replace(folder.encode(), b"FOLDER").replace(str(ROOT).encode(), b"ROOT"))
+            kept = {name: self._keep(without_times(text.replace(folder.encode(), b"FOLDER").replace(str(ROOT).encode(), b"ROOT")))
                     for name, text in streams.items()}
             return {"status": str(done.returncode), **kept}
 
