@@ -7,7 +7,9 @@ tan α_s / tan α with α_s the lower end of a window, by strength the divisor a
 
 import json
 import math
+import pathlib
 import random
+import tempfile
 
 from governing_case import GoverningCase
 from harness import ROOT, main, rounds, run
@@ -230,12 +232,15 @@ class FactorLawBlocks(GoverningCase):
 
     def test_study_states_what_is_open(self):
         """Among twelve samples five are not met and none is met: the other seven are open, which the summary says and JSON counts."""
-        status, out, err = run("study", "--json", self.data("study_open_study.yaml"))
+        with tempfile.TemporaryDirectory() as folder:
+            words = "study", "--rows", pathlib.Path(folder) / "rows.csv", self.data("study_open_study.yaml")
+            status, out, err = run(*words, "--json")
+            text = run(*words)[1]  # reads those rows back
         self.assertEqual(status, 0, err)
         own = json.loads(out)
         self.assertEqual([own[k]["samples"] for k in ("below_required", "meets_required", "open_required")], [5, 0, 7])
         self.assertGreaterEqual(own["open"], 7)
-        self.assertRegex(run("study", self.data("study_open_study.yaml"))[1], r"certain to be met: 0\.00 %; open: 58\.33 %")
+        self.assertRegex(text, r"certain to be met: 0\.00 %; open: 58\.33 %")
 
 
 if __name__ == "__main__":

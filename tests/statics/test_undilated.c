@@ -49,6 +49,7 @@ START_TEST(one_box) {
   check(estimate(&p, pile_strengths(&p, tangent), incline, false), tangent / incline);
   check(estimate(&p, pile_strengths(&p, tangent), 0, true), tangent);
   check(estimate(&p, pile_strengths(&p, 3), 0, true), 2);
+  ck_assert_int_eq(estimate(&p, pile_strengths(&p, tangent), 0, true).rounds, 4); /* all alike */
   pile_clear(&p);
 }
 END_TEST

@@ -106,12 +106,10 @@ static bool has_pairs(const tp_moving_search *m) {
   return m->resting->pair_first < m->resting->contact_count;
 }
 
-tp_status tp_moving_try(tp_moving_search *m, double x, bool from_nothing, tp_message *message) {
-  bool exists = false;
-  tp_status status = m->state(&exists, &m->at, m->context, x, message);
-  if (status != TP_OK || !exists) return status;
-  if (!from_nothing) return let_go(m, x, message);
-  for (int k = 0; k < (has_pairs(m) ? 6 : 4) && status == TP_OK && m->x > x; k++) {
+/* From no forces in six ways, the last two for pairs of corners: each, or each other one. */
+static tp_status try_ways(tp_moving_search *m, double x, int step, tp_message *message) {
+  tp_status status = TP_OK;
+  for (int k = 0; k < (has_pairs(m) ? 6 : 4) && status == TP_OK && m->x > x; k += step) {
     m->letting_go.backwards = k < 4 && k % 2 == 1;
     m->letting_go.corners = k < 4    ? TP_CORNERS_AS_THEY_OPEN
                             : k == 4 ? TP_CORNERS_FIRST_SIDE
@@ -119,6 +117,19 @@ tp_status tp_moving_try(tp_moving_search *m, double x, bool from_nothing, tp_mes
     status = let_go_from_nothing(m, x, k < 2 || k >= 4, message);
   }
   return status;
+}
+
+tp_status tp_moving_try(tp_moving_search *m, double x, bool from_nothing, tp_message *message) {
+  bool exists = false;
+  const tp_status status = m->state(&exists, &m->at, m->context, x, message);
+  if (status != TP_OK || !exists) return status;
+  return from_nothing ? try_ways(m, x, 1, message) : let_go(m, x, message);
+}
+
+tp_status tp_moving_try_few(tp_moving_search *m, double x, tp_message *message) {
+  bool exists = false;
+  const tp_status status = m->state(&exists, &m->at, m->context, x, message);
+  return status == TP_OK && exists ? try_ways(m, x, 2, message) : status;
 }
 
 /* The least x at which the motion that is found is still proven, to such a width; it is not at

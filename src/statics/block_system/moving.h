@@ -41,6 +41,8 @@ void tp_moving_clear(tp_moving_search *moving);
 /* Let go at x, from no forces or from those there are; found, where that is a motion. */
 TP_MUST_USE tp_status tp_moving_try(tp_moving_search *moving, double x, bool from_nothing,
                                     tp_message *message);
+/* From no forces in half of the ways: of very many blocks each one takes long. */
+TP_MUST_USE tp_status tp_moving_try_few(tp_moving_search *moving, double x, tp_message *message);
 
 /* Are these modes, or those next to them, those of a motion at x? Then it is found. */
 TP_MUST_USE tp_status tp_moving_prove(tp_moving_search *moving, double x,

@@ -58,7 +58,7 @@ static tp_status search(tp_system_case *one, tp_moving_search *m, tp_message *me
   const int count = set_divisors(at, one);
   tp_status status = TP_OK;
   for (int k = 0; k < count && status == TP_OK && !m->found; k++) {
-    status = tp_moving_try(m, at[k], true, message);
+    status = tp_moving_try_few(m, at[k], message);
     if (status == TP_OK && m->found && k > 0) status = halve(m, 0, message);
   }
   if (status != TP_OK || !m->found) return status;

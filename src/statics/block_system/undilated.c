@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LAST = 8, MOST_ROUNDS = 60 };
+enum { LAST = 8, FEW = 4, MOST_ROUNDS = 60 };
 
 typedef struct rounds {
   const tp_undilated_task *task;
@@ -23,7 +23,8 @@ typedef struct rounds {
   double *shear;   /* and the strength against shear that follows from it */
   double *nothing;
   tp_contact_strength *none;
-  double factors[LAST]; /* of the last rounds, in turn */
+  double factors[LAST];   /* of the last rounds, in turn */
+  tp_force_program loads; /* without strengths, of which the loads are taken; where they are live */
 } rounds;
 
 /* ---- where rounds begin ------------------------------------------------------------------------
@@ -69,29 +70,20 @@ static void set_shear(rounds *r) {
 }
 
 /* All loads become live. */
-static tp_status multiply_all(tp_force_program *p, const rounds *r, tp_message *message) {
-  const tp_undilated_task *t = r->task;
-  tp_force_program loads;
-  const tp_status status = tp_constant_shear_program(&loads, &t->system->assemblage, r->none,
-                                                     r->nothing, t->loads, message);
-  if (status != TP_OK) return status;
+static void multiply_all(tp_force_program *p, const rounds *r) {
+  const tp_force_program *loads = &r->loads;
   for (long k = 0; k < p->rows; k++) {
-    p->dead[k] = tp_near_minus(p->dead[k], loads.dead[k]);
-    p->live[k] = tp_near_plus(loads.dead[k], tp_near_times(t->live, loads.live[k]));
+    p->dead[k] = tp_near_minus(p->dead[k], loads->dead[k]);
+    p->live[k] = tp_near_plus(loads->dead[k], tp_near_times(r->task->live, loads->live[k]));
   }
-  tp_force_program_clear(&loads);
-  return TP_OK;
 }
 
 static tp_status init_program(tp_force_program *p, rounds *r, tp_message *message) {
   const tp_undilated_task *t = r->task;
   set_shear(r);
-  tp_status status = tp_constant_shear_program(p, &t->system->assemblage, t->system->strengths,
-                                               r->shear, t->loads, message);
-  if (status == TP_OK && !t->on_driving) {
-    status = multiply_all(p, r, message);
-    if (status != TP_OK) tp_force_program_clear(p);
-  }
+  const tp_status status = tp_constant_shear_program(
+      p, &t->system->assemblage, t->system->strengths, r->shear, t->loads, message);
+  if (status == TP_OK && !t->on_driving) multiply_all(p, r);
   return status;
 }
 
@@ -128,28 +120,40 @@ static tp_status go_round(double *factor, rounds *r, tp_message *message) {
 /* ---- rounds ------------------------------------------------------------------------------------
  */
 
-static void take_last(tp_undilated *result, const rounds *r) {
+/* The mean of so many. */
+static void take_last(tp_undilated *result, const rounds *r, int count) {
   double least = INFINITY, most = 0, sum = 0;
-  for (int k = 0; k < LAST; k++) {
-    least = fmin(least, r->factors[k]);
-    most = fmax(most, r->factors[k]);
-    sum += r->factors[k];
+  for (int k = 1; k <= count; k++) {
+    const double factor = r->factors[(result->rounds - k) % LAST];
+    least = fmin(least, factor);
+    most = fmax(most, factor);
+    sum += factor;
   }
-  result->factor = sum / LAST;
+  result->factor = sum / count;
   result->spread = most - least;
 }
 
+/* Few rounds will do where each differs from the next by a tenth of what is allowed of eight. */
+static bool is_settled(tp_undilated *result, const rounds *r) {
+  static const double settled = 5e-3, soon = 3e-4;
+  if (result->rounds >= FEW) {
+    take_last(result, r, FEW);
+    if (result->spread <= soon * result->factor) return true;
+  }
+  if (result->rounds < LAST) return false;
+  take_last(result, r, LAST);
+  return result->spread <= settled * result->factor;
+}
+
 static tp_status go_on(tp_undilated *result, rounds *r, tp_message *message) {
-  static const double settled = 5e-3, near_enough = 5e-2;
+  static const double near_enough = 5e-2;
   tp_status status = TP_OK;
   while (status == TP_OK && result->rounds < MOST_ROUNDS) {
     double *factor = r->factors + result->rounds % LAST;
     status = go_round(factor, r, message);
     if (status != TP_OK || *factor == 0) return status;
     result->rounds++;
-    if (result->rounds < LAST) continue;
-    take_last(result, r);
-    result->has_factor = result->spread <= settled * result->factor;
+    result->has_factor = is_settled(result, r);
     if (result->has_factor) return TP_OK;
   }
   result->has_factor = status == TP_OK && result->spread <= near_enough * result->factor;
@@ -173,7 +177,12 @@ tp_status tp_undilated_find(tp_undilated *result, const tp_undilated_task *t, tp
     status = tp_fail_memory(message, "the forces between blocks");
   }
   if (status == TP_OK) status = begin(&is_known, &r, message);
+  if (status == TP_OK && is_known && !t->on_driving) {
+    status = tp_constant_shear_program(&r.loads, &t->system->assemblage, r.none, r.nothing,
+                                       t->loads, message);
+  }
   if (status == TP_OK && is_known) status = go_on(result, &r, message);
+  if (is_known && !t->on_driving) tp_force_program_clear(&r.loads);
   free(r.normals);
   free(r.shear);
   free(r.nothing);
