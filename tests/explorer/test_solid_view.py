@@ -256,7 +256,7 @@ class Solid(PanelCase):
         """A wedge, which no file has, between its planes, with the line that it would slide along; points that a rock lies on."""
         for name, said, factor, words, kind, count in (
                 ("wedge", "Stands", "1.346 against sliding", "plunges by 31.197° towards 157.732°", "way", 1),
-                ("rock_on_contacts", "May move at 5°", "6.769", "tilted by 5°", "touching", 4)):
+                ("rock_on_contacts", "Stands at 5°", "6.769", "tilted by 5°", "touching", 4)):
             with self.subTest(name):
                 self.example(name)
                 self.assertEqual(self.said("#verdict-said"), said)

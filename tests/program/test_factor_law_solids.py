@@ -12,7 +12,7 @@ import json
 import math
 import random
 
-from harness import ROUNDS, main, run
+from harness import ROOT, ROUNDS, main, run
 from mesh_case import box
 from test_solid_scenes import SceneCase
 from test_solids import exact_obj
@@ -255,11 +255,11 @@ class Law(SceneCase):
     # ---- what is not decided -------------------------------------------------------------------
 
     def test_undecided_is_never_met(self):
-        """On four points that face four ways nothing is decided: an upper bound is called one, and no requirement is met."""
-        self.put_mesh("rock.obj", *box((-1, -1, 0), (1, 1, 2)))
-        points = ([-1, -1], [1, -1], [1, 1], [-1, 1])
-        contacts = ", ".join(f"{{at: [{x}, {y}, 0], normal: [{-x}, {-2 * y}, 3]}}" for x, y in points)
-        rest = "friction_angle_deg: 35\ntilt: {angle_deg: 25, azimuth_deg: 40}\n"
+        """In a groove, farther along it than friction against the motion alone holds, forces can hold a box, and whether a motion can begin is
+        not decided: an upper bound is called one, and no requirement is met."""
+        self.put_mesh("rock.obj", *box((-3, -1, -1), (3, 1, 1)))
+        contacts = ", ".join(f"{{at: [{x}, {y}, -1], normal: [0, {-y}, 1]}}" for x in (-3, 3) for y in (-1, 1))
+        rest = "friction_angle_deg: 20\ntilt: {angle_deg: 28, azimuth_deg: 90}\n"
         status, out, _ = run("solve", "--json", self.scene_of(f"contacts: [{contacts}]", rest + "required_fos: 1.0001\n"))
         got = json.loads(out)
         self.assertEqual((status, got["meets_required"], got["safety"]["motion"], got["safety"]["fos"]), (4, "open", "undecided", None))
@@ -270,6 +270,26 @@ class Law(SceneCase):
         self.assertIn("Factor of safety undecided, at most", text)
         above = math.ceil(10 * got["safety"]["most"]) / 10 + 0.1
         self.assertEqual(run("solve", self.scene_of(f"contacts: [{contacts}]", rest + f"required_fos: {above}\n"))[0], 1)
+
+    def test_excluded_in_three_dimensions(self):
+        """On four points that face four ways all modes are excluded: it stands. The factor has no proof but for the load as it is, so that no
+        requirement above 1 is met."""
+        self.put_mesh("rock.obj", *box((-1, -1, 0), (1, 1, 2)))
+        points = ([-1, -1], [1, -1], [1, 1], [-1, 1])
+        contacts = ", ".join(f"{{at: [{x}, {y}, 0], normal: [{-x}, {-2 * y}, 3]}}" for x, y in points)
+        rest = "friction_angle_deg: 35\ntilt: {angle_deg: 25, azimuth_deg: 40}\n"
+        for required, expected in ((1, 0), (1.5, 4), (3, 1)):
+            status, out, _ = run("solve", "--json", self.scene_of(f"contacts: [{contacts}]", rest + f"required_fos: {required}\n"))
+            got = json.loads(out)
+            self.assertEqual((got["contacts"]["verdict"], got["safety"]["motion"], got["safety"]["least"]), ("stands", "none", 1))
+            self.assertEqual(status, expected)
+
+    def test_rock_on_contacts(self):
+        """The rock of the example stands, and with a required factor of 1.5 it is not met: it was, as it may move."""
+        text = (ROOT / "examples/solids/rock_on_contacts.yaml").read_text(encoding="utf-8")
+        path = self.put("scene.yaml", text.replace("balanced_rock.obj", str(ROOT / "examples/solids/balanced_rock.obj")) + "required_fos: 1.5\n")
+        status, out, err = run("solve", "--json", path)
+        self.assertEqual((status, json.loads(out)["contacts"]["verdict"], json.loads(out)["meets_required"]), (4, "stands", "open"), err)
 
     def test_held_without_friction(self):
         """In a cone of normals the load needs no friction: no motion can begin, whatever the friction."""

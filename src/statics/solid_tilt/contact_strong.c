@@ -8,6 +8,8 @@
 #include "number/near_angle.h"
 #include "solid/tilting.h"
 #include "solid_contacts/solid_section_onset.h"
+#include "solid_tilt/contact_exclusion.h"
+#include "solid_tilt/contact_plane.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -113,7 +115,7 @@ bool tp_contact_strong_init(tp_strong_side *strong, const tp_contact_work *w) {
   const bool on_line = is_on_line(cones), one_normal = w->given->has_mean_normals;
   *strong = (tp_strong_side){.is_on_line = on_line,
                              .is_plane = !on_line && (one_normal || is_plane(cones))};
-  if (strong->is_plane) return true;
+  if (strong->is_plane) return tp_contact_plane_find(&strong->is_proven_plane, w);
   const tp_solid_section_inertia inertia = scaled(w);
   tp_hold_load load;
   tp_hold_load_init(&load);
@@ -160,7 +162,7 @@ static tp_mechanism mechanism_of(const tp_contact_work *w, const double twist[TP
 }
 
 /* On a plane what forces hold stays. */
-static void take_plane(tp_state_ranges *state, const tp_contact_work *w, const tp_weak_side *weak) {
+static void take_flat(tp_state_ranges *state, const tp_contact_work *w, const tp_weak_side *weak) {
   state->verdict = weak->side == TP_HOLD_MOVES                      ? TP_VERDICT_COLLAPSES
                    : weak->side == TP_HOLD_HOLDS && weak->least > 0 ? TP_VERDICT_STANDS
                                                                     : TP_VERDICT_OPEN;
@@ -178,6 +180,48 @@ static void take_plane(tp_state_ranges *state, const tp_contact_work *w, const t
   } else if (weak->kind == TP_HOLD_FACTOR_OPEN) {
     tp_state_ranges_add(state, TP_FOS_BY_REDUCTION, TP_MECHANISM_UNDECIDED, 0, INFINITY);
   }
+}
+
+/* Also where forces no longer hold the load: loads between two that stay do. */
+static bool stays_to_limit(const tp_contact_work *w, const tp_weak_side *weak) {
+  tp_hold_load load;
+  fmpq_t multiple;
+  if (weak->limit.is_endless || !weak->drives) return true;
+  if (weak->limit.is_open) return false;
+  tp_hold_load_init(&load);
+  fmpq_init(multiple);
+  tp_hold_double(multiple, upper_end(weak->limit.t));
+  for (int k = 0; k < 3; k++) {
+    fmpq_set(load.exact + k, weak->rest.exact + k);
+    fmpq_addmul(load.exact + k, weak->way.exact + k, multiple);
+  }
+  tp_hold_load_settle(&load);
+  const bool stays = tp_contact_plane_stays(w, &load);
+  fmpq_clear(multiple);
+  tp_hold_load_clear(&load);
+  return stays;
+}
+
+/* Where that is not proven of a plane, by exclusion. */
+static bool take_plane(tp_state_ranges *state, const tp_strong_side *strong,
+                       const tp_contact_work *w, const tp_weak_side *weak) {
+  const bool is_given = w->given->has_mean_normals || weak->side != TP_HOLD_HOLDS;
+  take_flat(state, w, weak);
+  if (is_given) return true;
+  const bool stands = strong->is_proven_plane && tp_contact_plane_stays(w, &weak->load);
+  if (stands && stays_to_limit(w, weak)) return true;
+  tp_contact_exclusion excluded;
+  if (!tp_contact_exclusion_find(&excluded, w, weak, true)) return false;
+  if (!stands && !excluded.stands) state->verdict = TP_VERDICT_OPEN;
+  for (size_t k = 0; k < state->count; k++) {
+    tp_factor_range *range = state->ranges + k;
+    const bool drives = range->definition == TP_FOS_BY_DRIVING;
+    const double least = !stands && !excluded.stands ? 0
+                         : drives                    ? excluded.driving
+                                                     : excluded.strength;
+    if (drives || !stands) range->least = fmin(range->least, least);
+  }
+  return true;
 }
 
 /* A number of a section, with its bounds; of the weak side where this is less. */
@@ -224,7 +268,7 @@ static bool take_section(tp_state_ranges *state, const tp_strong_side *strong,
   return true;
 }
 
-/* Without friction: from the load on, as far as that holds. */
+/* Without friction: from the load on, as far as that holds. Else by exclusion: as it is. */
 static bool take_smooth(tp_state_ranges *state, tp_strong_side *strong, const tp_contact_work *w,
                         const tp_weak_side *weak) {
   tp_hold_side side = TP_HOLD_OPEN;
@@ -237,19 +281,26 @@ static bool take_smooth(tp_state_ranges *state, tp_strong_side *strong, const tp
       !tp_hold_limit_find(&limit, &strong->without, &weak->load, &weak->way)) {
     return false;
   }
+  tp_contact_exclusion excluded = {.stands = false};
+  if (!stands && !strong->is_on_line && !tp_contact_exclusion_find(&excluded, w, weak, false)) {
+    return false;
+  }
   state->verdict = weak->side == TP_HOLD_MOVES ? TP_VERDICT_COLLAPSES
-                   : stands                    ? TP_VERDICT_STANDS
+                   : stands || excluded.stands ? TP_VERDICT_STANDS
                                                : TP_VERDICT_OPEN;
   const double most = most_driving(weak);
   const double further = limit.is_open ? 0 : fmax(0, limit.t.value - limit.t.error);
   const bool endless = limit.is_endless || !weak->drives;
   if (weak->drives) {
-    const double least = !stands ? 0 : endless ? INFINITY : nextafter(1 + further, 0);
+    const double least = !stands   ? (excluded.stands ? excluded.driving : 0)
+                         : endless ? INFINITY
+                                   : nextafter(1 + further, 0);
     tp_state_ranges_add(state, TP_FOS_BY_DRIVING, mechanism_of(w, weak->limit.twist),
                         fmin(least, most), most);
   }
   if (!stands) {
-    tp_state_ranges_add(state, TP_FOS_BY_REDUCTION, mechanism_of(w, weak->beyond), 0,
+    tp_state_ranges_add(state, TP_FOS_BY_REDUCTION, mechanism_of(w, weak->beyond),
+                        excluded.stands ? excluded.strength : 0,
                         most_strength(weak) > 0 ? most_strength(weak) : INFINITY);
   }
   return true;
@@ -259,8 +310,7 @@ bool tp_contact_strong_find(tp_state_ranges *state, tp_strong_side *strong,
                             const tp_contact_work *w, const tp_weak_side *weak) {
   strong->is_held = weak->side == TP_HOLD_HOLDS;
   if (strong->is_plane) {
-    take_plane(state, w, weak);
-    return true;
+    return take_plane(state, strong, w, weak);
   }
   const bool in_section = strong->has_section &&
                           tp_solid_section_has_load(&strong->section, &weak->load) &&

@@ -5,11 +5,12 @@
  * contacts that face different ways is not always there (docs/mechanics.md, "Onset of motion").
  *
  * Contacts of one direction and one friction, no two of which are on a line within the cones of
- * both, are taken as a plane: there what forces hold stays. Contacts and loads that have a section
- * (solid_contacts/solid_section.h) are decided in it. Else two proofs are left: a load that is held
- * without any friction f moves nothing, as a . M a <= w . a = -f . a <= 0 for every acceleration a
- * that no contact stops; a load that no forces hold moves the solid. On points of one line it is
- * balanced at best. */
+ * both, are taken as a plane: there what forces hold stays, where contact_plane.h proves it.
+ * Contacts and loads that have a section (solid_contacts/solid_section.h) are decided in it. Else a
+ * load that is held without any friction f moves nothing, as a . M a <= w . a = -f . a <= 0 for
+ * every acceleration a that no contact stops; and on few contacts all their modes are excluded in
+ * three dimensions (contact_exclusion.h). A load that no forces hold moves the solid. On points of
+ * one line it is balanced at best. */
 
 #ifndef TP_SOLID_TILT_CONTACT_STRONG_H
 #define TP_SOLID_TILT_CONTACT_STRONG_H
@@ -19,6 +20,7 @@
 
 typedef struct tp_strong_side {
   bool is_on_line, is_plane, has_section;
+  bool is_proven_plane;     /* if is_plane: contact_plane.h knows it as one */
   bool is_held;             /* in the state that was last asked for */
   tp_solid_section section; /* if has_section */
   tp_friction_cones smooth; /* the same points without friction; what they point to is borrowed */
