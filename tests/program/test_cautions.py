@@ -6,12 +6,14 @@ The story: a friction angle of 0.61 and a tilt of 0.35 were radians, a k_h of 9.
 anchor that was meant to hold pulled the block out; all were solved without a word. A pressure on a face that a drawing has at
 1.0000005 was refused, as if it acted on nothing."""
 
+import csv
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 
-from harness import main, run
+from harness import ROOT, main, run
 
 SCENE = ("topple: 1\nlength_unit: m\nblock: {{outline: [[0, 0], [1, 0], [1, 2], [0, 2]], unit_weight_kn_m3: 26}}\n"
          "base: {{mated: true}}\n{}\n")
@@ -101,6 +103,133 @@ class Cautions(Case):
             for word in words:
                 self.assertEqual(len([note for note in said if word in note]), 1, (text % wrong, word, said))
             self.assertEqual([note for note in others if "implausible" in note or "sound rock" in note], [], text % right)
+
+    # Angles of which a small one is as likely as any: a scatter and a tolerance.
+    SMALL = {"jointed_slope.joints[].scatter.dip_deg", "tilt_test.tolerance_deg"}
+    FRICTION = "friction_angle_deg: 35\n"
+    ONE = "topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
+    MANY = ("topple: 1\nlength_unit: m\nblock: {unit_weight_kn_m3: 26}\nfriction_angle_deg: 38\nblocks:\n"
+            "  - {name: g, ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n  - {name: a, slab: {width: 2, height: 1}}\n"
+            "tilt: {towards: left, angle_deg: 5}\n")
+    COLUMNS = ("topple: 1\nlength_unit: m\nblock: {unit_weight_kn_m3: 26}\nfriction_angle_deg: 38\nslope: {dip_deg: 30, towards: left}\n"
+               "columns: {width: 10, ")
+    EQUAL = COLUMNS + "equal_area: {face_dip_deg: %s, height: 60, upper_dip_deg: %s, base_dip_deg: %s}}\n"
+    JOINTED = ("topple: 1\nlength_unit: m\nblock: {unit_weight_kn_m3: 26}\nfriction_angle_deg: 38\ntilt: {towards: left}\njointed_slope:\n"
+               "  face: {dip_deg: %s, height: 4}\n  behind: 3\n  upper: {dip_deg: %s}\n  base: {dip_deg: %s, steps: k, tread_dip_deg: %s%s}\n"
+               "  joints:\n    - {name: k, dip_deg: %s, towards: right, spacing: 4%s}\n    - {name: c, dip_deg: 20, towards: left, spacing: 6}\n")
+    SOLID = "topple: 1\nlength_unit: m\nsolid: {file: box.obj, unit: m, unit_weight_kn_m3: 26, azimuths: 4, %s}\n"
+    PLANE = SOLID % "bands: [0.001]" + FRICTION
+    WEDGE = ("topple: 1\nlength_unit: m\nsolid:\n  unit_weight_kn_m3: 26\n  wedge:\n    height: 30\n"
+             "    a: {dip_deg: %s, dip_direction_deg: %s, friction_angle_deg: %s, cohesion_kpa: 20}\n"
+             "    b: {dip_deg: %s, dip_direction_deg: %s, friction_angle_deg: %s, cohesion_kpa: 20}\n"
+             "    face: {dip_deg: %s, dip_direction_deg: %s}\n    upper: {dip_deg: %s, dip_direction_deg: %s}\n%s")
+    PLANES = [45, 105, 20, 70, 235, 30, 65, 185, 12, 195, ""]
+    CRACK = "    crack: {dip_deg: %s, dip_direction_deg: %s, distance: 4}\n"
+    SLOPE = ONE + FRICTION + "slope: {dip_deg: 20, towards: left%s}\n"
+    DRAWN = ("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]], unit_weight_kn_m3: 25}\n"
+             "base: {mated: true, between: [[0, 0], [2, 1]]}\nfriction_angle_deg: 35\nframe: {%s}\n")
+    MESH = ("topple: 1\nlength_unit: m\nsection: {at: [1, 0.5], azimuth_deg: %s}\nblock: {outline: {mesh: box.obj, unit: m}, unit_weight_kn_m3: 26}\n"
+            "base: {mated: true}\nfriction_angle_deg: 35\ntilt: {towards: left, angle_deg: 5}\n")
+    LAW = "tilt: {towards: left, angle_deg: 10}\nfriction: {law: %s}\n"
+
+    @classmethod
+    def jointed(cls, k, value):
+        given = [60, 4, 30, 10, "", 70, ""]
+        given[k] = value
+        return cls.JOINTED % tuple(given)
+
+    @classmethod
+    def wedge(cls, k, value):
+        given = list(cls.PLANES)
+        given[k] = value
+        return cls.WEDGE % tuple(given)
+
+    def scenes_by_key(self):
+        """By the key of each angle, a scene with a value at it."""
+        degrees = lambda text: lambda value: text % value
+        planes = [(f"solid.wedge.{side}.{key}", k) for k, (side, key) in enumerate(
+            (side, key) for side, keys in (("a", 3), ("b", 3), ("face", 2), ("upper", 2))
+            for key in ("dip_deg", "dip_direction_deg", "friction_angle_deg")[:keys])]
+        told = {key: (lambda value, k=k: self.wedge(k, value)) for key, k in planes}
+        told |= {f"solid.wedge.crack.{key}": (lambda value, k=k: self.wedge(10, self.CRACK % ((value, 165) if k == 0 else (70, value))))
+                 for k, key in enumerate(("dip_deg", "dip_direction_deg"))}
+        told |= {f"jointed_slope.{key}": (lambda value, k=k, more=more: self.jointed(k, f"{more}{value}")) for k, key, more in (
+            (0, "face.dip_deg", ""), (1, "upper.dip_deg", ""), (2, "base.dip_deg", ""), (3, "base.tread_dip_deg", ""),
+            (4, "base.friction_angle_deg", ", friction_angle_deg: "), (5, "joints[].dip_deg", ""),
+            (6, "joints[].friction_angle_deg", ", friction_angle_deg: "))}
+        told |= {f"columns.equal_area.{key}": (lambda value, k=k: self.EQUAL % tuple(value if j == k else own for j, own in enumerate((56.6, 4, 35.8))))
+                 for k, key in enumerate(("face_dip_deg", "upper_dip_deg", "base_dip_deg"))}
+        told |= {
+            "columns.side_friction_angle_deg": degrees(self.COLUMNS + "heights: [12, 13, 14], side_friction_angle_deg: %s}\n"),
+            "support.direction_deg": degrees(self.MANY + "support: {block: a, at: [0, 0.5], fos: 1, direction_deg: %s}\n"),
+            "joints[].friction_angle_deg": degrees(self.MANY + "joints: [{between: [g, a], friction_angle_deg: %s}]\n"),
+            "loads.forces[].direction_deg": degrees(self.MANY + "loads: {forces: [{block: a, at: [0, 0.5], direction_deg: %s, force_kn: 1}]}\n"),
+            "loads.forces[].dip_deg": degrees(self.MANY + "loads: {forces: [{block: a, at: [2, 0.5], dip_deg: %s, towards: left, force_kn: 1}]}\n"),
+            "section.azimuth_deg": degrees(self.MESH),
+            "solid.contacts[].friction_angle_deg": degrees(self.SOLID % "contacts: [{at: [0, 0, 0], normal: [0, 0, 1], friction_angle_deg: %s}, "
+                                                           "{at: [2, 0, 0], normal: [0, 0, 1]}, {at: [1, 1, 0], normal: [0, 0, 1]}]" + self.FRICTION),
+            "solid.base.dip_deg": degrees(self.SOLID % "bands: [0.001], base: {dip_deg: %s, dip_direction_deg: 135}" + self.FRICTION),
+            "solid.base.dip_direction_deg": degrees(self.SOLID % "bands: [0.001], base: {dip_deg: 5, dip_direction_deg: %s}" + self.FRICTION),
+            "tilt.azimuth_deg": degrees(self.PLANE + "tilt: {angle_deg: 5, azimuth_deg: %s}\n"),
+            "loads.seismic.azimuth_deg": degrees(self.PLANE + "tilt: {angle_deg: 5, azimuth_deg: 90}\nloads: {seismic: {horizontal: 0.1, azimuth_deg: %s}}\n"),
+            "loads.anchors[].azimuth_deg": lambda value: self.wedge(10, f"loads: {{anchors: [{{force_kn: 10, azimuth_deg: {value}, dip_deg: 10}}]}}\n"),
+            "friction_angle_deg": degrees(self.ONE + "friction_angle_deg: %s\ntilt: {towards: left, angle_deg: 5}\n"),
+            "cases[].friction_angle_deg": degrees(self.ONE + self.FRICTION + "tilt: {towards: left, angle_deg: 5}\n"
+                                                  "cases: [{name: a, friction_angle_deg: %s}, {name: b}]\n"),
+            "friction.basic_angle_deg": degrees(self.ONE + self.LAW % "patton, basic_angle_deg: %s, roughness_angle_deg: 5"),
+            "friction.roughness_angle_deg": degrees(self.ONE + self.LAW % "patton, basic_angle_deg: 30, roughness_angle_deg: %s"),
+            "friction.residual_angle_deg": degrees(self.ONE + self.LAW % "barton, residual_angle_deg: %s, jcs_mpa: 100, jrc: 5"),
+            "friction.tilt_test.angle_deg": degrees(
+                self.ONE + self.LAW % "barton, residual_angle_deg: 30, jcs_mpa: 100, tilt_test: {angle_deg: %s, normal_stress_kpa: 5}"),
+            "friction.facets[].angle_deg": degrees(self.ONE + self.FRICTION + "tilt: {towards: left, angle_deg: 5}\nfriction: {facets: [{facet: 1, angle_deg: %s}]}\n"),
+            "tilt.angle_deg": degrees(self.ONE + self.FRICTION + "tilt: {towards: left, angle_deg: %s}\n"),
+            "tilt_test.until_deg": degrees(self.SLOPE % "" + "tilt_test: {until_deg: %s}\n"),
+            "slope.dip_deg": degrees(self.ONE + self.FRICTION + "slope: {dip_deg: %s, towards: left}\n"),
+            "slope.dip_direction_deg": degrees(self.SLOPE % ", dip_direction_deg: %s"), "slope.strike_deg": degrees(self.SLOPE % ", strike_deg: %s"),
+            "frame.dip_direction_deg": degrees(self.DRAWN % "dip_direction_deg: %s"), "frame.strike_deg": degrees(self.DRAWN % "strike_deg: %s"),
+            "loads.anchors[].direction_deg": degrees(self.SLOPE % "" + "loads: {anchors: [{at: [1, 1], direction_deg: %s, force_kn: 1}]}\n"),
+            "loads.anchors[].dip_deg": degrees(self.SLOPE % "" + "loads: {anchors: [{at: [1, 1], dip_deg: %s, force_kn: 1}]}\n"),
+        }
+        return told
+
+    def test_each_key(self):
+        """Each angle that the table of keys has, in radians: a caution where a scene with it is solved, or the scene is refused, as four
+        planes in radians make no wedge. A new key needs its scene here."""
+        with (ROOT / "src" / "core" / "terms" / "keys.csv").open(encoding="utf-8") as file:
+            keys = {row[1] for row in csv.reader(file) if row and row[0] == "scene" and row[2] in ("degrees", "deg")}
+        told = self.scenes_by_key()
+        self.assertEqual({*told} | self.SMALL, keys)
+        refused = set()
+        for key, text in told.items():
+            with tempfile.TemporaryDirectory() as folder, self.subTest(key=key):
+                (pathlib.Path(folder) / "box.obj").write_bytes((ROOT / "tests" / "data" / "swept" / "box.obj").read_bytes())
+                value = "1.8326" if re.search("direction|azimuth|strike", key) else "0.5236"
+                (pathlib.Path(folder) / "s.yaml").write_text(text(value), encoding="utf-8")
+                status, out, err = run("solve", "--json", "s.yaml", folder=folder)
+                if status == 3:
+                    self.assertIn("s.yaml:", err)
+                    refused.add(key)
+                    continue
+                self.assertIn(status, (0, 1, 4), err)
+                notes = [note["text"] for note in json.loads(out)["notes"] if "implausible; if it is in radians" in note["text"]]
+                self.assertEqual(len(notes), 1, text(value))
+                self.assertIn(f" {value}°", notes[0])
+        self.assertLessEqual(refused, {key for key in told if key.startswith(("solid.wedge", "columns.equal", "jointed_slope.face"))
+                                       or key in ("jointed_slope.joints[].dip_deg", "friction.tilt_test.angle_deg")})
+
+    def test_fields_of_a_table(self):
+        """A dip, a friction and lengths of rows: radians, and millimetres for metres; 20 degrees are 0.3491 rad."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "t.yaml").write_text(self.ONE + "friction_angle_deg: 35\nslope: {dip_deg: 20, towards: left}\n", encoding="utf-8")
+            (pathlib.Path(folder) / "t.csv").write_text("name,width,height,dip,friction\nA,1,2,0.3491,35\nB,1,2,20,0.6109\nC,1000,2000,20,35\n"
+                                                        "D,1,2,20,35\n", encoding="utf-8")
+            status, out, err = run("solve", "--json", "--batch", "t.csv", "--template", "t.yaml", folder=folder)
+        remarks = {row["name"]: row.get("remark") or "" for row in json.loads(out)["rows"]}
+        for name, word in (("A", "a dip of 0.3491° is implausible; if it is in radians, write 20"),
+                           ("B", "a friction angle of 0.6109° is implausible; if it is in radians, write 35"),
+                           ("C", "measures 2 km, which is implausible")):
+            self.assertIn(word, remarks[name], err)
+        self.assertEqual(remarks["D"], "")
 
     def test_earthquakes(self):
         load = "loads: {{seismic: {{horizontal: {}, vertical: {}}}}}"

@@ -10,11 +10,12 @@ profile it was judged level, on a contact at 28 degrees; a slab behind a step ha
 import json
 import math
 import pathlib
+import random
 import tempfile
 import unittest
 
 from boulder_case import BASE, BOULDER
-from harness import main, run
+from harness import main, rounds, run
 
 HEAD = "topple: 1\nlength_unit: m\n"
 
@@ -84,6 +85,40 @@ class DoubtfulContact(unittest.TestCase):
             self.assertIn(f"towards the {side} the ground in front of the toe, which begins at {toe}, holds the block: "
                           f"without it the factor of safety is {without:.3f}, and not", found[0])
             self.assertFalse([text for text in slab(False, mirrored) if "in front of the toe" in text])
+
+    def test_a_base_that_goes_on(self):
+        """Past a mated sole: a caution exactly where forces hold the block less far on a base that ends there, and it is less safe, by more
+        than a hundredth of its factor or because it moves; both scenes are solved by themselves. Mirrored as well."""
+        draw, cautioned = random.Random(8), 0
+        for _ in range(rounds(40, 600)):
+            under = [(k, draw.choice((0, 0, -0.4, 0.3, -0.2))) for k in range(draw.randint(2, 4))]
+            top = draw.choice((1, 2.5))
+            outline = [*under, (under[-1][0] + draw.choice((-0.2, 0, 0.2)), top), (draw.choice((-0.2, 0, 0.2)), top)]
+            friction, tilt = draw.choice((20, 35, 50)), draw.choice((5, 12, 25))
+            for side in ("left", "right"):
+                points = outline if side == "left" else [(-x, y) for x, y in reversed(outline)]
+
+                def solved(beyond, points=points, side=side):
+                    notes, answer, _ = notes_of(
+                        f"{HEAD}block: {{outline: {list(map(list, points))}, unit_weight_kn_m3: 25}}\n"
+                        f"base: {{mated: whole, beyond: {{left: {beyond}, right: {beyond}}}}}\nfriction_angle_deg: {friction}\n"
+                        f"tilt: {{towards: {side}, angle_deg: {tilt}}}\n")
+                    case = answer["cases"][0]
+                    fos = case["governing_fos"]["fos"]
+                    return ([text for text in notes if "the ground in front of the toe holds the block" in text],
+                            case["mechanism"] in ("stands", "interlocked"), fos["value"] if fos else None, case["governing_fos"].get("fos_is"),
+                            case["limit"].get("critical_angle_deg") or {"value": 90})
+
+                said, stands, factor, told, limit = solved(1)
+                _, stands_alone, alone, _, limit_alone = solved(0)
+                unbounded = told is not None and told.startswith("unbounded")
+                worse = (stands and not stands_alone) or (alone is not None and (unbounded or (factor is not None and alone < 0.99 * factor)))
+                worse = worse and limit_alone["value"] < limit["value"] - 1e-6
+                self.assertEqual(len(said), worse, (points, friction, tilt, factor, alone, said))
+                cautioned += worse
+                if worse and alone is not None:
+                    self.assertIn(f"the factor of safety is {math.floor(1000 * alone) / 1000:.3f}, and not", said[0])
+        self.assertGreater(cautioned, 1)
 
 
 main()

@@ -194,6 +194,60 @@ class FactorLawLoads(GoverningCase):
         self.assertGreater(words["moves"], 0.05 * count, words)
         self.assertLess(words.get(None, 0), 0.05 * count, words)
 
+    # ---- searches and sweeps ---------------------------------------------------------------------
+
+    def check_sweep(self, text, frictions):
+        """Each point of a sweep, and each row of a batch, is the scene with that number."""
+        path, table = self.scene(text), self.folder / "table.csv"
+        step = frictions[1] - frictions[0]
+        status, out, err = run("sweep", "--json", f"--x=friction_angle_deg={frictions[0]}:{frictions[-1]}:{step}", path)
+        self.assertIn(status, (0, 1, 4), err + text)
+        points = json.loads(out)["points"]
+        table.write_text("name,friction\n" + "".join(f"B{f},{f}\n" for f in frictions), encoding="utf-8")
+        status, out, err = run("solve", "--json", "--batch", table, "--template", path)
+        rows = {row["name"]: row for row in json.loads(out)["rows"]}
+        for friction, point in zip(frictions, points, strict=True):
+            status, out, _ = run("solve", "--json", "--set", f"friction_angle_deg={friction}", path)
+            own = json.loads(out)
+            cases = own["cases"]
+            safety = own["governing_fos"] if "governing_fos" in own else cases[0]["governing_fos"]
+            row = rows[f"B{friction}"]
+            self.assertEqual(len(point["cases"]), len(cases), text)
+            for told, case in zip(point["cases"], cases):
+                self.assertEqual(told["verdict"], case.get("verdict", case["mechanism"] if "mechanism" in case else None), text)
+                self.assertEqual(told["governing_fos" if "governing_fos" in told else "fos"], case["governing_fos"]["fos"], (text, friction))
+            self.assertEqual((row["fos"] or {}).get("value"), (safety["fos"] or {}).get("value"), (text, friction))
+            worst = {0: ("holds",), 1: ("fails", "below required"), 4: ("undecided",)}[status]
+            self.assertIn(row["standing"], worst, (text, friction))
+
+    def check_find(self, text, friction):
+        """The friction at which the governing factor has a value: there `solve` has it."""
+        path = self.scene(text)
+        wanted = 1.25
+        status, out, err = run("solve", "--json", "--find", "friction_angle_deg", "--for", f"governing_fos={wanted}", "--from", "5", "--to", "80", path)
+        if status not in (0, 1, 4):
+            self.assertIn("friction", err)
+            return 0
+        found = json.loads(out)["find"]["solutions"]
+        for solution in found:
+            own = json.loads(run("solve", "--json", "--set", f"friction_angle_deg={solution['value']!r}", path)[1])
+            safety = own["governing_fos"] if "governing_fos" in own else own["cases"][0]["governing_fos"]
+            least, most = bounds(safety)
+            self.assertLessEqual(least, wanted * (1 + 1e-4), (text, solution, friction))
+            self.assertGreaterEqual(most, wanted * (1 - 1e-4), (text, solution))
+        return len(found)
+
+    def test_sweeps_and_searches(self):
+        draw, found = random.Random(62), 0
+        for k in range(rounds(8, 300)):  # a search solves hundreds of scenes
+            scene = self.drawn(draw)
+            if scene is None or self.of_one(scene) is None:
+                continue
+            for text in (scene.one(), scene.many()):
+                self.check_sweep(text, (30, 45, 60))
+                found += self.check_find(text, scene.friction) if k < rounds(1, 100) else 0
+        self.assertGreater(found, 0)
+
     # ---- the state without the earthquake --------------------------------------------------------
 
     def test_up_dip_alone(self):

@@ -6,12 +6,14 @@
 Closed forms of boxes and grooves; and on contacts drawn by chance both halves are checked by what they print, without
 the search that found them: forces in equilibrium within their cones, and motions that meet no force of any cone."""
 
+import json
 import math
+import pathlib
 import random
 import unittest
 from fractions import Fraction
 
-from harness import main, run
+from harness import ROOT, main, run
 from mesh_case import box
 from test_solid_scenes import SceneCase
 from test_solids import exact_obj
@@ -249,6 +251,79 @@ class Contacts(SceneCase):
             for share, verdict in ((0.99999, "may move"), (1.00001, None)):
                 near = self.found(leaning, rest.format(repr(share * k["value"]), azimuth))["verdict"]
                 self.assertEqual(near in ("may move", "stands"), verdict is not None, (azimuth, k))
+
+    def test_symmetric_azimuths(self):
+        """The story: towards an azimuth of symmetry an acceleration was absent, or 0 ± 0.3 g, where those 5 degrees on were known. Of a prism
+        on its corners, level, it is the lesser of tan(phi) and d / (z cos b), the distance of an edge over the height of the centroid and
+        the cosine between it and the azimuth: the resultant passes the edge, or leaves the cone. Tilted, both are of the resultant."""
+        for count, height, phi in ((4, 1.4, 60), (4, 3, 60), (6, 3, 50), (8, 2, 70), (3, 2, 35)):
+            corners = [(math.cos(2 * math.pi * k / count), math.sin(2 * math.pi * k / count)) for k in range(count)]
+            points = [(x, y, z) for z in (0, height) for x, y in corners]
+            faces = [(0, k + 1, k) for k in range(1, count - 1)] + [(count, count + k, count + k + 1) for k in range(1, count - 1)]
+            for k in range(count):
+                after = (k + 1) % count
+                faces += [(k, after, count + after), (k, count + after, count + k)]
+            self.put("rock.obj", exact_obj(points, faces))
+            on = [{"at": [repr(x), repr(y), 0], "normal": [0, 0, 1]} for x, y in corners]
+            on = [{"at": f"[{', '.join(map(str, c['at']))}]", "normal": c["normal"]} for c in on]
+            for tilt, towards in ((0, None), (10, 0), (10, 90)):
+                slope = f"tilt: {{angle_deg: {tilt}, azimuth_deg: {towards}}}\n" if tilt else ""
+                self.on(on, f"friction_angle_deg: {phi}\n{slope}")
+                text = (pathlib.Path(self.folder) / "scene.yaml").read_text(encoding="utf-8").replace("azimuths: 8", "azimuths: 72")
+                got = self.told(self.put("scene.yaml", text))["contacts"]
+                self.assertEqual(len(got["ways"]), 72)
+                for way in got["ways"]:
+                    load, push = down(tilt, towards or 0), down(90, way["azimuth_deg"])
+                    push = self.level_push(push, tilt, towards or 0)
+                    truth = self.least_push(corners, height / 2, math.tan(math.radians(phi)), load, push)
+                    own = way.get("acceleration_g")
+                    self.assertIsNotNone(own, (count, tilt, towards, way["azimuth_deg"]))
+                    self.assertLess(own["error"], 1e-6)
+                    self.assertAlmostEqual(own["value"], truth, 6, (count, tilt, towards, way["azimuth_deg"]))
+
+    @staticmethod
+    def level_push(push, tilt, towards):
+        """A horizontal push in the axes of a base that is tilted."""
+        a, d = math.radians(towards), math.radians(tilt)
+        along = push[0] * math.sin(a) + push[1] * math.cos(a)
+        across = push[0] * math.cos(a) - push[1] * math.sin(a)
+        return [along * math.cos(d) * math.sin(a) + across * math.cos(a), along * math.cos(d) * math.cos(a) - across * math.sin(a),
+                along * math.sin(d)]
+
+    @staticmethod
+    def least_push(corners, high, mu, load, push):
+        """The least k at which load + k push leaves the cone of friction, or passes an edge from the height of the centroid: on one plane
+        both are all that forces of its corners need."""
+        found = []
+        for a, b in zip(corners, corners[1:] + corners[:1]):
+            out = (b[1] - a[1], a[0] - b[0])  # of a polygon that runs counter-clockwise
+            size = math.hypot(*out)
+            out, far = (out[0] / size, out[1] / size), (a[0] * out[0] + a[1] * out[1]) / size
+            # high * (F . out) = far * (-F_z) where it passes
+            slope = high * (push[0] * out[0] + push[1] * out[1]) + far * push[2]
+            room = -far * load[2] - high * (load[0] * out[0] + load[1] * out[1])
+            if slope > 0:
+                found.append(room / slope)
+        # |T|^2 = mu^2 N^2
+        square = push[0] ** 2 + push[1] ** 2 - mu * mu * push[2] ** 2
+        half = load[0] * push[0] + load[1] * push[1] - mu * mu * load[2] * push[2]
+        rest = load[0] ** 2 + load[1] ** 2 - mu * mu * load[2] ** 2
+        root = math.sqrt(half * half - square * rest)
+        found += [k for k in ((-half + root) / square, (-half - root) / square) if k > 0]
+        return min(found)
+
+    def test_required_of_what_is_open(self):
+        """The rock of the example that leans on a wall: whether a motion can begin is not decided, and 1.5 was "met", exit 0."""
+        rock = ROOT / "examples" / "solids" / "rock_on_contacts.yaml"
+        text = rock.read_text(encoding="utf-8").replace("file: ", f"file: {rock.parent}/")
+        status, out, err = run("solve", "--json", self.put("open.yaml", text + "required_fos: 1.5\n"))
+        own = json.loads(out)
+        self.assertIn((status, own["meets_required"]), ((4, "open"), (1, "not met")), err)
+        self.assertNotIn("is met.", " ".join(run("solve", self.folder_path("open.yaml"))[1].split()))
+        self.assertIn(run("solve", "--fail-below", "1.5", rock)[0], (1, 4))
+
+    def folder_path(self, name):
+        return f"{self.folder}/{name}"
 
     def test_moved_far_and_mirrored(self):
         far = 10 ** 15

@@ -92,6 +92,19 @@ class Probabilities(StudyCase):
         self.assertAlmostEqual(summary["variables"][0]["importance"], 1, delta=1e-6)
         self.assertIn("index beta", self.study("study.yaml"))
 
+    def test_reliability_on_a_slope(self):
+        """The dip of a slope is the tilt that a factor needs: it was asked for a `tilt` as well, which doubles the dip. On 20 degrees with a
+        friction of mean 35 and deviation 3 the factor tan(phi) / tan(20) is 1 at 20 degrees: beta is 5, on a table as on a slope."""
+        lies = ("tilt: {towards: left, angle_deg: 20}", "slope: {dip_deg: 20, towards: left}", "slope: {dip_deg: 20, towards: right}")
+        for where in lies:
+            (self.folder / "slab.yaml").write_text(slab(height="1", friction="35").replace("tilt: {towards: left, angle_deg: 25}", where))
+            self.write("samples: 20\nvary: {friction_angle_deg: {normal: {mean: 35, deviation: 3}}}\nreliability: {quantity: fos}\n")
+            summary = self.summary("study.yaml")
+            self.assertAlmostEqual(summary["reliability"]["beta"], 5, delta=1e-5)
+            self.assertAlmostEqual(summary["variables"][0]["design_value"], 20, delta=1e-4)
+        (self.folder / "slab.yaml").write_text(slab(height="1", friction="35").replace("tilt: {towards: left, angle_deg: 25}", "tilt: {towards: left}"))
+        self.assertIn("tilt", self.study("study.yaml", status=3))
+
     def test_two_ways_to_fail(self):
         """A slab that slides below 22 degrees of friction and topples below a width of 2 tan(22) has two design points, 3.5
         deviations away each, and fails by either; one that bends has two beside a saddle. Sampled around all, the intervals hold

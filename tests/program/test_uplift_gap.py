@@ -16,6 +16,7 @@ import unittest
 
 from boulder_case import BASE, BOULDER
 from harness import main, run
+from pdf_words import words
 
 TOE, HEEL = (0.31, 0.27), (1.28, 0.79)
 GAMMA, LEVEL = 9.81, 1.2
@@ -105,6 +106,27 @@ class UpliftGap(unittest.TestCase):
         self.assertIn(status, (0, 1), err)
         self.assertIn("begins with an open gap", " ".join(out.split()))
         self.assertRegex(" ".join(out.split()), r"uplift: heel \(.*\) m with [\d.]+ kPa, toe")
+
+    def test_sheet_and_figure(self):
+        """The sheet has the note of heel and toe and the moment of 2.95 kN m; the figure draws the pressures, and says that it does: without
+        water it has neither their arrows nor their name."""
+        with tempfile.TemporaryDirectory() as folder:
+            told = {}
+            for name, text in (("wet", scene("{level: 1.2, faces: behind, uplift: triangular}")),
+                               ("dry", scene("{level: 1.2, faces: behind, uplift: triangular}").partition("loads:")[0])):
+                (pathlib.Path(folder) / "scene.yaml").write_text(text, encoding="utf-8")
+                for option in ("--figure=f.pdf", "--figure=f.svg", "--report=r.md"):
+                    self.assertIn(run("solve", "--quiet", option, "scene.yaml", folder=folder)[0], (0, 1))
+                sheet = (pathlib.Path(folder) / "r.md").read_text(encoding="utf-8")
+                svg = (pathlib.Path(folder) / "f.svg").read_text(encoding="utf-8")
+                told[name] = words(pathlib.Path(folder) / "f.pdf"), sheet, svg.count("<path")
+        self.assertIn("water pressure", told["wet"][0])
+        self.assertNotIn("water pressure", told["dry"][0])
+        self.assertGreater(told["wet"][2], told["dry"][2] + 4)
+        self.assertIn("uplift: heel (1.28, 0.79) m with 4.0221 kPa, toe (0.31, 0.27) m with 0 kPa, 1.1006 m long", told["wet"][1])
+        (row,) = [line for line in told["wet"][1].splitlines() if line.startswith("| uplift |") and "overturns" in line]
+        moment = float(row.split("|")[4].replace("\\", ""))
+        self.assertAlmostEqual(moment, 2.95, delta=5e-3)
 
     def test_mirrored(self):
         """The mirror image has the same moment, to the other side."""

@@ -75,6 +75,12 @@ tp_status tp_scene_friction_caution(tp_notes *notes, const tp_quantity *angle,
   return CHECK_ALL(one);
 }
 
+tp_status tp_scene_azimuth_caution(tp_notes *notes, const tp_quantity *azimuth,
+                                   tp_message *message) {
+  const suspect one[] = {{azimuth, full_turn, an_azimuth}};
+  return CHECK_ALL(one);
+}
+
 /* By Patton's law the angle of the scene is the sum of a basic angle and that of the roughness. */
 static void set_basic_angle(tp_quantity *basic, const tp_scene *scene) {
   const tp_friction_description *friction = &scene->friction;

@@ -7,6 +7,7 @@
 #include "common/outside.h"
 #include "format/mesh_cut.h"
 #include "format/section_take.h"
+#include "scene/unit_cautions.h"
 #include "scene_reading/read.h"
 
 #include <stdio.h>
@@ -55,6 +56,19 @@ static tp_status read_line(const tp_reader *reader, const tp_node *node, fmpq po
                                "azimuth_deg must lie between -360 and 360");
 }
 
+/* By the reading of another mesh that the plane cuts. */
+static bool is_noted(const tp_notes *notes, tp_place place) {
+  char end[48] = ""; /* a number that was set has no line */
+  if (place.line > 0) snprintf(end, sizeof end, ":%d:%d", place.line, place.column);
+  const char *whole = place.line > 0 || place.file == NULL ? end : place.file;
+  for (size_t k = 0; k < notes->count; k++) {
+    const char *other = notes->items[k].place;
+    const size_t length = strlen(other), size = strlen(whole);
+    if (length >= size && strcmp(other + length - size, whole) == 0) return true;
+  }
+  return false;
+}
+
 static tp_status set_plane(const tp_reader *reader, tp_section_plane *plane, const tp_node *node,
                            fmpq point[2], fmpq other[2], const fmpq_t factor) {
   bool by_azimuth = false;
@@ -63,8 +77,13 @@ static tp_status set_plane(const tp_reader *reader, tp_section_plane *plane, con
   fmpq_div(point, point, factor);
   fmpq_div(point + 1, point + 1, factor);
   if (by_azimuth) {
+    const tp_node *azimuth = tp_node_get(node, "azimuth_deg");
+    const tp_quantity given = {
+        .value = {other[0]}, .given = true, .place = tp_read_place(reader, azimuth)};
     tp_section_plane_at(plane, point, point + 1, other);
-    return TP_OK;
+    return is_noted(&reader->scene->notes, given.place)
+               ? TP_OK
+               : tp_scene_azimuth_caution(&reader->scene->notes, &given, reader->message);
   }
   fmpq_div(other, other, factor);
   fmpq_div(other + 1, other + 1, factor);

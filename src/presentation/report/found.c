@@ -57,10 +57,18 @@ static const char *found_down(char out[TP_NUMBER_SIZE], double factor) {
   return tp_text_significant_down(out, (tp_bounded){factor, 0, NULL}, 5);
 }
 
-static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
+static void add_blocks(tp_text *t, const tp_found_blocks *b, const tp_find_options *options) {
+  static const double less = 1 - 1e-5; /* than what was searched for */
+  const tp_find_target target = options->target;
   char n[TP_NUMBER_SIZE];
   if (target == TP_FIND_FOS) {
     tp_text_add(t, "    fos is an upper bound: up to it forces can hold the blocks\n");
+  }
+  if (target == TP_FIND_GOVERNING_FOS && b->has_moving_fos &&
+      b->moving_fos < less * options->value) {
+    tp_text_add(t,
+                "    governing_fos is an upper bound here: of more than six blocks motions are not "
+                "sought\n    in a search, and a smaller factor is proven\n");
   }
   switch (b->verdict) {
   case TP_SYSTEM_STANDS:
@@ -170,7 +178,7 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                   tp_text_significant(number, f->per_metre_kn[k], 9));
     }
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
-    if (f->blocks != NULL) add_blocks(&t, f->blocks + k, own.target);
+    if (f->blocks != NULL) add_blocks(&t, f->blocks + k, &own);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
     tp_text_add(&t,
