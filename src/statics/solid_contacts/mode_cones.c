@@ -38,8 +38,16 @@ static double length3(const fmpz v[3]) {
   return sqrt(square);
 }
 
-static void set_rounded(fmpz_t number, double value, int bits) {
-  fmpz_set_d(number, nearbyint(ldexp(value, bits)));
+/* By how many binary places a number is below one. */
+static slong below_one(double number) {
+  return number > 0 && number < 1 ? -ilogb(number) : 0;
+}
+
+/* False: beyond the range of doubles; the number is zero then. */
+static bool set_rounded(fmpz_t number, double value, int bits) {
+  const double whole = nearbyint(ldexp(value, bits));
+  if (isfinite(whole)) fmpz_set_d(number, whole);
+  return isfinite(whole);
 }
 
 void tp_mode_add_product(fmpz_t sum, const fmpz a[TP_WRENCH], const fmpz b[TP_WRENCH]) {
@@ -61,7 +69,11 @@ static void vector_clear(tp_mode_vector *v) {
   }
 }
 
-/* C times 2^(3 BITS). */
+static slong turned_bits(const tp_mode_cones *m) {
+  return 2 * m->centroid_bits + m->inverse_bits;
+}
+
+/* C times 2^turned_bits. */
 static void turn(fmpz turned[TP_WRENCH], const tp_mode_cones *m, const fmpz wrench[TP_WRENCH]) {
   fmpz moment[3], arm[3], turning[3];
   init3(moment);
@@ -69,7 +81,7 @@ static void turn(fmpz turned[TP_WRENCH], const tp_mode_cones *m, const fmpz wren
   init3(turning);
   cross3(arm, m->centroid, wrench);
   for (int k = 0; k < 3; k++) {
-    fmpz_mul_2exp(moment + k, wrench + 3 + k, BITS);
+    fmpz_mul_2exp(moment + k, wrench + 3 + k, (ulong)m->centroid_bits);
     fmpz_sub(moment + k, moment + k, arm + k);
   }
   for (int k = 0; k < 3; k++) {
@@ -77,9 +89,9 @@ static void turn(fmpz turned[TP_WRENCH], const tp_mode_cones *m, const fmpz wren
   }
   cross3(arm, turning, m->centroid);
   for (int k = 0; k < 3; k++) {
-    fmpz_mul_2exp(turned + k, wrench + k, 3 * BITS);
+    fmpz_mul_2exp(turned + k, wrench + k, (ulong)turned_bits(m));
     fmpz_sub(turned + k, turned + k, arm + k);
-    fmpz_mul_2exp(turned + 3 + k, turning + k, BITS);
+    fmpz_mul_2exp(turned + 3 + k, turning + k, (ulong)m->centroid_bits);
   }
   clear3(moment);
   clear3(arm);
@@ -92,11 +104,11 @@ static double shifted(const fmpz_t number, slong exponent) {
   return ldexp(mantissa, (int)(own - exponent));
 }
 
-static void set_near(tp_mode_vector *v, slong exponent) {
+static void set_near(tp_mode_vector *v, const tp_mode_cones *m, slong exponent) {
   v->exponent = exponent;
   for (int k = 0; k < TP_WRENCH; k++) {
     v->near[k] = shifted(v->whole + k, exponent);
-    v->near_turned[k] = shifted(v->turned + k, exponent + 3 * BITS);
+    v->near_turned[k] = shifted(v->turned + k, exponent + turned_bits(m));
   }
 }
 
@@ -108,7 +120,7 @@ static void settle(tp_mode_vector *v, const tp_mode_cones *m) {
     if (bits > exponent) exponent = bits;
   }
   turn(v->turned, m, v->whole);
-  set_near(v, exponent);
+  set_near(v, m, exponent);
 }
 
 /* Along a force at a contact. */
@@ -227,24 +239,27 @@ static void set_across(tp_mode_contact *c) {
 }
 
 /* Counter-clockwise about n, as n x t1 = t2. */
-static void set_rays(tp_mode_contact *c, double mu) {
+static bool set_rays(tp_mode_contact *c, double mu) {
   const double reach = mu * length3(c->normal);
   double share[2], finest = INFINITY;
   for (int k = 0; k < 2; k++) {
     share[k] = reach / length3(c->across[k]);
     finest = fmin(finest, share[k]);
   }
-  c->bits = RAY_BITS + (finest < 1 ? -ilogb(finest) : 0);
+  if (!(finest > 0) || !isfinite(reach)) return false;
+  c->bits = RAY_BITS + below_one(finest);
+  bool done = true;
   fmpz_t part;
   fmpz_init(part);
   for (int j = 0; j < TP_MODE_RAYS; j++) {
     const double angle = 2 * M_PI * j / TP_MODE_RAYS, parts[2] = {cos(angle), sin(angle)};
     for (int i = 0; i < 2; i++) {
-      set_rounded(part, share[i] * parts[i], (int)c->bits);
+      done = set_rounded(part, share[i] * parts[i], (int)c->bits) && done;
       for (int k = 0; k < 3; k++) fmpz_addmul(c->rays[j] + k, c->across[i] + k, part);
     }
   }
   fmpz_clear(part);
+  return done;
 }
 
 static void contact_init(tp_mode_contact *c) {
@@ -289,12 +304,13 @@ static void set_points(tp_mode_cones *m, const tp_friction_cones *cones) {
  */
 
 /* I = trace - S of the second moments S; its inverse by cofactors. */
-static void set_body(tp_mode_cones *m, const tp_friction_cones *cones,
+static bool set_body(tp_mode_cones *m, const tp_friction_cones *cones,
                      const tp_solid_section_inertia *inertia) {
   const double *s = inertia->second, trace = s[0] + s[1] + s[2];
   const double own[3][3] = {
       {trace - s[0], -s[5], -s[4]}, {-s[5], trace - s[1], -s[3]}, {-s[4], -s[3], trace - s[2]}};
-  double cofactor[3][3], determinant = 0;
+  double cofactor[3][3], determinant = 0, most = 0, far = 0;
+  bool done = true;
   for (int i = 0; i < 3; i++) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; j++) {
@@ -306,42 +322,61 @@ static void set_body(tp_mode_cones *m, const tp_friction_cones *cones,
                           : 0;
   }
   for (int i = 0; i < 3; i++) {
+    most = fmax(most, fabs(cofactor[i][i] / determinant));
+    far = fmax(far, fabs(fmpq_get_d(cones->cones[0].at + i)));
+  }
+  if (!isfinite(most) || !isfinite(far)) return false;
+  m->inverse_bits = BITS + below_one(most);
+  m->centroid_bits = BITS + below_one(far);
+  for (int i = 0; i < 3; i++) {
     for (int j = i; j < 3; j++) {
-      set_rounded(m->inverse + 3 * i + j, cofactor[i][j] / determinant, BITS);
+      done =
+          set_rounded(m->inverse + 3 * i + j, cofactor[i][j] / determinant, (int)m->inverse_bits) &&
+          done;
       fmpz_set(m->inverse + 3 * j + i, m->inverse + 3 * i + j);
     }
-    set_rounded(m->centroid + i, -fmpq_get_d(cones->cones[0].at + i), BITS);
+    done =
+        set_rounded(m->centroid + i, -fmpq_get_d(cones->cones[0].at + i), (int)m->centroid_bits) &&
+        done;
   }
+  return done;
 }
 
 /* At the centroid. */
-static void set_load(tp_mode_vector *v, const tp_mode_cones *m, const tp_hold_load *load,
+static bool set_load(tp_mode_vector *v, const tp_mode_cones *m, const tp_hold_load *load,
                      double most) {
   fmpz force[3];
+  bool done = true;
   init3(force);
   for (int k = 0; k < 3; k++) {
-    set_rounded(force + k, load->nearest[k], BITS + (most > 0 ? -ilogb(most) : 0));
-    fmpz_mul_2exp(v->whole + k, force + k, BITS);
+    done = set_rounded(force + k, load->nearest[k], BITS + (most > 0 ? -ilogb(most) : 0)) && done;
+    fmpz_mul_2exp(v->whole + k, force + k, (ulong)m->centroid_bits);
   }
   cross3(v->whole + 3, m->centroid, force);
   settle(v, m);
   clear3(force);
+  return done;
 }
 
 /* Both in one size, as mixes of them count. */
-static void set_loads(tp_mode_cones *m, const tp_hold_load loads[2]) {
+static bool set_loads(tp_mode_cones *m, const tp_hold_load loads[2]) {
   double most = 0;
+  bool done = true;
   for (int k = 0; k < 6; k++) most = fmax(most, fabs(loads[k / 3].nearest[k % 3]));
-  for (int k = 0; k < 2; k++) set_load(m->loads + k, m, loads + k, most);
+  for (int k = 0; k < 2; k++) done = set_load(m->loads + k, m, loads + k, most) && done;
   const slong first = m->loads[0].exponent, second = m->loads[1].exponent;
-  for (int k = 0; k < 2; k++) set_near(m->loads + k, first > second ? first : second);
+  for (int k = 0; k < 2; k++) set_near(m->loads + k, m, first > second ? first : second);
+  return done;
 }
 
 bool tp_mode_cones_init(tp_mode_cones *m, const tp_friction_cones *cones,
                         const tp_solid_section_inertia *inertia, double divisor,
                         const tp_hold_load loads[2]) {
   *m = (tp_mode_cones){.contacts = calloc((size_t)cones->count + 1, sizeof *m->contacts),
-                       .divisor = divisor};
+                       .divisor = divisor,
+                       .is_in_range = true,
+                       .centroid_bits = BITS,
+                       .inverse_bits = BITS};
   if (m->contacts == NULL) return false;
   m->count = cones->count;
   fmpz_init(&m->unit);
@@ -355,10 +390,10 @@ bool tp_mode_cones_init(tp_mode_cones *m, const tp_friction_cones *cones,
     set_whole(c->normal, cones->cones[n].normal);
     set_across(c);
     c->is_smooth = tp_near_is_zero(cones->cones[n].friction);
-    if (!c->is_smooth) set_rays(c, cones->cones[n].friction.value);
+    if (!c->is_smooth && !set_rays(c, cones->cones[n].friction.value)) m->is_in_range = false;
   }
-  set_body(m, cones, inertia);
-  set_loads(m, loads);
+  if (!set_body(m, cones, inertia)) m->is_in_range = false;
+  if (!set_loads(m, loads)) m->is_in_range = false;
   return true;
 }
 

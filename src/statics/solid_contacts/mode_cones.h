@@ -59,9 +59,11 @@ typedef struct tp_mode_cones {
   long count;
   tp_mode_contact *contacts;
   fmpz unit;        /* points are whole in lengths of one over that */
-  fmpz centroid[3]; /* from the first contact, in 2^-TP_MODE_BITS of a length */
-  fmpz inverse[9];  /* of the inertia, likewise */
+  fmpz centroid[3]; /* from the first contact, in 2^-centroid_bits of a length */
+  fmpz inverse[9];  /* of the inertia, in 2^-inverse_bits */
+  slong centroid_bits, inverse_bits;
   double divisor;   /* mu may be anything from that part of it on */
+  bool is_in_range; /* else sizes are beyond what doubles hold, and nothing here counts */
   tp_mode_vector loads[2];
 } tp_mode_cones;
 

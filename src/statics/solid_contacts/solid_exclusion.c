@@ -351,7 +351,7 @@ static bool set_change(exclusion *x) {
 static bool find(tp_solid_exclusion *of, exclusion *x) {
   if (!tp_mode_cones_init(&x->modes, of->cones, of->inertia, of->divisor, of->loads)) return false;
   x->is_stretch = set_change(x);
-  of->is_excluded = is_excluded(x);
+  of->is_excluded = x->modes.is_in_range && is_excluded(x);
   of->most -= x->tried;
   for (int k = 0; k < TP_WRENCH; k++) fmpz_clear(x->change.whole + k);
   tp_mode_cones_clear(&x->modes);
