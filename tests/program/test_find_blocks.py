@@ -62,7 +62,7 @@ class FindBlocks(unittest.TestCase):
             safety = json.loads(out)["governing_fos"]
             self.same(own["governing_fos"], safety)
             if safety["fos"] is not None:
-                self.assertTrue((1 - 1.1e-5) * value <= safety["fos"]["value"] <= 1.002 * value, safety)
+                self.assertTrue((1 - 1.1e-5) * value <= safety["fos"]["value"] <= 1.01 * value, safety)
                 self.assertNotIn("is_upper_bound", own)
             else:
                 self.assertIs(own["is_upper_bound"], True)

@@ -66,7 +66,7 @@ static int rising_side(tp_search *s, double x) {
 
 /* Between a number with a smaller factor and one without; the latter is what is found. */
 static void halve(tp_bounded *solution, tp_found_blocks *blocks, double below, tp_search *s) {
-  enum { HALVES = 12 };
+  enum { HALVES = 8 };
   for (int k = 0; k < HALVES && s->status == TP_OK; k++) {
     tp_found_blocks middle;
     const double x = below + (solution->value - below) / 2;
