@@ -20,11 +20,13 @@ extern "C" {
  */
 typedef enum tp_find_target {
   TP_FIND_CRITICAL_ANGLE, /* of toppling, degrees */
-  TP_FIND_FOS,            /* against toppling, at the scene's tilt */
+  TP_FIND_FOS,            /* against toppling, at the scene's tilt; of many blocks as
+                             TP_FIND_GOVERNING_FOS */
   TP_FIND_SLIDING_ANGLE,  /* of sliding, degrees */
   TP_FIND_SLIDING_FOS,
   TP_FIND_LIMIT_ANGLE,      /* the static limit, degrees */
-  TP_FIND_LIMIT_FOS,        /* by strength reduction */
+  TP_FIND_LIMIT_FOS,        /* by strength reduction; of many blocks an upper bound, up to which
+                               forces can hold them */
   TP_FIND_ONSET_ANGLE,      /* the onset of motion, degrees */
   TP_FIND_GOVERNING_FOS,    /* the governing factor at the scene's tilt */
   TP_FIND_FOS_GOODMAN_BRAY, /* of columns in a row, a double without a bound */
@@ -72,13 +74,17 @@ typedef struct tp_found_stretch {
 
 /* What else is known of many blocks with a number that was found. */
 typedef struct tp_found_blocks {
-  tp_system_verdict verdict; /* what they do, with the scene's own strength */
-  bool has_standing_fos;     /* they stand: */
-  double standing_fos;       /* if has_standing_fos: as in tp_system_case */
-  bool has_moving_fos;       /* a motion was found while forces can hold them: */
-  double moving_fos;         /* if has_moving_fos: likewise */
-  bool has_fos_goodman_bray; /* of columns in a row, where some friction is enough: */
-  double fos_goodman_bray;   /* if has_fos_goodman_bray: the factor by Goodman and Bray */
+  tp_system_verdict verdict;      /* what they do, with the scene's own strength */
+  bool has_standing_fos;          /* they stand: */
+  double standing_fos;            /* if has_standing_fos: as in tp_system_case */
+  bool has_moving_fos;            /* a motion was found while forces can hold them: */
+  double moving_fos;              /* if has_moving_fos: likewise */
+  bool has_fos_goodman_bray;      /* of columns in a row, where some friction is enough: */
+  double fos_goodman_bray;        /* if has_fos_goodman_bray: the factor by Goodman and Bray */
+  tp_system_safety governing_fos; /* the factor of safety there, with all motions that are looked
+                                     for */
+  bool is_upper_bound; /* that is known from above alone: no smaller factor is proven, and none is
+                          excluded */
 } tp_found_blocks;
 
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
@@ -115,16 +121,20 @@ typedef struct tp_found {
   tp_bounded design_result; /* if has_design: the target there, certain to be above the value */
   tp_found_blocks *blocks; /* if blocks != NULL: of each solution, of a scene of many blocks: of the
                               direction that governs there */
+  bool is_upper_bound;     /* of many blocks: results at numbers that were tried, so `least` and
+                              `greatest`, are upper bounds alone */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction,
  * or lies in place, where many blocks are solved to the side that governs; it is not changed. Of
- * many blocks results are proven to 1e-6 of themselves and 64 points of the range are tried, so
- * that a number is as near as that tells. With `least_over` the direction of the least force is
- * searched in doubles, at every 5 degrees and then by Brent's minimiser, to 1e-4 degrees; what is
- * found at the direction given is as certain as without, that no other direction needs less is not
- * proven. TP_NO_ANSWER where the target cannot depend on the number, or the scene has it nowhere in
- * the range; none in the range is an answer. TP_DEPENDENCY_FAILED. */
+ * more than two free blocks a factor of safety is searched for by its upper bounds. A number at
+ * which a smaller factor is proven is moved to the nearest at which none is, or left out. Of many
+ * blocks results are proven to 1e-6 of themselves and 64 points of the range are tried, so that a
+ * number is as near as that tells. With `least_over` the direction of the least force is searched
+ * in doubles, at every 5 degrees and then by Brent's minimiser, to 1e-4 degrees; what is found at
+ * the direction given is as certain as without, that no other direction needs less is not proven.
+ * TP_NO_ANSWER where the target cannot depend on the number, or the scene has it nowhere in the
+ * range; none in the range is an answer. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
                               const tp_find_options *options, tp_message *message);
 

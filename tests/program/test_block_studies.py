@@ -358,10 +358,19 @@ class BlockFinds(StudyCase):
         self.holds(found, 30 + math.atan(0.1) / degree)
         push = SLAB + "loads: {forces: [{block: slab, at: [0, 0.5], direction_deg: -30, force_kn: 10}]}\n"
         needed = 100 * math.tan(30 * degree - math.atan(math.tan(35 * degree) / 1.5))
-        found = self.find(push, "loads.forces.1.force_kn", "--for", "fos=1.5", "--to", "100")
+        found = self.find(push, "loads.forces.1.force_kn", "--for", "limit_fos=1.5", "--to", "100")
         self.holds(found, needed)
         self.assertTrue(needed < found["design"] < needed * 1.001 + 0.1)
         self.assertGreater(found["design_result"]["value"], 1.5)
+        # The factor of safety is less than that by strength: 1.5 times W sin(30°) is held by (W cos(30°)) tan(35°) and by the force,
+        # which rests, acts along the horizontal into the slope, and so along the base by cos(30°) and across it by sin(30°).
+        tangent = math.tan(35 * degree)
+        resting = (1.5 * math.sin(30 * degree) - tangent * math.cos(30 * degree)) / (math.cos(30 * degree) + tangent * math.sin(30 * degree))
+        found = self.find(push, "loads.forces.1.force_kn", "--for", "fos=1.5", "--to", "100")
+        self.holds(found, 100 * resting)
+        self.assertEqual(found["blocks"][0]["governing_fos"]["definition"], "driving loads")
+        self.assertNotIn("is_upper_bound", found["blocks"][0])
+        self.assertTrue(100 * resting < found["design"] < 100 * resting * 1.001 + 0.1)
 
     def test_column(self):
         """A column of height 4 that does not slide tips at 30° where it is 4 tan(30°) wide."""
@@ -370,10 +379,10 @@ class BlockFinds(StudyCase):
         self.holds(found, 4 * math.tan(math.radians(30)))
 
     def test_columns(self):
-        """Of six columns a solve with the number found has the result that was asked for, by either method; the page says that a
-        motion can begin there, and the factor by the other method."""
+        """Of six columns a solve with the number found has the result that was asked for, by either method; the page says what the factor
+        of safety is there, that a motion can begin, and the factor by the other method."""
         columns = ROW[:ROW.index("joints")]
-        for target, key in (("fos_goodman_bray", "goodman_bray"), ("fos", "fos")):
+        for target, key in (("fos_goodman_bray", "goodman_bray"), ("limit_fos", "fos")):
             found = self.find(columns, "friction_angle_deg", "--for", f"{target}=1.2", "--from", "32", "--to", "42")
             own = found["solutions"][0]
             status, out, _ = run("solve", "--json", "--set", f"friction_angle_deg={own['value']!r}", self.folder / "own.yaml")
@@ -383,7 +392,9 @@ class BlockFinds(StudyCase):
             self.assertEqual(found["blocks"][0]["verdict"], case["verdict"])
             self.assertAlmostEqual(found["blocks"][0]["fos_goodman_bray"], case["goodman_bray"]["fos"], delta=1e-9)
             self.assertEqual("moving_fos" in found["blocks"][0], case.get("moving_fos", math.inf) < case["fos"]["value"])
-        page = run("solve", "--find", "friction_angle_deg", "--for", "fos=1.2", "--from", "34", "--to", "35", self.folder / "own.yaml")[1]
+        page = run("solve", "--find", "friction_angle_deg", "--for", "limit_fos=1.2", "--from", "34", "--to", "35", self.folder / "own.yaml")[1]
+        self.assertIn("limit_fos is an upper bound: up to it forces can hold the blocks", page)
+        self.assertIn("this is an upper bound: no smaller factor is proven there", page)
         self.assertIn("Caution: forces can hold the blocks there; that a motion begins", page)
         self.assertIn("by Goodman and Bray the factor there is 1.1999", page)  # rounded down
 

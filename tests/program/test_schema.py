@@ -290,6 +290,7 @@ class Schema(unittest.TestCase):
                             "- {ground: true, outline: [[-9, -1], [9, -1], [9, 0], [-9, 0]]}\n- {slab: {width: 2, height: 1}}\n",
                             encoding="utf-8")
             for scene, key, target, low, high in ((slab, "friction_angle_deg", "fos=1.2", "34", "35"),
+                                                  (ROOT / "examples" / "blocks" / "wet_columns.yaml", "loads.anchors.1.force_kn", "limit_fos=1.3", "200", "240"),
                                                   (ROOT / "examples" / "blocks" / "wet_columns.yaml", "loads.anchors.1.force_kn", "fos=1.3", "200", "240"),
                                                   (example, "slope.dip_deg", "fos_goodman_bray=1", "29.9", "30.1")):
                 status, out, err = run("solve", "--json", "--find", key, "--for", target, "--from", low, "--to", high, scene)

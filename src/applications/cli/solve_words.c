@@ -72,7 +72,7 @@ static const struct argp_option options[] = {
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "so that critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos, "
-     "onset_angle or governing_fos has the value; of many blocks fos, limit_angle, "
+     "onset_angle or governing_fos has the value; of many blocks fos, limit_fos, limit_angle, "
      "fos_goodman_bray or critical_acceleration",
      1},
     {"from", KEY_FROM, "LOW", 0,

@@ -10,6 +10,7 @@
 #include "report/governing.h"
 #include "report/results.h"
 #include "report/solution_json.h"
+#include "report/system_words.h"
 
 #include <string.h>
 
@@ -18,11 +19,16 @@ static void add_none(tp_text *t, const tp_found *f, const tp_find_options *optio
   char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
   tp_text_significant(least, f->least, 12);
   tp_text_significant(greatest, f->greatest, 12);
-  tp_text_add(t, "  none in range: %s ", tp_find_target_name(options->target));
+  tp_text_add(t, "  none in range: %s%s ", f->is_upper_bound ? "the upper bound of " : "",
+              tp_find_target_name(options->target));
   if (strcmp(least, greatest) == 0) {
     tp_text_add(t, "is %s at every point examined\n", least);
   } else {
     tp_text_add(t, "goes from %s to %s there\n", least, greatest);
+  }
+  if (f->is_upper_bound && f->least.value < options->value && options->value < f->greatest.value) {
+    tp_text_add(t, "  where it passes the value, and at the numbers beyond that were tried, a "
+                   "smaller factor is\n  proven\n");
   }
 }
 
@@ -52,23 +58,30 @@ static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target 
   tp_text_add(t, "; use --for governing_fos\n");
 }
 
-/* What the factor of limit analysis alone does not say. */
 static const char *found_down(char out[TP_NUMBER_SIZE], double factor) {
   return tp_text_significant_down(out, (tp_bounded){factor, 0, NULL}, 5);
 }
 
-static void add_blocks(tp_text *t, const tp_found_blocks *b, const tp_find_options *options) {
-  static const double less = 1 - 1e-5; /* than what was searched for */
-  const tp_find_target target = options->target;
+static bool is_factor_of_many(tp_find_target target) {
+  return target == TP_FIND_FOS || target == TP_FIND_GOVERNING_FOS || target == TP_FIND_LIMIT_FOS ||
+         target == TP_FIND_FOS_GOODMAN_BRAY;
+}
+
+/* The factor of safety there, and what else is known. */
+static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
   char n[TP_NUMBER_SIZE];
-  if (target == TP_FIND_FOS) {
-    tp_text_add(t, "    fos is an upper bound: up to it forces can hold the blocks\n");
+  if (target == TP_FIND_LIMIT_FOS) {
+    tp_text_add(t, "    limit_fos is an upper bound: up to it forces can hold the blocks\n");
   }
-  if (target == TP_FIND_GOVERNING_FOS && b->has_moving_fos &&
-      b->moving_fos < less * options->value) {
-    tp_text_add(t,
-                "    governing_fos is an upper bound here: of more than six blocks motions are not "
-                "sought\n    in a search, and a smaller factor is proven\n");
+  if (is_factor_of_many(target)) {
+    tp_text_add(t, "    factor of safety there: ");
+    tp_text_system_safety(t, &b->governing_fos);
+    tp_text_system_against(t, &b->governing_fos);
+    tp_text_add(t, "\n");
+    if (b->is_upper_bound) {
+      tp_text_add(t, "    this is an upper bound: no smaller factor is proven there, and none is "
+                     "excluded\n");
+    }
   }
   switch (b->verdict) {
   case TP_SYSTEM_STANDS:
@@ -178,7 +191,7 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                   tp_text_significant(number, f->per_metre_kn[k], 9));
     }
     if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
-    if (f->blocks != NULL) add_blocks(&t, f->blocks + k, &own);
+    if (f->blocks != NULL) add_blocks(&t, f->blocks + k, own.target);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
     tp_text_add(&t,

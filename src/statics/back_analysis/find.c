@@ -13,6 +13,7 @@
  * come so close that the bound does not tell whether it touches it: a double solution, or none.
  * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
+#include "back_analysis/find_blocks.h"
 #include "back_analysis/find_least.h"
 #include "back_analysis/find_search.h"
 #include "back_analysis/find_stretches.h"
@@ -156,8 +157,8 @@ static void take_governing(tp_governing_fos *governing, const tp_solution *solut
 /* Which factor governs at what was found. */
 static void tell_governing(tp_search *s) {
   tp_found *found = s->found;
-  if (found->count == 0) return;
   if (s->of_many) tp_search_tell_blocks(s);
+  if (found->count == 0) return;
   if (s->of_many || !tp_find_target_is_factor(s->options->target)) return;
   found->governing = calloc(found->count, sizeof *found->governing);
   if (found->governing == NULL) {

@@ -96,6 +96,7 @@ static void note_tried(tp_search *s, const tp_sample *at, bool unbounded) {
   s->tried = all;
   tp_tried_standing standing = unbounded ? TP_TRIED_ABOVE : TP_TRIED_NONE;
   if (at->known) standing = by_side[tp_search_side(at) + 1];
+  if (at->is_bound && standing == TP_TRIED_ABOVE) standing = TP_TRIED_NEAR;
   all[s->tried_count++] = (tp_tried){.x = at->x, .standing = standing};
 }
 
@@ -123,6 +124,7 @@ tp_sample tp_search_sample(tp_search *s, double x) {
       s->of_many ? tp_search_take_system(&at, &unbounded, s) : take_from_case(&at, &unbounded, s);
   if (at.known) {
     note_result(s->found, at.result);
+    s->found->is_upper_bound = s->found->is_upper_bound || at.is_bound;
     at.gap = at.result;
     at.gap.value -= s->options->value;
     /* the difference is rounded once */

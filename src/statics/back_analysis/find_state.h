@@ -45,6 +45,7 @@ enum { TP_SAMPLE_DIGITS = 80, TP_SEARCH_POINTS = 512 };
 typedef struct tp_sample {
   double x;
   bool known;
+  bool is_bound; /* of many blocks: an upper bound alone */
   tp_bounded gap, result;
   tp_fos governing; /* the governing factor, where it was computed */
   char digits[TP_SAMPLE_DIGITS];

@@ -71,7 +71,7 @@ static double round_up(double number, int digits) {
 /* Are the result and the governing factor certain to be above the wanted value? */
 static bool is_enough(const tp_search *s, const tp_sample *at) {
   const tp_fos *g = &at->governing;
-  if (!at->known || tp_search_side(at) <= 0) return false;
+  if (!at->known || at->is_bound || tp_search_side(at) <= 0) return false;
   if (s->of_many || s->options->target == TP_FIND_GOVERNING_FOS ||
       g->state == TP_FOS_NO_OVERTURNING)
     return true;

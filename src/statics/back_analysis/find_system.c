@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Back-analysis of many blocks. While a number is looked for only limits and factors are computed,
- * without the motions that can begin; with each number that is found all of it, as limit analysis
- * alone does not say that the blocks stand. */
+/* Back-analysis of many blocks. While a factor of safety is looked for in a scene of more than a
+ * few of them, its upper bounds are computed alone, without the motions that can begin. At each
+ * number found everything is. Where a smaller factor is proven there, the number is moved to where
+ * none is, or given up. */
 
 #include "back_analysis/find_system.h"
 
@@ -32,9 +33,9 @@ tp_status tp_search_check_system(const tp_search *s) {
     return TP_OK;
   default:
     return tp_refuse(s->message, TP_FAULT_ARGUMENT, place,
-                     "%s is of one block on its base; of many blocks there are fos, by strength "
-                     "reduction, governing_fos, the lesser of that and the factor on what drives, "
-                     "limit_angle, critical_acceleration, and of columns fos_goodman_bray",
+                     "%s is of one block on its base; of many blocks there are fos, the factor of "
+                     "safety, limit_fos, its upper bound by strength reduction, limit_angle, "
+                     "critical_acceleration, and of columns fos_goodman_bray",
                      tp_find_target_name(s->options->target));
   }
 }
@@ -45,22 +46,25 @@ static void take_factor(tp_sample *at, bool *unbounded, const tp_fos *fos, bool 
   at->result = fos->value;
 }
 
-/* The one that governs; where proofs leave it open its upper bound, which is a proven motion or a
+bool tp_find_target_is_governing(tp_find_target target) {
+  return target == TP_FIND_FOS || target == TP_FIND_GOVERNING_FOS;
+}
+
+/* The factor of safety; where proofs leave it open its upper bound, which is a proven motion or a
  * limit of what forces can hold. */
 static void take_governing(tp_sample *at, bool *unbounded, const tp_system_safety *safety) {
-  *unbounded = isinf(safety->at_most);
-  at->known = safety->fos.state == TP_FOS_NUMBER || isfinite(safety->at_most);
-  at->result = safety->fos.state == TP_FOS_NUMBER ? safety->fos.value
-                                                  : (tp_bounded){.value = safety->at_most};
+  const bool is_number = safety->fos.state == TP_FOS_NUMBER;
+  at->is_bound = safety->fos.state == TP_FOS_UNDECIDED;
+  at->known = is_number || isfinite(safety->at_most);
+  at->result = is_number ? safety->fos.value : (tp_bounded){.value = safety->at_most};
+  at->result.digits = NULL;
+  *unbounded = isinf(safety->at_most) && !at->is_bound;
 }
 
 static void take_from_case(tp_sample *at, bool *unbounded, const tp_system_case *own,
                            tp_find_target target) {
   const tp_goodman_bray *columns = &own->goodman_bray;
   switch (target) {
-  case TP_FIND_GOVERNING_FOS:
-    take_governing(at, unbounded, &own->governing_fos);
-    break;
   case TP_FIND_LIMIT_ANGLE:
     *unbounded = own->limit == TP_SYSTEM_INTERLOCKED;
     at->known = own->limit == TP_SYSTEM_LIMIT_NUMBER;
@@ -85,6 +89,10 @@ static void take_from_case(tp_sample *at, bool *unbounded, const tp_system_case 
 /* The least over all directions; not known where one of them is not. */
 static void take_from_system(tp_sample *at, bool *unbounded, const tp_block_system *system,
                              tp_find_target target) {
+  if (tp_find_target_is_governing(target)) {
+    take_governing(at, unbounded, &system->governing_fos);
+    return;
+  }
   tp_sample least = *at;
   bool all_unbounded = true, all_known = true, any = false;
   for (size_t k = 0; k < system->case_count; k++) {
@@ -102,56 +110,32 @@ static void take_from_system(tp_sample *at, bool *unbounded, const tp_block_syst
   at->known = any && all_known;
 }
 
-tp_status tp_search_take_system(tp_sample *at, bool *unbounded, tp_search *s) {
+tp_status tp_search_solve_system(tp_block_system **system, tp_search *s, double x,
+                                 tp_motions_sought motions) {
   tp_scene *scene = NULL;
-  tp_block_system *system = NULL;
-  tp_status status = tp_varied_scene(&scene, &s->varied, &at->x, &s->why);
+  tp_status status = tp_varied_scene(&scene, &s->varied, &x, &s->why);
   if (status == TP_OK) {
-    const tp_motions_sought motions = s->options->target == TP_FIND_GOVERNING_FOS
-                                          ? tp_block_system_cheap_motions(scene)
-                                          : TP_MOTIONS_NONE;
-    status = tp_block_system_solve(&system, scene, &s->varied.options, motions, &s->why);
+    status = tp_block_system_solve(system, scene, &s->varied.options, motions, &s->why);
   }
-  if (status == TP_OK) take_from_system(at, unbounded, system, s->options->target);
-  tp_block_system_free(system);
   tp_scene_free(scene);
   return status;
 }
 
-static void tell_system(tp_found_blocks *blocks, const tp_system_case *own) {
-  const tp_goodman_bray *columns = &own->goodman_bray;
-  *blocks = (tp_found_blocks){.verdict = tp_system_case_worst_verdict(own),
-                              .has_standing_fos = own->has_standing_fos,
-                              .standing_fos = own->standing_fos,
-                              .has_moving_fos =
-                                  own->has_moving_fos && !(own->fos.state == TP_FOS_NUMBER &&
-                                                           own->moving_fos >= own->fos.value.value),
-                              .moving_fos = own->moving_fos,
-                              .has_fos_goodman_bray = columns->applies && columns->has_fos,
-                              .fos_goodman_bray = columns->fos};
+tp_motions_sought tp_search_cheap_motions(const tp_search *s) {
+  enum { FEW = 2 };
+  const tp_scene *scene = s->varied.scene;
+  long free_blocks = 0;
+  for (long k = 0; k < scene->many.count; k++) free_blocks += !scene->many.blocks[k].fixed;
+  return free_blocks <= FEW ? TP_MOTIONS_ALL : TP_MOTIONS_NONE;
 }
 
-void tp_search_tell_blocks(tp_search *s) {
-  tp_found *found = s->found;
-  found->blocks = calloc(found->count, sizeof *found->blocks);
-  if (found->blocks == NULL) {
-    s->status = tp_fail_memory(s->message, "the solutions");
-    return;
-  }
-  s->varied.options.strength_reduction = true;
-  for (size_t k = 0; k < found->count && s->status == TP_OK; k++) {
-    tp_scene *scene = NULL;
-    tp_block_system *system = NULL;
-    found->blocks[k].verdict = TP_SYSTEM_UNDECIDED;
-    tp_status status = tp_varied_scene(&scene, &s->varied, &found->solutions[k].value, &s->why);
-    if (status == TP_OK) {
-      status = tp_solve_block_system(&system, scene, &s->varied.options, &s->why);
-    }
-    if (status == TP_OK) tell_system(found->blocks + k, tp_system_governing(system));
-    if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
-      s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
-    }
-    tp_block_system_free(system);
-    tp_scene_free(scene);
-  }
+tp_status tp_search_take_system(tp_sample *at, bool *unbounded, tp_search *s) {
+  tp_block_system *system = NULL;
+  const tp_motions_sought motions = tp_find_target_is_governing(s->options->target)
+                                        ? tp_search_cheap_motions(s)
+                                        : TP_MOTIONS_NONE;
+  const tp_status status = tp_search_solve_system(&system, s, at->x, motions);
+  if (status == TP_OK) take_from_system(at, unbounded, system, s->options->target);
+  tp_block_system_free(system);
+  return status;
 }
