@@ -12,6 +12,7 @@ earthquake acts up-dip alone: a pressure that drives the block was left out. A s
 looked for from a number that is infinite."""
 
 import csv
+import fractions
 import json
 import math
 import random
@@ -193,6 +194,37 @@ class FactorLawLoads(GoverningCase):
         self.assertGreater(words["stands"], 0.3 * count, words)
         self.assertGreater(words["moves"], 0.05 * count, words)
         self.assertLess(words.get(None, 0), 0.05 * count, words)
+
+    def test_a_flank_that_parts_to_the_second_order(self):
+        """A block turns about its toe, and its valley moves along the next flank, which lies towards the toe: it parts from it. The
+        cohesion of that flank held the block (4.476, a dip of 39.368), though it bears nothing: by moments about the toe, in
+        rationals, it is 4.0215, from a dip of 35.395 on."""
+        profile = [(0, 0), (1, -1), (2.2, 0.2), (3.6, 0.9)]
+        outline = [*profile, (4, 3.9), (-0.8, 3.9)]
+        points = [(fractions.Fraction(str(x)), fractions.Fraction(str(y))) for x, y in outline]
+        area = x_area = y_area = 0
+        for (x0, y0), (x1, y1) in zip(points, points[1:] + points[:1]):
+            area += (x0 * y1 - x1 * y0) / 2
+            x_area += (x0 + x1) * (x0 * y1 - x1 * y0) / 6
+            y_area += (y0 + y1) * (x0 * y1 - x1 * y0) / 6
+        tangent = math.tan(math.radians(8))
+        for k in (0.05, 0.2):
+            x, y = float(x_area / area), float(y_area / area)
+            exact = x / (tangent * y + k * (y + tangent * x))
+            scene = Scene(outline, profile, 40, 8, seismic=(k, 0, "down_dip"), cohesion=30)
+            self.assertEqual(self.check(scene), "stands")
+            for _, (least, most), _ in (self.of_one(scene), self.of_many(scene)):
+                self.assertLessEqual(least, exact * (1 + NEAR), k)
+                self.assertGreaterEqual(most, exact * (1 - NEAR), k)
+
+    def test_an_undecided_state_counts(self):
+        """Under its earthquake the factor is not decided, at rest it is 5.8: this was the factor, and met, where 1.954 is right."""
+        profile = [(0, 0), (1.6, -1.1), (3.4, -0.1)]
+        scene = Scene([*profile, (3.2, 2.6), (-0.4, 2.6)], profile, 70, 15, on_slope=False, required=2.5, seismic=(0.1, 0.3, None), cohesion=30)
+        self.check(scene)
+        _, (least, _), meets = self.of_one(scene)
+        self.assertLessEqual(least, 1.954)
+        self.assertNotEqual(meets, "met")
 
     # ---- searches and sweeps ---------------------------------------------------------------------
 

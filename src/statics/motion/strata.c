@@ -18,7 +18,57 @@ typedef struct visiting {
   tp_mode_visit visit;
   void *context;
   tp_closed closed;
+  tp_cone_edge *chosen; /* of those that are closed */
 } visiting;
+
+/* The sense in which a closed point slips within the mode; 0: it sticks. */
+static int slip_in(const visiting *v, const tp_mode *mode, long point) {
+  int slip = 0;
+  for (int k = 0; k < mode->ray_count && slip == 0; k++) {
+    slip = tp_closed_slip(v->n, point, v->twists->rays + mode->rays[k]);
+  }
+  return slip;
+}
+
+/* The mode without the edges of `parted`, a bit for each of those that slip. */
+static tp_motion_outcome visit_parted(visiting *v, const tp_mode *mode, const long *slipping,
+                                      int count, unsigned parted) {
+  tp_mode chosen = *mode;
+  chosen.edge_count = 0;
+  for (long k = 0; k < mode->edge_count; k++) {
+    bool parts = false;
+    for (int s = 0; s < count; s++) parts = parts || (slipping[s] == k && (parted >> s & 1) != 0);
+    if (!parts) v->chosen[chosen.edge_count++] = mode->edges[k];
+  }
+  chosen.edges = v->chosen;
+  return chosen.edge_count > 0 ? v->visit(v->context, &chosen) : TP_MOTION_PROVEN;
+}
+
+/* Cohesion acts along a contact that stays closed. As a block turns, one that slips touches its
+ * facet to the first order alone: it may as well part, and holds nothing then. Without cohesion
+ * forces of zero are that already. */
+static tp_motion_outcome visit_choices(visiting *v, const tp_mode *mode) {
+  enum { MOST = 4 };
+  tp_motion_outcome done = v->visit(v->context, mode);
+  if (done != TP_MOTION_PROVEN || !v->bonded || tp_mode_slides(mode, v->twists)) return done;
+  long slipping[MOST];
+  int count = 0;
+  for (long k = 0; k < mode->edge_count; k++) {
+    const int slip = slip_in(v, mode, mode->edges[k].point);
+    if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
+    if (slip == 0) continue;
+    if (count == MOST) return TP_MOTION_TOO_DEAR;
+    slipping[count++] = k;
+  }
+  if (count == 0 || (count == 1 && mode->edge_count == 1)) return done;
+  v->chosen = malloc((size_t)mode->edge_count * sizeof *v->chosen);
+  if (v->chosen == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  for (unsigned parted = 1; parted < 1U << count && done == TP_MOTION_PROVEN; parted++) {
+    done = visit_parted(v, mode, slipping, count, parted);
+  }
+  free(v->chosen);
+  return done;
+}
 
 static tp_motion_outcome visit_ray(visiting *v, long ray) {
   const tp_motion_outcome found = tp_closed_of_ray(&v->closed, v->twists, ray, v->n);
@@ -28,7 +78,7 @@ static tp_motion_outcome visit_ray(visiting *v, long ray) {
                         .rays = {ray},
                         .edge_count = v->closed.edge_count,
                         .edges = v->closed.edges};
-  return v->visit(v->context, &mode);
+  return visit_choices(v, &mode);
 }
 
 static tp_motion_outcome visit_sector(visiting *v, long from, long to, long normal) {
@@ -41,7 +91,7 @@ static tp_motion_outcome visit_sector(visiting *v, long from, long to, long norm
                         .normal = normal,
                         .edge_count = v->closed.edge_count,
                         .edges = v->closed.edges};
-  return v->visit(v->context, &mode);
+  return visit_choices(v, &mode);
 }
 
 /* Of twists on a face, in their order from one end on: `cuts` has room for one more. A new one lies

@@ -187,7 +187,12 @@ tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
     return status;
   }
   l.governs->earthquake_count = l.count > 1 ? l.count : 0;
-  for (size_t k = 0; k < l.count; k++) l.governs->earthquakes[k] = l.all[k].earthquake;
+  for (size_t k = 0; k < l.count; k++) {
+    l.governs->earthquakes[k] = l.all[k].earthquake;
+    for (size_t c = 0; c < l.governs->case_count; c++) {
+      tp_case_add_state(l.governs->cases + c, &l.all[k].safety);
+    }
+  }
   *solution = l.governs;
   return TP_OK;
 }

@@ -180,6 +180,20 @@ tp_safety tp_case_safety(const tp_case *c) {
   return (tp_safety){.verdict = verdict_of(c), .least = g->at_least, .most = g->at_most};
 }
 
+void tp_case_add_state(tp_case *c, const tp_safety *other) {
+  tp_governing_fos *g = &c->governing_fos;
+  const bool is_less = other->least < g->at_least || other->most < g->at_most;
+  if (verdict_of(c) != TP_VERDICT_STANDS || g->fos.state == TP_FOS_NO_TILT || !is_less) return;
+  g->at_least = fmin(g->at_least, other->least);
+  g->at_most = fmin(g->at_most, other->most);
+  const tp_safety both = tp_case_safety(c);
+  const tp_fos fos = tp_safety_fos(&both);
+  if (fos.state != TP_FOS_UNDECIDED) return; /* the same to all digits that are proven */
+  g->fos = fos;
+  g->complete = g->has_utilisation = g->has_design_utilisation = false;
+  g->meets_required = tp_case_meets(c, g->required_fos.value);
+}
+
 tp_design tp_case_meets(const tp_case *c, double design_fos) {
   TP_GUARD_HOST;
   if (c == NULL) return TP_DESIGN_OPEN;

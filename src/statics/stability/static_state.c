@@ -137,10 +137,10 @@ tp_status tp_static_state_join(tp_solution **solution, const tp_scene *scene,
   for (size_t k = 0; status == TP_OK && k < count && k < other->case_count; k++) {
     const tp_case *shaken = (*solution)->cases + k, *resting = other->cases + k;
     const tp_safety of_shaken = tp_case_safety(shaken), of_resting = tp_case_safety(resting);
-    if (may_give_way(shaken) && (count == 1 || shaken->towards == resting->towards) &&
-        tp_safety_compare(&of_resting, &of_shaken) < 0) {
-      status = take(solution, &other, k, scene, message);
-    }
+    if (!may_give_way(shaken) || (count > 1 && shaken->towards != resting->towards)) continue;
+    const bool rests = tp_safety_compare(&of_resting, &of_shaken) < 0;
+    if (rests) status = take(solution, &other, k, scene, message);
+    tp_case_add_state((*solution)->cases + k, rests ? &of_shaken : &of_resting);
   }
   tp_solution_free(other);
   return status;
