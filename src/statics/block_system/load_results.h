@@ -18,8 +18,8 @@ TP_MUST_USE tp_status tp_load_results_set(tp_system_case *own, const tp_built_sy
 TP_MUST_USE tp_status tp_support_find(tp_system_case *own, const tp_built_system *system,
                                       const tp_resultant *resultant, tp_message *message);
 
-/* And from which force on no motion can begin (block_system/support_onset.h), where it was found; by
- * then the force of Goodman and Bray's method is known, where it applies. */
+/* And from which force on no motion can begin (block_system/support_onset.h), where it was found;
+ * by then the force of Goodman and Bray's method is known, where it applies. */
 TP_MUST_USE tp_status tp_support_onset(tp_system_case *own, const tp_built_system *system,
                                        const tp_resultant *resultant, tp_message *message);
 
