@@ -168,10 +168,10 @@ class Case(unittest.TestCase):
                 self.near(pose[key], twin[key], key)
             self.near(pose["least"]["tilt_deg"], twin["least"]["tilt_deg"], "tilt")
             self.assertEqual(pose["corners"], twin["corners"])
-        lasting = [sorted(p["persistence_m"]["value"] for p in g["poses"] if "persistence_m" in p) for g in (one, other)]
+        lasting = [sorted((p["persistence_m"] for p in g["poses"] if "persistence_m" in p), key=lambda p: p["value"]) for g in (one, other)]
         self.assertEqual(len(lasting[0]), len(lasting[1]))
         for a, b in zip(*lasting):
-            self.assertAlmostEqual(a, b, delta=1e-12 * max(1, b))
+            self.near(a, b, "persistence")
 
     def agrees(self, got, oracle, scale=1):
         """With facets found in whole numbers, each `scale` lengths."""

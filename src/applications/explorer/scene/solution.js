@@ -10,17 +10,21 @@ export function solutionOf(kind, printed) {
 }
 
 /** A solid has no cases of its own: one, of its wedge, of the contacts that the scene gives, or of the band that governs. */
-function casesOfSolid({ bands = [], wedge, contacts, governing_band: governing, tilt_angle_deg: tilt }) {
-  if (wedge !== undefined) return [{ mechanism: wedge.verdict, in_place: true, ...factorOf(wedge.fos, "slides") }];
+function casesOfSolid({ bands = [], wedge, contacts, safety, governing_band: governing, tilt_angle_deg: tilt }) {
+  if (wedge !== undefined) return [{ mechanism: wedge.verdict, in_place: true, ...factorOf(safety) }];
   const band = bands.find(({ band: one }) => one === governing) ?? bands[0];
   const stance = contacts ?? band?.stance;
   if (stance?.verdict === undefined) return band?.mechanism ? [{ mechanism: band.mechanism }] : [];
-  return [{ mechanism: stance.verdict, tilt_angle_deg: tilt > 0 ? { value: tilt, error: 0 } : undefined, ...factorOf(stance.fos, stance.fos_mechanism) }];
+  return [{ mechanism: stance.verdict, tilt_angle_deg: tilt > 0 ? { value: tilt, error: 0 } : undefined, ...factorOf(safety) }];
 }
 
-/** @param {object|null|undefined} fos @param {string} mechanism that it is against */
-function factorOf(fos, mechanism) {
-  return fos === undefined || fos === null ? {} : { governing_fos: { fos, mechanism, complete: true } };
+/** The factor that governs a solid, or its upper bound where it is not decided. @param {object|undefined} safety */
+function factorOf(safety) {
+  if (safety === undefined) return {};
+  const { fos, most, mechanism = "slides", fos_is } = safety;
+  if (fos !== null) return { governing_fos: { fos, mechanism, complete: true } };
+  if (most === undefined || most === null) return { governing_fos: { fos, fos_is } };
+  return { governing_fos: { fos: { value: most, error: 0 }, mechanism, complete: false } };
 }
 
 /** Whether of many blocks the factor on driving loads is certainly the lesser of the two, and governs. */
