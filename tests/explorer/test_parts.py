@@ -137,15 +137,17 @@ class Parts(unittest.TestCase):
         self.assertEqual(kinds, {"stands", "may-move", "moves"})
 
     def test_lesser_factor_governs(self):
-        """Of many blocks the factor on what drives where it is certainly less, as the badge and the gallery say it; of a rock the one
-        that its answer begins with, which is the lesser already."""
+        """Of many blocks the factor on what drives where it is certainly less, as the badge and the gallery say it; of a rock that of the
+        rule, or its upper bound where it is not decided, and never that of its contacts or its wedge."""
         fos = lambda value: {"value": value, "error": 0.01}
-        solids = [{"contacts": {"verdict": "stands", "fos": fos(2), "fos_mechanism": "slides", "fos_friction": fos(7), "fos_driving": fos(2)}},
-                  {"wedge": {"verdict": "slides", "fos": fos(0.5)}}]
+        contacts = {"verdict": "stands", "fos": fos(9), "fos_mechanism": "slides"}
+        solids = [{"contacts": contacts, "safety": {"fos": fos(2), "mechanism": "slides", "least": 1.99, "most": 2.01}},
+                  {"contacts": contacts, "safety": {"fos": None, "fos_is": "undecided", "mechanism": "topples", "least": 1, "most": 6.5}},
+                  {"wedge": {"verdict": "slides", "fos": fos(0.7)}, "safety": {"fos": fos(0.5), "mechanism": "slides"}}]
         blocks = [{"fos": fos(4.3), "fos_driving": fos(1.03)}, {"fos": fos(2), "fos_driving": fos(1.995)}, {"fos": None, "fos_driving": fos(3)}]
         body = "return [...given[0].map((own) => it.solutionOf('solid', JSON.stringify(own)).cases[0]), ...given[1]].map((one) => it.governingFactor(one).value);"
         found = node(PANELS.parent / "scene" / "solution.js", body, [solids, blocks])
-        self.assertEqual(found, [2, 0.5, 1.03, 2, 3])
+        self.assertEqual(found, [2, 6.5, 0.5, 1.03, 2, 3])
 
     def test_map_of_few_points(self):
         """A plane of three regions with a curved border, a disc and a corner: every one of 201 × 201 points is right, and

@@ -178,10 +178,12 @@ class Case(unittest.TestCase):
         poses = oracle.poses()
         self.assertEqual((got["facets"], len(got["poses"])), (len(oracle.facets), len(poses)))
         for pose in got["poses"]:
-            normal, share, tan2 = max(poses, key=lambda p: sum(a * b for a, b in zip(p[0], pose["down"])))
-            self.assertAlmostEqual(sum(a * b for a, b in zip(normal, pose["down"])), 1, 12)
-            self.assertAlmostEqual(pose["share"]["value"], share, 9)
             tilt = pose["least"]["tilt_deg"]
+            # facets that rounding has split differ by less than this in their normals, and by more in their tilts
+            alike = [p for p in poses if sum(a * b for a, b in zip(p[0], pose["down"])) > 1 - 1e-12]
+            self.assertTrue(alike, pose["down"])
+            _, share, tan2 = min(alike, key=lambda p: abs(math.degrees(math.atan(math.sqrt(p[2]))) - tilt["value"]))
+            self.assertAlmostEqual(pose["share"]["value"], share, 9)
             self.assertAlmostEqual(tilt["value"], math.degrees(math.atan(math.sqrt(tan2))), delta=tilt["error"] + 1e-12)
         rises = sorted(pose["persistence_m"]["value"] for pose in got["poses"] if "persistence_m" in pose)
         for rise, truth in zip(rises, sorted(float(r * scale) for r in oracle.persistences())):
