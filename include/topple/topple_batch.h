@@ -117,7 +117,7 @@ typedef struct tp_batch {
  * factor over that required, or over 1, the least first, then by name and by line. An undecided
  * factor counts by its upper bound, then by its lower one. A row that is wrong stops nothing; a
  * head that is wrong, or a file that is no table, is bad input of the whole. The same by any number
- * of threads. `*batch` is the caller's, to be freed by tp_batch_free. TP_DEPENDENCY_FAILED. */
+ * of threads. The caller frees `*batch` with tp_batch_free. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_batch_solve(tp_batch **batch, const char *path,
                                      const tp_batch_options *options, tp_message *message);
 

@@ -72,18 +72,18 @@ typedef struct tp_found_stretch {
   bool ends;        /* the same, just after it */
 } tp_found_stretch;
 
-/* What else is known of many blocks with a number that was found. */
+/* Further results for many blocks at a number that was found. */
 typedef struct tp_found_blocks {
   tp_system_verdict verdict;      /* what they do, with the scene's own strength */
   bool has_standing_fos;          /* they stand: */
   double standing_fos;            /* if has_standing_fos: as in tp_system_case */
   bool has_moving_fos;            /* a motion was found while forces can hold them: */
-  double moving_fos;              /* if has_moving_fos: likewise */
-  bool has_fos_goodman_bray;      /* of columns in a row, where some friction is enough: */
+  double moving_fos;              /* if has_moving_fos: as in tp_system_case */
+  bool has_fos_goodman_bray;      /* the blocks are columns in a row that some friction holds: */
   double fos_goodman_bray;        /* if has_fos_goodman_bray: the factor by Goodman and Bray */
   tp_system_safety governing_fos; /* the factor of safety there, with all motions that are looked
                                      for */
-  bool is_upper_bound; /* that is known from above alone: no smaller factor is proven, and none is
+  bool is_upper_bound; /* the factor is only bounded above: a smaller one is neither proven nor
                           excluded */
 } tp_found_blocks;
 
@@ -121,8 +121,8 @@ typedef struct tp_found {
   tp_bounded design_result; /* if has_design: the target there, certain to be above the value */
   tp_found_blocks *blocks; /* if blocks != NULL: of each solution, of a scene of many blocks: of the
                               direction that governs there */
-  bool is_upper_bound;     /* of many blocks: results at numbers that were tried, so `least` and
-                              `greatest`, are upper bounds alone */
+  bool is_upper_bound;     /* many blocks: the results at the numbers that were tried, and so
+                              `least` and `greatest`, are only upper bounds */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction,

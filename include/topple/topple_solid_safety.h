@@ -32,10 +32,10 @@ typedef struct tp_solid_factor {
   double most;                  /* infinite: no upper bound is proven, or as above */
 } tp_solid_factor;
 
-/* The most that there are of each. */
+/* The greatest numbers of entries. */
 enum {
-  TP_SOLID_FACTORS = 3, /* of a state */
-  TP_SOLID_STATES = 4   /* of a solid */
+  TP_SOLID_FACTORS = 3, /* factors in a state */
+  TP_SOLID_STATES = 4   /* states of a solid */
 };
 
 /* A solid under one set of loads. */
@@ -43,20 +43,20 @@ typedef struct tp_solid_state {
   bool is_static;                            /* without its earthquake */
   bool has_mean_normals;                     /* on a ground, with the mean of all normals */
   tp_solid_outlook motion;                   /* can a motion begin? */
-  double least, most;                        /* of its factor: the least of the factors */
-  size_t factor_count;                       /* of those that are known */
+  double least, most;                        /* the bounds of its factor, the least of `factors` */
+  size_t factor_count;                       /* the number of known factors */
   tp_solid_factor factors[TP_SOLID_FACTORS]; /* factor_count of them */
 } tp_solid_state;
 
 /* Over all states. The state that governs is the most severe; the factor is the least of all. */
 typedef struct tp_solid_safety {
-  tp_solid_outlook motion; /* of the state that governs */
+  tp_solid_outlook motion; /* the answer for the state that governs */
   tp_fos fos;              /* a number where both bounds agree to a thousandth, else why not */
   double least, most;      /* its proven bounds; 0 and infinite where nothing is proven */
   bool has_factor;         /* the state that governs has one that governs: */
   tp_solid_factor factor;  /* if has_factor: that */
   size_t governing;        /* that state */
-  size_t state_count;      /* of those that it has */
+  size_t state_count;      /* the number of states */
   tp_solid_state states[TP_SOLID_STATES]; /* state_count of them */
 } tp_solid_safety;
 

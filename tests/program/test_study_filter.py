@@ -56,15 +56,8 @@ friction_angle_deg: 36
 tilt: {towards: left, angle_deg: 12}
 """
 
-# bonds and an earthquake: of its toe the moments are in closed form (test_rows_are_shaken)
-BONDED = """topple: 1
-length_unit: m
-block:
-  outline: [[0, 0], [0.5, -0.05], [1.2, 0], [1.2, 2.4], [0, 2.4]]
-  thickness: 2
-  unit_weight_kn_m3: 26
-base: {mated: true, between: [[0, 0], [1.2, 0]], beyond: {left: 0.5, right: 0.5}}
-loads: {seismic: {horizontal: 0.05, direction: down_dip}, cohesion_kpa: 5, bond_kpa: 3}
+# bonds and an earthquake: the moments about its toe are in closed form (test_rows_are_shaken)
+BONDED = LOADED[:LOADED.index("loads:")] + """loads: {seismic: {horizontal: 0.05, direction: down_dip}, cohesion_kpa: 5, bond_kpa: 3}
 friction_angle_deg: 34
 tilt: {towards: left, angle_deg: 12}
 """

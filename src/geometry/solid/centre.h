@@ -19,9 +19,9 @@
 typedef struct tp_centre {
   const tp_surface *surface;
   const tp_surface *summed; /* within which all is of one weight; NULL: there is none */
-  tp_level level;           /* of the sums: double or exact */
+  tp_level level;           /* the level of the sums: double or exact */
   tp_near near[3];          /* G, as the surface's `near` */
-  tp_near volume6;          /* V6, likewise */
+  tp_near volume6;          /* V6, as the surface has it */
   fmpz_t weight4;           /* 4 V6 and M, at the level exact */
   fmpz moment[3];
 } tp_centre;

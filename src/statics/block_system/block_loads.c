@@ -207,23 +207,16 @@ static void add_push(arb_t push, const tp_block_loads *loads, const tp_block_loa
   arb_add(push, push, own->wrench.y.of + TP_ONE, BITS);
 }
 
-/* A push that is zero counts as driving, as balls may not distinguish it from one that is not; so
- * it does for one block (onset/onset_driving.c). */
-static bool water_drives(const tp_block_loads *loads) {
+/* Does one force drive, or, where it is NULL, all water together? A push that is zero counts as
+ * driving, as balls may not distinguish it from one that is not; so it does for one block
+ * (onset/onset_driving.c). */
+static bool pushes_out(const tp_block_loads *loads, const tp_block_load *force) {
   arb_t push;
   arb_init(push);
   for (long k = 0; k < loads->count; k++) {
-    if (tp_block_load_is_water(loads->items + k)) add_push(push, loads, loads->items + k);
+    const tp_block_load *load = loads->items + k;
+    if (force != NULL ? load == force : tp_block_load_is_water(load)) add_push(push, loads, load);
   }
-  const bool does = !arb_is_negative(push);
-  arb_clear(push);
-  return does;
-}
-
-static bool force_drives(const tp_block_loads *loads, const tp_block_load *own) {
-  arb_t push;
-  arb_init(push);
-  add_push(push, loads, own);
   const bool does = !arb_is_negative(push);
   arb_clear(push);
   return does;
@@ -236,7 +229,7 @@ static bool drives(const tp_block_loads *loads, const tp_block_load *own, bool o
     return of_water;
   case TP_SYSTEM_LOAD_PRESSURE:
   case TP_SYSTEM_LOAD_FORCE:
-    return force_drives(loads, own);
+    return pushes_out(loads, own);
   default:
     return false;
   }
@@ -270,7 +263,7 @@ static tp_status apply_all(tp_block_loads *loads, const tp_assemblage *a, tp_mes
   arb_set_fmpq(units + 2, a->lattice.step_m, BITS);
   arb_mul_2exp_si(units + 2, units + 2, a->length_exponent);
   arb_mul(units + 2, units + 2, units, BITS);
-  const bool of_water = water_drives(loads);
+  const bool of_water = pushes_out(loads, NULL);
   for (long k = 0; k < loads->count; k++) {
     const tp_block_load *own = loads->items + k;
     apply_one(loads, own, ROW * a->blocks[own->block].number, units, drives(loads, own, of_water));

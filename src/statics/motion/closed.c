@@ -254,3 +254,12 @@ tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ray *from, con
   }
   return done;
 }
+
+int tp_closed_slip_in(const tp_normals *n, const tp_twists *twists, const tp_mode *mode,
+                      long point) {
+  int slip = 0;
+  for (int k = 0; k < mode->ray_count && slip == 0; k++) {
+    slip = tp_closed_slip(n, point, twists->rays + mode->rays[k]);
+  }
+  return slip;
+}

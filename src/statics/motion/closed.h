@@ -32,4 +32,8 @@ TP_MUST_USE tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ra
 /* The sense in which a point slips, up-dip 1 or down-dip -1; 0 where it sticks, TP_OPEN_SIGN. */
 int tp_closed_slip(const tp_normals *normals, long point, const tp_ray *ray);
 
+/* The same within a mode: the sense on the first of its rays on which the point slips. */
+int tp_closed_slip_in(const tp_normals *normals, const tp_twists *twists, const tp_mode *mode,
+                      long point);
+
 #endif

@@ -21,15 +21,6 @@ typedef struct visiting {
   tp_cone_edge *chosen; /* of those that are closed */
 } visiting;
 
-/* The sense in which a closed point slips within the mode; 0: it sticks. */
-static int slip_in(const visiting *v, const tp_mode *mode, long point) {
-  int slip = 0;
-  for (int k = 0; k < mode->ray_count && slip == 0; k++) {
-    slip = tp_closed_slip(v->n, point, v->twists->rays + mode->rays[k]);
-  }
-  return slip;
-}
-
 /* The mode without the edges of `parted`, a bit for each of those that slip. */
 static tp_motion_outcome visit_parted(visiting *v, const tp_mode *mode, const long *slipping,
                                       int count, unsigned parted) {
@@ -54,7 +45,7 @@ static tp_motion_outcome visit_choices(visiting *v, const tp_mode *mode) {
   long slipping[MOST];
   int count = 0;
   for (long k = 0; k < mode->edge_count; k++) {
-    const int slip = slip_in(v, mode, mode->edges[k].point);
+    const int slip = tp_closed_slip_in(v->n, v->twists, mode, mode->edges[k].point);
     if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (slip == 0) continue;
     if (count == MOST) return TP_MOTION_TOO_DEAR;

@@ -55,15 +55,6 @@ typedef struct gathering {
   const tp_mode *mode;
 } gathering;
 
-/* The sense of slip within the mode. */
-static int slip_of(const gathering *g, long point) {
-  int slip = 0;
-  for (int k = 0; k < g->mode->ray_count && slip == 0; k++) {
-    slip = tp_closed_slip(g->n, point, g->twists->rays + g->mode->rays[k]);
-  }
-  return slip;
-}
-
 /* A force times a factor at a point of the cones, with its moment about the centroid. */
 static void set_force(tp_vector *force, const gathering *g, const arb_t x, const arb_t y,
                       const arb_t factor, long point, bool pull) {
@@ -136,7 +127,7 @@ static void add_slide_pulls(gathering *g) {
 static tp_motion_outcome add_shear(gathering *g, const tp_capacity *own, long closed) {
   tp_strength *s = g->strength;
   const tp_cones *cones = g->q->cones;
-  const int slip = slip_of(g, closed);
+  const int slip = tp_closed_slip_in(g->n, g->twists, g->mode, closed);
   if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (arb_is_zero(own->shear)) return TP_MOTION_PROVEN;
   tp_vector force;
