@@ -80,13 +80,13 @@ bool tp_text_system_standing_support(tp_text *t, const tp_system_case *c) {
   if (!own->was_sought || stands_without(c)) return false;
   const char *moving = own->has_moving ? force_down(n[2], own->moving_n_m) : "";
   if (own->has_standing && own->has_moving) {
-    tp_text_add(t, "%s to %s kN/m; with %s kN/m one can", force_up(n[0], own->standing_n_m),
-                force_down(n[1], own->standing_to_n_m), moving);
+    tp_text_add(t, "%s to %s kN/m; a motion can begin with %s kN/m",
+                force_up(n[0], own->standing_n_m), force_down(n[1], own->standing_to_n_m), moving);
   } else if (own->has_standing) {
     tp_text_add(t, "%s to %s kN/m", force_up(n[0], own->standing_n_m),
                 force_down(n[1], own->standing_to_n_m));
   } else if (own->has_moving) {
-    tp_text_add(t, "undecided; with %s kN/m one can", moving);
+    tp_text_add(t, "undecided; a motion can begin with %s kN/m", moving);
   } else {
     tp_text_add(t, "undecided");
   }
