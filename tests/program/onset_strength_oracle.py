@@ -16,6 +16,7 @@ That is the law "touching". By "found" the last may be any pull: so the onset is
 whose points open may still be sheared by up to its cohesion, against its motion along itself."""
 
 from fractions import Fraction
+from itertools import combinations
 
 from limit_oracle import along, cross2, minus, unit
 from onset_oracle import DOWN, PARTS, STICKS, UP, Onset, dot, maximise, sign
@@ -74,20 +75,22 @@ class StrongOnset(Onset):
         x, y = place
         return (force[0], force[1], (x * force[1] - y * force[0]) / self.gyration)
 
-    def friction(self, states):
+    def friction(self, states, parted):
         found = []
         for k, (((x, y), (tx, ty), _, _), state) in enumerate(zip(self.contacts, states)):
+            if k in parted:
+                continue
             for side in {STICKS: (1, -1), UP: (-1,), DOWN: (1,)}.get(state, ()) if self.bears(k, state) else ():
                 tan = self.tangent_at(k)
                 found.append(self.column((x, y), (-ty + side * tan * tx, tx + side * tan * ty)))
         return found
 
-    def strength(self, states, law):
+    def strength(self, states, parted, law):
         """What is fixed, and groups of columns whose factors add up to 1 at most, or to anything (None)."""
         fixed, groups = [], []
         for places, ends, line, shear, pull in self.facets:
             on_line = [s for s, own in zip(states, self.lines) if own == line]
-            closed = [s for s in on_line if not opens(s)]
+            closed = [k for k, own in enumerate(self.lines) if own == line and k not in parted and not opens(states[k])]
             slip = slip_of(on_line[0])
             back = self.column(places[0], tuple(-x for x in shear) if slip == UP else shear)
             if closed and slip != STICKS:
@@ -107,14 +110,24 @@ class StrongOnset(Onset):
         square = 1 + half * half
         load = (-2 * half / square, -(1 - half * half) / square, Fraction(0))
         for states, twist in self.all_modes:
-            if self.is_possible(states, twist, load, law):
-                return states
+            for parted, turn in self.partings(states):
+                if self.is_possible(states, parted, twist or turn, load, law):
+                    return states
         return None
 
-    def is_possible(self, states, twist, load, law):
-        fixed, groups = self.strength(states, law)
+    @staticmethod
+    def partings(states):
+        """Every set of contacts that part though they touch to the first order, and the sense in which the block turns."""
+        slipping = [k for k, state in enumerate(states) if state in (UP, DOWN)]
+        yield set(), ()
+        for count in range(1, len(slipping) + 1):
+            for parted in combinations(slipping, count):
+                yield from ((set(parted), (0, 0, sense)) for sense in (1, -1))
+
+    def is_possible(self, states, parted, twist, load, law):
+        fixed, groups = self.strength(states, parted, law)
         load = tuple(sum(own) for own in zip(load, *fixed))
-        forces = self.friction(states)
+        forces = self.friction(states, parted)
         rows = []
         for ways, most in groups:
             if most is not None:

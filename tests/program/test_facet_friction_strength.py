@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import exact
 from facet_scenes import angle_text, besides, draw_tangents, friction_text, pieces, rough_contacts, spans
-from harness import ROUNDS, main
+from harness import ROUNDS, main, rounds
 from limit_forces import Base, wrench
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
 from onset_case import rough_tangent
@@ -84,12 +84,12 @@ class Strength(unittest.TestCase):
     def test_onset(self):
         random.seed(181)
         self.above = 0
-        for _ in range(20 * ROUNDS):
+        for _ in range(rounds(6, 20) * ROUNDS):
             for side, case, trial in self.draw():
                 with self.subTest(scene=self.scene.text, side=side):
                     self.assertNotEqual(case["onset"]["kind"], "undecided")
                     self.compare(case, trial)
-        self.assertGreater(self.above, 3)
+        self.assertGreater(self.above, rounds(1, 3))
 
     def test_limit(self):
         """Slopes in pieces with an anchor: the tilts that hold, and those with all strength divided by the factor."""

@@ -37,7 +37,8 @@ static tp_motion_outcome visit_parted(visiting *v, const tp_mode *mode, const lo
 
 /* Cohesion acts along a contact that stays closed. As a block turns, one that slips touches its
  * facet to the first order alone: it may as well part, and holds nothing then. Without cohesion
- * forces of zero are that already. */
+ * forces of zero are that already. Where two contacts slip and no other is closed, the mode in
+ * which one parts is the end of the face on which the other alone is closed. */
 static tp_motion_outcome visit_choices(visiting *v, const tp_mode *mode) {
   enum { MOST = 4 };
   tp_motion_outcome done = v->visit(v->context, mode);
@@ -51,7 +52,7 @@ static tp_motion_outcome visit_choices(visiting *v, const tp_mode *mode) {
     if (count == MOST) return TP_MOTION_TOO_DEAR;
     slipping[count++] = k;
   }
-  if (count == 0 || (count == 1 && mode->edge_count == 1)) return done;
+  if (count == 0 || (count == mode->edge_count && count <= 2)) return done;
   v->chosen = malloc((size_t)mode->edge_count * sizeof *v->chosen);
   if (v->chosen == NULL) return TP_MOTION_OUT_OF_MEMORY;
   for (unsigned parted = 1; parted < 1U << count && done == TP_MOTION_PROVEN; parted++) {
