@@ -214,7 +214,7 @@ class FactorLawLoads(GoverningCase):
 
     def test_bonds_and_anchors(self):
         draw, words = random.Random(63), {}
-        for _ in range(rounds(60, 2000)):
+        for _ in range(rounds(40, 2000)):
             scene = self.strong(draw)
             if scene is not None:
                 word = self.check(scene)
