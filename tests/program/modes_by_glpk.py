@@ -142,7 +142,8 @@ class Blocks:
 
     def _moves(self, gravity, divisor, modes):
         width, count = 3 * len(self.free), len(self.contacts)
-        p = Program(width + 3 * count + 4 * len(self.pairs))
+        pulls = width + 3 * count + 4 * len(self.pairs)  # of bonds, at both ends of each contact
+        p = Program(pulls + 2 * count)
         weights = {k: self.weight * float(self.places[k][0]) for k in self.free}
         newton = [{} for _ in range(width)]
         loads = [0.0] * width
@@ -159,8 +160,14 @@ class Blocks:
             span = abs((ends[1][0] - ends[0][0]) * t[0] + (ends[1][1] - ends[0][1]) * t[1])
             tangent, cohesion, tension = (v / divisor for v in self.strength_of(i, j))
             middle = tuple((a + b) / 2 for a, b in zip(*ends))
-            for r, v in self.push(i, j, n, middle).items():  # what bears so much less may pull by that
-                loads[r] -= tension * span * v
+            whole = first and second  # a bond pulls by any share of it, anywhere; by all of it, at its middle, where the contact opens
+            for r, v in self.push(i, j, n, middle).items():
+                loads[r] -= 0 if whole else tension * span * v
+            for k, end in enumerate(ends):
+                p.add({pulls + 2 * c + k: 1}, _LOWER if whole else _FIXED)
+                for r, v in self.push(i, j, n, end).items():
+                    newton[r][pulls + 2 * c + k] = newton[r].get(pulls + 2 * c + k, 0) + v
+            p.add({pulls + 2 * c: 1, pulls + 2 * c + 1: 1}, _UPPER, tension * span)
             own = [width + 3 * c + k for k in range(3)]  # N at both ends, T
             for k, (closed, end) in enumerate(zip((first, second), ends)):
                 opening = self.push(i, j, n, end)

@@ -139,7 +139,7 @@ class DrivingLoads(GoverningCase):
 
     def test_other_loads(self):
         """A column on level ground under one load each, by moments about its toe: a pressure and a force that push it, water behind it with
-        its uplift, a surcharge on a slope, which counts by its components, a bolt, which rests."""
+        its uplift, a surcharge on a slope, which counts by its components, a bolt, which rests where it is passive, else is taken from what drives."""
         width, height, gamma = 2, 6, 25
         weight, block = width * height * gamma, column(width, height)
         water, depth = 9.81, 3
@@ -157,10 +157,12 @@ class DrivingLoads(GoverningCase):
         loaded = scene_of([block], tilted(4) + "loads:\n  surcharges: [{block: column, from: [2, 6], to: [0, 6], kpa: 20}]\n", 80)
         truth = (weight + 40) * cosine / ((weight * height / 2 + 40 * height) * sine)
         self.encloses(self.case(loaded)["fos_driving"], truth, loaded)
-        bolted = scene_of([block], tilted(4) + "loads:\n  anchors: [{block: column, at: [0, 5], to: [9, -1], force_kn: 20}]\n", 80)
-        held = 20 * 9 / math.hypot(9, 6) * 5  # about the toe, above which its head is
-        truth = (weight * cosine * width / 2 + held) / (weight * sine * height / 2)
-        self.encloses(self.case(bolted)["fos_driving"], truth, bolted)
+        held = 5 * 9 / math.hypot(9, 6) * 5  # about the toe, above which its head is
+        rests, drives = weight * cosine * width / 2, weight * sine * height / 2
+        for passive, truth in (("true", (rests + held) / drives), ("false", rests / (drives - held))):
+            bolted = scene_of([block], tilted(4) + f"loads:\n  anchors: [{{block: column, at: [0, 5], to: [9, -1], force_kn: 5, passive: {passive}}}]\n",
+                              80)
+            self.encloses(self.case(bolted)["fos_driving"], truth, bolted)
 
     def test_multiplied_by_hand(self):
         """Columns under a pressure that is multiplied in the scene: just below the factor forces hold them, just above none do."""

@@ -60,9 +60,9 @@ void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   case TP_FOS_UNDECIDED:
     tp_text_add(t, "FoS undecided at the precision allowed");
     if (g->at_least > 0)
-      tp_text_add(t, ", at least %s", tp_text_fixed(n, (tp_bounded){.value = g->at_least}, 3));
+      tp_text_add(t, ", at least %s", tp_text_fixed_down(n, (tp_bounded){.value = g->at_least}, 3));
     if (isfinite(g->at_most))
-      tp_text_add(t, ", at most %s", tp_text_fixed(n, (tp_bounded){.value = g->at_most}, 3));
+      tp_text_add(t, ", at most %s", tp_text_fixed_up(n, (tp_bounded){.value = g->at_most}, 3));
     return;
   case TP_FOS_NOT_ASKED:
     tp_text_add(t, "No FoS: turning is blocked about every pivot");

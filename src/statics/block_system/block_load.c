@@ -56,16 +56,16 @@ static void move_to_block(tp_wrench *own, const tp_wrench *wrench, const tp_asse
 }
 
 tp_status tp_block_loads_add(tp_block_loads *loads, const tp_placed_blocks *blocks,
-                             tp_system_load_kind kind, long block, const tp_wrench *wrench,
-                             bool reversed, tp_message *message) {
-  const tp_rigid_block *rigid = blocks->assemblage->blocks + block;
+                             const tp_block_load *load, bool reversed, tp_message *message) {
+  const tp_rigid_block *rigid = blocks->assemblage->blocks + load->block;
   if (rigid->number < 0) return TP_OK;
   if (!make_room(loads)) return tp_fail_memory(message, "the loads");
   tp_block_load *own = loads->items + loads->count++;
-  own->kind = kind;
-  own->block = block;
+  own->kind = load->kind;
+  own->active = load->active;
+  own->block = load->block;
   tp_wrench_init(&own->wrench);
-  move_to_block(&own->wrench, wrench, blocks->assemblage, rigid);
+  move_to_block(&own->wrench, &load->wrench, blocks->assemblage, rigid);
   if (!reversed) return TP_OK;
   negate(&own->wrench.x);
   negate(&own->wrench.y);

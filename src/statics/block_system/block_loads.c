@@ -39,12 +39,12 @@ typedef void evaluation(tp_wrench *wrench, const tp_line_load *line,
 /* On one block. */
 static tp_status add_line(const gathering *g, const tp_line_load *line, long block,
                           tp_system_load_kind kind, evaluation *evaluate) {
-  tp_wrench wrench;
-  tp_wrench_init(&wrench);
-  evaluate(&wrench, line, g->setting);
-  const tp_status status =
-      tp_block_loads_add(g->loads, g->blocks, kind, block, &wrench, false, g->message);
-  tp_wrench_clear(&wrench);
+  const bool supports = kind == TP_SYSTEM_LOAD_SUPPORT_PRESSURE;
+  tp_block_load load = {.kind = kind, .active = supports && !line->passive, .block = block};
+  tp_wrench_init(&load.wrench);
+  evaluate(&load.wrench, line, g->setting);
+  const tp_status status = tp_block_loads_add(g->loads, g->blocks, &load, false, g->message);
+  tp_wrench_clear(&load.wrench);
   return status;
 }
 
@@ -95,19 +95,16 @@ static tp_status add_lines(const gathering *g, const tp_line_load *lines, long c
 }
 
 static tp_status add_bolt(const gathering *g, const tp_anchor_description *anchor, long row) {
-  long head = -1, into = -1;
-  tp_wrench wrench;
-  tp_status status = tp_block_bolt_ends(&head, &into, g->blocks, anchor, row, g->message);
+  long into = -1;
+  tp_block_load load = {.kind = TP_SYSTEM_LOAD_ANCHOR, .active = !anchor->passive};
+  tp_status status = tp_block_bolt_ends(&load.block, &into, g->blocks, anchor, row, g->message);
   if (status != TP_OK) return status;
-  tp_wrench_init(&wrench);
-  tp_load_anchor(&wrench, anchor, row, g->setting);
-  status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, head, &wrench, false,
-                              g->message);
-  if (status == TP_OK) {
-    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_ANCHOR, into, &wrench, true,
-                                g->message);
-  }
-  tp_wrench_clear(&wrench);
+  tp_wrench_init(&load.wrench);
+  tp_load_anchor(&load.wrench, anchor, row, g->setting);
+  status = tp_block_loads_add(g->loads, g->blocks, &load, false, g->message);
+  load.block = into;
+  if (status == TP_OK) status = tp_block_loads_add(g->loads, g->blocks, &load, true, g->message);
+  tp_wrench_clear(&load.wrench);
   return status;
 }
 
@@ -147,15 +144,13 @@ static tp_status add_forces(const gathering *g) {
   const tp_loads_description *d = &g->blocks->scene->loads;
   tp_status status = TP_OK;
   for (long k = 0; k < d->force_count && status == TP_OK; k++) {
-    long block = -1;
-    tp_wrench wrench;
-    status = find_pushed(&block, g, d->forces + k);
+    tp_block_load load = {.kind = TP_SYSTEM_LOAD_FORCE, .block = -1};
+    status = find_pushed(&load.block, g, d->forces + k);
     if (status != TP_OK) break;
-    tp_wrench_init(&wrench);
-    tp_load_anchor(&wrench, d->forces + k, 0, g->setting);
-    status = tp_block_loads_add(g->loads, g->blocks, TP_SYSTEM_LOAD_FORCE, block, &wrench, false,
-                                g->message);
-    tp_wrench_clear(&wrench);
+    tp_wrench_init(&load.wrench);
+    tp_load_anchor(&load.wrench, d->forces + k, 0, g->setting);
+    status = tp_block_loads_add(g->loads, g->blocks, &load, false, g->message);
+    tp_wrench_clear(&load.wrench);
   }
   return status;
 }
@@ -230,6 +225,9 @@ static bool drives(const tp_block_loads *loads, const tp_block_load *own, bool o
   case TP_SYSTEM_LOAD_PRESSURE:
   case TP_SYSTEM_LOAD_FORCE:
     return pushes_out(loads, own);
+  case TP_SYSTEM_LOAD_ANCHOR:
+  case TP_SYSTEM_LOAD_SUPPORT_PRESSURE:
+    return own->active;
   default:
     return false;
   }

@@ -14,6 +14,7 @@
 /* One load on one block. */
 typedef struct tp_block_load {
   tp_system_load_kind kind;
+  bool active; /* of a support: it is taken from what drives; else it rests */
   long block;
   tp_wrench wrench; /* about the block's own point, in N and N m per metre of thickness; its tilt is
                        below zero where the right side is lowered */
@@ -26,7 +27,8 @@ static inline bool tp_block_load_is_water(const tp_block_load *load) {
 
 /* All of them, as the blocks are seen in a case that goes to one side. A pressure or a force drives
  * blocks where its parts to the side and off the base are together above zero; so does water, all
- * of it as one. What turns with gravity does not, nor do bolts and support pressures. */
+ * of it as one. Active bolts and support pressures are taken from what drives, and so go with it.
+ * What turns with gravity does not drive, nor do passive supports. */
 typedef struct tp_block_loads {
   bool left;  /* the side */
   bool omits; /* water before faces that it would hold is left out */
@@ -46,11 +48,10 @@ TP_MUST_USE tp_status tp_block_loads_init(tp_block_loads *loads, const tp_placed
                                           bool left, tp_message *message);
 void tp_block_loads_clear(tp_block_loads *loads);
 
-/* One more on a block that is free, or its opposite; nothing of one that is fixed. The wrench is
- * about the origin. */
+/* One more on a block that is free, or its opposite; nothing of one that is fixed. The wrench of
+ * `load` is about the origin, and stays the caller's. */
 TP_MUST_USE tp_status tp_block_loads_add(tp_block_loads *loads, const tp_placed_blocks *blocks,
-                                         tp_system_load_kind kind, long block,
-                                         const tp_wrench *wrench, bool reversed,
+                                         const tp_block_load *load, bool reversed,
                                          tp_message *message);
 
 /* Water in joints and on faces (block_system/block_water.c). */

@@ -162,12 +162,11 @@ static tp_status add_lines(tp_block_loads *loads, const wetting *w, const tp_loa
                            long block, const tp_wet_lines *lines, tp_system_load_kind kind,
                            tp_message *message) {
   if (lines->count == 0) return TP_OK;
-  tp_wrench wrench;
-  tp_wrench_init(&wrench);
-  tp_load_wet_lines(&wrench, lines, setting);
-  const tp_status status =
-      tp_block_loads_add(loads, w->blocks, kind, block, &wrench, false, message);
-  tp_wrench_clear(&wrench);
+  tp_block_load load = {.kind = kind, .block = block};
+  tp_wrench_init(&load.wrench);
+  tp_load_wet_lines(&load.wrench, lines, setting);
+  const tp_status status = tp_block_loads_add(loads, w->blocks, &load, false, message);
+  tp_wrench_clear(&load.wrench);
   return status;
 }
 

@@ -15,7 +15,10 @@
 typedef struct tp_blocks_at {
   tp_near *friction; /* by contact */
   tp_near *cohesion; /* by contact: the force of all of it, in units of its `along` */
-  tp_near *tension;  /* by contact: a pressure; its pull is part of the loads */
+  tp_near *tension;  /* by contact of the assemblage: a pressure; its pull is part of the loads */
+  tp_near *bond;     /* 2 a contact: that pull at its ends */
+  tp_near *piece;    /* 2 a contact: that of the piece at each end; all of it, where there is one */
+  bool has_bond;     /* is any of them not 0? */
   tp_near *loads;    /* w by row, about blocks' own points */
   tp_near *central;  /* and about their centroids */
 } tp_blocks_at;

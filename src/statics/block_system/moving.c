@@ -54,6 +54,8 @@ static tp_status prove_trial(tp_moving_search *m, double x, tp_message *message)
   const tp_beginning_question q = {.groups = &m->groups,
                                    .friction = m->at.friction,
                                    .cohesion = m->at.cohesion,
+                                   .bond = m->at.has_bond ? m->at.bond : NULL,
+                                   .piece = m->at.piece,
                                    .loads = m->at.central,
                                    .normals = m->letting_go.normals,
                                    .shears = m->letting_go.shears};
@@ -82,7 +84,8 @@ tp_status tp_moving_prove_modes(tp_moving_search *m, double x, const tp_mode_set
 
 /* From the forces that there are to those of the laws; a motion is to be proven. */
 static tp_status let_go(tp_moving_search *m, double x, tp_message *message) {
-  const tp_shear_strength strength = {m->at.friction, m->at.cohesion};
+  const tp_shear_strength strength = {m->at.friction, m->at.cohesion,
+                                      m->at.has_bond ? m->at.bond : NULL};
   if (!tp_letting_go_find(&m->letting_go, &strength, m->at.loads, ROUNDS)) {
     return tp_fail_memory(message, "the motions");
   }

@@ -19,6 +19,7 @@ enum { TIMES = 6, PARTS = 256 };
 static void clear_state(tp_standing_state *s) {
   free(s->friction);
   free(s->cohesion);
+  free(s->bond);
   free(s->loads);
 }
 
@@ -26,8 +27,9 @@ static bool init_state(tp_standing_state *s, const tp_resting *r) {
   const size_t count = (size_t)r->contact_count + 1;
   s->friction = calloc(count, sizeof *s->friction);
   s->cohesion = calloc(count, sizeof *s->cohesion);
+  s->bond = calloc(2 * count, sizeof *s->bond);
   s->loads = calloc((size_t)r->rows + 1, sizeof *s->loads);
-  return s->friction != NULL && s->cohesion != NULL && s->loads != NULL;
+  return s->friction != NULL && s->cohesion != NULL && s->bond != NULL && s->loads != NULL;
 }
 
 void tp_standing_clear(tp_standing_search *s) {
@@ -74,6 +76,8 @@ static tp_status set_end(bool *exists, tp_standing_search *s, int end, double x,
   if (status != TP_OK || !*exists) return status;
   tp_arranged_friction(s->ends[end].friction, s->arranged, s->at.friction);
   tp_arranged_cohesion(s->ends[end].cohesion, s->arranged, s->at.cohesion);
+  s->ends[end].has_bond = s->at.has_bond;
+  if (s->at.has_bond) tp_arranged_bonds(s->ends[end].bond, s->arranged, s->at.bond);
   tp_arranged_loads(s->ends[end].loads, s->arranged, s->at.central);
   return TP_OK;
 }
@@ -90,11 +94,14 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
     status = set_end(&exists, s, k, k == 0 ? from : to, message);
   }
   if (status != TP_OK || !exists) return status;
-  const tp_modes_question q = {.resting = r,
-                               .friction = {s->ends[1].friction, s->ends[0].friction},
-                               .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
-                               .loads = {s->ends[0].loads, s->ends[1].loads},
-                               .load_count = s->loads_vary && to > from ? 2 : 1};
+  const bool has_bond = s->ends[0].has_bond && s->ends[1].has_bond;
+  const tp_modes_question q = {
+      .resting = r,
+      .friction = {s->ends[1].friction, s->ends[0].friction},
+      .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
+      .loads = {s->ends[0].loads, s->ends[1].loads},
+      .bond = {has_bond ? s->ends[0].bond : NULL, has_bond ? s->ends[1].bond : NULL},
+      .load_count = s->loads_vary && to > from ? 2 : 1};
   const long before = s->work;
   tp_exclusion e = {.most_work = most_work(s, to > from),
                     .work = before,

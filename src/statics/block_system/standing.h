@@ -13,7 +13,8 @@
 
 /* What an exclusion is asked of, as blocks are arranged. */
 typedef struct tp_standing_state {
-  tp_near *friction, *cohesion, *loads;
+  tp_near *friction, *cohesion, *bond, *loads;
+  bool has_bond;
 } tp_standing_state;
 
 typedef struct tp_standing_search {

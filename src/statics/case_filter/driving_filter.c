@@ -33,11 +33,11 @@ static void load_at(tp_near at[3], const tp_filter_load *load, tp_near tangent, 
   add(at, load->fixed, secant);
 }
 
-/* 1 where it points down-dip and off the base together, -1 where it does not, 0 where that is
- * open; `push` is the sum of the loads that drive, or not, as one. */
+/* 1 where it points down-dip and off the base together, or neither, -1 where it does not, 0 where
+ * that is open; `push` is the sum of the loads that drive, or not, as one. */
 static int pushes(const tp_near push[3]) {
   const tp_near sum = tp_near_minus(push[0], push[1]);
-  return tp_near_is_zero(sum) ? -1 : tp_near_sign(sum);
+  return tp_near_is_zero(sum) ? 1 : tp_near_sign(sum);
 }
 
 static bool set_split(split *s, const tp_filter_loads *loads, tp_near tangent) {
@@ -113,14 +113,17 @@ static tp_near cross(const tp_near a[3], const tp_near b[3]) {
   return tp_near_minus(tp_near_times(a[0], b[1]), tp_near_times(a[1], b[0]));
 }
 
-/* R + lambda D has the direction of all loads at the onset. */
+/* R + lambda D has the direction of all loads at the onset. Where what drives lifts the block that
+ * direction goes beyond 90 degrees from the normal, and so beyond all tilts. */
 static bool find_by_direction(tp_driving_told *d, const tp_case_told *told, const split *s) {
+  const bool lifts = !(s->drives[1].value - s->drives[1].error >= 0);
   tp_near at[3];
+  if (told->onset.never) return !lifts;
   tp_filter_loads_at(at, told->of.loads, told->onset.tangent);
   const tp_near over = cross(s->drives, at);
   if (tp_near_sign(over) == 0) return false;
   const tp_near factor = tp_near_neg(tp_near_div(cross(s->rests, at), over));
-  if (tp_near_sign(factor) < 0) return true; /* at no multiple */
+  if (tp_near_sign(factor) < 0) return !lifts; /* at no multiple */
   return finish(d, &told->onset, told->onset.tangent, factor);
 }
 
@@ -195,5 +198,5 @@ bool tp_driving_filter(tp_driving_told *d, const tp_case_told *told, const tp_fi
   }
   if (loads->turns || loads->stays) return find_by_modes(d, told, &split, s->moves);
   if (!is_next(&told->onset, s->tangent, s->moves)) return false;
-  return told->onset.never || find_by_direction(d, told, &split);
+  return find_by_direction(d, told, &split);
 }

@@ -7,6 +7,7 @@
 #include "case_filter/factor_filter.h"
 #include "case_filter/moments_filter.h"
 #include "case_filter/sliding_filter.h"
+#include "stability/static_state.h"
 
 #include "number/near_angle.h"
 
@@ -198,6 +199,18 @@ static bool may_move_up_dip(const tp_case_told *told, tp_near tangent) {
   return !is_within;
 }
 
+/* Does the base admit a motion of its weight that the earthquake works against? */
+static bool may_move_against(const tp_case_told *told, tp_near tangent) {
+  const tp_shape_point *points = told->of.shape->points;
+  tp_contact_row rows[TP_PLAN_POINTS];
+  const int count = told->of.plan->point_count;
+  for (int k = 0; k < count; k++) {
+    const tp_shape_point *p = points + k;
+    rows[k] = (tp_contact_row){p->x.value, p->y.value, -p->ty.value, p->tx.value};
+  }
+  return tp_may_move_against(rows, count, tangent.value);
+}
+
 /* Does the state without the earthquake count, too (stability/static_state.h)? Not where a motion
  * can begin anyway. */
 static bool asks_rest(const tp_case_told *told, tp_mechanism mechanism, tp_near tangent) {
@@ -205,7 +218,8 @@ static bool asks_rest(const tp_case_told *told, tp_mechanism mechanism, tp_near 
   const tp_near *numbers = told->sample.numbers;
   return f->loads.shakes && mechanism == TP_STANDS &&
          (f->rests || numbers[TP_NUMBER_HORIZONTAL].value < 0 ||
-          !tp_near_is_zero(numbers[TP_NUMBER_VERTICAL]) || may_move_up_dip(told, tangent));
+          !tp_near_is_zero(numbers[TP_NUMBER_VERTICAL]) || may_move_up_dip(told, tangent) ||
+          may_move_against(told, tangent));
 }
 
 static bool tell_rest(tp_case_told *rest, tp_case_told_at *at, tp_filter_state *state,

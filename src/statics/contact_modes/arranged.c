@@ -264,6 +264,15 @@ void tp_arranged_cohesion(tp_near *own, const tp_arranged *a, const tp_near *giv
   }
 }
 
+void tp_arranged_bonds(tp_near *bonds, const tp_arranged *a, const tp_near *given) {
+  for (long k = 0; k < a->resting.contact_count; k++) {
+    for (int e = 0; e < 2; e++) {
+      const int from = a->swapped[k] ? 1 - e : e;
+      bonds[2 * k + e] = tp_near_times(given[2 * a->contact[k] + from], (tp_near){a->size[k], 0});
+    }
+  }
+}
+
 void tp_arranged_loads(tp_near *own, const tp_arranged *a, const tp_near *given) {
   for (long k = 0; k < a->resting.rows; k++) {
     own[k] = given[3 * a->number[k / 3] + k % 3];

@@ -31,9 +31,11 @@ TP_MUST_USE tp_status tp_arranged_init(tp_arranged *arranged, const tp_resting *
                                        bool to_the_left, tp_message *message);
 void tp_arranged_clear(tp_arranged *arranged);
 
-/* Tangents by contact; forces by contact, along t; loads by row, given about centroids. */
+/* Tangents by contact; forces by contact, along t; normal forces, 2 a contact by its ends; loads by
+ * row, given about centroids. */
 void tp_arranged_friction(tp_near *own, const tp_arranged *arranged, const tp_near *given);
 void tp_arranged_cohesion(tp_near *own, const tp_arranged *arranged, const tp_near *given);
+void tp_arranged_bonds(tp_near *bonds, const tp_arranged *arranged, const tp_near *given);
 void tp_arranged_loads(tp_near *own, const tp_arranged *arranged, const tp_near *given);
 
 /* One mode a contact, of a pair of corners of one of its sides, as it was given. */

@@ -3,9 +3,10 @@
 
 /* Reactions c, and a share s >= 0 of the loads, whose accelerations y = M^-1 (A c + s w) no force
  * of the node resists: e . y < 0 for each of its edges, and w . y < 0. Searched by a linear program
- * that makes all of them as negative as they can be, with what cohesion may add, then evaluated
- * with bounds from the c and s that are found (contact_modes/forces_proof.h). */
+ * that makes all of them as negative as they can be, with what cohesion and bonds may add, then
+ * evaluated with bounds from the c and s that are found (contact_modes/forces_proof.h). */
 
+#include "contact_modes/bond_pull.h"
 #include "contact_modes/cohesive_shear.h"
 #include "contact_modes/dense_program.h"
 #include "contact_modes/forces_proof.h"
@@ -25,6 +26,13 @@ typedef struct cohesive {
   tp_cohesive_shear own;
 } cohesive;
 
+/* A contact whose bond may pull by less than all, or elsewhere: the greatest bond of the question.
+ */
+typedef struct bonded {
+  const tp_force_column *normal; /* at both ends */
+  tp_near bond[2];
+} bonded;
+
 typedef struct resisting {
   const tp_modes_node *node;
   const tp_modes_question *q;
@@ -32,6 +40,8 @@ typedef struct resisting {
   tp_resisting_edges edges;
   long shear_count; /* of contacts that have some by cohesion */
   cohesive *shears;
+  long bond_count; /* of contacts whose bonds may pull by less */
+  bonded *bonds;
   double *columns, *factors;
   double share; /* of the loads */
   bool takes_loads;
@@ -57,6 +67,28 @@ static bool find_shears(resisting *s) {
   return s->shears != NULL;
 }
 
+/* ---- bonds -------------------------------------------------------------------------------------
+ */
+
+/* Bonds of two loads are those of one over two numbers. */
+static void set_bond(bonded *joint, const tp_modes_question *q, long contact) {
+  joint->normal = q->resting->contacts[contact].normal;
+  for (int e = 0; e < 2; e++) joint->bond[e] = (tp_near){0, 0};
+  for (int load = 0; load < q->load_count; load++) {
+    const tp_near *bond = q->bond[load] + 2 * contact;
+    for (int e = 0; e < 2; e++) joint->bond[e] = tp_near_larger(joint->bond[e], bond[e]);
+  }
+}
+
+static bool find_bonds(resisting *s) {
+  const long count = s->q->resting->contact_count;
+  s->bonds = calloc((size_t)count + 1, sizeof *s->bonds);
+  for (long k = 0; k < count && s->bonds != NULL; k++) {
+    if (tp_bond_varies(s->node, s->q, k)) set_bond(s->bonds + s->bond_count++, s->q, k);
+  }
+  return s->bonds != NULL;
+}
+
 /* ---- search ------------------------------------------------------------------------------------
  */
 
@@ -71,6 +103,24 @@ static long row_of_power(const resisting *s, int load) {
 
 static long row_of_shear(const resisting *s, long shear) {
   return row_of_power(s, s->q->load_count) + shear;
+}
+
+static long row_of_bond(const resisting *s, long bond) {
+  return row_of_shear(s, s->shear_count) + TP_BOND_WAYS * bond;
+}
+
+static long count_rows(const resisting *s) {
+  return row_of_bond(s, s->bond_count) + 1;
+}
+
+/* What a column of the program opens at both ends. */
+static void set_bond_rows(tp_dense_program *p, const resisting *s, long bond, const double u[2],
+                          long column) {
+  double powers[TP_BOND_WAYS];
+  tp_bond_powers(powers, s->bonds[bond].bond, u);
+  for (int way = 0; way < TP_BOND_WAYS; way++) {
+    *tp_dense_program_entry(p, row_of_bond(s, bond) + way, column) = powers[way];
+  }
 }
 
 static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing_reaction *own,
@@ -90,6 +140,12 @@ static void set_column(tp_dense_program *p, const resisting *s, const tp_bearing
     const double slip = sign * tp_pushed_along(&of, c->along);
     least += c->own.least.value * slip;
     *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
+  }
+  for (long k = 0; k < s->bond_count; k++) {
+    const tp_force_column *normal = s->bonds[k].normal;
+    const double u[2] = {sign * tp_pushed_along(&of, normal + 0),
+                         sign * tp_pushed_along(&of, normal + 1)};
+    set_bond_rows(p, s, k, u, column);
   }
   for (int k = 0; k < s->q->load_count; k++) {
     *tp_dense_program_entry(p, row_of_power(s, k), column) =
@@ -119,19 +175,39 @@ static void set_load(tp_dense_program *p, const resisting *s, int load, double *
     sum += s->shears[k].own.least.value * slip;
     *tp_dense_program_entry(p, row_of_shear(s, k), column) = slip;
   }
+  for (long k = 0; k < s->bond_count; k++) {
+    const tp_force_column *normal = s->bonds[k].normal;
+    const double u[2] = {tp_resting_along_double(normal + 0, y),
+                         tp_resting_along_double(normal + 1, y)};
+    set_bond_rows(p, s, k, u, column);
+  }
   *tp_dense_program_entry(p, row_of_power(s, load), column) = sum;
 }
 
 /* The most that cohesion adds is its least shear times the slip y . t, and the rest of it times a
  * number that is no less than the slip or zero: a column more for each. */
 static void set_shears(tp_dense_program *p, const resisting *s) {
-  const long first = p->columns - 1 - s->shear_count;
+  const long first = p->columns - 1 - s->bond_count - s->shear_count;
   for (long k = 0; k < s->shear_count; k++) {
     const cohesive *c = s->shears + k;
     *tp_dense_program_entry(p, row_of_shear(s, k), first + k) = -1;
     for (int load = 0; load < s->q->load_count; load++) {
       *tp_dense_program_entry(p, row_of_power(s, load), first + k) =
           c->own.most.value - c->own.least.value;
+    }
+  }
+}
+
+/* The most that another pull of a bond adds is a number that is no less than the power of each: a
+ * column more for each bond. */
+static void set_bonds(tp_dense_program *p, const resisting *s) {
+  const long first = p->columns - 1 - s->bond_count;
+  for (long k = 0; k < s->bond_count; k++) {
+    for (int way = 0; way < TP_BOND_WAYS; way++) {
+      *tp_dense_program_entry(p, row_of_bond(s, k) + way, first + k) = -1;
+    }
+    for (int load = 0; load < s->q->load_count; load++) {
+      *tp_dense_program_entry(p, row_of_power(s, load), first + k) = 1;
     }
   }
 }
@@ -152,6 +228,7 @@ static bool search(resisting *s, long *work, tp_dense_program *p) {
     for (int k = 0; k < s->q->load_count; k++) set_load(p, s, k, s->load_y, column);
   }
   set_shears(p, s);
+  set_bonds(p, s);
   for (long r = 0; r + 1 < p->rows; r++) {
     *tp_dense_program_entry(p, r, last) = r < row_of_shear(s, 0) ? 1 : 0;
     *tp_dense_program_right(p, r) = little * (1 + (double)(r * UNLIKE % OF) / OF);
@@ -275,6 +352,7 @@ static void clear(resisting *s, tp_dense_program *p) {
   tp_reactions_clear(&s->reactions);
   tp_resisting_edges_clear(&s->edges);
   free(s->shears);
+  free(s->bonds);
   free(s->columns);
   free(s->factors);
   free(s->wrenches);
@@ -286,12 +364,14 @@ static void clear(resisting *s, tp_dense_program *p) {
 static bool make(resisting *s, tp_dense_program *p, bool some_idle) {
   const size_t rows = (size_t)s->q->resting->rows + 1;
   if (!tp_reactions_init(&s->reactions, s->node, s->q->resting) ||
-      !tp_resisting_edges_init(&s->edges, s->node, s->q) || !find_shears(s)) {
+      !tp_resisting_edges_init(&s->edges, s->node, s->q) || !find_shears(s) || !find_bonds(s)) {
     return false;
   }
   if (some_idle) drop_idle(s);
-  s->takes_loads = !some_idle && (s->q->load_count == 1 || s->shear_count == 0);
-  const size_t most = 2 * (size_t)s->reactions.count + (size_t)s->shear_count + 3;
+  s->takes_loads =
+      !some_idle && (s->q->load_count == 1 || (s->shear_count == 0 && s->bond_count == 0));
+  const long more = s->shear_count + s->bond_count;
+  const size_t most = 2 * (size_t)s->reactions.count + (size_t)more + 3;
   s->columns = calloc(most, sizeof *s->columns);
   s->factors = calloc(most, sizeof *s->factors);
   s->wrenches = calloc(rows, sizeof *s->wrenches);
@@ -299,9 +379,8 @@ static bool make(resisting *s, tp_dense_program *p, bool some_idle) {
   s->load_y = calloc(rows, sizeof *s->load_y);
   return s->columns != NULL && s->factors != NULL && s->wrenches != NULL && s->y != NULL &&
          s->load_y != NULL &&
-         tp_dense_program_init(p, row_of_shear(s, s->shear_count) + 1,
-                               tp_reactions_columns(&s->reactions) + s->takes_loads +
-                                   s->shear_count + 1);
+         tp_dense_program_init(p, count_rows(s),
+                               tp_reactions_columns(&s->reactions) + s->takes_loads + more + 1);
 }
 
 /* Once; again where blocks became idle. */
@@ -312,7 +391,8 @@ static bool try_forces(bool *refuted, bool *again, const tp_modes_finding *findi
   const bool is_first = !*again, tells = made && finding != NULL;
   *again = false;
   *refuted = made && search(s, work, &p);
-  if (tells && !*refuted && is_first && s->shear_count == 0) tell_why(finding->relaxed, s, &p);
+  const bool is_plain = s->shear_count == 0 && s->bond_count == 0;
+  if (tells && !*refuted && is_first && is_plain) tell_why(finding->relaxed, s, &p);
   if (tells && !*refuted && finding->is_last) *again = find_wedged(s, &p);
   if (*refuted) *refuted = prove_all(s, finding);
   clear(s, &p);

@@ -2,10 +2,13 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* With s >= 0 and the cohesion of the whole question at each of two loads, s w . M^-1 w + C (t . y)
- * is convex in w, so that of loads between two it is greatest at one of both. */
+ * is convex in w, so that of loads between two it is greatest at one of both. So it is with bonds
+ * of one size. Where these differ the loads do too, and s has to be 0: y is one then, and the power
+ * is convex in bonds and loads together. */
 
 #include "contact_modes/forces_proof.h"
 
+#include "contact_modes/bond_pull.h"
 #include "contact_modes/cohesive_shear.h"
 #include "contact_modes/refuted_node.h"
 
@@ -49,8 +52,13 @@ static tp_near cohesive_power(const tp_forces_proof *p, long contact) {
 bool tp_forces_proof_drives(tp_forces_proof *p, int load) {
   const tp_resting *r = p->question->resting;
   tp_near power = {0, 0};
+  if (p->share != 0 && tp_bonds_differ(p->question)) return false;
   find_y(p, load);
-  for (long k = 0; k < r->contact_count; k++) power = tp_near_plus(power, cohesive_power(p, k));
+  for (long k = 0; k < r->contact_count; k++) {
+    power = tp_near_plus(power, cohesive_power(p, k));
+    if (!tp_bond_varies(p->node, p->question, k)) continue;
+    power = tp_near_plus(power, tp_bond_power(p->question, load, k, p->y));
+  }
   for (long k = 0; k < r->rows; k++) {
     power = tp_near_plus(power, tp_near_times(p->question->loads[load][k], p->y[k]));
   }

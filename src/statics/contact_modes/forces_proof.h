@@ -11,7 +11,7 @@
 #include "contact_modes/reactions.h"
 
 typedef struct tp_forces_proof {
-  const tp_modes_node *node; /* which blocks rest; and what joints with cohesion may do */
+  const tp_modes_node *node; /* which blocks rest; what joints with cohesion or bonds may do */
   const tp_modes_question *question;
   const tp_bearing_reactions *reactions;
   const double *factors; /* by reaction */
@@ -19,7 +19,8 @@ typedef struct tp_forces_proof {
   tp_near *wrenches, *y; /* room, by row; y of blocks that rest is 0 */
 } tp_forces_proof;
 
-/* Sets y, with this load; is w . y + C (t . y) < 0 for all that cohesion may be? */
+/* Sets y, with this load; is w . y + C (t . y) < 0 for all that cohesion may be, and
+ * with all pulls of bonds? */
 bool tp_forces_proof_drives(tp_forces_proof *proof, int load);
 
 /* Takes from a refuted node the modes in which the reactions do work, or forces resist y. */

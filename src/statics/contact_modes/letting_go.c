@@ -4,7 +4,8 @@
 /* At one end, with u = u_0 + D f for the other forces as they are and D = (n, t)^T M^-1 (n, t): no
  * force where u_0 opens; the one that stops it, where that is within the cone; else the edge of
  * the cone that stops u_n, by the side on which that force lies. A side of a pair of corners bears
- * nothing where the other one opens. */
+ * nothing where the other one opens. The end of a contact that bears at both of its ends has no
+ * friction from the part of its force that its bond asks for: it need not pull there. */
 
 #include "contact_modes/letting_go.h"
 
@@ -145,9 +146,33 @@ static bool is_kept_apart(const tp_letting_go *s, const end *ends, long at, doub
   return twin_opens >= 0 || twin_opens > opens;
 }
 
+/* What an end has for shear: as much as `friction` of its normal force above `pull`, and
+ * `cohesion`.
+ */
+typedef struct shear_law {
+  double friction, cohesion, pull;
+} shear_law;
+
+static double most_shear(const shear_law *law, double normal) {
+  return law->friction * (normal > law->pull ? normal - law->pull : 0) + law->cohesion;
+}
+
+/* The force that stops u_n and is all of the shear to one side, 1 or -1. */
+static void slip(double *normal, double *shear, const end *at, const shear_law *law, double un,
+                 int sign) {
+  const double edge = sign * law->friction, bound = sign * law->cohesion - edge * law->pull;
+  const double stiff = at->nn + edge * at->nt, rest = -un - bound * at->nt;
+  *normal = stiff > 0 && rest > 0 ? rest / stiff : 0;
+  *shear = edge * *normal + (*normal > 0 ? bound : 0);
+  if (*normal >= law->pull) return;
+  const double free = -un - sign * law->cohesion * at->nt;
+  *normal = free > 0 ? fmin(free / at->nn, law->pull) : 0;
+  *shear = *normal > 0 ? sign * law->cohesion : 0;
+}
+
 /* The force of an end by its law; how far that is from the one it had, as a velocity. An end that
  * bears nothing and opens stays so. */
-static double give(tp_letting_go *s, const end *ends, long at, double friction, double cohesion) {
+static double give(tp_letting_go *s, const end *ends, long at, const shear_law *law) {
   const end *own = ends + at;
   const double n = s->normals[at], t = s->shears[at];
   double un = velocity(s, own, own->along_n);
@@ -158,12 +183,8 @@ static double give(tp_letting_go *s, const end *ends, long at, double friction, 
     const double ut = velocity(s, own, own->along_t) - (own->nt * n + own->tt * t);
     normal = (own->nt * ut - own->tt * un) * own->per_volume;
     shear = (own->nt * un - own->nn * ut) * own->per_volume;
-    if (!(fabs(shear) <= friction * normal + cohesion)) {
-      const double side = shear > 0 ? friction : -friction;
-      const double bound = shear > 0 ? cohesion : -cohesion;
-      const double stiff = own->nn + side * own->nt, rest = -un - bound * own->nt;
-      normal = stiff > 0 && rest > 0 ? rest / stiff : 0;
-      shear = side * normal + (normal > 0 ? bound : 0);
+    if (!(fabs(shear) <= most_shear(law, normal))) {
+      slip(&normal, &shear, own, law, un, shear > 0 ? 1 : -1);
     }
   }
   if (normal == n && shear == t) return 0;
@@ -202,6 +223,18 @@ static double cohesion_at(const tp_letting_go *s, const tp_shear_strength *stren
   return strength->cohesion[at / 2].value * (s->normals[at ^ 1] > 0 ? 0.5 : 1);
 }
 
+/* The part of its force that a bond may do without, where both ends bear. */
+static double pull_at(const tp_letting_go *s, const tp_shear_strength *strength, long at) {
+  if (strength->bond == NULL || !(s->normals[at ^ 1] > 0)) return 0;
+  return strength->bond[at].value;
+}
+
+static shear_law law_at(const tp_letting_go *s, const tp_shear_strength *strength, long at) {
+  if (strength == NULL) return (shear_law){0, 0, 0};
+  return (shear_law){strength->friction[at / 2].value, cohesion_at(s, strength, at),
+                     pull_at(s, strength, at)};
+}
+
 /* One round over all ends; how far forces were from their laws, as a velocity. */
 static double go_round(tp_letting_go *s, const end *ends, const tp_shear_strength *strength) {
   const long count = 2 * s->resting->contact_count;
@@ -212,10 +245,11 @@ static double go_round(tp_letting_go *s, const end *ends, const tp_shear_strengt
     const long corner = s->corners != TP_CORNERS_AS_THEY_OPEN ? ends[at].corner : -1;
     for (int side = 0; side < 2 && corner >= 0; side++) {
       const long other = side == 0 ? corner : ends[corner].twin;
-      give(s, ends, other, strength == NULL ? 0 : strength->friction[other / 2].value, 0);
+      const shear_law of = {strength == NULL ? 0 : strength->friction[other / 2].value, 0, 0};
+      give(s, ends, other, &of);
     }
-    const double own = strength == NULL ? 0 : strength->friction[at / 2].value;
-    const double moved = give(s, ends, at, own, cohesion_at(s, strength, at));
+    const shear_law law = law_at(s, strength, at);
+    const double moved = give(s, ends, at, &law);
     if (moved > change) change = moved; /* fmax is a call, in the innermost loop of all */
   }
   return change;
@@ -308,8 +342,9 @@ void tp_letting_go_modes(tp_mode_set *modes, const tp_letting_go *s,
     const tp_resting_contact *c = r->contacts + k;
     bool closed[2] = {false, false}, grips = false;
     for (int e = 0; e < c->ends; e++) {
-      const double n = s->normals[2 * k + e],
-                   most = strength->friction[k].value * n + cohesion_at(s, strength, 2 * k + e);
+      const double n = s->normals[2 * k + e];
+      const shear_law law = law_at(s, strength, 2 * k + e);
+      const double most = most_shear(&law, n);
       closed[e] = tp_resting_along_double(c->normal + e, s->accelerations) <= nothing &&
                   (c->twin < 0 || n > 0);
       grips = grips || (closed[e] && fabs(s->shears[2 * k + e]) < (1 - within) * most);

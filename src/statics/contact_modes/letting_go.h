@@ -44,6 +44,7 @@ void tp_letting_go_copy(tp_letting_go *own, const tp_letting_go *from);
 typedef struct tp_shear_strength {
   const tp_near *friction; /* tan(phi), by contact */
   const tp_near *cohesion; /* the force of all of it, by contact */
+  const tp_near *bond;     /* 2 a contact: the pull at its ends, which is part of the loads */
 } tp_shear_strength;
 
 /* From its forces on; without strength where that is NULL; `loads` w by row. False when memory is

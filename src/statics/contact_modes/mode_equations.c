@@ -26,6 +26,15 @@ int tp_trial_slip(const tp_trial_mode *t) {
                                              : 0;
 }
 
+bool tp_trial_is_bonded(const tp_beginning_question *q, const tp_trial_mode *t, long contact) {
+  if (q->bond == NULL || t->spent != 0 || (t->mode & (TP_MODES_FORWARD | TP_MODES_BACK)) == 0) {
+    return false;
+  }
+  const bool is_whole = (t->mode & tp_modes_closed(0) & tp_modes_closed(1)) != 0;
+  const tp_near *bond = q->bond + 2 * contact;
+  return is_whole && !(tp_near_is_zero(bond[0]) && tp_near_is_zero(bond[1]));
+}
+
 /* ---- columns -----------------------------------------------------------------------------------
  */
 
@@ -133,12 +142,22 @@ static void add_force(arb_mat_t to, const tp_mode_equations *s, long at, const t
   arb_clear(arm);
 }
 
+/* The normal force to begin from; of an end that may pull what is left without the pull in w. */
+static double first_normal(const tp_mode_equations *s, long contact, int end) {
+  const double all = fmax(0, s->question->normals[2 * contact + end]);
+  if (!tp_trial_is_bonded(s->question, s->trial + contact, contact)) return all;
+  const double rest = all - s->question->bond[2 * contact + end].value;
+  return s->trial[contact].pulled[end] ? fmin(0, rest) : fmax(0, rest);
+}
+
 static void set_normal(tp_mode_equations *s, long contact, int end) {
   static const double least = 1e-12;
   const long at = s->normal_at[2 * contact + end];
   const tp_resting_contact *c = s->groups->resting->contacts + contact;
-  const double own = fmax(0, s->question->normals[2 * contact + end]);
-  const int slip = tp_trial_slip(s->trial + contact);
+  const double first = first_normal(s, contact, end);
+  const bool is_bonded = tp_trial_is_bonded(s->question, s->trial + contact, contact);
+  const bool pulls = is_bonded && s->trial[contact].pulled[end];
+  const int slip = pulls ? 0 : tp_trial_slip(s->trial + contact);
   arb_t share;
   arb_init(share);
   arb_one(share);
@@ -148,8 +167,8 @@ static void set_normal(tp_mode_equations *s, long contact, int end) {
     if (slip > 0) arb_neg(share, share);
     add_force(s->columns, s, at, &c->along, share);
   }
-  arb_set_d(arb_mat_entry(s->factors, at, 0), own);
-  s->preference[at] = own + least;
+  arb_set_d(arb_mat_entry(s->factors, at, 0), first);
+  s->preference[at] = fabs(first) + least;
   arb_clear(share);
 }
 
@@ -200,6 +219,20 @@ static void set_cohesion(tp_mode_equations *s, long contact) {
   arb_clear(share);
 }
 
+/* Without the pull in w of a contact whose ends are solved for what they bear or pull. */
+static void release_bond(tp_mode_equations *s, long contact) {
+  if (!tp_trial_is_bonded(s->question, s->trial + contact, contact)) return;
+  const tp_resting_contact *c = s->groups->resting->contacts + contact;
+  arb_t share;
+  arb_init(share);
+  for (int e = 0; e < 2; e++) {
+    set_ball(share, s->question->bond[2 * contact + e]);
+    arb_neg(share, share);
+    add_force(s->right, s, 0, c->normal + e, share);
+  }
+  arb_clear(share);
+}
+
 static void set_all(tp_mode_equations *s) {
   const tp_resting *r = s->groups->resting;
   set_shares(s);
@@ -212,7 +245,10 @@ static void set_all(tp_mode_equations *s) {
   for (long row = 0; row < r->rows; row++) {
     set_ball(arb_mat_entry(s->right, row, 0), s->question->loads[row]);
   }
-  for (long k = 0; k < r->contact_count; k++) set_cohesion(s, k);
+  for (long k = 0; k < r->contact_count; k++) {
+    set_cohesion(s, k);
+    release_bond(s, k);
+  }
 }
 
 /* ---- all ---------------------------------------------------------------------------------------

@@ -126,10 +126,64 @@ static bool is_kept_apart(const tp_trial_mode *own, const tp_mode_equations *s, 
   return order < 0 || (order == 0 && twin < k);
 }
 
+/* How far the pulls of a bond are below what it can bear: of pieces, below what both end ones can.
+ */
+static sign sign_of_bond(const tp_trial_mode *trial, const tp_mode_equations *s, long k) {
+  const tp_near *piece = s->question->piece + 2 * k;
+  const tp_near most = piece[piece[1].value < piece[0].value ? 1 : 0];
+  arb_t left;
+  arb_init(left);
+  tp_ball_set_bounded(left, most.value, most.error);
+  for (int e = 0; e < 2; e++) {
+    const long at = s->normal_at[2 * k + e];
+    if (trial->pulled[e] && at >= 0) arb_add(left, left, force(s, at), BITS);
+  }
+  const sign found = sign_of(left);
+  arb_clear(left);
+  return found;
+}
+
+/* An end that would pull does, one that pulls and would press presses, and what is neither bears
+ * nothing; where the bond is not enough the end that pulls the most opens. True where something has
+ * to change. */
+static bool change_bonded(tp_trial_mode *trial, const tp_mode_equations *s, long k) {
+  const tp_trial_mode before = *trial;
+  const sign bond = sign_of_bond(trial, s, k);
+  bool changed = false;
+  for (int e = 0; e < 2; e++) {
+    const long at = s->normal_at[2 * k + e];
+    if (at < 0) continue;
+    arb_t normal;
+    arb_init(normal);
+    if (before.pulled[e])
+      arb_neg(normal, force(s, at));
+    else
+      arb_set(normal, force(s, at));
+    const sign found = sign_of(normal);
+    arb_clear(normal);
+    if (found == SIGN_HOLDS) continue;
+    trial->idle[e] = found == SIGN_TIED;
+    trial->pulled[e] = found == SIGN_FAILS && !before.pulled[e];
+    changed = true;
+  }
+  if (changed || bond == SIGN_HOLDS) return changed;
+  const long *at = s->normal_at + 2 * k;
+  int opens = before.pulled[0] && at[0] >= 0 ? 0 : 1;
+  if (opens == 0 && before.pulled[1] && at[1] >= 0 &&
+      arf_cmp(arb_midref(force(s, at[1])), arb_midref(force(s, at[0]))) < 0) {
+    opens = 1;
+  }
+  const bool closed[2] = {opens != 0, opens != 1};
+  trial->pulled[0] = trial->pulled[1] = false;
+  set_mode(trial, closed, slip_of(trial->mode));
+  return true;
+}
+
 /* Ends that open or close; true where one has to. */
 static bool change_ends(tp_trial_mode *own, const tp_mode_equations *s, long k) {
   bool closed[2] = {false, false}, changed = false, bears = false;
   const tp_mode_set mode = own->mode;
+  if (tp_trial_is_bonded(s->question, own, k)) return change_bonded(own, s, k);
   for (int e = 0; e < s->groups->resting->contacts[k].ends; e++) {
     closed[e] = (mode & tp_modes_closed(e)) != 0;
     const long at = s->normal_at[2 * k + e];

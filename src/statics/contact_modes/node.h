@@ -14,7 +14,9 @@ typedef struct tp_modes_question {
   const tp_resting *resting;
   const tp_near *friction[2]; /* tan(phi) by contact: the least, the greatest */
   const tp_near *cohesion[2]; /* its force by contact: the least, the greatest */
-  const tp_near *loads[2];    /* w by row */
+  const tp_near *loads[2];    /* w by row, with the pull of all bonds */
+  const tp_near *bond[2];     /* by load: 2 a contact, the pull at each of its ends that is part of
+                                 w; NULL: there is none */
   int load_count;             /* 1 or 2 */
 } tp_modes_question;
 

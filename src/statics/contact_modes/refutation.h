@@ -11,8 +11,10 @@
  *   Forces: with such c, s >= 0 and y = M^-1 (A c + s w), e . y <= 0 for each edge e of F and
  * w . y + C (t . y) < 0 for all shears C of cohesion that the sets allow (that of a joint does no
  * work but against its slip). Newton's law gives s w . a + c . u = y . M a = w . y + f . A^T y + C
- * (t . y) < 0: with c . u >= 0 and w . a >= 0 that cannot be. Tensile strength is part of w, as a
- * pull that the ends of a joint press against. Blocks at rest, joined to the ground by contacts
+ * (t . y) < 0: with c . u >= 0 and w . a >= 0 that cannot be. Bonds are part of w, as the pull of
+ * all of them. Where a joint stays closed at both ends it may pull by less, and elsewhere
+ * (contact_modes/bond_pull.h): that does no work, so that w . a is the same, and w . y < 0 is asked
+ * for each such pull instead of that in w. Blocks at rest, joined to the ground by contacts
  * that only stick or that leave no velocity, take no part. Friction and cohesion may be anything
  * between two numbers, and the loads anything between two: each proof is of all of that. */
 

@@ -3,10 +3,11 @@
 
 /* What both proofs (contact_modes/refutation.h) ask of a contact they ask of each of its modes by
  * itself: that reactions do no work against it, and that its forces do none with y. Only cohesion
- * they ask of all contacts together. */
+ * and bonds they ask of all contacts together. */
 
 #include "contact_modes/refuted_node.h"
 
+#include "contact_modes/bond_pull.h"
 #include "contact_modes/corner_modes.h"
 
 #include <string.h>
@@ -21,7 +22,9 @@ void tp_refuted_node_begin(tp_modes_node *refuted, const tp_modes_node *node,
   tp_modes_node_widen(refuted, r);
   memcpy(refuted->still, node->still, (size_t)(r->rows / 3) * sizeof *refuted->still);
   for (long k = 0; k < r->contact_count; k++) {
-    if (tp_near_is_zero(q->cohesion[1][k]) || rest_both(node, r->contacts + k)) continue;
+    if (rest_both(node, r->contacts + k)) continue;
+    if (tp_bond_is_given(q, k)) refuted->sets[k] = node->sets[k];
+    if (tp_near_is_zero(q->cohesion[1][k])) continue;
     for (long i = 0; i < r->contact_count; i++) {
       if (r->contacts[i].line == r->contacts[k].line) refuted->sets[i] = node->sets[i];
     }

@@ -18,8 +18,8 @@ typedef enum tp_factor_sign {
   TP_FACTOR_EITHER
 } tp_factor_sign;
 
-/* All modes, while the blocks of this node rest that do; where there is cohesion, what the node
- * has. */
+/* All modes, while the blocks of this node rest that do; where there is cohesion, or a
+ * bond, what the node has. */
 void tp_refuted_node_begin(tp_modes_node *refuted, const tp_modes_node *node,
                            const tp_modes_question *question);
 

@@ -88,13 +88,31 @@ static void take_pair(tp_resting *r, const tp_corner_pair *pair) {
   }
 }
 
+/* From one point to another of a contact's line, over the size of its columns. */
+static tp_near length_between(const tp_assemblage *a, const tp_block_contact *of, long from,
+                              long to) {
+  tp_block_contact part = *of;
+  part.ends[0] = from;
+  part.ends[1] = to;
+  return tp_contact_frame_between(a, &part, (tp_near){0, 0}).length;
+}
+
 static void measure(tp_resting *r, long contact) {
+  static const tp_near half = {0.5, 0};
   const tp_assemblage *a = r->assemblage;
-  const tp_block_contact *of = &r->contacts[r->pieces[contact].contact].of;
-  tp_block_contact own = a->contacts[contact];
-  own.along[0] = of->along[0];
-  own.along[1] = of->along[1];
-  r->pieces[contact].length = tp_contact_frame_between(a, &own, (tp_near){0, 0}).length;
+  tp_resting_piece *piece = r->pieces + contact;
+  const tp_block_contact *of = &r->contacts[piece->contact].of;
+  const long *ends = a->contacts[contact].ends;
+  piece->length = length_between(a, of, ends[0], ends[1]);
+  piece->share[0] = piece->share[1] = half;
+  if (ends[0] == ends[1] || (ends[0] == of->ends[0] && ends[1] == of->ends[1])) return;
+  const tp_near all =
+      tp_near_times((tp_near){2, 0}, length_between(a, of, of->ends[0], of->ends[1]));
+  for (int e = 0; e < 2; e++) { /* half of what is between its ends and the other end */
+    const tp_near sum = tp_near_plus(length_between(a, of, ends[0], of->ends[1 - e]),
+                                     length_between(a, of, ends[1], of->ends[1 - e]));
+    piece->share[e] = tp_near_div(sum, all);
+  }
 }
 
 tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a,

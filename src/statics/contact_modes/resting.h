@@ -27,10 +27,10 @@ typedef struct tp_resting_contact {
 } tp_resting_contact;
 
 /* A contact of the assemblage: which of these it is part of; its length over the size of that one's
- * columns, of a corner nothing. */
+ * columns, of a corner nothing; and how a force at its middle is shared by the ends of that one. */
 typedef struct tp_resting_piece {
   long contact;
-  tp_near length;
+  tp_near length, share[2];
 } tp_resting_piece;
 
 typedef struct tp_resting {

@@ -25,6 +25,8 @@
 #include "number/ball.h"
 #include "static_limit/limit_result.h"
 
+#include <math.h>
+
 /* ---- resisting and driving loads ----------------------------------------------------------------
  */
 
@@ -67,15 +69,33 @@ static bool is_water(const tp_load *load) {
   return load->kind == TP_LOAD_WATER || load->kind == TP_LOAD_UPLIFT || load->kind == TP_LOAD_ICE;
 }
 
-/* Adds by how much a force points down-dip and off the base together. */
+/* Adds by how much a force points along the base to the side and off it together. The frame runs
+ * along the base, x against the side; but up-dip it is level, and the base rises by c to s, so that
+ * (-c, s) points to the side and (s, c) off the base (problem/world.h). */
 static void add_push(arb_t push, const split *s, const tp_load *load) {
-  arb_t value;
-  arb_init(value);
-  tp_trig_evaluate(value, &load->wrench.x, s->sine, s->cosine, s->bits);
-  arb_sub(push, push, value, s->bits);
-  tp_trig_evaluate(value, &load->wrench.y, s->sine, s->cosine, s->bits);
-  arb_add(push, push, value, s->bits);
-  arb_clear(value);
+  const tp_base_description *base = &s->e->problem->scene->base;
+  arb_t x, y, cosine, sine;
+  arb_init(x);
+  arb_init(y);
+  arb_init(cosine);
+  arb_init(sine);
+  tp_trig_evaluate(x, &load->wrench.x, s->sine, s->cosine, s->bits);
+  tp_trig_evaluate(y, &load->wrench.y, s->sine, s->cosine, s->bits);
+  if (base->beyond_cosine == NULL) {
+    arb_one(cosine);
+  } else {
+    arb_set_fmpq(cosine, base->beyond_cosine, s->bits);
+    arb_set_fmpq(sine, base->beyond_sine, s->bits);
+    arb_abs(sine, sine);
+  }
+  arb_submul(push, x, cosine, s->bits);
+  arb_addmul(push, x, sine, s->bits);
+  arb_addmul(push, y, cosine, s->bits);
+  arb_addmul(push, y, sine, s->bits);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(cosine);
+  arb_clear(sine);
 }
 
 /* Does a load that does not turn with gravity drive the block? Water does as one. A push that is
@@ -359,8 +379,16 @@ typedef struct held {
   tp_mechanism mechanism; /* and what moves beyond it */
 } held;
 
+/* How far to look for it, in degrees: no farther than a little beyond where a motion can begin, as
+ * the lesser of both is taken. Towards upright, and infinite loads, it may not be decided. */
+static double range_of(const held *h, const finding *f) {
+  static const double all_but_upright = 90 * (1 - 0x1p-20), degrees = 180 / M_PI, more = 1 + 0x1p-8;
+  const double factor = arf_get_d(arb_midref(f->factor), ARF_RND_NEAR);
+  if (!h->beyond || f->state != TP_FOS_NUMBER || !(factor > 1)) return all_but_upright;
+  return fmin(all_but_upright, acos(1 / (factor * more)) * degrees);
+}
+
 static tp_limit_outcome find_held(held *h, tp_limit_kind *kind, const finding *f, const split *s) {
-  static const double all_but_upright = 90 * (1 - 0x1p-20);
   const tp_evaluation *e = f->t->e;
   tp_cones *cones = &f->asked->strong;
   tp_wrench load, local;
@@ -378,7 +406,7 @@ static tp_limit_outcome find_held(held *h, tp_limit_kind *kind, const finding *f
   tp_loaded_local(&local, &load, e->loaded, e);
   const tp_limit_question question = {.cones = cones,
                                       .load = &local,
-                                      .range_deg = all_but_upright,
+                                      .range_deg = range_of(h, f),
                                       .work = e->work,
                                       .without_forces = true,
                                       .judge = f->asked->question.judge};
@@ -438,6 +466,12 @@ static tp_motion_outcome take_held(finding *f, const split *s) {
 /* ---- result -------------------------------------------------------------------------------------
  */
 
+/* Where the windows of tilts, which end at 90 degrees, have no motion that greater multiples reach:
+ * what drives may lift the block, and turn all loads beyond. */
+static bool may_turn_beyond(const finding *f, const split *s) {
+  return f->state == TP_FOS_NO_OVERTURNING && !arb_is_nonpositive(s->all.y.of + TP_SIN);
+}
+
 static tp_motion_outcome find_loaded(finding *f, const arb_t tilt) {
   tp_motion_outcome done = TP_MOTION_PROVEN;
   split s;
@@ -447,6 +481,10 @@ static tp_motion_outcome find_loaded(finding *f, const arb_t tilt) {
     set_endless(f);
   } else if (!s.has_others && !strong) {
     find_by_direction(f, &s, tilt);
+    if (may_turn_beyond(f, &s)) {
+      f->state = TP_FOS_UNDECIDED;
+      done = find_by_modes(f, &s);
+    }
   } else {
     done = find_by_modes(f, &s);
     if (strong && done == TP_MOTION_PROVEN && f->state != TP_FOS_UNDECIDED) done = take_held(f, &s);

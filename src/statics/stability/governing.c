@@ -183,13 +183,15 @@ tp_safety tp_case_safety(const tp_case *c) {
 void tp_case_add_state(tp_case *c, const tp_safety *other) {
   tp_governing_fos *g = &c->governing_fos;
   const bool is_less = other->least < g->at_least || other->most < g->at_most;
-  if (verdict_of(c) != TP_VERDICT_STANDS || g->fos.state == TP_FOS_NO_TILT || !is_less) return;
+  if (verdict_of(c) < TP_VERDICT_OPEN || g->fos.state == TP_FOS_NO_TILT || !is_less) return;
   g->at_least = fmin(g->at_least, other->least);
   g->at_most = fmin(g->at_most, other->most);
   const tp_safety both = tp_case_safety(c);
-  const tp_fos fos = tp_safety_fos(&both);
-  if (fos.state != TP_FOS_UNDECIDED) return; /* the same to all digits that are proven */
-  g->fos = fos;
+  const bool is_known = tp_safety_fos(&both).state != TP_FOS_UNDECIDED;
+  const bool is_above =
+      g->fos.state == TP_FOS_NUMBER && g->fos.value.value > both.most * (1 + TP_SAFETY_WIDTH);
+  if (is_known && !is_above) return; /* the same to all digits that are proven */
+  g->fos = (tp_fos){.state = TP_FOS_UNDECIDED};
   g->complete = g->has_utilisation = g->has_design_utilisation = false;
   g->meets_required = tp_case_meets(c, g->required_fos.value);
 }

@@ -10,6 +10,7 @@
 #include "stability/governing.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static bool acts(const tp_quantity *share) {
   return share->given && !fmpq_is_zero(share->value);
@@ -60,6 +61,106 @@ static bool may_move_up_dip(const tp_case *shaken, double tilt_deg, double horiz
          !(lowest->to_deg.value + atan(horizontal) * degrees + margin_deg < tilt_deg);
 }
 
+/* ---- a motion that the earthquake works against ------------------------------------------------
+ */
+
+/* A velocity with the centroid going down by 1 and u along the horizontal to the down-dip side, and
+ * a turn: how far the bounds on u of all contacts are from leaving one that is not above 0. */
+static double gap_at(const tp_contact_row *rows, long count, double sine, double cosine,
+                     double turn) {
+  double least = -INFINITY, most = 0, gap = -INFINITY;
+  for (long k = 0; k < count; k++) {
+    const tp_contact_row *r = rows + k;
+    const double along = r->ny * sine - r->nx * cosine, up = r->nx * sine + r->ny * cosine;
+    const double rest = up - turn * (r->ny * r->x - r->nx * r->y);
+    if (along > 0)
+      least = fmax(least, rest / along);
+    else if (along < 0)
+      most = fmin(most, rest / along);
+    else
+      gap = fmax(gap, rest);
+  }
+  return fmax(gap, least - most);
+}
+
+/* The gap is convex in the turn, so that it falls and rises once as that goes from one infinity to
+ * the other. */
+bool tp_may_move_against(const tp_contact_row *rows, long count, double tilt_tangent) {
+  enum { STEPS = 60 };
+  static const double right = 1.5707, little = 1e-6, golden = 0.6180339887498949;
+  const double cosine = 1 / hypot(1, tilt_tangent), sine = tilt_tangent * cosine;
+  double size = 0, low = -right, high = right;
+  for (long k = 0; k < count; k++) size = fmax(size, hypot(rows[k].x, rows[k].y));
+  if (!(size > 0)) return true;
+  double one = high - golden * (high - low), other = low + golden * (high - low);
+  double at_one = gap_at(rows, count, sine, cosine, tan(one) / size);
+  double at_other = gap_at(rows, count, sine, cosine, tan(other) / size);
+  for (int k = 0; k < STEPS && fmin(at_one, at_other) > little; k++) {
+    if (at_one < at_other) {
+      high = other;
+      other = one;
+      at_other = at_one;
+      one = high - golden * (high - low);
+      at_one = gap_at(rows, count, sine, cosine, tan(one) / size);
+    } else {
+      low = one;
+      one = other;
+      at_one = at_other;
+      other = low + golden * (high - low);
+      at_other = gap_at(rows, count, sine, cosine, tan(other) / size);
+    }
+  }
+  return !(fmin(at_one, at_other) > little);
+}
+
+static double metres_between(const tp_lattice *l, const fmpz_t at, bool is_y, double from) {
+  fmpq_t metres;
+  fmpq_init(metres);
+  if (is_y)
+    tp_lattice_metres_y(metres, l, at);
+  else
+    tp_lattice_metres_x(metres, l, at);
+  const double length = fmpq_get_d(metres) - from;
+  fmpq_clear(metres);
+  return length;
+}
+
+/* From the centroid, the down-dip side to the left. */
+static tp_contact_row row_of(const tp_problem *problem, const tp_solution *solution, long point,
+                             const double normal[2], bool left) {
+  const tp_lattice *l = &problem->lattice;
+  const double x = metres_between(l, l->x + point, false, solution->block.centroid_x_m.value);
+  const double y = metres_between(l, l->y + point, true, solution->block.centroid_y_m.value);
+  return (tp_contact_row){left ? x : -x, y, left ? normal[0] : -normal[0], normal[1]};
+}
+
+/* Of a block whose coordinates are those of its frame. */
+static bool may_move_against(const tp_problem *problem, const tp_solution *solution, bool left,
+                             double tangent) {
+  const tp_placement *placed = &problem->placement;
+  const tp_contact *contact = &problem->contact;
+  const bool is_turned = placed->world != NULL && !placed->world->unturned;
+  if (is_turned || placed->rested != NULL || placed->jointed != NULL) return true;
+  tp_contact_row *rows = calloc(2 * (size_t)contact->facet_count + 1, sizeof *rows);
+  if (rows == NULL) return true;
+  long count = 0;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    const tp_lattice *l = &problem->lattice;
+    const double run =
+        metres_between(l, l->x + f->t1, false, 0) - metres_between(l, l->x + f->t0, false, 0);
+    const double rise =
+        metres_between(l, l->y + f->t1, true, 0) - metres_between(l, l->y + f->t0, true, 0);
+    const double length = hypot(run, rise), normal[2] = {-rise / length, run / length};
+    if (!(length > 0)) continue; /* it restrains nothing */
+    rows[count++] = row_of(problem, solution, f->q0, normal, left);
+    rows[count++] = row_of(problem, solution, f->q1, normal, left);
+  }
+  const bool may = tp_may_move_against(rows, count, tangent);
+  free(rows);
+  return may;
+}
+
 bool tp_static_state_may_govern(const tp_problem *problem, const tp_solution *solution) {
   const tp_scene *scene = problem->scene;
   if (!tp_static_state_exists(scene) || !solution->has_tilt_angle) return false;
@@ -69,6 +170,7 @@ bool tp_static_state_may_govern(const tp_problem *problem, const tp_solution *so
   for (size_t k = 0; k < solution->case_count; k++) {
     const tp_case *own = solution->cases + k;
     if (may_move_up_dip(own, tilt_deg, horizontal)) return true;
+    if (may_move_against(problem, solution, own->towards == TP_TOWARDS_LEFT, tangent)) return true;
     for (long j = 0; j < problem->contact.facet_count; j++) {
       if (dips_up_dip(&problem->lattice, problem->contact.facets + j,
                       own->towards == TP_TOWARDS_LEFT, tangent)) {

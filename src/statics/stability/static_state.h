@@ -19,9 +19,19 @@ bool tp_static_state_exists(const tp_scene *scene);
 bool tp_static_state_counts(const tp_scene *scene);
 
 /* Can a block that only an earthquake down-dip and its weight drive be less safe without it? Then a
- * motion up-dip can begin at rest: a facet of its base dips up-dip, or the weight passes the up-dip
- * end of the contact. `solution` is of the block with its earthquake. */
+ * motion up-dip can begin at rest: a facet of its base dips up-dip, the weight passes the up-dip
+ * end of the contact, or the base admits a motion in which the weight goes down and the earthquake
+ * works against it. `solution` is of the block with its earthquake. */
 bool tp_static_state_may_govern(const tp_problem *problem, const tp_solution *solution);
+
+/* A point of a contact from the centroid, with the normal of its facet; down-dip towards -x. */
+typedef struct tp_contact_row {
+  double x, y, nx, ny;
+} tp_contact_row;
+
+/* Do contacts admit a velocity with which the centroid goes down and, along the horizontal, not to
+ * the down-dip side? In doubles; true where that is open. */
+bool tp_may_move_against(const tp_contact_row *rows, long count, double tilt_tangent);
 
 /* Solve a scene as it is. */
 typedef tp_status tp_static_state_solve(tp_solution **solution, const tp_scene *scene,
