@@ -34,6 +34,7 @@ typedef struct asked {
 
 /* Of the pile on an incline, towards -x, with so much work. */
 static asked exclude(const block_pile *p, double incline, long most_work) {
+  bool weights_alone = false;
   tp_message message = {.text = ""};
   tp_resting r;
   const size_t count = (size_t)p->assemblage.contact_count + 1;
@@ -51,7 +52,8 @@ static asked exclude(const block_pile *p, double incline, long most_work) {
   ck_assert(loads != NULL && central != NULL);
   const tp_weight_loads weights = tp_weight_loads_tilted(true);
   const tp_near live = {incline, 0};
-  ck_assert_int_eq(tp_resting_loads(loads, central, &r, &weights, live, none, &message), TP_OK);
+  ck_assert_int_eq(
+      tp_resting_loads(loads, central, &weights_alone, &r, &weights, live, none, &message), TP_OK);
   const tp_modes_question q = {.resting = &r,
                                .friction = {friction, friction},
                                .cohesion = {none, none},

@@ -156,15 +156,16 @@ static void ask(scene *s, account *seen, tp_known_proofs *known, double incline,
   const double tangent = rough + 0.05 * draw_part(r);
   const tp_weight_loads weights = tp_weight_loads_tilted(true);
   tp_message message = {.text = ""};
+  bool weights_alone = false;
   for (int k = 0; k < 2; k++) {
     const double more = k * wide;
     const tp_near live = {incline + more, 0};
     for (long c = 0; c < s->resting.contact_count; c++) {
       s->friction[k][c] = (tp_near){tangent + more, 0};
     }
-    ck_assert_int_eq(
-        tp_resting_loads(s->loads[k], s->central, &s->resting, &weights, live, s->none, &message),
-        TP_OK);
+    ck_assert_int_eq(tp_resting_loads(s->loads[k], s->central, &weights_alone, &s->resting, &weights,
+                                      live, s->none, &message),
+                     TP_OK);
   }
   const tp_modes_question q = {.resting = &s->resting,
                                .friction = {s->friction[0], s->friction[1]},

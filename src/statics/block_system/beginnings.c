@@ -61,8 +61,8 @@ static tp_status state_at_driving(bool *exists, tp_blocks_at *at, const void *co
   const beginnings *b = context;
   tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
   *exists = true;
-  return tp_resting_loads(at->loads, at->central, &b->resting, &b->task->driving->loads,
-                          (tp_near){multiple, 0}, at->tension, message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, &b->resting,
+                          &b->task->driving->loads, (tp_near){multiple, 0}, at->tension, message);
 }
 
 /* From a multiple of what drives on to all: the share of what rests falls from the inverse of that
@@ -79,8 +79,8 @@ static tp_status state_beyond(bool *exists, tp_blocks_at *at, const void *contex
   }
   tp_blocks_at_divisor(at, &b->resting, b->task->system, 1);
   *exists = true;
-  return tp_resting_loads(at->loads, at->central, &b->resting, &loads, (tp_near){share, 0},
-                          at->tension, message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, &b->resting, &loads,
+                          (tp_near){share, 0}, at->tension, message);
 }
 
 /* ---- as they lie -------------------------------------------------------------------------------
@@ -194,10 +194,15 @@ static tp_status search_factor(beginnings *b, tp_message *message) {
 /* Along another number than strength, with as much work. */
 static tp_status init_beside(tp_standing_search *s, beginnings *b, int by, tp_moving_state *state,
                              tp_message *message) {
-  const tp_status status = tp_standing_init(s, &b->arranged, b->known + by, state, b, message);
+  tp_status status = tp_standing_init(s, &b->arranged, b->known + by, state, b, message);
+  if (status == TP_OK && !tp_virtual_known_copy(&s->virtual_known, &b->standing.virtual_known)) {
+    tp_standing_clear(s);
+    status = tp_fail_memory(message, "a proof");
+  }
   s->loads_vary = true;
   s->most_work = b->standing.most_work;
   s->proof_work = b->proof_work;
+  s->by_virtual_motions = b->standing.by_virtual_motions;
   return status;
 }
 

@@ -68,8 +68,8 @@ void tp_blocks_at_divisor(tp_blocks_at *at, const tp_resting *r, const tp_built_
 
 tp_status tp_blocks_at_rest(tp_blocks_at *at, const tp_resting *resting, const tp_resultant *r,
                             tp_message *message) {
-  return tp_resting_loads(at->loads, at->central, resting, &r->loads, r->target, at->tension,
-                          message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, resting, &r->loads, r->target,
+                          at->tension, message);
 }
 
 /* Weights alone: by the tangent of the angle of their resultant. */
@@ -92,8 +92,8 @@ static tp_status turn_weights(bool *within, tp_blocks_at *at, const tp_resting *
   arb_clear(sine);
   arb_clear(cosine);
   if (!*within) return TP_OK;
-  return tp_resting_loads(at->loads, at->central, resting, &r->loads, tangent, at->tension,
-                          message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, resting, &r->loads, tangent,
+                          at->tension, message);
 }
 
 tp_status tp_blocks_at_tilt(bool *within, tp_blocks_at *at, const tp_resting *resting,
@@ -103,5 +103,6 @@ tp_status tp_blocks_at_tilt(bool *within, tp_blocks_at *at, const tp_resting *re
   if (!is_measured) return turn_weights(within, at, resting, r, tilt_deg, message);
   const tp_weight_loads loads = tp_resultant_at(r, tilt_deg / radian);
   *within = true;
-  return tp_resting_loads(at->loads, at->central, resting, &loads, r->target, at->tension, message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, resting, &loads, r->target,
+                          at->tension, message);
 }

@@ -21,6 +21,7 @@ typedef struct tp_blocks_at {
   bool has_bond;     /* is any of them not 0? */
   tp_near *loads;    /* w by row, about blocks' own points */
   tp_near *central;  /* and about their centroids */
+  bool weights_alone; /* are the loads */
 } tp_blocks_at;
 
 TP_MUST_USE bool tp_blocks_at_init(tp_blocks_at *at, const tp_resting *resting);

@@ -34,6 +34,7 @@ static bool init_state(tp_standing_state *s, const tp_resting *r) {
 
 void tp_standing_clear(tp_standing_search *s) {
   tp_blocks_at_clear(&s->at);
+  tp_virtual_known_clear(&s->virtual_known);
   for (int k = 0; k < 2; k++) clear_state(s->ends + k);
   free(s->left_arranged);
   free(s->left);
@@ -82,16 +83,46 @@ static tp_status set_end(bool *exists, tp_standing_search *s, int end, double x,
   return TP_OK;
 }
 
+/* Once modes were too many for their search. */
+static tp_status prove_at_once(bool *proven, tp_standing_search *s, const tp_modes_question *q,
+                               tp_message *message) {
+  enum { MOST_IN_VAIN = 8 };
+  if (s->virtual_in_vain == MOST_IN_VAIN) return TP_OK;
+  const tp_status status =
+      tp_virtual_motion_find(proven, &s->virtual_known, s->arranged, q, message);
+  if (status != TP_OK) return status;
+  s->by_virtual_motions = s->by_virtual_motions || *proven;
+  if (!*proven) s->virtual_in_vain++;
+  return TP_OK;
+}
+
+static tp_status prove_by_modes(bool *proven, bool *is_spent, tp_standing_search *s,
+                                const tp_modes_question *q, bool is_wide, tp_message *message) {
+  const long before = s->work;
+  tp_exclusion e = {.most_work = most_work(s, is_wide),
+                    .work = before,
+                    .left = s->left_arranged,
+                    .known = s->known};
+  const tp_status status = tp_exclusion_find(&e, q, message);
+  s->work = e.work;
+  *proven = status == TP_OK && e.is_proven;
+  *is_spent = status == TP_OK && !e.is_proven && !e.has_left;
+  if (*proven) s->proof_work = s->work - before;
+  if (e.has_left) tp_arranged_modes(s->left, s->arranged, s->left_arranged);
+  return status;
+}
+
 /* Strength is greatest where x, of a divisor, is least. */
 tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, double to,
                             tp_message *message) {
   const tp_resting *r = &s->arranged->resting;
   *proven = false;
   memset(s->left, 0, (size_t)r->contact_count * sizeof *s->left);
-  bool exists = true;
+  bool exists = true, weights_alone = true;
   tp_status status = TP_OK;
   for (int k = 0; k < 2 && exists && status == TP_OK; k++) {
     status = set_end(&exists, s, k, k == 0 ? from : to, message);
+    weights_alone = weights_alone && s->at.weights_alone;
   }
   if (status != TP_OK || !exists) return status;
   const bool has_bond = s->ends[0].has_bond && s->ends[1].has_bond;
@@ -101,17 +132,28 @@ tp_status tp_standing_prove(bool *proven, tp_standing_search *s, double from, do
       .cohesion = {s->ends[1].cohesion, s->ends[0].cohesion},
       .loads = {s->ends[0].loads, s->ends[1].loads},
       .bond = {has_bond ? s->ends[0].bond : NULL, has_bond ? s->ends[1].bond : NULL},
-      .load_count = s->loads_vary && to > from ? 2 : 1};
-  const long before = s->work;
-  tp_exclusion e = {.most_work = most_work(s, to > from),
-                    .work = before,
-                    .left = s->left_arranged,
-                    .known = s->known};
-  status = tp_exclusion_find(&e, &q, message);
-  s->work = e.work;
-  *proven = status == TP_OK && e.is_proven;
-  if (*proven) s->proof_work = s->work - before;
-  if (e.has_left) tp_arranged_modes(s->left, s->arranged, s->left_arranged);
+      .load_count = s->loads_vary && to > from ? 2 : 1,
+      .weights_alone = weights_alone};
+  bool is_spent = s->by_virtual_motions;
+  if (!is_spent) status = prove_by_modes(proven, &is_spent, s, &q, to > from, message);
+  return status == TP_OK && is_spent ? prove_at_once(proven, s, &q, message) : status;
+}
+
+/* By virtual motions alone: of much less strength at once, of more load by little. */
+static tp_status extend_by_virtual_motions(double *x, tp_standing_search *s, double limit,
+                                           double width, tp_message *message) {
+  enum { PARTS_OF_STRENGTH = 2, PARTS_OF_LOAD = 64, MOST_OF_STRENGTH = 6, MOST_OF_LOAD = 8 };
+  const int most = s->loads_vary ? MOST_OF_LOAD : MOST_OF_STRENGTH;
+  double step = (limit - *x) / (s->loads_vary ? PARTS_OF_LOAD : PARTS_OF_STRENGTH);
+  tp_status status = TP_OK;
+  for (int k = 0; k < most && step > width && *x < limit && status == TP_OK; k++) {
+    const double to = fmin(limit, *x + step);
+    bool proven = false;
+    status = tp_standing_prove(&proven, s, *x, to, message);
+    if (proven) *x = to;
+    step = proven ? 2 * step : step / 2;
+    if (*x + step >= limit) step = (limit - *x) / 2;
+  }
   return status;
 }
 
@@ -122,6 +164,7 @@ tp_status tp_standing_extend(double *x, tp_standing_search *s, double from, doub
   bool can_move = false; /* at the limit, by what was left of the try to reach it */
   double step = fmax(first_step(s, limit - from), 2 * width), to = fmin(limit, from + step);
   *x = from;
+  if (s->by_virtual_motions) return extend_by_virtual_motions(x, s, limit, width, message);
   s->try_work = like_last > least ? like_last : least;
   while (status == TP_OK && to - *x > width && s->work <= s->most_work) {
     bool proven = false;
@@ -134,6 +177,7 @@ tp_status tp_standing_extend(double *x, tp_standing_search *s, double from, doub
     can_move = can_move || (!proven && to >= limit && is_left);
     to = fmin(limit, *x + step);
     if (can_move && to >= limit) to = *x + (limit - *x) / 2;
+    if (s->by_virtual_motions) return extend_by_virtual_motions(x, s, limit, width, message);
   }
   return status;
 }

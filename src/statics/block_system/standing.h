@@ -10,6 +10,7 @@
 #include "block_system/moving.h"
 #include "contact_modes/arranged.h"
 #include "contact_modes/exclusion.h"
+#include "contact_modes/virtual_motion.h"
 
 /* What an exclusion is asked of, as blocks are arranged. */
 typedef struct tp_standing_state {
@@ -28,6 +29,9 @@ typedef struct tp_standing_search {
   long work;       /* so far */
   long proof_work; /* of the last proof that was found; 0: of none */
   long try_work;   /* that a try of an interval may take */
+  bool by_virtual_motions; /* modes were too many once, and a virtual motion proved it */
+  int virtual_in_vain;     /* virtual motions that were sought and not found */
+  tp_virtual_known virtual_known;
   tp_blocks_at at;
   tp_standing_state ends[2];
   tp_mode_set *left_arranged;

@@ -32,8 +32,8 @@ static tp_status state_at(bool *exists, tp_blocks_at *at, const onset *x, double
                           tp_message *message) {
   tp_blocks_at_divisor(at, &x->resting, x->task->system, x->task->divisor);
   *exists = true;
-  return tp_resting_loads(at->loads, at->central, &x->resting, &x->task->loads, (tp_near){force, 0},
-                          at->tension, message);
+  return tp_resting_loads(at->loads, at->central, &at->weights_alone, &x->resting, &x->task->loads,
+                          (tp_near){force, 0}, at->tension, message);
 }
 
 static tp_status state_downwards(bool *exists, tp_blocks_at *at, const void *context, double number,

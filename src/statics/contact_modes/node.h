@@ -18,6 +18,7 @@ typedef struct tp_modes_question {
   const tp_near *bond[2];     /* by load: 2 a contact, the pull at each of its ends that is part of
                                  w; NULL: there is none */
   int load_count;             /* 1 or 2 */
+  bool weights_alone;         /* are the loads */
 } tp_modes_question;
 
 typedef struct tp_modes_node {

@@ -136,9 +136,9 @@ tp_status tp_resting_init(tp_resting *r, const tp_assemblage *a,
   return TP_OK;
 }
 
-tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *r,
-                           const tp_weight_loads *loads, tp_near live, const tp_near *tension,
-                           tp_message *message) {
+tp_status tp_resting_loads(tp_near *rows, tp_near *central, bool *weights_alone,
+                           const tp_resting *r, const tp_weight_loads *loads, tp_near live,
+                           const tp_near *tension, tp_message *message) {
   tp_contact_strength *own = calloc((size_t)r->assemblage->contact_count + 1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the loads");
   bool pulls = false;
@@ -154,13 +154,13 @@ tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *r,
     rows[k] = tp_near_plus(p.dead[k], tp_near_times(live, p.live[k]));
     central[k] = rows[k];
   }
-  const bool weights_alone = loads->applied == NULL && loads->push == NULL && !pulls;
+  *weights_alone = loads->applied == NULL && loads->push == NULL && !pulls;
   for (long b = 0; b < r->rows / 3; b++) {
     const tp_rigid_block *block = r->assemblage->blocks + r->block[b];
     tp_near moment[3] = {rows[3 * b], rows[3 * b + 1]};
     tp_sparse_moment(moment, &block->arm_x, &block->arm_y);
     central[3 * b + 2] =
-        weights_alone ? (tp_near){0, 0} : tp_near_minus(rows[3 * b + 2], moment[2]);
+        *weights_alone ? (tp_near){0, 0} : tp_near_minus(rows[3 * b + 2], moment[2]);
   }
   tp_force_program_clear(&p);
   return TP_OK;

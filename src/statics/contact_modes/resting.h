@@ -50,10 +50,11 @@ void tp_resting_clear(tp_resting *resting);
 
 /* w by row, of loads with so much of the live one, and of the pull of all that is `tension`, by
  * contact of the assemblage: what bears so much less at each end may pull by that; its moments
- * about blocks' own points, and in `central` about their centroids, where weights have none. */
-TP_MUST_USE tp_status tp_resting_loads(tp_near *rows, tp_near *central, const tp_resting *resting,
-                                       const tp_weight_loads *loads, tp_near live,
-                                       const tp_near *tension, tp_message *message);
+ * about blocks' own points, and in `central` about their centroids, where weights have none; and
+ * whether there is nothing but weights. */
+TP_MUST_USE tp_status tp_resting_loads(tp_near *rows, tp_near *central, bool *weights_alone,
+                                       const tp_resting *resting, const tp_weight_loads *loads,
+                                       tp_near live, const tp_near *tension, tp_message *message);
 
 /* M^-1 of a wrench on a block; in doubles too. */
 void tp_resting_accelerate(tp_near own[3], const tp_rigid_block *block, const tp_near wrench[3]);

@@ -41,6 +41,7 @@ CGAL = [
     "-DCGAL_HEADER_ONLY",
     "-DBOOST_NO_CXX98_FUNCTION_BASE",
 ]
+EIGEN = Path("/usr/include/eigen3")  # headers alone, of the native build too
 # An archive comes before those that it calls.
 LIBRARIES = ["argp", "calcium", "arb", "flint", "mpfr", "gmp", "gsl", "cxsparse", "yaml", "expat", "dxflib", "cairo", "pixman", "freetype", "png", "zlib"]
 LINKED = [
@@ -66,7 +67,7 @@ def targets() -> dict[str, list[str]]:
     """The sources of the targets of the native build that the core is made of."""
     asked = ["meson", "introspect", "--targets", str(NATIVE)]
     told = json.loads(subprocess.run(asked, capture_output=True, text=True, check=True).stdout)
-    libraries = {(name, "static library") for name in ("topple-geom", "topple-geom-solid", "topple-events", "topple", "topple-figure")}
+    libraries = {(name, "static library") for name in ("topple-geom", "topple-geom-solid", "topple-events", "topple-margins", "topple", "topple-figure")}
     wanted = libraries | {("topple", "executable")}
     # A unit of several files: the files of its wing (src/units.py).
     units = {
@@ -125,7 +126,7 @@ def write_ninja(libraries: Path) -> None:
     own = [*DEFINED, *include, "-Wall", "-Wno-unknown-pragmas"]
     lines = [RULES.format(c=shlex.join(toolchain.C), cxx=shlex.join(toolchain.CXX))]
     lines.append(f"flags_c = {shlex.join([*own, '-include', f'{HERE}/c_library/sort.h', '-std=gnu17'])}")
-    lines.append(f"flags_cpp = {shlex.join([*own, *CGAL, '-std=c++17'])}")
+    lines.append(f"flags_cpp = {shlex.join([*own, f'-isystem{EIGEN}', *CGAL, '-std=c++17'])}")
     objects = []
     sources = sorted({file for files in targets().values() for file in files})
     sources += [str(file) for file in [*ABSENT, *sorted((HERE / "c_library").glob("*.c"))]]
