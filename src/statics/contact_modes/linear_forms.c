@@ -50,14 +50,14 @@ void tp_linear_forms_add(tp_linear_forms *f, long unknown, tp_near factor) {
 
 void tp_linear_forms_add_constant(tp_linear_forms *f, tp_near constant) {
   if (f->failed) return;
-  tp_near *own = &f->forms[f->count - 1].constant;
-  *own = tp_near_plus(*own, constant);
+  tp_near *sum = &f->forms[f->count - 1].constant;
+  *sum = tp_near_plus(*sum, constant);
 }
 
 tp_near tp_linear_forms_value(const tp_linear_forms *f, long form, const double *unknowns) {
-  const tp_linear_form *own = f->forms + form;
-  tp_near sum = own->constant;
-  for (long k = own->first; k < own->end; k++) {
+  const tp_linear_form *of = f->forms + form;
+  tp_near sum = of->constant;
+  for (long k = of->first; k < of->end; k++) {
     const tp_near unknown = {unknowns[f->unknown[k]], 0};
     sum = tp_near_plus(sum, tp_near_times(f->factor[k], unknown));
   }

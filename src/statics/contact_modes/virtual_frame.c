@@ -123,10 +123,10 @@ tp_near tp_virtual_times(const tp_virtual_row *row, const tp_virtual_row *twist)
 }
 
 tp_virtual_row tp_virtual_about_centroid(const tp_virtual_row *row, const tp_virtual_block *b) {
-  tp_virtual_row own = *row;
-  own.of[2] = tp_near_plus(own.of[2], tp_near_minus(tp_near_times(row->of[0], b->across),
-                                                    tp_near_times(row->of[1], b->along)));
-  return own;
+  tp_virtual_row central = *row;
+  central.of[2] = tp_near_plus(central.of[2], tp_near_minus(tp_near_times(row->of[0], b->across),
+                                                            tp_near_times(row->of[1], b->along)));
+  return central;
 }
 
 static tp_near over_power(const fmpz_t number, long exponent) {
@@ -159,7 +159,7 @@ static void set_place(tp_near *along, tp_near *across, const tp_virtual_frame *f
   *across = tp_near_div(tp_near_minus(tp_near_times(y, dx), tp_near_times(x, dy)), f->size2);
 }
 
-static void set_contact(tp_virtual_contact *own, const tp_virtual_frame *f,
+static void set_contact(tp_virtual_contact *to, const tp_virtual_frame *f,
                         const tp_resting_contact *c) {
   const tp_lattice *l = &f->arranged->assemblage.lattice;
   const long unit = f->arranged->assemblage.length_exponent;
@@ -176,20 +176,20 @@ static void set_contact(tp_virtual_contact *own, const tp_virtual_frame *f,
     fmpz_sub(x, l->x + c->of.ends[e], f->origin[0]);
     fmpz_sub(y, l->y + c->of.ends[e], f->origin[1]);
     if (f->arranged->mirrored) fmpz_neg(x, x);
-    set_row(own->gap[e], own->gaps + e, f, x, y, nx, ny, exponent);
+    set_row(to->gap[e], to->gaps + e, f, x, y, nx, ny, exponent);
     tp_near along, across;
     set_place(&along, &across, f, over_power(x, unit), over_power(y, unit));
-    own->turn[e] = (tp_virtual_row){{across, tp_near_neg(along), {1, 0}}};
+    to->turn[e] = (tp_virtual_row){{across, tp_near_neg(along), {1, 0}}};
   }
-  set_row(own->slip, &own->slips, f, x, y, tx, ty, exponent);
+  set_row(to->slip, &to->slips, f, x, y, tx, ty, exponent);
   const tp_near dx = over_power(tx, exponent), dy = over_power(ty, exponent);
   const tp_near size2 = tp_near_plus(tp_near_times(dx, dx), tp_near_times(dy, dy));
   for (int k = 0; k < 2; k++) {
-    own->slide.of[k] = tp_near_div(own->slips.of[k], tp_near_times(f->size2, size2));
-    own->block[k] = c->normal[0].row[k] < 0 ? -1 : c->normal[0].row[k] / 3;
+    to->slide.of[k] = tp_near_div(to->slips.of[k], tp_near_times(f->size2, size2));
+    to->block[k] = c->normal[0].row[k] < 0 ? -1 : c->normal[0].row[k] / 3;
   }
-  own->slide.of[2] = (tp_near){0, 0};
-  own->is_joint = own->block[0] >= 0 && own->block[1] >= 0 && !fmpz_is_zero(own->gap[0]);
+  to->slide.of[2] = (tp_near){0, 0};
+  to->is_joint = to->block[0] >= 0 && to->block[1] >= 0 && !fmpz_is_zero(to->gap[0]);
   fmpz_clear(tx);
   fmpz_clear(ty);
   fmpz_clear(nx);
@@ -201,7 +201,7 @@ static void set_contact(tp_virtual_contact *own, const tp_virtual_frame *f,
 /* ---- blocks ------------------------------------------------------------------------------------
  */
 
-static void set_block(tp_virtual_block *own, const tp_virtual_frame *f, long number) {
+static void set_block(tp_virtual_block *to, const tp_virtual_frame *f, long number) {
   const long b = f->arranged->resting.block[number];
   const tp_rigid_block *block = f->arranged->blocks + b;
   const tp_rigid_block *given = f->arranged->given->assemblage->blocks + b;
@@ -209,9 +209,9 @@ static void set_block(tp_virtual_block *own, const tp_virtual_frame *f, long num
   const tp_near y = tp_assemblage_length(&f->arranged->assemblage, f->origin[1], given->y);
   x = tp_near_plus(x, given->arm_x);
   if (f->arranged->mirrored) x = tp_near_neg(x);
-  own->weight = block->weight;
-  own->gyration2 = block->gyration2;
-  set_place(&own->along, &own->across, f, x, tp_near_plus(y, given->arm_y));
+  to->weight = block->weight;
+  to->gyration2 = block->gyration2;
+  set_place(&to->along, &to->across, f, x, tp_near_plus(y, given->arm_y));
 }
 
 static bool is_near(const tp_virtual_frame *f, long block, long other) {
@@ -224,14 +224,14 @@ static bool is_near(const tp_virtual_frame *f, long block, long other) {
 }
 
 static bool set_near(const tp_virtual_frame *f, long block, bool *near) {
-  tp_virtual_block *own = f->blocks + block;
-  own->near = calloc(2 * (size_t)f->contact_count + 1, sizeof *own->near);
-  if (own->near == NULL) return false;
+  tp_virtual_block *centre = f->blocks + block;
+  centre->near = calloc(2 * (size_t)f->contact_count + 1, sizeof *centre->near);
+  if (centre->near == NULL) return false;
   for (long b = 0; b < f->block_count; b++) near[b] = is_near(f, block, b);
   for (long k = 0; k < f->contact_count; k++) {
     const long *of = f->contacts[k].block;
     if ((of[0] >= 0 && !near[of[0]]) || (of[1] >= 0 && !near[of[1]])) continue;
-    for (int e = 0; e < 2; e++) own->near[own->near_count++] = 2 * k + e;
+    for (int e = 0; e < 2; e++) centre->near[centre->near_count++] = 2 * k + e;
   }
   return true;
 }
@@ -291,11 +291,11 @@ void tp_virtual_relations_clear(tp_virtual_relations *r) {
 
 /* Those of contacts of the two blocks first, joints last. */
 static int class_of(const tp_virtual_frame *f, long contact, long gap) {
-  const tp_virtual_contact *c = f->contacts + contact, *own = f->contacts + gap / 2;
-  if (own->is_joint) return gap / 2 == contact ? 2 : 3;
+  const tp_virtual_contact *c = f->contacts + contact, *other = f->contacts + gap / 2;
+  if (other->is_joint) return gap / 2 == contact ? 2 : 3;
   for (int k = 0; k < 4; k++) {
     const long block = c->block[k / 2];
-    if (block >= 0 && own->block[k % 2] == block) return 0;
+    if (block >= 0 && other->block[k % 2] == block) return 0;
   }
   return 1;
 }
@@ -311,9 +311,9 @@ static bool has_gap(const tp_virtual_frame *f, long block, long gap) {
 static void list_gaps(tp_virtual_relations *r, const tp_virtual_frame *f, long contact) {
   enum { CLASSES = 4 };
   const long *of = f->contacts[contact].block;
-  for (int own = 0; own < CLASSES; own++) {
+  for (int rank = 0; rank < CLASSES; rank++) {
     for (long gap = 0; gap < 2 * f->contact_count; gap++) {
-      if (class_of(f, contact, gap) != own) continue;
+      if (class_of(f, contact, gap) != rank) continue;
       if (has_gap(f, of[0], gap) || has_gap(f, of[1], gap)) r->gaps[r->count++] = gap;
     }
   }
@@ -393,9 +393,9 @@ static void read(tp_virtual_relations *r, const tp_virtual_frame *f, long contac
       row++;
       continue;
     }
-    tp_near *own = r->relations + n * r->relation_count++;
-    read_column(own, m, pivot, row, c, over, power, power[c]);
-    own[c] = (tp_near){-1, 0};
+    tp_near *relation = r->relations + n * r->relation_count++;
+    read_column(relation, m, pivot, row, c, over, power, power[c]);
+    relation[c] = (tp_near){-1, 0};
   }
 }
 
@@ -411,7 +411,7 @@ static bool relate(tp_virtual_relations *r, const tp_virtual_frame *f, long cont
       rows += 3;
     }
   }
-  const tp_virtual_contact *own = f->contacts + contact;
+  const tp_virtual_contact *of = f->contacts + contact;
   fmpz_mat_t m;
   fmpz_t over;
   fmpz_init(over);
@@ -420,9 +420,9 @@ static bool relate(tp_virtual_relations *r, const tp_virtual_frame *f, long cont
     const tp_virtual_contact *c = f->contacts + r->gaps[k] / 2;
     set_column(m, k, place, c->block, c->gap[r->gaps[k] % 2]);
   }
-  set_column(m, r->count, place, own->block, own->slip);
+  set_column(m, r->count, place, of->block, of->slip);
   const fmpz turn[3] = {0, 0, 1};
-  set_column(m, r->count + 1, place, own->block, turn);
+  set_column(m, r->count + 1, place, of->block, turn);
   const long rank = fmpz_mat_rref(m, over, m);
   const size_t most = (size_t)(r->count - rank > 0 ? r->count - rank : 0) + 3;
   r->relations = calloc(most * (size_t)(r->count + 1), sizeof *r->relations);

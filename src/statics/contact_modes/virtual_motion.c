@@ -242,7 +242,7 @@ static long group_of(const balancing *b, long block) {
   return block;
 }
 
-/* How many groups can slide; -1 of the ground's own. */
+/* How many groups can slide. `is_held`, by block, is where the ground keeps the group from it. */
 static long count_slides(balancing *b, bool *is_held) {
   const tp_virtual_frame *f = b->s->p->frame;
   for (long k = 0; k < f->block_count; k++) b->group[k] = k;
@@ -265,8 +265,10 @@ static long count_slides(balancing *b, bool *is_held) {
 
 static tp_near entry_of(const balancing *b, long row, long gap) {
   const tp_virtual_contact *c = b->s->p->frame->contacts + gap / 2;
-  const tp_near own = c->gaps[gap % 2].of[row % 3];
-  return c->block[0] == row / 3 ? own : c->block[1] == row / 3 ? tp_near_neg(own) : (tp_near){0, 0};
+  const tp_near entry = c->gaps[gap % 2].of[row % 3];
+  return c->block[0] == row / 3   ? entry
+         : c->block[1] == row / 3 ? tp_near_neg(entry)
+                                  : (tp_near){0, 0};
 }
 
 /* Rows and columns of as many pivots, the largest that is left each time. */
@@ -283,9 +285,9 @@ static bool choose_pivots(balancing *b, long rank) {
     double most = 0;
     for (long r = k; r < n; r++) {
       for (long c = k; c < m; c++) {
-        const double own = fabs(b->table[b->row_at[r] * m + b->column_at[c]]);
-        if (own <= most) continue;
-        most = own;
+        const double size = fabs(b->table[b->row_at[r] * m + b->column_at[c]]);
+        if (size <= most) continue;
+        most = size;
         row = r;
         column = c;
       }

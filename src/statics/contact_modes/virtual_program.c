@@ -44,9 +44,9 @@ static const tp_virtual_row zero_row = {{{0, 0}, {0, 0}, {0, 0}}};
 
 /* The unknowns of H of a block and a gap near it, three; -1: that is not near. */
 static long unknown_of(const tp_virtual_program *p, long block, long gap) {
-  const tp_virtual_block *own = p->frame->blocks + block;
-  for (long k = 0; k < own->near_count; k++) {
-    if (own->near[k] == gap) return p->of_gap[block] + 3 * k;
+  const tp_virtual_block *centre = p->frame->blocks + block;
+  for (long k = 0; k < centre->near_count; k++) {
+    if (centre->near[k] == gap) return p->of_gap[block] + 3 * k;
   }
   return -1;
 }
@@ -76,8 +76,8 @@ static void add_transformed(tp_virtual_program *p, const edge *g, const tp_virtu
   tp_linear_forms_add_constant(to, tp_near_times(factor, share));
   for (int r = 0; r < 3; r++) {
     for (int c = 0; c < 2; c++) {
-      const tp_near own = tp_near_times(force->of[r], twist->of[c + 1]);
-      tp_linear_forms_add(to, p->transform[r][c], tp_near_times(factor, own));
+      const tp_near product = tp_near_times(force->of[r], twist->of[c + 1]);
+      tp_linear_forms_add(to, p->transform[r][c], tp_near_times(factor, product));
     }
   }
 }
@@ -88,14 +88,15 @@ static void add_by_gap(tp_virtual_program *p, const edge *g, long gap) {
     const long block = g->contact->block[side];
     const long unknown = block >= 0 ? unknown_of(p, block, gap) : -1;
     if (unknown < 0) continue;
-    const tp_virtual_row own = tp_virtual_about_centroid(&g->force, p->frame->blocks + block);
+    const tp_virtual_row central = tp_virtual_about_centroid(&g->force, p->frame->blocks + block);
     for (int c = 0; c < 3; c++) {
-      tp_linear_forms_add(&p->signs, unknown + c, side == 0 ? own.of[c] : tp_near_neg(own.of[c]));
+      tp_linear_forms_add(&p->signs, unknown + c,
+                          side == 0 ? central.of[c] : tp_near_neg(central.of[c]));
     }
   }
 }
 
-/* Is the factor of a gap told by T too? Otherwise it is the same for all loads. */
+/* Does the factor of a gap depend on T? Otherwise it is the same for all loads. */
 static bool is_by_transform(const edge *g, long at) {
   const tp_virtual_relations *r = g->relations;
   const bool turns = r->has_turn && g->contact->is_joint;
@@ -189,10 +190,10 @@ static tp_virtual_row load_of(const tp_virtual_block *block, tp_near drive) {
 
 /* The row about its centroid as one about the origin, and back. */
 static tp_virtual_row about_origin(const tp_virtual_row *row, const tp_virtual_block *b) {
-  tp_virtual_row own = *row;
-  own.of[2] = tp_near_minus(own.of[2], tp_near_minus(tp_near_times(row->of[0], b->across),
-                                                     tp_near_times(row->of[1], b->along)));
-  return own;
+  tp_virtual_row shifted = *row;
+  shifted.of[2] = tp_near_minus(shifted.of[2], tp_near_minus(tp_near_times(row->of[0], b->across),
+                                                             tp_near_times(row->of[1], b->along)));
+  return shifted;
 }
 
 /* Work on T a less the sum of gaps times `reach`, by component of the block's acceleration; on the
@@ -207,10 +208,10 @@ static void add_powers(tp_virtual_program *p, int load, long block) {
       tp_linear_forms_add(&p->powers, p->transform[r][c - 1], force.of[r]);
     }
     for (long gap = 0; gap < 2 * p->frame->contact_count; gap++) {
-      const tp_virtual_contact *own = p->frame->contacts + gap / 2;
+      const tp_virtual_contact *contact = p->frame->contacts + gap / 2;
       for (int side = 0; side < 2; side++) {
-        if (own->block[side] != block) continue;
-        const tp_near row = own->gaps[gap % 2].of[c];
+        if (contact->block[side] != block) continue;
+        const tp_near row = contact->gaps[gap % 2].of[c];
         tp_linear_forms_add(&p->powers, p->reach[load][gap], side == 0 ? tp_near_neg(row) : row);
       }
     }
@@ -225,9 +226,9 @@ static void add_loads(tp_virtual_program *p, int load, long role) {
     tp_linear_forms_add(&p->signs, p->reach[load][gap], (tp_near){1, 0});
     for (long b = 0; b < f->block_count; b++) {
       const long unknown = unknown_of(p, b, gap);
-      const tp_virtual_row own = load_of(f->blocks + b, p->drive[load]);
+      const tp_virtual_row weight = load_of(f->blocks + b, p->drive[load]);
       for (int c = 0; c < 2 && unknown >= 0; c++) {
-        tp_linear_forms_add(&p->signs, unknown + c, own.of[c]);
+        tp_linear_forms_add(&p->signs, unknown + c, weight.of[c]);
       }
     }
   }
@@ -272,13 +273,13 @@ static void add_of_block(massing *m, long block, int i, int k, tp_near factor) {
   tp_virtual_program *p = m->p;
   tp_near to[3][3], back[3][3];
   set_shifts(to, back, p->frame->blocks + block);
-  const tp_near own = tp_near_times(factor, scaled(m, 3 * block + i, 3 * block + k));
+  const tp_near scale = tp_near_times(factor, scaled(m, 3 * block + i, 3 * block + k));
   const tp_near slide = tp_near_plus(to[i][0], tp_near_times(p->drive[m->load], to[i][1]));
-  tp_linear_forms_add_constant(&p->mass, tp_near_times(own, tp_near_times(slide, back[0][k])));
+  tp_linear_forms_add_constant(&p->mass, tp_near_times(scale, tp_near_times(slide, back[0][k])));
   for (int r = 0; r < 3; r++) {
     for (int c = 1; c < 3; c++) {
       const tp_near share = tp_near_times(to[i][r], back[c][k]);
-      tp_linear_forms_add(&p->mass, p->transform[r][c - 1], tp_near_times(own, share));
+      tp_linear_forms_add(&p->mass, p->transform[r][c - 1], tp_near_times(scale, share));
     }
   }
 }
@@ -288,7 +289,7 @@ static void add_of_gaps(massing *m, long row, long column, tp_near factor) {
   tp_virtual_program *p = m->p;
   const long block = row / 3, other = column / 3;
   const tp_virtual_block *b = p->frame->blocks + block;
-  const tp_near own = tp_near_times(factor, scaled(m, row, column));
+  const tp_near scale = tp_near_times(factor, scaled(m, row, column));
   for (long k = 0; k < b->near_count; k++) {
     const tp_virtual_contact *c = p->frame->contacts + b->near[k] / 2;
     for (int side = 0; side < 2; side++) {
@@ -296,7 +297,8 @@ static void add_of_gaps(massing *m, long row, long column, tp_near factor) {
       const tp_virtual_row g =
           tp_virtual_about_centroid(c->gaps + b->near[k] % 2, p->frame->blocks + other);
       const tp_near entry = side == 0 ? g.of[column % 3] : tp_near_neg(g.of[column % 3]);
-      tp_linear_forms_add(&p->mass, p->of_gap[block] + 3 * k + row % 3, tp_near_times(own, entry));
+      tp_linear_forms_add(&p->mass, p->of_gap[block] + 3 * k + row % 3,
+                          tp_near_times(scale, entry));
     }
   }
 }
@@ -335,9 +337,9 @@ static void add_entry(massing *m, long row, long column) {
 }
 
 bool tp_virtual_is_beside(const tp_virtual_program *p, long entry, long other) {
-  const tp_virtual_entry *own = p->entries + entry, *of = p->entries + other;
-  const bool is_of_load = own->load == of->load || of->row / 3 != of->column / 3;
-  return entry != other && is_of_load && (of->row == own->row || of->column == own->row);
+  const tp_virtual_entry *one = p->entries + entry, *of = p->entries + other;
+  const bool is_of_load = one->load == of->load || of->row / 3 != of->column / 3;
+  return entry != other && is_of_load && (of->row == one->row || of->column == one->row);
 }
 
 static void add_mass(tp_virtual_program *p, int load) {
@@ -355,8 +357,8 @@ static void add_mass(tp_virtual_program *p, int load) {
   }
   for (long b = 0; b < f->block_count; b++) {
     for (long other = b; other < f->block_count; other++) {
-      const bool is_told = load > 0 && b != other; /* by the first load */
-      if (is_told || (!are_coupled(f, b, other) && !are_coupled(f, other, b))) continue;
+      const bool is_repeated = load > 0 && b != other; /* of the first load */
+      if (is_repeated || (!are_coupled(f, b, other) && !are_coupled(f, other, b))) continue;
       for (int k = 0; k < 9 && !p->failed; k++) {
         const long row = 3 * b + k / 3, column = 3 * other + k % 3;
         if (column >= row) add_entry(&m, row, column);

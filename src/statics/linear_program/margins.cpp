@@ -101,8 +101,8 @@ private:
   Factors factors;
   bool analysed = false;
 
-  static double size(const Vector &own) {
-    return own.size() > 0 ? own.cwiseAbs().maxCoeff() : 0;
+  static double size(const Vector &v) {
+    return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0;
   }
 
   bool is_solved(double near) const {
@@ -132,8 +132,8 @@ private:
     static const double of_columns = 1e-6, of_equations = 1e-7;
     weight = Vector(rows);
     for (long k = 0; k < rows; k++) {
-      const double own = y[k] / v[k];
-      weight[k] = wants[k] ? own * stiffness(k) / (own + stiffness(k)) : own;
+      const double d = y[k] / v[k];
+      weight[k] = wants[k] ? d * stiffness(k) / (d + stiffness(k)) : d;
     }
     const Matrix squares = at * weight.asDiagonal() * a;
     std::vector<Eigen::Triplet<double>> all;
