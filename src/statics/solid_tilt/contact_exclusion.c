@@ -86,7 +86,7 @@ static double lower_end(tp_near number) {
 }
 
 bool tp_contact_exclusion_find(tp_contact_exclusion *found, const tp_contact_work *w,
-                               const tp_weak_side *weak, bool asks_factors) {
+                               const tp_weak_side *weak) {
   tp_solid_section_inertia inertia = *w->inertia;
   for (int k = 0; k < 6; k++) inertia.second[k] /= w->points.metres * w->points.metres;
   *found = (tp_contact_exclusion){.stands = false, .driving = 1, .strength = 1};
@@ -100,7 +100,7 @@ bool tp_contact_exclusion_find(tp_contact_exclusion *found, const tp_contact_wor
                  .divides = true};
   if (!tp_solid_exclusion_find(&x.exclusion)) return false;
   found->stands = x.exclusion.is_excluded;
-  if (!found->stands || !asks_factors) return true;
+  if (!found->stands) return true;
   x.exclusion.most = FURTHER;
   const double strength = weak->kind == TP_HOLD_FACTOR        ? lower_end(weak->factor)
                           : weak->kind == TP_HOLD_FACTOR_OPEN ? 1

@@ -15,10 +15,8 @@ typedef struct tp_contact_exclusion {
   double driving, strength; /* if stands: up to that much, from 1 on */
 } tp_contact_exclusion;
 
-/* What is not proven stays open; both numbers are 1 where they are not asked for. The limits of
- * forces are those of the weak side. */
+/* What is not proven stays open. The limits of forces are those of the weak side. */
 TP_MUST_USE bool tp_contact_exclusion_find(tp_contact_exclusion *exclusion,
-                                           const tp_contact_work *work, const tp_weak_side *weak,
-                                           bool asks_factors);
+                                           const tp_contact_work *work, const tp_weak_side *weak);
 
 #endif

@@ -211,7 +211,7 @@ static bool take_plane(tp_state_ranges *state, const tp_strong_side *strong,
   const bool stands = strong->is_proven_plane && tp_contact_plane_stays(w, &weak->load);
   if (stands && stays_to_limit(w, weak)) return true;
   tp_contact_exclusion excluded;
-  if (!tp_contact_exclusion_find(&excluded, w, weak, true)) return false;
+  if (!tp_contact_exclusion_find(&excluded, w, weak)) return false;
   if (!stands && !excluded.stands) state->verdict = TP_VERDICT_OPEN;
   for (size_t k = 0; k < state->count; k++) {
     tp_factor_range *range = state->ranges + k;
@@ -282,7 +282,7 @@ static bool take_smooth(tp_state_ranges *state, tp_strong_side *strong, const tp
     return false;
   }
   tp_contact_exclusion excluded = {.stands = false};
-  if (!stands && !strong->is_on_line && !tp_contact_exclusion_find(&excluded, w, weak, false)) {
+  if (!stands && !strong->is_on_line && !tp_contact_exclusion_find(&excluded, w, weak)) {
     return false;
   }
   state->verdict = weak->side == TP_HOLD_MOVES ? TP_VERDICT_COLLAPSES
