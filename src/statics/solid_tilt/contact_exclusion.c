@@ -29,6 +29,7 @@ static void set_load(tp_hold_load *load, const tp_weak_side *weak, double multip
   for (int k = 0; k < 3; k++) {
     fmpq_set(load->exact + k, weak->rest.exact + k);
     fmpq_addmul(load->exact + k, weak->way.exact + k, own);
+    load->error[k] = (weak->rest.error[k] + multiple * weak->way.error[k]) * (1 + 4 * DBL_EPSILON);
   }
   tp_hold_load_settle(load);
   fmpq_clear(own);
@@ -60,6 +61,7 @@ static bool try_stretch(extending *x, double from, double to) {
     set_load(x->exclusion.loads, x->weak, from);
     set_load(x->exclusion.loads + 1, x->weak, to);
     for (int k = 0; k < 2; k++) own.loads[k] = x->exclusion.loads[k];
+    own.way = &x->weak->way;
     done = tp_solid_exclusion_find(&own);
   }
   x->exclusion.most = own.most;
@@ -87,12 +89,10 @@ static double lower_end(tp_near number) {
 
 bool tp_contact_exclusion_find(tp_contact_exclusion *found, const tp_contact_work *w,
                                const tp_weak_side *weak) {
-  tp_solid_section_inertia inertia = *w->inertia;
-  for (int k = 0; k < 6; k++) inertia.second[k] /= w->points.metres * w->points.metres;
   *found = (tp_contact_exclusion){.stands = false, .driving = 1, .strength = 1};
   if (weak->side != TP_HOLD_HOLDS || !(weak->least > 0)) return true;
   extending x = {.exclusion = {.cones = &w->points.cones,
-                               .inertia = &inertia,
+                               .inertia = w->points.inertia,
                                .loads = {weak->load, weak->load},
                                .divisor = 1,
                                .most = PROGRAMS},

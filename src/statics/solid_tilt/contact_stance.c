@@ -25,12 +25,17 @@ static void weak_clear(tp_weak_side *weak) {
   tp_hold_load_clear(&weak->way);
 }
 
-static void set_way(tp_weak_side *weak) {
+/* What rests, what drives, and both. */
+static void set_loads(tp_weak_side *weak, const tp_contact_work *w, bool shaken) {
+  const tp_scene *scene = w->given->scene;
+  tp_hold_frame_rest(&weak->rest, &w->frame, scene);
+  tp_hold_frame_drive(&weak->way, &w->frame, scene, shaken);
   for (int k = 0; k < 3; k++) {
-    fmpq_sub(weak->way.exact + k, weak->load.exact + k, weak->rest.exact + k);
+    fmpq_add(weak->load.exact + k, weak->rest.exact + k, weak->way.exact + k);
+    weak->load.error[k] = weak->rest.error[k] + weak->way.error[k];
     weak->drives = weak->drives || !fmpq_is_zero(weak->way.exact + k);
   }
-  tp_hold_load_settle(&weak->way);
+  tp_hold_load_settle(&weak->load);
 }
 
 /* By what the loads that drive it may be multiplied, where those that rest are held: less friction
@@ -49,8 +54,6 @@ static bool find_driving(tp_weak_side *weak, tp_hold *hold) {
 
 static bool find_weak(tp_weak_side *weak, tp_contact_work *w) {
   tp_solid_contacts *own = w->results;
-  tp_hold_frame_rest(&weak->rest, &w->frame, w->given->scene);
-  set_way(weak);
   if (!tp_hold_load_side(&weak->side, weak->twist, &w->hold, &weak->load)) return false;
   weak->least = w->hold.found.t;
   for (size_t n = 0; n < own->contact_count && weak->side == TP_HOLD_HOLDS; n++) {
@@ -94,8 +97,7 @@ static tp_status find_states(tp_contact_work *w, tp_strong_side *strong) {
   for (int k = 0; k < (shaken ? 2 : 1) && done; k++) {
     tp_weak_side weak;
     weak_init(&weak);
-    if (states[k].is_static) tp_hold_frame_still(&weak.load, &w->frame, scene);
-    if (!states[k].is_static) tp_hold_frame_scene(&weak.load, &w->frame, scene);
+    set_loads(&weak, w, !states[k].is_static);
     done = find_weak(&weak, w) && tp_contact_strong_find(states + k, strong, w, &weak);
     if (done && !states[k].is_static) tell_weak(w, &weak);
     weak_clear(&weak);

@@ -104,19 +104,13 @@ static bool init_smooth(tp_strong_side *strong, const tp_friction_cones *cones) 
   return tp_hold_init(&strong->without, &strong->smooth, 1);
 }
 
-static tp_solid_section_inertia scaled(const tp_contact_work *w) {
-  tp_solid_section_inertia entry = *w->inertia;
-  for (int k = 0; k < 6; k++) entry.second[k] /= w->points.metres * w->points.metres;
-  return entry;
-}
-
 bool tp_contact_strong_init(tp_strong_side *strong, const tp_contact_work *w) {
   const tp_friction_cones *cones = &w->points.cones;
   const bool on_line = is_on_line(cones), one_normal = w->given->has_mean_normals;
   *strong = (tp_strong_side){.is_on_line = on_line,
                              .is_plane = !on_line && (one_normal || is_plane(cones))};
   if (strong->is_plane) return tp_contact_plane_find(&strong->is_proven_plane, w);
-  const tp_solid_section_inertia inertia = scaled(w);
+  const tp_solid_section_inertia inertia = tp_contacts_inertia(w);
   tp_hold_load load;
   tp_hold_load_init(&load);
   tp_hold_frame_scene(&load, &w->frame, w->given->scene);

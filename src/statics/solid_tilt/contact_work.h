@@ -20,7 +20,6 @@ typedef struct tp_contact_work {
   tp_hold hold;
   tp_hold_frame frame;
   tp_level_loads level, tilted;
-  const tp_solid_section_inertia *inertia; /* in square metres */
   tp_message *message;
 } tp_contact_work;
 
@@ -29,6 +28,9 @@ tp_status tp_contacts_fail_memory(const tp_contact_work *work);
 /* The screw of a twist that begins. */
 void tp_contacts_motion(tp_solid_motion *motion, const tp_contact_work *work,
                         const double twist[TP_WRENCH]);
+
+/* Rounded to doubles. */
+tp_solid_section_inertia tp_contacts_inertia(const tp_contact_work *work);
 
 /* What forces hold in a state: with the earthquake, or without. */
 typedef struct tp_weak_side {
