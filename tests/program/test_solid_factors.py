@@ -122,6 +122,23 @@ class Factors(SceneCase):
         for required, expected in ((5.5, 4), (6.8, 1)):
             self.assertEqual(run("solve", self.put("scene.yaml", text + f"required_fos: {required}\n"))[0], expected)
 
+    @unittest.skipUnless(IS_THERE, "GLPK is not installed")
+    def test_tilts_from_level(self):
+        """No modes leave a motion at any tilt up to that which is certain: at it, and at tilts between it and level. Forces hold it farther."""
+        draw, checked = random.Random(74), 0
+        for _ in range(rounds(8, 300)):
+            size, contacts, tilt, azimuth = drawn(draw, draw.choice((3, 4)))
+            got = self.solved(size, contacts, tilt, azimuth)
+            certain = got["contacts"].get("certain_to_stand_deg", 0)
+            if "critical_deg" in got["contacts"]:
+                self.assertLessEqual(certain, got["contacts"]["critical_deg"]["value"])
+            self.assertTrue(certain < tilt or got["safety"]["motion"] == "none", (size, contacts, tilt, azimuth))
+            own = [(c["at"], c["normal"], tangent(c["friction_angle_deg"])) for c in contacts]
+            for angle in (certain, draw.random() * certain, 0) if certain else ():
+                self.assertEqual(Modes(inertia_of(size), own).most(down(angle, azimuth)), 0, (size, contacts, azimuth, angle))
+                checked += 1
+        self.assertGreater(checked, rounds(6, 200))
+
     # ---- closed forms --------------------------------------------------------------------------
 
     def test_grooves_of_two_frictions(self):
@@ -133,7 +150,10 @@ class Factors(SceneCase):
             contacts = [{"at": [x, side, -height], "normal": [0, -side * c, s], "friction_angle_deg": own}
                         for x, own in ((-3, phi[0]), (3, phi[1])) for side in (-1, 1)]
             for share in (0.5, 0.9):
-                word, factors = self.factors([8, 2, 2], contacts, math.degrees(math.atan(share * onset)), 90)
+                scene = [8, 2, 2], contacts, math.degrees(math.atan(share * onset)), 90
+                word, factors = self.factors(*scene)
+                certain = tangent(self.solved(*scene)["contacts"]["certain_to_stand_deg"])
+                self.assertTrue(0.75 * onset < certain <= onset * (1 + 1e-12), (eta, phi, certain / onset))
                 self.assertEqual(word, "none", (eta, phi))
                 least, _ = factors["driving loads"]
                 self.assertLessEqual(least, (1 + 1e-12) / share, (eta, phi, share))

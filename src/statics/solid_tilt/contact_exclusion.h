@@ -19,4 +19,10 @@ typedef struct tp_contact_exclusion {
 TP_MUST_USE bool tp_contact_exclusion_find(tp_contact_exclusion *exclusion,
                                            const tp_contact_work *work, const tp_weak_side *weak);
 
+/* Up to which t no motion can begin under load + t way, from zero on: zero where nothing is proven.
+ * Forces hold no more than `limit`. */
+TP_MUST_USE bool tp_contact_exclusion_from(double *reached, const tp_contact_work *work,
+                                           const tp_hold_load *load, const tp_hold_load *way,
+                                           double limit);
+
 #endif
