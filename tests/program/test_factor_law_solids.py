@@ -223,6 +223,21 @@ class Law(SceneCase):
         self.assertAlmostEqual(got["safety"]["fos"]["value"], 1.50635, 5)
         self.assertEqual((got["safety"]["definition"], got["contacts"]["verdict"]), ("driving loads", "stands"))
 
+    def test_held_by_what_drives(self):
+        """A slab on a face that dips against the tilt: level it slides one way, tilted by 20 degrees the face dips the other way by 20 - atan(1/2).
+        Forces hold it because it is tilted; no strength held it, so that no factor was met, where many blocks have the multiple by hand:
+        cos(20) (lambda tan(20) - 1/2) = tan(phi) cos(20) (1 + lambda tan(20) / 2)."""
+        for phi in (8, 12, 20):
+            rest = f"friction_angle_deg: {phi}\ntilt: {{angle_deg: 20, azimuth_deg: AZIMUTH}}\n"
+            word, got = self.compare([(0, 0), (2, -1)], [(2, 1), (0, 1)], rest)
+            self.assertEqual(word, "none")
+            mu, slope = math.tan(math.radians(phi)), math.tan(math.radians(20))
+            truth = {"driving loads": (mu + 0.5) / (1 - mu / 2) / slope, "strength reduction": mu * (1 + slope / 2) / abs(slope - 0.5)}
+            for factor in got["safety"]["states"][0]["factors"]:
+                own = truth[factor["definition"]]
+                self.assertTrue(factor["least"] <= own * (1 + 1e-12) and own <= factor["most"] * (1 + 1e-12), (phi, factor, own))
+            self.assertAlmostEqual(got["safety"]["fos"]["value"], min(truth.values()), 6)
+
     def drawn(self, draw):
         """A chain of two or three facets, and the top of the outline over it."""
         under = [(0, 0)]

@@ -38,8 +38,17 @@ static void set_loads(tp_weak_side *weak, const tp_contact_work *w, bool shaken)
   tp_hold_load_settle(&weak->load);
 }
 
+/* From a load that is held on: beyond it by how many ways more. */
+static bool find_further(tp_weak_side *weak, tp_hold *hold) {
+  weak->rests = true;
+  if (!tp_hold_limit_find(&weak->limit, hold, &weak->load, &weak->way)) return false;
+  weak->limit.t = tp_near_add(weak->limit.t, (tp_near){1, 0});
+  return true;
+}
+
 /* By what the loads that drive it may be multiplied, where those that rest are held: less friction
- * topples nothing, however near to it that is. */
+ * topples nothing, however near to it that is. What is held with these loads alone, as on a face
+ * that dips against them, is held up to a multiple as well. */
 static bool find_driving(tp_weak_side *weak, tp_hold *hold) {
   tp_hold_side side = TP_HOLD_OPEN;
   double twist[TP_WRENCH];
@@ -49,6 +58,7 @@ static bool find_driving(tp_weak_side *weak, tp_hold *hold) {
   if (!tp_hold_load_side(&side, twist, hold, &weak->rest)) return false;
   weak->rests = side != TP_HOLD_MOVES;
   weak->limit = (tp_hold_limit){.is_open = true};
+  if (side != TP_HOLD_HOLDS && weak->side == TP_HOLD_HOLDS) return find_further(weak, hold);
   return side != TP_HOLD_HOLDS || tp_hold_limit_find(&weak->limit, hold, &weak->rest, &weak->way);
 }
 

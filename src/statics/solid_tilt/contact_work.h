@@ -39,7 +39,7 @@ typedef struct tp_weak_side {
   tp_hold_side side;
   double twist[TP_WRENCH]; /* if side == TP_HOLD_MOVES */
   double least;            /* the least normal force of those found, at most */
-  bool rests;              /* what rests is held */
+  bool rests;              /* what rests is held, or the load */
   tp_hold_limit limit;     /* of rest + t way, where it is */
   tp_hold_factor_kind kind;
   tp_near factor; /* of friction */
