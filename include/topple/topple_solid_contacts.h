@@ -76,7 +76,10 @@ typedef struct tp_solid_contacts {
   bool fos_driving_is_open;           /* nothing is proven of it */
   bool has_onset;                     /* it is known from which tilt on a motion can begin: */
   tp_bounded onset_deg; /* if has_onset: without an earthquake, towards the azimuth of its tilt */
-  bool has_onset_acceleration;     /* the same of an acceleration at its tilt: */
+  bool has_certain;     /* in no section, a stretch of tilts from level on is proven: */
+  double certain_to_stand_deg; /* if has_certain: without an earthquake, towards the azimuth of its
+                                  tilt: no motion can begin up to this tilt, and perhaps beyond */
+  bool has_onset_acceleration; /* in a section, the onset by an acceleration at its tilt: */
   tp_bounded onset_acceleration_g; /* if has_onset_acceleration: towards the azimuth of its
                                       earthquake, or of its tilt, in g */
   bool has_critical;               /* it is held level, and not at any tilt: */

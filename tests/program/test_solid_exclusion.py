@@ -53,7 +53,9 @@ class Exclusion(SceneCase):
             for tilt, expected in ((5, "none"), (0.9 * onset, "none"), (1.01 * onset, "undecided")):
                 got = self.safety(four, f"friction_angle_deg: {phi}\ntilt: {{angle_deg: {tilt!r}, azimuth_deg: 90}}\n")
                 self.assertEqual(got["motion"], expected, (eta, phi, tilt))
-                self.assertEqual(got.get("least", 0), 1 if expected == "none" else 0)
+                factor = math.tan(math.radians(onset)) / math.tan(math.radians(tilt)) if expected == "none" else 0
+                self.assertLessEqual(got.get("least", 0), factor * (1 + 1e-9))
+                self.assertGreaterEqual(got.get("least", 0), 1 if factor > 1 else 0)
 
     def drawn(self, draw):
         """A box on three or four points about its lower half that face roughly inwards and upwards."""
@@ -80,6 +82,19 @@ class Exclusion(SceneCase):
                 found.append(moved)
         return max(found) if found else None
 
+    def factors_hold(self, factors, size, contacts, load, draw):
+        """Nothing moves up to the factors that are proven: just below them, and between 1 and them."""
+        for factor in factors:
+            most = min(10, factor.get("least", 1))
+            number = 1 + (most - 1) * draw.choice((0.999, draw.random()))
+            if factor["definition"] == "driving loads":
+                moved = self.can_move(size, contacts, [number * load[0], number * load[1], load[2]], draw)
+            else:
+                less = [dict(c, friction_angle_deg=math.degrees(math.atan(math.tan(math.radians(c["friction_angle_deg"])) / number)))
+                        for c in contacts]
+                moved = self.can_move(size, less, load, draw)
+            self.assertTrue(moved is None or moved < 1e-7, (factor, number, size, contacts, load, moved))
+
     def test_let_go(self):
         """Where none can begin none is found; where none is found that is mostly proven."""
         draw, excluded, still, moving = random.Random(60), 0, 0, 0
@@ -91,6 +106,7 @@ class Exclusion(SceneCase):
             if got["motion"] == "none":
                 excluded += 1
                 self.assertTrue(moved is None or moved < 1e-7, (size, contacts, tilt, azimuth, moved))
+                self.factors_hold(got["states"][0]["factors"], size, contacts, down(tilt, azimuth), draw)
             if moved is not None:
                 moving += moved > 1e-5
                 still += moved < 1e-9

@@ -186,9 +186,9 @@ class Case(unittest.TestCase):
                                  + abs(p[1] - pose["share"]["value"]))
             self.assertAlmostEqual(pose["share"]["value"], share, 9)
             self.assertAlmostEqual(tilt["value"], math.degrees(math.atan(math.sqrt(tan2))), delta=tilt["error"] + 1e-12)
-        rises = sorted(pose["persistence_m"]["value"] for pose in got["poses"] if "persistence_m" in pose)
-        for rise, truth in zip(rises, sorted(float(r * scale) for r in oracle.persistences())):
-            self.assertAlmostEqual(rise, truth, delta=1e-9 * max(1, truth))
+        rises = sorted((pose["persistence_m"]["value"], pose["persistence_m"]["error"]) for pose in got["poses"] if "persistence_m" in pose)
+        for (rise, error), truth in zip(rises, sorted(float(r * scale) for r in oracle.persistences())):
+            self.assertAlmostEqual(rise, truth, delta=1e-9 * max(1, truth) + error)  # of solids of 1e4, differences of their heights
 
 
 class Listed(Case):
@@ -320,18 +320,33 @@ class InWholeNumbers(Case):
             with self.subTest(number=number):
                 self.agrees(self.solve(exact_obj(points, faces)), Wrapped(points, faces))
 
+    def rounded_part(self, draw, number):
+        """Any of four kinds, turned any way and rounded to single precision."""
+        base, height = ring(draw.randint(3, 9), draw.uniform(200, 999), draw.uniform(0, 7)), 60 * draw.randint(100, 3000)
+        points, faces = (lambda: stairs(drawn_stairs(draw, 2)),
+                         lambda: prism(base, height, draw.randint(2, 4), draw.randint(1, 2), True),
+                         lambda: prism(base, height, 3, 1, False),
+                         lambda: tube(base, [tuple(x // 2 for x in p) for p in base], height, 2))[number % 4]()
+        return singles(points, draw), faces
+
+    def test_sliver_between_two_edges(self):
+        """The foot is as far beyond two edges of a sliver but for the 16th digit: the facet rolled over the first of them, and its share of 3e-9
+        went to the wrong one of two poses whose heights differ by 1e-15."""
+        draw = random.Random(125)
+        for number in range(77):
+            points, faces = self.rounded_part(draw, number)
+        unit = math.lcm(*(x.denominator for p in points for x in p))
+        (self.folder / "rock.stl").write_bytes(binary_stl(points, faces))
+        oracle = Wrapped([tuple(int(x * unit) for x in p) for p in points], faces)
+        self.agrees(self.solve_file(self.folder / "rock.stl"), oracle, Fraction(1, unit))
+
     def test_rounded_parts(self):
         """Stairs, prisms with rows, cylinders and tubes, turned any way and rounded to single precision as CAD programs write
         them: points that were in one face are off it by some last digits, and the hull has slivers."""
         draw = random.Random(125)
         refused, count = 0, rounds(32, 1600)
         for number in range(count):
-            base, height = ring(draw.randint(3, 9), draw.uniform(200, 999), draw.uniform(0, 7)), 60 * draw.randint(100, 3000)
-            points, faces = (lambda: stairs(drawn_stairs(draw, 2)),
-                             lambda: prism(base, height, draw.randint(2, 4), draw.randint(1, 2), True),
-                             lambda: prism(base, height, 3, 1, False),
-                             lambda: tube(base, [tuple(x // 2 for x in p) for p in base], height, 2))[number % 4]()
-            points = singles(points, draw)
+            points, faces = self.rounded_part(draw, number)
             unit = math.lcm(*(x.denominator for p in points for x in p))
             with self.subTest(number=number):
                 (self.folder / "rock.stl").write_bytes(binary_stl(points, faces))

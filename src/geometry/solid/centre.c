@@ -288,6 +288,49 @@ int tp_centre_compare_heights(const tp_centre *centre, const tp_rest_plane *one,
   return (order > 0) - (order < 0);
 }
 
+/* With e = (q - p) W and b = (M - 4 V6 p) w of weights, the foot is -up . (e x b) / (4 V6 w |e x
+ * up|) beyond an edge: that squared, with its sign, times a number that is the same for all edges
+ * of a plane. */
+static void square_beyond(fmpz_t top, fmpz_t bottom, const tp_centre *centre,
+                          const tp_rest_plane *plane, long from, long to) {
+  const fmpz *weights = centre->surface->weights;
+  fmpz edge[3], reach[3], product[3];
+  init_vector(edge);
+  init_vector(reach);
+  init_vector(product);
+  tp_surface_way(edge, centre->surface, from, to);
+  exact_from(reach, centre, from);
+  cross(product, edge, reach);
+  dot(top, plane->up, product);
+  const int sign = -fmpz_sgn(top);
+  fmpz_mul(top, top, top);
+  if (sign < 0) fmpz_neg(top, top);
+  cross(product, edge, plane->up);
+  dot(bottom, product, product);
+  for (int k = 0; k < 2 && weights != NULL; k++) fmpz_mul(bottom, bottom, weights + from);
+  clear_vector(edge);
+  clear_vector(reach);
+  clear_vector(product);
+}
+
+int tp_centre_compare_beyond(const tp_centre *centre, const tp_rest_plane *plane,
+                             const long from[2], const long to[2]) {
+  fmpz tops[2], bottoms[2];
+  for (int k = 0; k < 2; k++) {
+    fmpz_init(tops + k);
+    fmpz_init(bottoms + k);
+    square_beyond(tops + k, bottoms + k, centre, plane, from[k], to[k]);
+  }
+  fmpz_mul(tops, tops, bottoms + 1);
+  fmpz_mul(tops + 1, tops + 1, bottoms);
+  const int order = fmpz_cmp(tops, tops + 1);
+  for (int k = 0; k < 2; k++) {
+    fmpz_clear(tops + k);
+    fmpz_clear(bottoms + k);
+  }
+  return (order > 0) - (order < 0);
+}
+
 void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
                            const tp_rest_plane *plane, long from, long to) {
   static const double accuracy = 1e-14;

@@ -59,6 +59,11 @@ bool tp_centre_exactly(tp_centre *exact, const tp_centre *centre);
 int tp_centre_compare_heights(const tp_centre *centre, const tp_rest_plane *one,
                               const tp_rest_plane *other);
 
+/* At the level exact: the sign of how far the foot lies beyond one edge, from[0] to to[0], less how
+ * far beyond another one. */
+int tp_centre_compare_beyond(const tp_centre *centre, const tp_rest_plane *plane,
+                             const long from[2], const long to[2]);
+
 /* (to - from) x up, in the plane across the edge and out of the support. */
 void tp_rest_plane_outward(tp_near outward[3], const tp_surface *surface,
                            const tp_rest_plane *plane, long from, long to);

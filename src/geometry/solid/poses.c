@@ -50,8 +50,8 @@ static tp_near beyond(const search *s, const tp_rest_plane *plane, tp_support_ed
   return tp_near_is_zero(arm) ? arm : tp_near_neg(tp_near_div(arm, tp_near_norm(outward)));
 }
 
-/* The facet that it rolls to. Those that whole numbers tell apart by less than 14 digits count as
- * equal, of which the first is taken. */
+/* The facet that it rolls to: what doubles leave open is decided in whole numbers, as edges of a
+ * sliver can be told apart by less than their digits. Of equal ones the first is taken. */
 static int roll(search *s, long facet) {
   const long count = set_edges(s, facet);
   tp_rest_plane plane;
@@ -62,8 +62,15 @@ static int roll(search *s, long facet) {
   long found = 0;
   for (long k = 0; k < count; k++) {
     const tp_near own = beyond(s, &plane, s->edges[k], accuracy);
-    if (k > 0 && tp_near_sign(tp_near_sub(own, most)) == 0) s->open = s->open || !is_exact;
-    if (k > 0 && tp_near_sign(tp_near_sub(own, most)) <= 0) continue;
+    int order = k > 0 ? tp_near_sign(tp_near_sub(own, most)) : 1;
+    if (order == 0 && is_exact) {
+      const long from[2] = {s->edges[k].from, s->edges[found].from};
+      const long to[2] = {s->edges[k].to, s->edges[found].to};
+      order = tp_centre_compare_beyond(s->centre, &plane, from, to);
+    } else if (order == 0) {
+      s->open = true;
+    }
+    if (order <= 0) continue;
     most = own;
     found = k;
   }

@@ -165,6 +165,13 @@ static void conclude_contacts(tp_text *t, const tp_document *d, const tp_solid_c
                                        : "Forces can hold it; whether a motion can begin is not "
                                          "decided."));
   }
+  if (own->has_certain) {
+    const tp_bounded least = {.value = own->certain_to_stand_deg};
+    tp_text_add(t, " ");
+    tp_text_add(t,
+                tp_document_say(d, "No motion can begin up to a tilt of %s°, and perhaps beyond."),
+                tp_text_fixed_down(n[0], least, 3));
+  }
   if (own->has_onset) {
     tp_text_add(t, " ");
     tp_text_add(t, tp_document_say(d, "A motion can begin from a tilt of %s° on."),

@@ -119,6 +119,11 @@ static void add_of_contacts(tp_text *t, const tp_solid *solid) {
     add_factor(t, safety);
     tp_text_add(t, ".");
   }
+  if (own->has_certain) {
+    const tp_bounded least = {.value = own->certain_to_stand_deg};
+    tp_text_add(t, " No motion can begin up to a tilt of %s°, and perhaps beyond.",
+                tp_text_significant_down(n[0], least, 5));
+  }
   if (own->has_onset) {
     tp_text_add(t, " A motion can begin from a tilt of %s° on.",
                 tp_text_significant(n[0], own->onset_deg, 5));

@@ -137,6 +137,11 @@ static void add_verdict(tp_text *t, const tp_solid *s) {
 
 static void add_onset(tp_text *t, const tp_solid_contacts *c) {
   char n[TP_NUMBER_SIZE];
+  if (c->has_certain) {
+    const tp_bounded least = {.value = c->certain_to_stand_deg};
+    tp_text_add(t, "  no motion can begin up to a tilt of %s°, proven, and perhaps beyond\n",
+                tp_text_significant_down(n, least, TILT));
+  }
   if (!c->has_onset) return;
   tp_text_add(t, "  a motion can begin from a tilt of %s° ± %.1e° on\n",
               tp_text_significant(n, c->onset_deg, TILT), c->onset_deg.error);

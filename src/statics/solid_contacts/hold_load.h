@@ -13,6 +13,7 @@ void tp_hold_double(fmpq_t number, double value);
 
 typedef struct tp_hold_load {
   fmpq exact[3];
+  double error[3]; /* of the exact numbers: by which the true ones may differ, at most */
   tp_near near[3];
   double nearest[3];
 } tp_hold_load;

@@ -6,12 +6,12 @@
 
 #include "solid_contacts/mode_cones.h"
 
-#include "solid_contacts/solid_section_parts.h"
+#include "number/ball.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { BITS = 50, RAY_BITS = 40, MARGIN_BITS = 28 };
+enum { RAY_BITS = 40, MARGIN_BITS = 28 };
 
 /* ---- vectors -----------------------------------------------------------------------------------
  */
@@ -50,85 +50,83 @@ static bool set_rounded(fmpz_t number, double value, int bits) {
   return isfinite(whole);
 }
 
-void tp_mode_add_product(fmpz_t sum, const fmpz a[TP_WRENCH], const fmpz b[TP_WRENCH]) {
-  for (int k = 0; k < TP_WRENCH; k++) fmpz_addmul(sum, a + k, b + k);
+void tp_mode_add_product(arb_t sum, const arb_struct a[TP_WRENCH], const arb_struct b[TP_WRENCH]) {
+  for (int k = 0; k < TP_WRENCH; k++) arb_addmul(sum, a + k, b + k, TP_MODE_BITS);
+}
+
+static void balls_init(arb_struct *balls, int count) {
+  for (int k = 0; k < count; k++) arb_init(balls + k);
+}
+
+static void balls_clear(arb_struct *balls, int count) {
+  for (int k = 0; k < count; k++) arb_clear(balls + k);
 }
 
 static void vector_init(tp_mode_vector *v) {
-  v->is_known = false;
-  for (int k = 0; k < TP_WRENCH; k++) {
-    fmpz_init(v->whole + k);
-    fmpz_init(v->turned + k);
-  }
+  v->is_known = true;
+  balls_init(v->at, TP_WRENCH);
+  balls_init(v->turned, TP_WRENCH);
 }
 
 static void vector_clear(tp_mode_vector *v) {
-  for (int k = 0; k < TP_WRENCH; k++) {
-    fmpz_clear(v->whole + k);
-    fmpz_clear(v->turned + k);
-  }
+  if (!v->is_known) return;
+  balls_clear(v->at, TP_WRENCH);
+  balls_clear(v->turned, TP_WRENCH);
+  v->is_known = false;
 }
 
-static slong turned_bits(const tp_mode_cones *m) {
-  return 2 * m->centroid_bits + m->inverse_bits;
-}
-
-/* C times 2^turned_bits. */
-static void turn(fmpz turned[TP_WRENCH], const tp_mode_cones *m, const fmpz wrench[TP_WRENCH]) {
-  fmpz moment[3], arm[3], turning[3];
-  init3(moment);
-  init3(arm);
-  init3(turning);
-  cross3(arm, m->centroid, wrench);
+/* to += a x b, or less */
+static void add_cross(arb_struct to[3], const arb_struct a[3], const arb_struct b[3], bool less) {
   for (int k = 0; k < 3; k++) {
-    fmpz_mul_2exp(moment + k, wrench + 3 + k, (ulong)m->centroid_bits);
-    fmpz_sub(moment + k, moment + k, arm + k);
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    arb_addmul(to + k, a + (less ? j : i), b + (less ? i : j), TP_MODE_BITS);
+    arb_submul(to + k, a + (less ? i : j), b + (less ? j : i), TP_MODE_BITS);
   }
+}
+
+void tp_mode_cones_turn(arb_struct turned[TP_WRENCH], const tp_mode_cones *m,
+                        const arb_struct wrench[TP_WRENCH]) {
+  arb_struct moment[3];
+  balls_init(moment, 3);
+  for (int k = 0; k < 3; k++) arb_set(moment + k, wrench + 3 + k);
+  add_cross(moment, m->centroid, wrench, true);
   for (int k = 0; k < 3; k++) {
-    for (int i = 0; i < 3; i++) fmpz_addmul(turning + k, m->inverse + 3 * k + i, moment + i);
+    arb_set(turned + k, wrench + k);
+    arb_zero(turned + 3 + k);
+    for (int i = 0; i < 3; i++) {
+      arb_addmul(turned + 3 + k, m->inverse + 3 * k + i, moment + i, TP_MODE_BITS);
+    }
   }
-  cross3(arm, turning, m->centroid);
-  for (int k = 0; k < 3; k++) {
-    fmpz_mul_2exp(turned + k, wrench + k, (ulong)turned_bits(m));
-    fmpz_sub(turned + k, turned + k, arm + k);
-    fmpz_mul_2exp(turned + 3 + k, turning + k, (ulong)m->centroid_bits);
-  }
-  clear3(moment);
-  clear3(arm);
-  clear3(turning);
+  add_cross(turned, turned + 3, m->centroid, true);
+  balls_clear(moment, 3);
 }
 
-static double shifted(const fmpz_t number, slong exponent) {
-  slong own;
-  const double mantissa = fmpz_get_d_2exp(&own, number);
-  return ldexp(mantissa, (int)(own - exponent));
-}
-
-static void set_near(tp_mode_vector *v, const tp_mode_cones *m, slong exponent) {
-  v->exponent = exponent;
+static void set_near(tp_mode_vector *v) {
   for (int k = 0; k < TP_WRENCH; k++) {
-    v->near[k] = shifted(v->whole + k, exponent);
-    v->near_turned[k] = shifted(v->turned + k, exponent + turned_bits(m));
+    v->near[k] = tp_ball_nearest(arb_midref(v->at + k));
+    v->near_turned[k] = tp_ball_nearest(arb_midref(v->turned + k));
   }
 }
 
-static void settle(tp_mode_vector *v, const tp_mode_cones *m) {
-  slong exponent = 0;
-  v->is_known = true;
-  for (int k = 0; k < TP_WRENCH; k++) {
-    const slong bits = (slong)fmpz_bits(v->whole + k);
-    if (bits > exponent) exponent = bits;
-  }
-  turn(v->turned, m, v->whole);
-  set_near(v, m, exponent);
-}
-
-/* Along a force at a contact. */
+/* Along a force at a contact: of a size between one half and one. */
 static void set_vector(tp_mode_vector *v, const tp_mode_cones *m, const tp_mode_contact *c,
-                       const fmpz along[3]) {
-  for (int k = 0; k < 3; k++) fmpz_mul(v->whole + k, along + k, &m->unit);
-  cross3(v->whole + 3, c->at, along);
-  settle(v, m);
+                       const fmpz along[3], bool turns) {
+  fmpz whole[TP_WRENCH];
+  for (int k = 0; k < TP_WRENCH; k++) fmpz_init(whole + k);
+  for (int k = 0; k < 3; k++) fmpz_mul(whole + k, along + k, &m->unit);
+  cross3(whole + 3, c->at, along);
+  vector_init(v);
+  for (int k = 0; k < TP_WRENCH; k++) {
+    const slong bits = (slong)fmpz_bits(whole + k);
+    if (bits > v->exponent) v->exponent = bits;
+  }
+  for (int k = 0; k < TP_WRENCH; k++) {
+    arb_set_fmpz(v->at + k, whole + k);
+    arb_mul_2exp_si(v->at + k, v->at + k, -v->exponent);
+    fmpz_clear(whole + k);
+  }
+  if (turns) tp_mode_cones_turn(v->turned, m, v->at);
+  set_near(v);
 }
 
 /* ---- forces and rows ---------------------------------------------------------------------------
@@ -186,7 +184,7 @@ const tp_mode_vector *tp_mode_cones_force(tp_mode_cones *m, long contact, int wh
   fmpz force[3];
   init3(force);
   set_force(force, c, which, m->divisor);
-  set_vector(v, m, c, force);
+  set_vector(v, m, c, force, false);
   clear3(force);
   return v;
 }
@@ -201,7 +199,8 @@ const tp_mode_vector *tp_mode_cones_row(tp_mode_cones *m, long contact, int row)
   set_vector(v, m, c,
              row == 0                 ? c->normal
              : row < TP_MODE_ROW_RAYS ? c->across[row - TP_MODE_ROW_ACROSS]
-                                      : along);
+                                      : along,
+             true);
   clear3(along);
   return v;
 }
@@ -238,8 +237,11 @@ static void set_across(tp_mode_contact *c) {
   clear3(axis);
 }
 
-/* Counter-clockwise about n, as n x t1 = t2. */
+/* Counter-clockwise about n, as n x t1 = t2. The first is turned by a part of the angle between
+ * two, so that slips along axes of symmetry are within sectors, not on the border of two of them.
+ */
 static bool set_rays(tp_mode_contact *c, double mu) {
+  static const double turned_by = 0.382;
   const double reach = mu * length3(c->normal);
   double share[2], finest = INFINITY;
   for (int k = 0; k < 2; k++) {
@@ -252,7 +254,8 @@ static bool set_rays(tp_mode_contact *c, double mu) {
   fmpz_t part;
   fmpz_init(part);
   for (int j = 0; j < TP_MODE_RAYS; j++) {
-    const double angle = 2 * M_PI * j / TP_MODE_RAYS, parts[2] = {cos(angle), sin(angle)};
+    const double angle = 2 * M_PI * (j + turned_by) / TP_MODE_RAYS,
+                 parts[2] = {cos(angle), sin(angle)};
     for (int i = 0; i < 2; i++) {
       done = set_rounded(part, share[i] * parts[i], (int)c->bits) && done;
       for (int k = 0; k < 3; k++) fmpz_addmul(c->rays[j] + k, c->across[i] + k, part);
@@ -267,8 +270,6 @@ static void contact_init(tp_mode_contact *c) {
   init3(c->normal);
   for (int k = 0; k < 2; k++) init3(c->across[k]);
   for (int k = 0; k < TP_MODE_RAYS; k++) init3(c->rays[k]);
-  for (int k = 0; k < TP_MODE_FORCES; k++) vector_init(c->forces + k);
-  for (int k = 0; k < TP_MODE_ROWS; k++) vector_init(c->rows + k);
 }
 
 static void contact_clear(tp_mode_contact *c) {
@@ -304,84 +305,114 @@ static void set_points(tp_mode_cones *m, const tp_friction_cones *cones) {
  */
 
 /* I = trace - S of the second moments S; its inverse by cofactors. */
-static bool set_body(tp_mode_cones *m, const tp_friction_cones *cones,
-                     const tp_solid_section_inertia *inertia) {
-  const double *s = inertia->second, trace = s[0] + s[1] + s[2];
-  const double own[3][3] = {
-      {trace - s[0], -s[5], -s[4]}, {-s[5], trace - s[1], -s[3]}, {-s[4], -s[3], trace - s[2]}};
-  double cofactor[3][3], determinant = 0, most = 0, far = 0;
-  bool done = true;
+static bool set_inverse(arb_struct inverse[9], const fmpq second[6]) {
+  static const int place[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}; /* of each product in S */
+  arb_struct own[9];
+  arb_t determinant;
+  fmpq_t trace;
+  balls_init(own, 9);
+  arb_init(determinant);
+  fmpq_init(trace);
   for (int i = 0; i < 3; i++) {
-    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; j++) {
-      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      cofactor[i][j] = own[i1][j1] * own[i2][j2] - own[i1][j2] * own[i2][j1];
+      arb_set_fmpq(own + 3 * i + j, second + place[i][j], TP_MODE_BITS);
+      arb_neg(own + 3 * i + j, own + 3 * i + j);
     }
-    determinant += i == 0 ? own[0][0] * cofactor[0][0] + own[0][1] * cofactor[0][1] +
-                                own[0][2] * cofactor[0][2]
-                          : 0;
+    fmpq_add(trace, second + (i + 1) % 3, second + (i + 2) % 3);
+    arb_set_fmpq(own + 3 * i + i, trace, TP_MODE_BITS);
   }
   for (int i = 0; i < 3; i++) {
-    most = fmax(most, fabs(cofactor[i][i] / determinant));
-    far = fmax(far, fabs(fmpq_get_d(cones->cones[0].at + i)));
+    add_cross(inverse + 3 * i, own + 3 * ((i + 1) % 3), own + 3 * ((i + 2) % 3), false);
   }
-  if (!isfinite(most) || !isfinite(far)) return false;
-  m->inverse_bits = BITS + below_one(most);
-  m->centroid_bits = BITS + below_one(far);
-  for (int i = 0; i < 3; i++) {
-    for (int j = i; j < 3; j++) {
-      done =
-          set_rounded(m->inverse + 3 * i + j, cofactor[i][j] / determinant, (int)m->inverse_bits) &&
-          done;
-      fmpz_set(m->inverse + 3 * j + i, m->inverse + 3 * i + j);
-    }
-    done =
-        set_rounded(m->centroid + i, -fmpq_get_d(cones->cones[0].at + i), (int)m->centroid_bits) &&
-        done;
-  }
-  return done;
+  for (int k = 0; k < 3; k++) arb_addmul(determinant, own + k, inverse + k, TP_MODE_BITS);
+  const bool is_regular = arb_is_positive(determinant) != 0;
+  for (int k = 0; k < 9; k++) arb_div(inverse + k, inverse + k, determinant, TP_MODE_BITS);
+  balls_clear(own, 9);
+  arb_clear(determinant);
+  fmpq_clear(trace);
+  return is_regular;
 }
 
-/* At the centroid. */
-static bool set_load(tp_mode_vector *v, const tp_mode_cones *m, const tp_hold_load *load,
-                     double most) {
-  fmpz force[3];
-  bool done = true;
-  init3(force);
+static bool set_body(tp_mode_cones *m, const tp_friction_cones *cones, const fmpq inertia[6]) {
   for (int k = 0; k < 3; k++) {
-    done = set_rounded(force + k, load->nearest[k], BITS + (most > 0 ? -ilogb(most) : 0)) && done;
-    fmpz_mul_2exp(v->whole + k, force + k, (ulong)m->centroid_bits);
+    fmpq_neg(m->exact_centroid + k, cones->cones[0].at + k);
+    arb_set_fmpq(m->centroid + k, m->exact_centroid + k, TP_MODE_BITS);
   }
-  cross3(v->whole + 3, m->centroid, force);
-  settle(v, m);
-  clear3(force);
-  return done;
+  for (int k = 0; k < 6; k++) fmpq_set(m->exact_inertia + k, inertia + k);
+  return set_inverse(m->inverse, inertia);
+}
+
+/* times 2^-exponent */
+static void set_scaled(fmpq_t number, const fmpq_t from, slong exponent) {
+  if (exponent >= 0) {
+    fmpq_div_2exp(number, from, (ulong)exponent);
+  } else {
+    fmpq_mul_2exp(number, from, (ulong)-exponent);
+  }
+}
+
+/* At the centroid, where C turns nothing: of the size of 2^exponent. */
+static void set_load(tp_mode_cones *m, tp_mode_vector *v, int which, const tp_hold_load *load,
+                     slong exponent) {
+  mag_t radius;
+  fmpq_t error;
+  mag_init(radius);
+  fmpq_init(error);
+  v->exponent = exponent;
+  for (int k = 0; k < 3; k++) {
+    fmpq *own = m->exact_loads[which] + k;
+    tp_hold_double(error, load->error[k]);
+    set_scaled(m->load_errors[which] + k, error, exponent);
+    set_scaled(own, load->exact + k, exponent);
+    arb_set_fmpq(v->at + k, own, TP_MODE_BITS);
+    mag_set_d(radius, ldexp(load->error[k], (int)-exponent));
+    arb_add_error_mag(v->at + k, radius);
+    arb_set(v->turned + k, v->at + k);
+  }
+  mag_clear(radius);
+  fmpq_clear(error);
+  add_cross(v->at + 3, m->centroid, v->at, false);
+  set_near(v);
 }
 
 /* Both in one size, as mixes of them count. */
-static bool set_loads(tp_mode_cones *m, const tp_hold_load loads[2]) {
+static bool set_loads(tp_mode_cones *m, const tp_hold_load loads[2], const tp_hold_load *way) {
   double most = 0;
-  bool done = true;
-  for (int k = 0; k < 6; k++) most = fmax(most, fabs(loads[k / 3].nearest[k % 3]));
-  for (int k = 0; k < 2; k++) done = set_load(m->loads + k, m, loads + k, most) && done;
-  const slong first = m->loads[0].exponent, second = m->loads[1].exponent;
-  for (int k = 0; k < 2; k++) set_near(m->loads + k, m, first > second ? first : second);
-  return done;
+  for (int k = 0; k < 6; k++) {
+    const double own = fabs(loads[k / 3].nearest[k % 3]);
+    if (!isfinite(own) || !isfinite(loads[k / 3].error[k % 3])) return false;
+    most = fmax(most, own);
+  }
+  const slong exponent = most > 0 ? ilogb(most) + 1 : 0;
+  for (int k = 0; k < 2; k++) set_load(m, m->loads + k, k, loads + k, exponent);
+  if (way == NULL) return true;
+  for (int k = 0; k < 3; k++) {
+    if (!isfinite(way->error[k])) return false;
+  }
+  set_load(m, &m->change, 2, way, exponent);
+  for (int k = 0; k < TP_WRENCH; k++) {
+    m->change.near[k] = m->loads[1].near[k] - m->loads[0].near[k];
+  }
+  return true;
 }
 
-bool tp_mode_cones_init(tp_mode_cones *m, const tp_friction_cones *cones,
-                        const tp_solid_section_inertia *inertia, double divisor,
-                        const tp_hold_load loads[2]) {
+bool tp_mode_cones_init(tp_mode_cones *m, const tp_friction_cones *cones, const fmpq inertia[6],
+                        double divisor, const tp_hold_load loads[2], const tp_hold_load *way) {
   *m = (tp_mode_cones){.contacts = calloc((size_t)cones->count + 1, sizeof *m->contacts),
                        .divisor = divisor,
-                       .is_in_range = true,
-                       .centroid_bits = BITS,
-                       .inverse_bits = BITS};
+                       .is_in_range = true};
   if (m->contacts == NULL) return false;
   m->count = cones->count;
   fmpz_init(&m->unit);
-  init3(m->centroid);
-  for (int k = 0; k < 9; k++) fmpz_init(m->inverse + k);
+  balls_init(m->centroid, 3);
+  balls_init(m->inverse, 9);
+  for (int k = 0; k < 3; k++) fmpq_init(m->exact_centroid + k);
+  for (int k = 0; k < 6; k++) fmpq_init(m->exact_inertia + k);
+  for (int k = 0; k < 9; k++) {
+    fmpq_init(m->exact_loads[k / 3] + k % 3);
+    fmpq_init(m->load_errors[k / 3] + k % 3);
+  }
+  vector_init(&m->change);
   for (int k = 0; k < 2; k++) vector_init(m->loads + k);
   for (long n = 0; n < m->count; n++) contact_init(m->contacts + n);
   set_points(m, cones);
@@ -393,7 +424,7 @@ bool tp_mode_cones_init(tp_mode_cones *m, const tp_friction_cones *cones,
     if (!c->is_smooth && !set_rays(c, cones->cones[n].friction.value)) m->is_in_range = false;
   }
   if (!set_body(m, cones, inertia)) m->is_in_range = false;
-  if (!set_loads(m, loads)) m->is_in_range = false;
+  if (!set_loads(m, loads, way)) m->is_in_range = false;
   return true;
 }
 
@@ -402,8 +433,15 @@ void tp_mode_cones_clear(tp_mode_cones *m) {
   for (long n = 0; n < m->count; n++) contact_clear(m->contacts + n);
   free(m->contacts);
   fmpz_clear(&m->unit);
-  clear3(m->centroid);
-  for (int k = 0; k < 9; k++) fmpz_clear(m->inverse + k);
+  balls_clear(m->centroid, 3);
+  balls_clear(m->inverse, 9);
+  for (int k = 0; k < 3; k++) fmpq_clear(m->exact_centroid + k);
+  for (int k = 0; k < 6; k++) fmpq_clear(m->exact_inertia + k);
+  for (int k = 0; k < 9; k++) {
+    fmpq_clear(m->exact_loads[k / 3] + k % 3);
+    fmpq_clear(m->load_errors[k / 3] + k % 3);
+  }
+  vector_clear(&m->change);
   for (int k = 0; k < 2; k++) vector_clear(m->loads + k);
   *m = (tp_mode_cones){.contacts = NULL};
 }

@@ -13,22 +13,25 @@
  * just above 1 / cos(pi / 16). Where mu may be as little as a divisor leaves of it, the first two
  * have x over that. So all motions that can begin have their forces in these cones, and more.
  *
- * Wrenches and rows over twists are taken about the first contact, so that their numbers are those
- * of the scene. A vector may be of any size, as only its direction counts. Points and normals are
- * exact; mu, the centroid, the inertia and the load are rounded, by 2^-50 of themselves or less. */
+ * Nothing is rounded without a bound. Wrenches and rows over twists are taken about the first
+ * contact, so that those of forces and rows are whole numbers: points and normals are exact, and
+ * rays are rounded, which the margins of 2^-28 cover together with the error of mu. The load, the
+ * centroid and the inertia are balls. A vector may have any size, as only its direction counts. */
 
 #ifndef TP_SOLID_CONTACTS_MODE_CONES_H
 #define TP_SOLID_CONTACTS_MODE_CONES_H
 
 #include "solid_contacts/hold_load.h"
-#include "solid_contacts/solid_section.h"
+
+#include <arb.h>
 
 enum { TP_MODE_RAYS = 256, TP_MODE_POLYGON = 16, TP_MODE_LEVELS = 7, TP_MODE_QUARTERS = 4 };
 
-/* A wrench, or a row over twists; C times it; and doubles that are 2^-exponent of both. */
+/* A wrench, or a row over twists, times 2^-exponent; C times that, of loads and rows; doubles. The
+ * wrench of a force and a row are exact. */
 typedef struct tp_mode_vector {
   bool is_known;
-  fmpz whole[TP_WRENCH], turned[TP_WRENCH];
+  arb_struct at[TP_WRENCH], turned[TP_WRENCH];
   slong exponent;
   double near[TP_WRENCH], near_turned[TP_WRENCH];
 } tp_mode_vector;
@@ -58,19 +61,22 @@ typedef struct tp_mode_contact {
 typedef struct tp_mode_cones {
   long count;
   tp_mode_contact *contacts;
-  fmpz unit;        /* points are whole in lengths of one over that */
-  fmpz centroid[3]; /* from the first contact, in 2^-centroid_bits of a length */
-  fmpz inverse[9];  /* of the inertia, in 2^-inverse_bits */
-  slong centroid_bits, inverse_bits;
-  double divisor;   /* mu may be anything from that part of it on */
+  fmpz unit;                                /* points are whole in lengths of one over that */
+  fmpq exact_centroid[3], exact_inertia[6]; /* the centroid from the first contact */
+  arb_struct centroid[3], inverse[9];       /* the same, and the inverse of the inertia */
+  double divisor;                           /* mu may be anything from that part of it on */
   bool is_in_range; /* else sizes are beyond what doubles hold, and nothing here counts */
   tp_mode_vector loads[2];
+  tp_mode_vector change;                     /* along w2 - w1; its doubles are that */
+  fmpq exact_loads[3][3], load_errors[3][3]; /* of these at the centroid, of their size */
 } tp_mode_cones;
 
-/* False when memory is exhausted; cleared then. */
+/* Inertia: integrals of x x, y y, z z, y z, z x, x y about the centroid over the mass, in lengths
+ * of the cones. `way`: along which the loads differ; NULL where they do not. False when memory is
+ * exhausted; cleared then. */
 TP_MUST_USE bool tp_mode_cones_init(tp_mode_cones *modes, const tp_friction_cones *cones,
-                                    const tp_solid_section_inertia *inertia, double divisor,
-                                    const tp_hold_load loads[2]);
+                                    const fmpq inertia[6], double divisor,
+                                    const tp_hold_load loads[2], const tp_hold_load *way);
 void tp_mode_cones_clear(tp_mode_cones *modes);
 
 /* Which are made as they are asked for. */
@@ -79,7 +85,13 @@ const tp_mode_vector *tp_mode_cones_row(tp_mode_cones *modes, long contact, int 
 /* The force at the tangents of a sector, of the 4 << level of its level. */
 int tp_mode_tip(int level, int sector);
 
+/* Bits to which balls are rounded. */
+enum { TP_MODE_BITS = 128 };
+
 /* sum += a . b */
-void tp_mode_add_product(fmpz_t sum, const fmpz a[TP_WRENCH], const fmpz b[TP_WRENCH]);
+void tp_mode_add_product(arb_t sum, const arb_struct a[TP_WRENCH], const arb_struct b[TP_WRENCH]);
+/* C times a wrench. */
+void tp_mode_cones_turn(arb_struct turned[TP_WRENCH], const tp_mode_cones *modes,
+                        const arb_struct wrench[TP_WRENCH]);
 
 #endif

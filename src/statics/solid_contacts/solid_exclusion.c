@@ -9,13 +9,12 @@
 #include "solid_contacts/solid_exclusion.h"
 
 #include "contact_modes/dense_program.h"
-#include "solid_contacts/mode_cones.h"
+#include "solid_contacts/mode_claim.h"
 
-#include <flint/fmpz_mat.h>
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_CONTACTS = 16, PRICE_BITS = 20 };
+enum { PRICE_BITS = 20 };
 
 typedef enum doing { DOES_ANY, DOES_OPEN, DOES_STICK, DOES_SLIP } doing;
 
@@ -37,15 +36,14 @@ typedef struct program_row {
 
 typedef struct exclusion {
   tp_mode_cones modes;
-  contact_doing doing[MOST_CONTACTS];
-  bool is_stretch;       /* of two loads */
-  int target;            /* which of them is to gain */
-  tp_mode_vector change; /* w2 - w1 */
+  contact_doing doing[TP_MODE_CONTACTS];
+  bool is_stretch; /* of two loads */
+  int target;      /* which of them is to gain */
   long most, tried;
   bool failed; /* memory is exhausted */
   long force_count, row_count;
-  const tp_mode_vector *forces[MOST_CONTACTS * TP_MODE_POLYGON];
-  program_row rows[3 * MOST_CONTACTS];
+  const tp_mode_vector *forces[TP_MODE_CONTACTS * TP_MODE_POLYGON];
+  program_row rows[TP_MODE_CLAIM_ROWS];
 } exclusion;
 
 /* ---- modes as forces and rows ------------------------------------------------------------------
@@ -112,7 +110,7 @@ static void settle_rows(exclusion *x, double *rights, long *surpluses) {
 }
 
 static bool init_program(tp_dense_program *p, exclusion *x) {
-  double rights[3 * MOST_CONTACTS];
+  double rights[TP_MODE_CLAIM_ROWS];
   long surpluses;
   settle_rows(x, rights, &surpluses);
   const long share = x->force_count + surpluses; /* the column of t; its row is the last */
@@ -121,7 +119,7 @@ static bool init_program(tp_dense_program *p, exclusion *x) {
   double *aim = tp_dense_program_entry(p, p->rows, 0);
   const double *target = x->modes.loads[x->target].near_turned;
   for (long g = 0; g < x->force_count; g++) aim[g] = product(target, x->forces[g]->near);
-  if (x->is_stretch) aim[share] = product(target, x->change.near);
+  if (x->is_stretch) aim[share] = product(target, x->modes.change.near);
   *tp_dense_program_entry(p, x->row_count, share) = 1;
   *tp_dense_program_right(p, x->row_count) = 1;
   for (long r = 0; r < x->row_count; r++) {
@@ -132,7 +130,8 @@ static bool init_program(tp_dense_program *p, exclusion *x) {
       if (own->is_priced) aim[g] += price * entries[g];
     }
     if (x->is_stretch) {
-      entries[share] = own->turned * own->sign * product(own->vector->near_turned, x->change.near);
+      entries[share] =
+          own->turned * own->sign * product(own->vector->near_turned, x->modes.change.near);
       if (own->is_priced) aim[share] += price * entries[share];
     }
     if (own->surplus >= 0) {
@@ -148,24 +147,14 @@ static bool init_program(tp_dense_program *p, exclusion *x) {
 /* ---- the proof ---------------------------------------------------------------------------------
  */
 
-typedef struct proof {
-  long unknown_count, force_count;
-  long unknown[3 * MOST_CONTACTS];                    /* rows */
-  const tp_mode_vector *basic[3 * MOST_CONTACTS + 1]; /* forces that y does no work on */
-  slong raised;                                       /* y is 2^raised of what it is */
-  fmpz y[TP_WRENCH];
-  fmpz_t sum;
-} proof;
-
-/* Of the price of a row in the size of w, as a power of two. */
-static slong price_exponent(const exclusion *x, const program_row *row) {
-  return PRICE_BITS + x->modes.loads[x->target].exponent - row->vector->exponent;
-}
-
 /* Which rows have a z, by what is basic; what is dear has its price. */
-static void read_basis(proof *f, const exclusion *x, const tp_dense_program *p) {
-  bool is_slack[3 * MOST_CONTACTS + 1] = {false}, has_share = false;
-  f->unknown_count = f->force_count = 0;
+static void set_claim(tp_mode_claim *c, const exclusion *x, const tp_dense_program *p) {
+  bool is_slack[TP_MODE_CLAIM_ROWS + 1] = {false}, has_share = false;
+  *c = (tp_mode_claim){.modes = &x->modes,
+                       .target = x->target,
+                       .price_bits = PRICE_BITS,
+                       .force_count = x->force_count,
+                       .forces = x->forces};
   for (long k = 0; k < p->rows; k++) {
     const long variable = p->basic[k];
     has_share = has_share || variable == p->columns - 1;
@@ -173,21 +162,16 @@ static void read_basis(proof *f, const exclusion *x, const tp_dense_program *p) 
       const long row = variable - p->columns;
       is_slack[row] = true;
       if (row == x->row_count || !x->rows[row].is_priced) continue;
-      /* z = price, as the row is multiplied, in the size of w */
-      const program_row *own = x->rows + row;
-      const slong shift = f->raised + price_exponent(x, own);
-      for (int i = 0; i < TP_WRENCH; i++) {
-        fmpz_mul_2exp(f->sum, own->vector->turned + i, (ulong)shift);
-        fmpz_mul_si(f->sum, f->sum, own->turned * own->sign);
-        fmpz_add(f->y + i, f->y + i, f->sum);
-      }
+      /* z = price, as the row is multiplied */
+      c->priced[c->priced_count++] =
+          (tp_mode_claim_row){x->rows[row].vector, x->rows[row].turned * x->rows[row].sign};
     } else if (variable < x->force_count) {
-      f->basic[f->force_count++] = x->forces[variable];
+      c->basic[c->basic_count++] = x->forces[variable];
     }
   }
   /* a share between 0 and 1 */
   if (x->is_stretch && has_share && is_slack[x->row_count]) {
-    f->basic[f->force_count++] = &x->change;
+    c->basic[c->basic_count++] = c->change = &x->modes.change;
   }
   for (long r = 0; r < x->row_count; r++) {
     bool surplus_is_basic = false;
@@ -195,77 +179,29 @@ static void read_basis(proof *f, const exclusion *x, const tp_dense_program *p) 
       surplus_is_basic =
           surplus_is_basic || (x->rows[r].surplus >= 0 && p->basic[k] == x->rows[r].surplus);
     }
-    if (!is_slack[r] && !surplus_is_basic) f->unknown[f->unknown_count++] = r;
+    if (is_slack[r] || surplus_is_basic) continue;
+    c->unknown[c->unknown_count++] =
+        (tp_mode_claim_row){x->rows[r].vector, x->rows[r].is_equal ? 0 : x->rows[r].sign};
   }
 }
 
-/* With y . f = 0 for all basic forces; y times what all are divided by. False: they do not tell. */
-static bool solve(proof *f, const exclusion *x) {
-  const long count = f->unknown_count;
-  if (count != f->force_count) return false;
-  if (count == 0) return true;
-  fmpz_mat_t left, right, z;
-  fmpz_t divisor;
-  fmpz_mat_init(left, count, count);
-  fmpz_mat_init(right, count, 1);
-  fmpz_mat_init(z, count, 1);
-  fmpz_init(divisor);
-  for (long i = 0; i < count; i++) {
-    const tp_mode_vector *force = f->basic[i];
-    fmpz *entry = fmpz_mat_entry(right, i, 0);
-    tp_mode_add_product(entry, f->y, force->whole);
-    fmpz_neg(entry, entry);
-    for (long k = 0; k < count; k++) {
-      tp_mode_add_product(fmpz_mat_entry(left, i, k), x->rows[f->unknown[k]].vector->turned,
-                          force->whole);
-    }
-  }
-  bool solved = fmpz_mat_solve(z, divisor, left, right) != 0 && !fmpz_is_zero(divisor);
-  if (solved && fmpz_sgn(divisor) < 0) {
-    fmpz_neg(divisor, divisor);
-    fmpz_mat_neg(z, z);
-  }
-  for (int i = 0; i < TP_WRENCH; i++) fmpz_mul(f->y + i, f->y + i, divisor);
-  for (long k = 0; k < count && solved; k++) {
-    const program_row *own = x->rows + f->unknown[k];
-    const fmpz *share = fmpz_mat_entry(z, k, 0);
-    solved = own->is_equal || fmpz_sgn(share) * own->sign >= 0;
-    for (int i = 0; i < TP_WRENCH; i++) fmpz_addmul(f->y + i, own->vector->turned + i, share);
-  }
-  fmpz_clear(divisor);
-  fmpz_mat_clear(left);
-  fmpz_mat_clear(right);
-  fmpz_mat_clear(z);
-  return solved;
-}
-
-static bool is_resisted(proof *f, const fmpz wrench[TP_WRENCH]) {
-  fmpz_zero(f->sum);
-  tp_mode_add_product(f->sum, f->y, wrench);
-  return fmpz_sgn(f->sum) <= 0;
-}
-
-/* Any y of this form will do, whatever the program was. */
+/* Any claim of this form will do, whatever the program was. */
 static bool prove(const exclusion *x, const tp_dense_program *p) {
-  proof f = {.unknown_count = 0};
-  fmpz_init(f.sum);
+  tp_mode_claim claim;
+  bool is_close;
+  set_claim(&claim, x, p);
+  return tp_mode_claim_holds(&is_close, &claim) ||
+         (is_close && tp_mode_claim_holds_exactly(&claim));
+}
+
+/* Rows that are zero and of rank six leave no motion. */
+static bool is_still(const exclusion *x) {
+  const tp_mode_vector *equal[TP_MODE_CLAIM_ROWS];
+  long count = 0;
   for (long r = 0; r < x->row_count; r++) {
-    const slong own = -price_exponent(x, x->rows + r);
-    if (own > f.raised) f.raised = own;
+    if (x->rows[r].is_equal) equal[count++] = x->rows[r].vector;
   }
-  for (int k = 0; k < TP_WRENCH; k++) {
-    fmpz_init(f.y + k);
-    fmpz_mul_2exp(f.y + k, x->modes.loads[x->target].turned + k, (ulong)f.raised);
-  }
-  read_basis(&f, x, p);
-  bool proven = solve(&f, x) && is_resisted(&f, x->modes.loads[0].whole) &&
-                is_resisted(&f, x->modes.loads[1].whole);
-  for (long g = 0; g < x->force_count && proven; g++) {
-    proven = is_resisted(&f, x->forces[g]->whole);
-  }
-  for (int k = 0; k < TP_WRENCH; k++) fmpz_clear(f.y + k);
-  fmpz_clear(f.sum);
-  return proven;
+  return count >= TP_WRENCH && tp_mode_rank(equal, count) == TP_WRENCH;
 }
 
 static bool does_not_gain(exclusion *x, int target) {
@@ -283,7 +219,7 @@ static bool does_not_gain(exclusion *x, int target) {
 static bool is_refuted(exclusion *x) {
   x->force_count = x->row_count = 0;
   for (long n = 0; n < x->modes.count; n++) add_contact(x, n);
-  return does_not_gain(x, 0) && (!x->is_stretch || does_not_gain(x, 1));
+  return is_still(x) || (does_not_gain(x, 0) && (!x->is_stretch || does_not_gain(x, 1)));
 }
 
 /* ---- all modes ---------------------------------------------------------------------------------
@@ -335,32 +271,19 @@ static bool is_excluded(exclusion *x) {
   return excluded && is_excluded_with(x, n, (contact_doing){.kind = DOES_OPEN});
 }
 
-/* w2 - w1, of the size of both; false: they are the same. */
-static bool set_change(exclusion *x) {
-  const tp_mode_vector *from = x->modes.loads, *to = x->modes.loads + 1;
-  bool any = false;
-  for (int k = 0; k < TP_WRENCH; k++) {
-    fmpz_init(x->change.whole + k);
-    fmpz_sub(x->change.whole + k, to->whole + k, from->whole + k);
-    x->change.near[k] = to->near[k] - from->near[k];
-    any = any || !fmpz_is_zero(x->change.whole + k);
-  }
-  return any;
-}
-
 static bool find(tp_solid_exclusion *of, exclusion *x) {
-  if (!tp_mode_cones_init(&x->modes, of->cones, of->inertia, of->divisor, of->loads)) return false;
-  x->is_stretch = set_change(x);
+  if (!tp_mode_cones_init(&x->modes, of->cones, of->inertia, of->divisor, of->loads, of->way))
+    return false;
+  x->is_stretch = of->way != NULL;
   of->is_excluded = x->modes.is_in_range && is_excluded(x);
   of->most -= x->tried;
-  for (int k = 0; k < TP_WRENCH; k++) fmpz_clear(x->change.whole + k);
   tp_mode_cones_clear(&x->modes);
   return !x->failed;
 }
 
 bool tp_solid_exclusion_find(tp_solid_exclusion *of) {
   of->is_excluded = false;
-  if (of->cones->count == 0 || of->cones->count > MOST_CONTACTS) return true;
+  if (of->cones->count == 0 || of->cones->count > TP_MODE_CONTACTS) return true;
   exclusion *x = calloc(1, sizeof *x);
   if (x == NULL) return false;
   x->most = of->most;

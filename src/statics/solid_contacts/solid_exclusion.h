@@ -17,8 +17,8 @@
  * each by a y of its own with y . w1 <= 0 and y . w2 <= 0. Strengths are a stretch from mu to mu
  * over a divisor. No motion begins at any load and any strength of these stretches.
  *
- * The program runs in doubles and names the z that are not zero; y is solved for, and all signs are
- * taken, in whole numbers.
+ * The program runs in doubles and names the z that are not zero, and the forces that y does no work
+ * on. That is proven for the true body and loads (mode_claim.h).
  *
  * That it ends without a proof says nothing: near an onset sectors would have to be narrower than
  * they become, and with more than some eight contacts there are too many sets. */
@@ -27,16 +27,16 @@
 #define TP_SOLID_CONTACTS_SOLID_EXCLUSION_H
 
 #include "solid_contacts/hold_load.h"
-#include "solid_contacts/solid_section.h"
 
 typedef struct tp_solid_exclusion {
   const tp_friction_cones *cones;
-  const tp_solid_section_inertia *inertia;
+  const fmpq *inertia; /* as mode_cones.h has it */
   tp_hold_load
-      loads[2];     /* at the centroid, from the one to the other; or both the same; borrowed */
-  double divisor;   /* of mu, from one to this */
-  long most;        /* programs; less by those that were solved */
-  bool is_excluded; /* the answer */
+      loads[2]; /* at the centroid, from the one to the other; or both the same; borrowed */
+  const tp_hold_load *way; /* along which they differ, or NULL */
+  double divisor;          /* of mu, from one to this */
+  long most;               /* programs; less by those that were solved */
+  bool is_excluded;        /* the answer */
 } tp_solid_exclusion;
 
 /* False when memory is exhausted. */

@@ -312,14 +312,56 @@ typedef struct answer {
   bool any;     /* a ray was found */
   bool is_open; /* a ray gains on the load itself, or is no motion of all cones */
   bool has_least;
-  fmpq_t least; /* t */
+  fmpq_t least, error; /* t, and by how much the true one of its ray may differ as loads may; */
+  fmpq_t low;          /* and no less of all rays than this */
   fmpq twist[TP_WRENCH];
 } answer;
+
+/* By how much what a twist gains may differ from the true gain. */
+static void set_gain_error(fmpq_t error, const fmpq twist[TP_WRENCH], const tp_hold_load *load) {
+  fmpq_t part, own;
+  fmpq_init(part);
+  fmpq_init(own);
+  fmpq_zero(error);
+  for (int k = 0; k < 3; k++) {
+    tp_hold_double(own, load->error[k]);
+    fmpq_abs(part, twist + k);
+    fmpq_addmul(error, part, own);
+  }
+  fmpq_clear(part);
+  fmpq_clear(own);
+}
+
+/* What begins at t: (-w . a) / (way . a), with the errors e and f of the two products and t >= 0
+ * within (e + t f) / (way . a - f). */
+static void take_limit(answer *a, const fmpq twist[TP_WRENCH], const fmpq_t loss, const fmpq_t gain,
+                       const fmpq_t loss_error, const fmpq_t gain_error) {
+  fmpq_t t, error, part;
+  fmpq_init(t);
+  fmpq_init(error);
+  fmpq_init(part);
+  fmpq_div(t, loss, gain);
+  fmpq_mul(error, t, gain_error);
+  fmpq_add(error, error, loss_error);
+  fmpq_sub(part, gain, gain_error);
+  fmpq_div(error, error, part);
+  if (!a->has_least || fmpq_cmp(t, a->least) < 0) {
+    fmpq_set(a->least, t);
+    fmpq_set(a->error, error);
+    for (int k = 0; k < TP_WRENCH; k++) fmpq_set(a->twist + k, twist + k);
+  }
+  fmpq_sub(part, t, error);
+  if (!a->has_least || fmpq_cmp(part, a->low) < 0) fmpq_set(a->low, part);
+  a->has_least = true;
+  fmpq_clear(t);
+  fmpq_clear(error);
+  fmpq_clear(part);
+}
 
 static void take_ray(answer *a, const squeezed *s, const fmpq ray[MOST_FREE],
                      const tp_hold_load *load, const tp_hold_load *way) {
   fmpq twist[TP_WRENCH];
-  fmpq_t entry, gain;
+  fmpq_t entry, gain, part, entry_error, gain_error;
   for (long n = 0; n < s->sign_count; n++) {
     fmpq_init(entry);
     evaluate(entry, s->signs[n], ray, s->free_count);
@@ -329,6 +371,9 @@ static void take_ray(answer *a, const squeezed *s, const fmpq ray[MOST_FREE],
   }
   fmpq_init(entry);
   fmpq_init(gain);
+  fmpq_init(part);
+  fmpq_init(entry_error);
+  fmpq_init(gain_error);
   for (int k = 0; k < TP_WRENCH; k++) {
     fmpq_init(twist + k);
     for (int i = 0; i < s->free_count; i++) fmpq_addmul(twist + k, s->free[i] + k, ray + i);
@@ -336,20 +381,22 @@ static void take_ray(answer *a, const squeezed *s, const fmpq ray[MOST_FREE],
   a->any = true;
   tp_rational3_dot(entry, twist, load->exact);
   tp_rational3_dot(gain, twist, way->exact);
-  if (fmpq_sgn(entry) > 0) {
+  set_gain_error(entry_error, twist, load);
+  set_gain_error(gain_error, twist, way);
+  fmpq_neg(entry, entry);
+  fmpq_abs(part, gain);
+  const bool has_sign = fmpq_is_zero(gain_error) || fmpq_cmp(part, gain_error) > 0;
+  if (fmpq_cmp(entry, entry_error) < 0 || !has_sign) {
     a->is_open = true;
   } else if (fmpq_sgn(gain) > 0) {
-    fmpq_neg(entry, entry);
-    fmpq_div(entry, entry, gain);
-    if (!a->has_least || fmpq_cmp(entry, a->least) < 0) {
-      fmpq_set(a->least, entry);
-      for (int k = 0; k < TP_WRENCH; k++) fmpq_set(a->twist + k, twist + k);
-    }
-    a->has_least = true;
+    take_limit(a, twist, entry, gain, entry_error, gain_error);
   }
   for (int k = 0; k < TP_WRENCH; k++) fmpq_clear(twist + k);
   fmpq_clear(entry);
   fmpq_clear(gain);
+  fmpq_clear(part);
+  fmpq_clear(entry_error);
+  fmpq_clear(gain_error);
 }
 
 static void take_both(answer *a, const squeezed *s, fmpq ray[MOST_FREE], const tp_hold_load *load,
@@ -407,9 +454,13 @@ static void settle(tp_squeezed_limit *limit, const answer *a, const tp_friction_
   for (long n = 0; n < cones->count; n++) {
     if (!is_let(cones->cones + n, a->twist)) return;
   }
-  const double t = fmpq_get_d(a->least);
+  fmpq_t part;
+  fmpq_init(part);
+  fmpq_sub(part, a->least, a->low);
+  const double t = fmpq_get_d(a->least), error = fmax(fmpq_get_d(part), fmpq_get_d(a->error));
+  fmpq_clear(part);
   limit->is_known = true;
-  limit->t = tp_near_of(t, t * DBL_EPSILON);
+  limit->t = tp_near_of(t, t * DBL_EPSILON + 2 * error);
   for (int k = 0; k < TP_WRENCH; k++) limit->twist[k] = fmpq_get_d(a->twist + k);
 }
 
@@ -441,10 +492,14 @@ static void find(tp_squeezed_limit *limit, squeezed *s, const tp_hold_load *load
   set_signs(s);
   if (has_line(s)) return;
   fmpq_init(a.least);
+  fmpq_init(a.error);
+  fmpq_init(a.low);
   for (int k = 0; k < TP_WRENCH; k++) fmpq_init(a.twist + k);
   take_rays(&a, s, load, way);
   settle(limit, &a, s->cones);
   fmpq_clear(a.least);
+  fmpq_clear(a.error);
+  fmpq_clear(a.low);
   for (int k = 0; k < TP_WRENCH; k++) fmpq_clear(a.twist + k);
 }
 

@@ -16,7 +16,8 @@
  * equations are a polyhedral cone. No load that gains nothing on any of its rays leaves the closure
  * of what is held. A load that forces within all cones hold is inside; so load + t way is held for
  * every t below the least at which a ray gains, and beyond it that ray moves the solid. All in
- * rational numbers.
+ * rational numbers, and within the errors of the loads: a gain whose sign these leave open leaves
+ * the limit open.
  *
  * tan(phi) of a rational angle in degrees is rational at 0 and 45 degrees alone (Niven), where the
  * cone's friction has no error. */

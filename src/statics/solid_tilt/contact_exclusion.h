@@ -15,10 +15,14 @@ typedef struct tp_contact_exclusion {
   double driving, strength; /* if stands: up to that much, from 1 on */
 } tp_contact_exclusion;
 
-/* What is not proven stays open; both numbers are 1 where they are not asked for. The limits of
- * forces are those of the weak side. */
+/* What is not proven stays open. The limits of forces are those of the weak side. */
 TP_MUST_USE bool tp_contact_exclusion_find(tp_contact_exclusion *exclusion,
-                                           const tp_contact_work *work, const tp_weak_side *weak,
-                                           bool asks_factors);
+                                           const tp_contact_work *work, const tp_weak_side *weak);
+
+/* Up to which t no motion can begin under load + t way, from zero on: zero where nothing is proven.
+ * Forces hold no more than `limit`. */
+TP_MUST_USE bool tp_contact_exclusion_from(double *reached, const tp_contact_work *work,
+                                           const tp_hold_load *load, const tp_hold_load *way,
+                                           double limit);
 
 #endif

@@ -68,13 +68,11 @@ static bool find_foot(bool *within, const tp_friction_cones *cones) {
 
 /* About G, over the mass. */
 static void set_inertia(double inertia[3][3], const tp_contact_work *w) {
-  const double metres2 = w->points.metres * w->points.metres;
-  const double *s = w->inertia->second, trace = s[0] + s[1] + s[2];
+  const tp_solid_section_inertia own = tp_contacts_inertia(w);
+  const double *s = own.second, trace = s[0] + s[1] + s[2];
   const double products[3][3] = {{s[0], s[5], s[4]}, {s[5], s[1], s[3]}, {s[4], s[3], s[2]}};
   for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      inertia[i][k] = ((i == k ? trace : 0) - products[i][k]) / metres2;
-    }
+    for (int k = 0; k < 3; k++) inertia[i][k] = (i == k ? trace : 0) - products[i][k];
   }
 }
 

@@ -202,12 +202,13 @@ static void settle(tp_contact_points *points, tp_solid_contact *results,
 }
 
 tp_status tp_contact_points_init(tp_contact_points *points, tp_solid_contact *results,
-                                 const tp_centre *centre, const tp_solid_given *given,
+                                 const tp_solid_moments *moments, const tp_solid_given *given,
                                  tp_notes *notes, tp_message *message) {
-  const tp_surface *surface = centre->surface;
+  const tp_surface *surface = moments->surface;
   *points = (tp_contact_points){.metres = 1};
   fmpq_init(points->length);
   for (int k = 0; k < 3; k++) fmpq_init(points->centre + k);
+  for (int k = 0; k < 6; k++) fmpq_init(points->inertia + k);
   if (!tp_friction_cones_init(&points->cones, given->contact_count)) {
     return tp_fail_memory(message, "the contacts of a solid");
   }
@@ -215,7 +216,7 @@ tp_status tp_contact_points_init(tp_contact_points *points, tp_solid_contact *re
   fmpq_mul_2exp(points->length, points->length, (ulong)surface->exponent);
   set_metres(points, surface, given);
   const double near_metres = points->metres;
-  set_centre(points, centre);
+  set_centre(points, &moments->centre);
   tp_status status = TP_OK;
   for (long n = 0; n < given->contact_count && status == TP_OK; n++) {
     tp_friction_cone *cone = points->cones.cones + n;
@@ -225,7 +226,14 @@ tp_status tp_contact_points_init(tp_contact_points *points, tp_solid_contact *re
         given->contact_gaps == NULL ? take_contact(&own) : take_found(&own, given->contact_gaps[n]);
     for (int k = 0; k < 3; k++) fmpq_sub(cone->at + k, cone->at + k, points->centre + k);
   }
-  if (status == TP_OK) settle(points, results, given);
+  if (status == TP_OK) {
+    settle(points, results, given);
+    tp_solid_moments_inertia(points->inertia, moments);
+    for (int k = 0; k < 6; k++) {
+      fmpq_div(points->inertia + k, points->inertia + k, points->length);
+      fmpq_div(points->inertia + k, points->inertia + k, points->length);
+    }
+  }
   set_metres(points, surface, given);
   return status;
 }
@@ -234,6 +242,7 @@ void tp_contact_points_clear(tp_contact_points *points) {
   tp_friction_cones_clear(&points->cones);
   fmpq_clear(points->length);
   for (int k = 0; k < 3; k++) fmpq_clear(points->centre + k);
+  for (int k = 0; k < 6; k++) fmpq_clear(points->inertia + k);
 }
 
 void tp_contact_points_given(double given[3], const tp_contact_points *points,

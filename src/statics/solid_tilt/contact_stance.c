@@ -25,16 +25,30 @@ static void weak_clear(tp_weak_side *weak) {
   tp_hold_load_clear(&weak->way);
 }
 
-static void set_way(tp_weak_side *weak) {
+/* What rests, what drives, and both. */
+static void set_loads(tp_weak_side *weak, const tp_contact_work *w, bool shaken) {
+  const tp_scene *scene = w->given->scene;
+  tp_hold_frame_rest(&weak->rest, &w->frame, scene);
+  tp_hold_frame_drive(&weak->way, &w->frame, scene, shaken);
   for (int k = 0; k < 3; k++) {
-    fmpq_sub(weak->way.exact + k, weak->load.exact + k, weak->rest.exact + k);
+    fmpq_add(weak->load.exact + k, weak->rest.exact + k, weak->way.exact + k);
+    weak->load.error[k] = weak->rest.error[k] + weak->way.error[k];
     weak->drives = weak->drives || !fmpq_is_zero(weak->way.exact + k);
   }
-  tp_hold_load_settle(&weak->way);
+  tp_hold_load_settle(&weak->load);
+}
+
+/* From a load that is held on: beyond it by how many ways more. */
+static bool find_further(tp_weak_side *weak, tp_hold *hold) {
+  weak->rests = true;
+  if (!tp_hold_limit_find(&weak->limit, hold, &weak->load, &weak->way)) return false;
+  weak->limit.t = tp_near_add(weak->limit.t, (tp_near){1, 0});
+  return true;
 }
 
 /* By what the loads that drive it may be multiplied, where those that rest are held: less friction
- * topples nothing, however near to it that is. */
+ * topples nothing, however near to it that is. What is held with these loads alone, as on a face
+ * that dips against them, is held up to a multiple as well. */
 static bool find_driving(tp_weak_side *weak, tp_hold *hold) {
   tp_hold_side side = TP_HOLD_OPEN;
   double twist[TP_WRENCH];
@@ -44,13 +58,12 @@ static bool find_driving(tp_weak_side *weak, tp_hold *hold) {
   if (!tp_hold_load_side(&side, twist, hold, &weak->rest)) return false;
   weak->rests = side != TP_HOLD_MOVES;
   weak->limit = (tp_hold_limit){.is_open = true};
+  if (side != TP_HOLD_HOLDS && weak->side == TP_HOLD_HOLDS) return find_further(weak, hold);
   return side != TP_HOLD_HOLDS || tp_hold_limit_find(&weak->limit, hold, &weak->rest, &weak->way);
 }
 
 static bool find_weak(tp_weak_side *weak, tp_contact_work *w) {
   tp_solid_contacts *own = w->results;
-  tp_hold_frame_rest(&weak->rest, &w->frame, w->given->scene);
-  set_way(weak);
   if (!tp_hold_load_side(&weak->side, weak->twist, &w->hold, &weak->load)) return false;
   weak->least = w->hold.found.t;
   for (size_t n = 0; n < own->contact_count && weak->side == TP_HOLD_HOLDS; n++) {
@@ -94,8 +107,7 @@ static tp_status find_states(tp_contact_work *w, tp_strong_side *strong) {
   for (int k = 0; k < (shaken ? 2 : 1) && done; k++) {
     tp_weak_side weak;
     weak_init(&weak);
-    if (states[k].is_static) tp_hold_frame_still(&weak.load, &w->frame, scene);
-    if (!states[k].is_static) tp_hold_frame_scene(&weak.load, &w->frame, scene);
+    set_loads(&weak, w, !states[k].is_static);
     done = find_weak(&weak, w) && tp_contact_strong_find(states + k, strong, w, &weak);
     if (done && !states[k].is_static) tell_weak(w, &weak);
     weak_clear(&weak);

@@ -104,19 +104,13 @@ static bool init_smooth(tp_strong_side *strong, const tp_friction_cones *cones) 
   return tp_hold_init(&strong->without, &strong->smooth, 1);
 }
 
-static tp_solid_section_inertia scaled(const tp_contact_work *w) {
-  tp_solid_section_inertia entry = *w->inertia;
-  for (int k = 0; k < 6; k++) entry.second[k] /= w->points.metres * w->points.metres;
-  return entry;
-}
-
 bool tp_contact_strong_init(tp_strong_side *strong, const tp_contact_work *w) {
   const tp_friction_cones *cones = &w->points.cones;
   const bool on_line = is_on_line(cones), one_normal = w->given->has_mean_normals;
   *strong = (tp_strong_side){.is_on_line = on_line,
                              .is_plane = !on_line && (one_normal || is_plane(cones))};
   if (strong->is_plane) return tp_contact_plane_find(&strong->is_proven_plane, w);
-  const tp_solid_section_inertia inertia = scaled(w);
+  const tp_solid_section_inertia inertia = tp_contacts_inertia(w);
   tp_hold_load load;
   tp_hold_load_init(&load);
   tp_hold_frame_scene(&load, &w->frame, w->given->scene);
@@ -211,7 +205,7 @@ static bool take_plane(tp_state_ranges *state, const tp_strong_side *strong,
   const bool stands = strong->is_proven_plane && tp_contact_plane_stays(w, &weak->load);
   if (stands && stays_to_limit(w, weak)) return true;
   tp_contact_exclusion excluded;
-  if (!tp_contact_exclusion_find(&excluded, w, weak, true)) return false;
+  if (!tp_contact_exclusion_find(&excluded, w, weak)) return false;
   if (!stands && !excluded.stands) state->verdict = TP_VERDICT_OPEN;
   for (size_t k = 0; k < state->count; k++) {
     tp_factor_range *range = state->ranges + k;
@@ -282,7 +276,7 @@ static bool take_smooth(tp_state_ranges *state, tp_strong_side *strong, const tp
     return false;
   }
   tp_contact_exclusion excluded = {.stands = false};
-  if (!stands && !strong->is_on_line && !tp_contact_exclusion_find(&excluded, w, weak, false)) {
+  if (!stands && !strong->is_on_line && !tp_contact_exclusion_find(&excluded, w, weak)) {
     return false;
   }
   state->verdict = weak->side == TP_HOLD_MOVES ? TP_VERDICT_COLLAPSES
@@ -322,13 +316,16 @@ bool tp_contact_strong_find(tp_state_ranges *state, tp_strong_side *strong,
 /* ---- onsets ------------------------------------------------------------------------------------
  */
 
+static bool has_section(const tp_strong_side *strong, const tp_hold_load *load,
+                        const tp_hold_load *way) {
+  return strong->has_section && tp_solid_section_has_load(&strong->section, load) &&
+         tp_solid_section_has_load(&strong->section, way);
+}
+
 static bool find_from_level(tp_solid_section_onset *onset, const tp_strong_side *strong,
                             const tp_hold_load *load, const tp_hold_load *way) {
   *onset = (tp_solid_section_onset){.is_endless = true};
-  if (!strong->has_section || !tp_solid_section_has_load(&strong->section, load) ||
-      !tp_solid_section_has_load(&strong->section, way)) {
-    return true;
-  }
+  if (!has_section(strong, load, way)) return true;
   return tp_solid_section_driving(onset, &strong->section, load, way, 0, INFINITY);
 }
 
@@ -337,18 +334,43 @@ static tp_near near_of(const tp_solid_section_onset *onset) {
   return (tp_near){onset->x, share * (1 + onset->x)};
 }
 
+/* Where no section has them: up to which t all motions are excluded; not of tables of many. */
+static bool find_excluded(double *reached, const tp_strong_side *strong, tp_contact_work *w,
+                          const tp_level_loads *loads, const tp_hold_load *way) {
+  tp_hold_limit limit;
+  tp_hold_side side = TP_HOLD_OPEN;
+  double twist[TP_WRENCH];
+  *reached = 0;
+  if (strong->is_on_line || w->given->azimuths == 0) return true;
+  if (!tp_hold_load_side(&side, twist, &w->hold, &loads->load)) return false;
+  if (side != TP_HOLD_HOLDS) return true;
+  if (!tp_hold_limit_find(&limit, &w->hold, &loads->load, way)) return false;
+  const double most = limit.is_open      ? 0
+                      : limit.is_endless ? INFINITY
+                                         : limit.t.value - limit.t.error;
+  return tp_contact_exclusion_from(reached, w, &loads->load, way, most);
+}
+
 /* Towards the azimuth of its tilt. */
-static bool find_tilt(const tp_strong_side *strong, const tp_contact_work *w) {
+static bool find_tilt(const tp_strong_side *strong, tp_contact_work *w) {
   const tp_quantity *azimuth = &w->given->scene->tilt_azimuth_deg;
   tp_solid_contacts *entry = w->results;
-  tp_solid_section_onset onset;
+  tp_solid_section_onset onset = {.is_endless = true};
+  double reached = 0;
   if (!azimuth->given) return true;
   tp_hold_load way;
   tp_hold_load_init(&way);
   tp_hold_frame_way(&way, &w->frame, azimuth->value);
-  const bool done = find_from_level(&onset, strong, &w->level.load, &way);
+  const bool in_section = has_section(strong, &w->level.load, &way);
+  const bool done = in_section ? find_from_level(&onset, strong, &w->level.load, &way)
+                               : find_excluded(&reached, strong, w, &w->level, &way);
   entry->has_onset = done && !onset.is_endless;
   if (entry->has_onset) entry->onset_deg = tp_near_bounded(tp_near_arctangent(near_of(&onset)));
+  entry->has_certain = done && reached > 0;
+  if (entry->has_certain) {
+    const tp_near degrees = tp_near_arctangent((tp_near){reached, 0});
+    entry->certain_to_stand_deg = nextafter(degrees.value - degrees.error, 0);
+  }
   tp_hold_load_clear(&way);
   return done;
 }
@@ -371,6 +393,6 @@ static bool find_acceleration(const tp_strong_side *strong, const tp_contact_wor
   return done;
 }
 
-bool tp_contact_strong_onsets(const tp_strong_side *strong, const tp_contact_work *w) {
+bool tp_contact_strong_onsets(const tp_strong_side *strong, tp_contact_work *w) {
   return strong->is_plane || (find_tilt(strong, w) && find_acceleration(strong, w));
 }

@@ -35,8 +35,8 @@ void tp_contact_strong_clear(tp_strong_side *strong);
 TP_MUST_USE bool tp_contact_strong_find(tp_state_ranges *state, tp_strong_side *strong,
                                         const tp_contact_work *work, const tp_weak_side *weak);
 
-/* From which tilt and acceleration on a motion can begin, into the results. */
-TP_MUST_USE bool tp_contact_strong_onsets(const tp_strong_side *strong,
-                                          const tp_contact_work *work);
+/* From which tilt and acceleration on a motion can begin, or up to which tilt none can, into the
+ * results. */
+TP_MUST_USE bool tp_contact_strong_onsets(const tp_strong_side *strong, tp_contact_work *work);
 
 #endif

@@ -20,7 +20,6 @@ typedef struct tp_contact_work {
   tp_hold hold;
   tp_hold_frame frame;
   tp_level_loads level, tilted;
-  const tp_solid_section_inertia *inertia; /* in square metres */
   tp_message *message;
 } tp_contact_work;
 
@@ -30,6 +29,9 @@ tp_status tp_contacts_fail_memory(const tp_contact_work *work);
 void tp_contacts_motion(tp_solid_motion *motion, const tp_contact_work *work,
                         const double twist[TP_WRENCH]);
 
+/* Rounded to doubles. */
+tp_solid_section_inertia tp_contacts_inertia(const tp_contact_work *work);
+
 /* What forces hold in a state: with the earthquake, or without. */
 typedef struct tp_weak_side {
   tp_hold_load load, rest, way; /* rest + way = load, and way is what drives */
@@ -37,7 +39,7 @@ typedef struct tp_weak_side {
   tp_hold_side side;
   double twist[TP_WRENCH]; /* if side == TP_HOLD_MOVES */
   double least;            /* the least normal force of those found, at most */
-  bool rests;              /* what rests is held */
+  bool rests;              /* what rests is held, or the load */
   tp_hold_limit limit;     /* of rest + t way, where it is */
   tp_hold_factor_kind kind;
   tp_near factor; /* of friction */

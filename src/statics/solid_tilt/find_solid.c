@@ -138,8 +138,8 @@ static tp_status climb(work *w) {
   if (status == TP_OK) {
     tp_solid_moments_tell(w->solid, &moments, w->given->metres_per_unit, w->given->unit_weight);
     status = w->given->ground_band_count > 0
-                 ? tp_on_ground_find(w->solid, w->body, &moments.centre, w->given, w->message)
-                 : tp_on_contacts_find(w->solid, &moments.centre, w->given, w->message);
+                 ? tp_on_ground_find(w->solid, w->body, &moments, w->given, w->message)
+                 : tp_on_contacts_find(w->solid, &moments, w->given, w->message);
   }
   if (status == TP_OK) {
     status = tp_solid_parts_tell(w->solid, w->body, w->given, w->message);

@@ -5,6 +5,8 @@
 
 #include "solid_tilt/hold_frame.h"
 
+#include <math.h>
+
 enum { BITS = 256, PLACES = 100, EAST = 0, NORTH = 1, UP = 2 };
 
 /* ---- axes --------------------------------------------------------------------------------------
@@ -60,7 +62,9 @@ void tp_hold_frame_clear(tp_hold_frame *frame) {
 /* ---- loads -------------------------------------------------------------------------------------
  */
 
-static void set_rounded(fmpq_t number, const arb_t ball) {
+/* Returns by how much the true number may differ: no more than 2^-101 for the rounding, and as much
+ * for the ball. */
+static double set_rounded(fmpq_t number, const arb_t ball) {
   arf_t middle;
   fmpz_t whole;
   arf_init(middle);
@@ -68,9 +72,12 @@ static void set_rounded(fmpq_t number, const arb_t ball) {
   arf_mul_2exp_si(middle, arb_midref(ball), PLACES);
   arf_get_fmpz(whole, middle, ARF_RND_NEAR);
   fmpq_set_fmpz(number, whole);
+  const bool is_exact = arb_is_exact(ball) && arf_is_int(middle);
   fmpq_div_2exp(number, number, PLACES);
   arf_clear(middle);
   fmpz_clear(whole);
+  if (is_exact) return 0;
+  return mag_cmp_2exp_si(arb_radref(ball), -PLACES - 1) <= 0 ? ldexp(1, -PLACES) : INFINITY;
 }
 
 /* Of components along east, north and up. */
@@ -82,7 +89,7 @@ static void set_load(tp_hold_load *load, const tp_hold_frame *frame, const arb_s
     for (int axis = 0; axis < 3; axis++) {
       arb_addmul(sum, frame->axes[axis] + k, parts + axis, BITS);
     }
-    set_rounded(load->exact + k, sum);
+    load->error[k] = set_rounded(load->exact + k, sum);
   }
   arb_clear(sum);
   tp_hold_load_settle(load);
@@ -152,11 +159,14 @@ static void set_base_parts(arb_struct parts[3], const arb_struct own[3], const t
   arb_set(parts + UP, own + 2);
 }
 
-/* Of a horizontal share and one down, at the tilt of a scene. */
+/* Of a horizontal share and one down, at the tilt of a scene; without the weight across the base,
+ * where it `drives`, so that what is zero stays so. */
 static void set_shaken(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
-                       const arb_struct given[2], const turn *quake) {
+                       const arb_struct given[2], const turn *quake, bool drives) {
   arb_struct parts[3], own[3], shares[2]; /* k_h c, k_h w */
+  arb_t across;
   turn tilt, towards;
+  arb_init(across);
   init_parts(parts, 3);
   init_parts(own, 3);
   init_parts(shares, 2);
@@ -171,32 +181,56 @@ static void set_shaken(tp_hold_load *load, const tp_hold_frame *frame, const tp_
   arb_addmul(own, shares, &tilt.cosine, BITS);
   arb_set(own + 1, shares + 1);
   arb_mul(own + 2, shares, &tilt.sine, BITS);
-  arb_submul(own + 2, given + 1, &tilt.cosine, BITS);
+  arb_sub_ui(across, given + 1, drives ? 1 : 0, BITS);
+  arb_submul(own + 2, across, &tilt.cosine, BITS);
   set_base_parts(parts, own, &towards);
   set_load(load, frame, parts);
   clear_parts(parts, 3);
   clear_parts(own, 3);
   clear_parts(shares, 2);
+  arb_clear(across);
   turn_clear(&tilt);
   turn_clear(&towards);
 }
 
 /* With the horizontal share of the scene, and its weight. */
 static void set_of_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
-                         bool shaken) {
+                         bool shaken, bool drives) {
   arb_struct given[2];
   turn quake;
   init_parts(given, 2);
   turn_init(&quake, &scene->loads.azimuth_deg);
   if (shaken) set_share(given, &scene->loads.horizontal, false);
   set_share(given + 1, &scene->loads.vertical, true);
-  set_shaken(load, frame, scene, given, &quake);
+  set_shaken(load, frame, scene, given, &quake, drives);
+  clear_parts(given, 2);
+  turn_clear(&quake);
+}
+
+/* Without any of its earthquake. */
+static void set_still(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                      bool drives) {
+  arb_struct given[2];
+  turn quake;
+  init_parts(given, 2);
+  arb_one(given + 1);
+  turn_init(&quake, &scene->loads.azimuth_deg);
+  set_shaken(load, frame, scene, given, &quake, drives);
   clear_parts(given, 2);
   turn_clear(&quake);
 }
 
 void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
-  set_of_scene(load, frame, scene, true);
+  set_of_scene(load, frame, scene, true, false);
+}
+
+void tp_hold_frame_drive(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                         bool shaken) {
+  if (shaken) {
+    set_of_scene(load, frame, scene, true, true);
+  } else {
+    set_still(load, frame, scene, true);
+  }
 }
 
 void tp_hold_frame_rest(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
@@ -211,18 +245,7 @@ void tp_hold_frame_rest(tp_hold_load *load, const tp_hold_frame *frame, const tp
 }
 
 void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
-  set_of_scene(load, frame, scene, false);
-}
-
-void tp_hold_frame_still(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene) {
-  arb_struct given[2];
-  turn quake;
-  init_parts(given, 2);
-  arb_one(given + 1);
-  turn_init(&quake, &scene->loads.azimuth_deg);
-  set_shaken(load, frame, scene, given, &quake);
-  clear_parts(given, 2);
-  turn_clear(&quake);
+  set_of_scene(load, frame, scene, false, false);
 }
 
 void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
@@ -234,7 +257,7 @@ void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const t
   arb_init(&quake.sine);
   arb_init(&quake.cosine);
   set_sine_cosine(&quake.sine, &quake.cosine, azimuth);
-  set_shaken(load, frame, scene, given, &quake);
+  set_shaken(load, frame, scene, given, &quake, false);
   clear_parts(given, 2);
   turn_clear(&quake);
 }

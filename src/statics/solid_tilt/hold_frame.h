@@ -40,8 +40,9 @@ void tp_hold_frame_scene(tp_hold_load *load, const tp_hold_frame *frame, const t
 /* At that tilt the weight alone, less what the earthquake lifts of it. */
 void tp_hold_frame_weight(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene);
 
-/* At that tilt the weight alone, without any of the earthquake. */
-void tp_hold_frame_still(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene);
+/* What drives it at that tilt: the load less what rests, with the earthquake or without. */
+void tp_hold_frame_drive(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,
+                         bool shaken);
 
 /* At that tilt, one along the horizon towards an azimuth. */
 void tp_hold_frame_shake(tp_hold_load *load, const tp_hold_frame *frame, const tp_scene *scene,

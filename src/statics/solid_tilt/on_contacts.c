@@ -149,20 +149,17 @@ static tp_status find_all(tp_contact_work *w) {
   return status == TP_OK ? find_shaken(w) : status;
 }
 
-tp_status tp_on_contacts_solve(tp_solid_contacts *own, tp_notes *notes, const tp_centre *centre,
-                               const tp_solid_section_inertia *inertia, const tp_solid_given *given,
+tp_status tp_on_contacts_solve(tp_solid_contacts *own, tp_notes *notes,
+                               const tp_solid_moments *moments, const tp_solid_given *given,
                                tp_message *message) {
-  tp_contact_work w = {.results = own,
-                       .surface = centre->surface,
-                       .given = given,
-                       .inertia = inertia,
-                       .message = message};
+  tp_contact_work w = {
+      .results = own, .surface = moments->surface, .given = given, .message = message};
   const size_t count = (size_t)given->contact_count;
   own->contacts = calloc(count + 1, sizeof *own->contacts);
   if (own->contacts == NULL) return tp_contacts_fail_memory(&w);
   own->contact_count = count;
   tp_status status =
-      tp_contact_points_init(&w.points, own->contacts, centre, given, notes, message);
+      tp_contact_points_init(&w.points, own->contacts, moments, given, notes, message);
   if (status == TP_OK) {
     tp_hold_frame_init(&w.frame, given->up);
     tp_level_loads_init(&w.level, &w.frame, NULL);
@@ -195,21 +192,12 @@ void tp_on_contacts_row(tp_solid_band *row, const tp_solid_contacts *contacts) {
                                   .acceleration_mechanism = contacts->acceleration.mechanism};
 }
 
-tp_solid_section_inertia tp_on_contacts_inertia(const tp_solid *solid) {
-  tp_solid_section_inertia own;
-  for (int k = 0; k < 6; k++) {
-    own.second[k] = solid->inertia_m5[k].value / solid->volume_m3.value;
-  }
-  return own;
-}
-
-tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre, const tp_solid_given *given,
-                              tp_message *message) {
+tp_status tp_on_contacts_find(tp_solid *solid, const tp_solid_moments *moments,
+                              const tp_solid_given *given, tp_message *message) {
   solid->has_contacts = given->contact_count > 0;
   if (!solid->has_contacts) return TP_OK;
-  const tp_solid_section_inertia inertia = tp_on_contacts_inertia(solid);
   const tp_status status =
-      tp_on_contacts_solve(&solid->contacts, &solid->notes, centre, &inertia, given, message);
+      tp_on_contacts_solve(&solid->contacts, &solid->notes, moments, given, message);
   if (status == TP_OK) tp_on_contacts_row(solid->bands, &solid->contacts);
   return status;
 }

@@ -12,21 +12,17 @@
 #ifndef TP_SOLID_TILT_ON_CONTACTS_H
 #define TP_SOLID_TILT_ON_CONTACTS_H
 
-#include "solid/centre.h"
-#include "solid_contacts/solid_section.h"
 #include "solid_tilt/solid_given.h"
+#include "solid_tilt/solid_moments.h"
 
-/* Where its scene gives contacts, into the solid; equilibrium is exact, and so is the centroid for
- * it: `centre` at the level exact. The solid's moments are told. */
-TP_MUST_USE tp_status tp_on_contacts_find(tp_solid *solid, const tp_centre *centre,
+/* Where its scene gives contacts, into the solid; equilibrium is exact, and so are centroid and
+ * inertia for it: moments at the level exact. */
+TP_MUST_USE tp_status tp_on_contacts_find(tp_solid *solid, const tp_solid_moments *moments,
                                           const tp_solid_given *given, tp_message *message);
 /* The same of the contacts that are given, into results of zeros, to be cleared also on failure. */
 TP_MUST_USE tp_status tp_on_contacts_solve(tp_solid_contacts *results, tp_notes *notes,
-                                           const tp_centre *centre,
-                                           const tp_solid_section_inertia *inertia,
+                                           const tp_solid_moments *moments,
                                            const tp_solid_given *given, tp_message *message);
-/* Of a solid whose moments are told, in square metres. */
-tp_solid_section_inertia tp_on_contacts_inertia(const tp_solid *solid);
 /* What tables of many scenes have of them. */
 void tp_on_contacts_row(tp_solid_band *row, const tp_solid_contacts *contacts);
 void tp_solid_contacts_clear(tp_solid_contacts *contacts);

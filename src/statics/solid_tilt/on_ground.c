@@ -19,7 +19,7 @@
 typedef struct work {
   tp_solid *solid;
   const tp_ground_body *ground;
-  const tp_centre *centre;
+  const tp_solid_moments *moments;
   const tp_solid_given *given;
   double metres; /* of the lattice's doubles */
   tp_message *message;
@@ -198,8 +198,7 @@ static tp_status solve_on(work *w, tp_solid_contacts *own, const listed *l, size
   given.contact_count = l->count;
   given.contact_gaps = l->gaps;
   given.azimuths = azimuths;
-  const tp_solid_section_inertia inertia = tp_on_contacts_inertia(w->solid);
-  return tp_on_contacts_solve(own, &w->solid->notes, w->centre, &inertia, &given, w->message);
+  return tp_on_contacts_solve(own, &w->solid->notes, w->moments, &given, w->message);
 }
 
 /* To the mean of all normals; false where these cancel. */
@@ -341,10 +340,14 @@ static tp_status add_notes(work *w) {
                       own->widest_m);
 }
 
-tp_status tp_on_ground_find(tp_solid *solid, const tp_solid_body *body, const tp_centre *centre,
-                            const tp_solid_given *given, tp_message *message) {
-  work w = {
-      .solid = solid, .ground = body->ground, .centre = centre, .given = given, .message = message};
+tp_status tp_on_ground_find(tp_solid *solid, const tp_solid_body *body,
+                            const tp_solid_moments *moments, const tp_solid_given *given,
+                            tp_message *message) {
+  work w = {.solid = solid,
+            .ground = body->ground,
+            .moments = moments,
+            .given = given,
+            .message = message};
   set_metres(&w);
   solid->has_ground = solid->has_contacts = true;
   tp_status status = describe(&w);

@@ -12,12 +12,12 @@
 #include "solid_tilt/solid_body.h"
 #include "solid_tilt/solid_given.h"
 
-/* Of a scene with a ground, into the solid; `centre` at the level exact. Refused: a solid that
+/* Of a scene with a ground, into the solid; moments at the level exact. Refused: a solid that
  * enters its ground deeper than the least band, that has no contact within it, or more of them than
  * TP_SOLID_CONTACTS. */
 TP_MUST_USE tp_status tp_on_ground_find(tp_solid *solid, const tp_solid_body *body,
-                                        const tp_centre *centre, const tp_solid_given *given,
-                                        tp_message *message);
+                                        const tp_solid_moments *moments,
+                                        const tp_solid_given *given, tp_message *message);
 void tp_solid_ground_clear(tp_solid_ground *ground);
 
 #endif

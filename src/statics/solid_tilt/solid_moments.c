@@ -264,6 +264,27 @@ tp_bounded tp_solid_moments_volume(const tp_solid_moments *moments, const fmpq_t
   return told;
 }
 
+/* int x y / V = XY120 / (20 V6), and X = X24 / (4 V6). */
+void tp_solid_moments_inertia(fmpq inertia[6], const tp_solid_moments *moments) {
+  const fmpz *sums = moments->exact;
+  fmpq_t part;
+  fmpz_t weight;
+  fmpq_init(part);
+  fmpz_init(weight);
+  for (int k = 0; k < 6; k++) {
+    fmpz_mul_ui(weight, sums + TP_SOLID_V6, 20);
+    fmpq_set_fmpz_frac(inertia + k, sums + TP_SOLID_XX120 + k, weight);
+    fmpz_mul_ui(weight, sums + TP_SOLID_V6, 4);
+    fmpz_mul(fmpq_numref(part), sums + TP_SOLID_X24 + tp_solid_axes[k][0],
+             sums + TP_SOLID_X24 + tp_solid_axes[k][1]);
+    fmpz_mul(fmpq_denref(part), weight, weight);
+    fmpq_canonicalise(part);
+    fmpq_sub(inertia + k, inertia + k, part);
+  }
+  fmpq_clear(part);
+  fmpz_clear(weight);
+}
+
 void tp_solid_moments_tell(tp_solid *solid, const tp_solid_moments *moments,
                            const fmpq_t metres_per_unit, const fmpq_t unit_weight) {
   arb_t volume, weighed; /* the volume that weighs as much at the rock's unit weight */

@@ -51,6 +51,10 @@ bool tp_solid_moments_told(const tp_solid_moments *moments);
 /* Without holes. */
 tp_bounded tp_solid_moments_volume(const tp_solid_moments *moments, const fmpq_t metres_per_unit);
 
+/* At the level exact: integrals of x x, y y, z z, y z, z x, x y about the centroid over the mass,
+ * in steps of the surface. */
+void tp_solid_moments_inertia(fmpq inertia[6], const tp_solid_moments *moments);
+
 void tp_solid_moments_tell(tp_solid *solid, const tp_solid_moments *moments,
                            const fmpq_t metres_per_unit, const fmpq_t unit_weight);
 
