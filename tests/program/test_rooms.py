@@ -272,10 +272,14 @@ class Includes(unittest.TestCase):
                     self.assertTrue(there or name in STANDARD, f"{path}: a comment names {name}")
         self.assertGreater(looked_at, 100)
 
-    def test_cpp_stays_in_its_room(self):
+    def test_cpp_stays_in_its_rooms(self):
+        """CGAL's in geom, Eigen's in linear_program, each behind a header of C."""
         for path, text in sources():
-            if path.suffix in (".cpp", ".hpp") or "CGAL/" in text:
-                self.assertEqual(room_of(path), "geom", path)
+            for library, room in (("CGAL/", "geom"), ("Eigen/", "linear_program")):
+                if f"<{library}" in text:
+                    self.assertEqual(room_of(path), room, path)
+            if path.suffix in (".cpp", ".hpp"):
+                self.assertIn(room_of(path), ("geom", "linear_program"), path)
 
 
 def call_graph(root=ROOT):

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Room for terms and forms doubles as they are added. */
+
 #include "contact_modes/linear_forms.h"
 
 #include <stdlib.h>

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Rows in whole numbers and in doubles with bounds side by side: the first over powers of two that
+ * the components of all twists and each contact have. Relations are read from a reduced echelon
+ * form of the first. */
+
 #include "contact_modes/virtual_frame.h"
 
 #include "number/ball.h"

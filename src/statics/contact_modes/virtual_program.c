@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Of two loads T and H are the same but for the slide in T: what does not depend on that is stated
+ * once. */
+
 #include "contact_modes/virtual_program.h"
 
 #include <stdlib.h>
