@@ -270,8 +270,8 @@ class BlockSweeps(unittest.TestCase):
 
 class BlockBatches(StudyCase):
     def test_rows_are_solves(self):
-        """A table over a scene of columns: each row what a solve with its numbers says, the worst first; what forces can hold and no
-        proof makes stand is undecided, with the factor by Goodman and Bray beside it; a figure each."""
+        """A table over a scene of columns: each row what a solve with its numbers says, the worst first, with the factor by Goodman
+        and Bray; a figure each."""
         (self.folder / "row.yaml").write_text(ROW[:ROW.index("joints")])
         rows = {"A": (36, 2), "B": (30, 1.5), "C": (25, 1.5)}
         table = self.folder / "table.csv"
@@ -291,7 +291,7 @@ class BlockBatches(StudyCase):
                              [safety.get(key) for key in ("at_least", "at_most")])
             self.assertNotIn("0.00000", row["remark"])  # nothing is proven from below
             self.assertEqual(row["meets_required"], case["meets_required"])
-            self.assertEqual(row["standing"], {"collapses": "fails", "may move": "fails", "can be held": "undecided"}[case["verdict"]])
+            self.assertEqual(row["standing"], {"collapses": "fails", "may move": "fails", "can be held": "undecided", "stands": "holds"}[case["verdict"]])
             by_columns = float(re.search(r"by Goodman and Bray the factor is ([\d.]+)", row["remark"])[1].rstrip("."))
             self.assertTrue(0 <= case["goodman_bray"]["fos"] - by_columns < 1e-4, row["remark"])  # rounded down
         self.assertEqual(len([*(self.folder / "figures").iterdir()]), 3)
@@ -395,7 +395,7 @@ class BlockFinds(StudyCase):
         page = run("solve", "--find", "friction_angle_deg", "--for", "limit_fos=1.2", "--from", "34", "--to", "35", self.folder / "own.yaml")[1]
         self.assertIn("limit_fos is an upper bound: up to it forces can hold the blocks", page)
         self.assertIn("this is an upper bound: no smaller factor is proven there", page)
-        self.assertIn("Caution: forces can hold the blocks there; that a motion begins", page)
+        self.assertIn("the blocks stand there: no motion can begin, nor with strength divided by 1.1", page)
         self.assertIn("by Goodman and Bray the factor there is 1.1999", page)  # rounded down
 
     def test_none_and_refused(self):
