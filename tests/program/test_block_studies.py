@@ -319,7 +319,7 @@ class BlockMaps(StudyCase):
             factor = math.tan(math.radians(friction)) / math.tan(math.radians(dip))
             self.assertLess(max(errors), 1e-3)
             self.assertAlmostEqual(factor, wanted, delta=2e-6 * wanted + 0.1 * sum(errors))
-        self.assertEqual(seen, {("border", "slides | can be held"), ("fos", "1.2"), ("fos", "1.4")})
+        self.assertEqual(seen, {("border", "slides | can be held"), ("governing_fos_at_most", "1.2"), ("governing_fos_at_most", "1.4")})
         for more, message in ((("--y", "tilt=0:60"), "over two numbers of the scene"), (("--any-tilt",), "as they lie; drop any tilt")):
             status, _, err = run("chart", "map", *words, *more)
             self.assertEqual(status, 3)

@@ -14,13 +14,22 @@
 
 #include <string.h>
 
+/* Up to which forces can hold the blocks, though a motion may begin before? */
+static bool is_limit_of_forces(tp_find_target target) {
+  return target == TP_FIND_LIMIT_FOS || target == TP_FIND_LIMIT_ANGLE ||
+         target == TP_FIND_ACCELERATION;
+}
+
 /* What the result was instead of the value. */
 static void add_none(tp_text *t, const tp_found *f, const tp_find_options *options) {
   char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
   tp_text_significant(least, f->least, 12);
   tp_text_significant(greatest, f->greatest, 12);
-  tp_text_add(t, "  none in range: %s%s ", f->is_upper_bound ? "the upper bound of " : "",
-              tp_find_target_name(options->target));
+  const bool of_forces = is_limit_of_forces(options->target);
+  tp_text_add(t, "  none in range: %s%s%s ",
+              f->is_upper_bound && !of_forces ? "the upper bound of " : "",
+              tp_find_target_name(options->target),
+              f->is_upper_bound && of_forces ? ", an upper bound," : "");
   if (strcmp(least, greatest) == 0) {
     tp_text_add(t, "is %s at every point examined\n", least);
   } else {
@@ -31,7 +40,7 @@ static void add_none(tp_text *t, const tp_found *f, const tp_find_options *optio
     tp_text_add(t,
                 "  where it passes the value the blocks may move at rest, so that no acceleration\n"
                 "  is critical\n");
-  } else if (passes && f->is_upper_bound) {
+  } else if (passes && f->is_upper_bound && !of_forces) {
     tp_text_add(t, "  where it passes the value, and at the numbers beyond that were tried, a "
                    "smaller factor is\n  proven\n");
   }
@@ -70,12 +79,6 @@ static const char *found_down(char out[TP_NUMBER_SIZE], double factor) {
 static bool is_factor_of_many(tp_find_target target) {
   return target == TP_FIND_FOS || target == TP_FIND_GOVERNING_FOS || target == TP_FIND_LIMIT_FOS ||
          target == TP_FIND_FOS_GOODMAN_BRAY;
-}
-
-/* Up to which forces can hold the blocks, though a motion may begin before? */
-static bool is_limit_of_forces(tp_find_target target) {
-  return target == TP_FIND_LIMIT_FOS || target == TP_FIND_LIMIT_ANGLE ||
-         target == TP_FIND_ACCELERATION;
 }
 
 /* The factor of safety there, and what else is known. */
