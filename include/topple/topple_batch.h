@@ -29,6 +29,11 @@ typedef struct tp_batch_options {
   size_t threads;    /* that compute; 0: as many as the process may run on; 1: none is started */
   int digits;        /* as in tp_solve_options */
   tp_level level;    /* likewise */
+  void *context;     /* of the call below */
+  void (*forecast)(void *context, size_t rows, double seconds,
+                   double bytes); /* called once by the thread that runs it, after the first of
+                                     many rows, or NULL: how long the other `rows` will take by
+                                     these, and how much memory the scenes of all */
 } tp_batch_options;
 
 /* The defaults: no scene, all threads, and those of tp_solve. */

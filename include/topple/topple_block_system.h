@@ -267,7 +267,7 @@ typedef struct tp_system_case {
   tp_bounded critical_acceleration_g; /* if has_acceleration: the horizontal one, in g, to this
                                          side, that forces can hold at the tilt with the vertical
                                          part of the scene's earthquake; none where they hold no
-                                         less */
+                                         less, and where a motion can begin with none */
   tp_fos fos;         /* an upper bound of the factor of safety, by strength reduction: the number
                          by which the strength of all joints can be divided until no forces hold
                          the blocks as they lie;
@@ -309,7 +309,7 @@ typedef struct tp_system_case {
       static_fos_by_driving; /* if has_static: the factor then */
   tp_system_safety
       governing_fos;            /* the factor of safety of the case, with and without earthquake */
-  bool has_moving_acceleration; /* a motion was found: */
+  bool has_moving_acceleration; /* a motion was found, and none can begin without: */
   double moving_acceleration_g; /* if has_moving_acceleration: the least horizontal acceleration, in
                                    g, to this side, with which one can begin, of those found */
   bool has_standing_acceleration; /* it stands, and: */

@@ -332,6 +332,10 @@ typedef struct tp_study_options {
   void (*progress)(void *context, size_t done, size_t of); /* called by the thread that runs it
                                                               after each chunk, or NULL */
   const tp_study_ranks *ranks; /* that run it together, or NULL: this process alone */
+  void (*forecast)(void *context, size_t samples,
+                   double seconds); /* called once, in any thread, after the samples of the first
+                                       second, or NULL: how long the other `samples` will take by
+                                       these */
 } tp_study_options;
 
 /* All of it, by as many threads as there are, without rows. `size` is that of the struct as the

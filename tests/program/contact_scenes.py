@@ -13,7 +13,7 @@ from fractions import Fraction
 import limit_oracle
 from harness import rounds, run, solve
 
-SCENES = int(os.environ.get("TOPPLE_CONTACT_SCENES", rounds(120, 1200)))
+SCENES = int(os.environ.get("TOPPLE_CONTACT_SCENES", rounds(60, 1200)))
 SEED = int(os.environ.get("TOPPLE_CONTACT_SEED", "1"))
 
 

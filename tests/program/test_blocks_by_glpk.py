@@ -96,7 +96,7 @@ class BlocksByGlpk(GoverningCase):
     def test_random_walls(self):
         """20 to 200 blocks, most of them few: exact simplex takes seconds of many."""
         draw = random.Random(int(os.environ.get("TOPPLE_RANDOM_SEED", "20")))
-        for k in range(rounds(6, 10000)):
+        for k in range(rounds(3, 10000)):
             self.held_against(draw, draw.randint(60, 200) if k % 50 == 49 else draw.randint(20, 40))
 
     def told(self, pile, phi, tilt, more=""):
@@ -153,7 +153,7 @@ class BlocksByGlpk(GoverningCase):
     def test_wedged(self):
         """Walls that stand on ground of which some is blocks that friction wedges."""
         draw = random.Random(31)
-        for _ in range(rounds(4, 300)):
+        for _ in range(rounds(2, 300)):
             self.held_against(draw, draw.randint(8, 16), with_keys)
 
 

@@ -13,7 +13,7 @@ import re
 import tempfile
 
 from governing_case import GoverningCase
-from harness import ROOT, main, rounds, run
+from harness import LONG, ROOT, main, rounds, run
 from pile_case import Pile, text_of
 
 NEAR = 2e-5
@@ -157,6 +157,8 @@ class FactorLawBlocks(GoverningCase):
         self.assertIn("limit_fos is an upper bound", flat)
         smaller = float(re.search(r"a motion can begin there with strength divided by ([\d.]+), proven", flat)[1])
         self.assertLess(smaller, 2.3)
+        if not LONG:  # test_find_blocks.py searches columns for the factor of safety
+            return
         status, out, err = run("solve", "--find", "friction_angle_deg", "--for", "fos=2.3", "--from", "48", "--to", "60", path)
         self.assertEqual(status, 0, err)
         flat = " ".join(out.split())

@@ -228,13 +228,13 @@ class FactorLawLoads(GoverningCase):
 
     def test_water(self):
         draw, words = random.Random(61), set()
-        for _ in range(rounds(15, 500)):
+        for _ in range(rounds(8, 500)):
             words.add(self.check(self.wet(draw)))
         self.assertIn("stands", words)
 
     def test_random(self):
         draw, words = random.Random(60), {}
-        for _ in range(rounds(60, 2000)):
+        for _ in range(rounds(30, 2000)):
             scene = self.drawn(draw)
             if scene is not None:
                 word = self.check(scene)
@@ -371,7 +371,7 @@ class FactorLawLoads(GoverningCase):
 
     def test_sweeps_and_searches(self):
         draw, found = random.Random(62), 0
-        for _ in range(rounds(8, 300)):  # a search solves hundreds of scenes
+        for _ in range(rounds(4, 300)):  # a search solves hundreds of scenes
             scene = self.drawn(draw)
             if scene is None or self.of_one(scene) is None:
                 continue

@@ -87,10 +87,10 @@ class FindBlocks(unittest.TestCase):
                 found += self.check(scene, draw.choice([1.05, 1.2, 1.5]), "--from", "15", "--to", "60")[0]
         self.assertGreater(found, 1)
 
-    def test_seven_columns(self):
-        """More than are searched with their motions: the range of the upper bounds, and one over which these are above the value."""
+    def test_more_columns(self):
+        """Three, or seven: more than are searched with their motions: the range of the upper bounds, and one over which these are above the value."""
         scene = self.folder / "seven.yaml"
-        scene.write_text(columns(random.Random(1), 7), encoding="utf-8")
+        scene.write_text(columns(random.Random(1), rounds(3, 7)), encoding="utf-8")
         for words in (("--from", "30", "--to", "60"), *rounds((), (("--from", "15", "--to", "60"), ("--from", "50", "--to", "60")))):
             self.assertEqual(self.check(scene, 1.2, *words)[0], 1)
 

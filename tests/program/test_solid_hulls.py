@@ -268,7 +268,7 @@ class WithoutThesePoints(Case):
     def test_cylinders_and_tubes(self):
         """Coordinates of single precision: upright edges stay upright."""
         draw = random.Random(121)
-        for number in range(rounds(20, 1000)):
+        for number in range(rounds(8, 1000)):
             sides, rows = draw.randint(6, 40), draw.randint(2, 5)
             outer = ring(sides, 900, draw.uniform(0, 7))
             inner = [tuple(x // 2 for x in p) for p in outer]
@@ -284,7 +284,7 @@ class WithoutThesePoints(Case):
     def test_cut_and_thinned(self):
         """What a plane has cut off, and what is left of a mesh that is thinned: they have hulls as well."""
         draw = random.Random(122)
-        for number in range(rounds(10, 300)):
+        for number in range(rounds(4, 300)):
             base, height = ring(draw.randint(3, 5), 900, draw.uniform(0, 7)), 60 * draw.randint(600, 3000)
             plain, rich = prism(base, height, 1, 1, False), prism(base, height, 4, 2, True)
             with self.subTest(number=number):
@@ -313,7 +313,7 @@ class InWholeNumbers(Case):
 
     def test_cubes_in_grids(self):
         draw = random.Random(124)
-        for number in range(rounds(12, 600)):
+        for number in range(rounds(6, 600)):
             points, faces = stairs(drawn_stairs(draw, draw.randint(1, 4)))
             if number % 2:
                 points = mapped(points, draw)
@@ -344,7 +344,7 @@ class InWholeNumbers(Case):
         """Stairs, prisms with rows, cylinders and tubes, turned any way and rounded to single precision as CAD programs write
         them: points that were in one face are off it by some last digits, and the hull has slivers."""
         draw = random.Random(125)
-        refused, count = 0, rounds(32, 1600)
+        refused, count = 0, rounds(16, 1600)
         for number in range(count):
             points, faces = self.rounded_part(draw, number)
             unit = math.lcm(*(x.denominator for p in points for x in p))

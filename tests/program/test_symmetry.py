@@ -137,13 +137,13 @@ class Symmetry(unittest.TestCase):
         """The height at which the block topples at 20 degrees, in the scene's unit."""
         self.each(["solve", "--json", "--find", "h", "--for", "critical_angle=20", "--from", "@",
                    "--to", "9@", "SCENE"],
-                  lambda r: numbers(r["find"]["solutions"]), lambda s: float(1 / FACTOR[s.unit]))
+                  lambda r: numbers(r["find"]["solutions"]), lambda s: float(1 / FACTOR[s.unit]), every=rounds(2, 1))
 
     def test_map(self):
         """The map along the friction angle: every border. Where two meet is bracketed between neighbouring doubles,
         which may be others for the mirror image: there a curve ends some 2^-52 of x sooner or later."""
         self.each(["chart", "map", "--json", "--x", "friction_angle_deg=10:50", "SCENE"],
-                  lambda r: numbers([[p["y"] for p in s["points"]] for s in r["series"]]), slack=1e-13)
+                  lambda r: numbers([[p["y"] for p in s["points"]] for s in r["series"]]), slack=1e-13, every=rounds(2, 1))
 
     def test_table(self):
         """Every angle and mechanism of its row; names of sides are mirrored."""

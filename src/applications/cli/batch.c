@@ -140,12 +140,19 @@ static void tell(const tp_batch *batch, int *ended) {
   }
 }
 
+static void tell_forecast(void *context, size_t rows, double seconds, double bytes) {
+  (void)context;
+  tp_cli_tell_forecast(rows, "rows", seconds, bytes);
+}
+
 static tp_status solve(tp_batch **batch, const tp_cli_batch *b, const char *table,
                        tp_message *message) {
   char *csv = NULL;
-  if (!tp_cli_is_xlsx(table)) return tp_batch_solve(batch, table, &b->options, message);
+  tp_batch_options options = b->options;
+  options.forecast = tell_forecast;
+  if (!tp_cli_is_xlsx(table)) return tp_batch_solve(batch, table, &options, message);
   tp_status status = tp_cli_read_xlsx(&csv, table, message);
-  if (status == TP_OK) status = tp_batch_solve_text(batch, csv, table, &b->options, message);
+  if (status == TP_OK) status = tp_batch_solve_text(batch, csv, table, &options, message);
   tp_text_free(csv);
   return status;
 }

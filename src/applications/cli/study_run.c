@@ -39,6 +39,11 @@ static void tell_progress(void *context, size_t done, size_t of) {
   tp_cli_tell_progress(done, of, (double)(done - line->first) / (now - line->began));
 }
 
+static void tell_forecast(void *context, size_t samples, double seconds) {
+  (void)context;
+  tp_cli_tell_forecast(samples, "samples", seconds, 0);
+}
+
 bool tp_cli_is_hdf5(const char *rows) {
   const char *ending = rows != NULL ? strrchr(rows, '.') : NULL;
   return ending != NULL && (strcasecmp(ending, ".h5") == 0 || strcasecmp(ending, ".hdf5") == 0);
@@ -61,6 +66,7 @@ tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
   own.context = &line;
   own.stop = tp_cli_is_interrupted;
   own.progress = terminal ? tell_progress : NULL;
+  own.forecast = first ? tell_forecast : NULL;
   tp_cli_catch_signals();
   const tp_status status = tp_study_run(result, study, &own, message);
   if (terminal) tp_cli_clear_progress();

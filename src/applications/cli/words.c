@@ -44,6 +44,22 @@ void tp_cli_tell(const char *what) {
   if (!tp_cli_is_quiet()) fprintf(stderr, "%s\n", what);
 }
 
+void tp_cli_tell_forecast(size_t count, const char *what, double seconds, double bytes) {
+  static const double most_seconds = 10, most_bytes = 1e9, minute = 60, hour = 3600, few = 10;
+  const bool in_hours = seconds >= 2 * hour, in_minutes = seconds >= 2 * minute;
+  const double unit = in_hours ? hour : in_minutes ? minute : 1;
+  char text[160], memory[60] = "";
+  if (seconds < most_seconds && bytes < most_bytes) return;
+  if (bytes >= most_bytes) snprintf(memory, sizeof memory, " and %.2g GB of memory", bytes / 1e9);
+  snprintf(text, sizeof text, "%zu %s more will take some %.*f %s%s, by the first of them", count,
+           what, seconds / unit < few ? 1 : 0, seconds / unit,
+           in_hours     ? "hours"
+           : in_minutes ? "minutes"
+                        : "seconds",
+           memory);
+  tp_cli_tell(text);
+}
+
 void tp_cli_ask(const char *question) {
   fputs(question, stderr);
 }

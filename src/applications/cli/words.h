@@ -15,6 +15,9 @@ void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2
 
 /* What goes on, in words of our own. */
 void tp_cli_tell(const char *what);
+/* Before most of the work is done, where it will exceed the budget of a command, 10 s or 1 GB
+ * (docs/budgets.md): `what`, as "samples", `count` of them. */
+void tp_cli_tell_forecast(size_t count, const char *what, double seconds, double bytes);
 
 /* A question, whose answer follows on its line. */
 void tp_cli_ask(const char *question);

@@ -175,13 +175,15 @@ static void add_legend_of_line(tp_chart *chart) {
   add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }
 
-static void add_legend_of_plane(tp_chart *chart) {
+static void add_legend_of_plane(tp_chart *chart, bool of_many) {
   const legend_entry entries[] = {
       {"border", NULL, "border of mechanisms", tp_line_border},
-      {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
+      {"limit", NULL,
+       of_many ? "upper bound of the critical angle" : "critical angle, limit analysis",
+       tp_line_contour},
       {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
       {"governing_fos", NULL, "factor of safety that governs", tp_line_contour},
-      {"fos", NULL, "upper bound of the factor of safety", tp_line_contour},
+      {"governing_fos_at_most", NULL, "upper bound of the factor of safety", tp_line_contour},
   };
   add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }
@@ -243,7 +245,7 @@ static void draw(tp_map *map) {
   if (along_one) {
     add_legend_of_line(map->chart);
   } else {
-    add_legend_of_plane(map->chart);
+    add_legend_of_plane(map->chart, map->of_many);
   }
 }
 

@@ -308,7 +308,7 @@ void tp_map_draw_plane(tp_map *map) {
   solve->digits = digits;
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
   if (map->status == TP_OK && map->options->governing_fos) {
-    const char *series = map->of_many ? "fos" : "governing_fos";
+    const char *series = map->of_many ? "governing_fos_at_most" : "governing_fos";
     add_contours(&p, (contours){read_fos, tp_line_contour, series});
   } else if (map->status == TP_OK) {
     add_contours(&p, (contours){read_limit, tp_line_contour, "limit"});

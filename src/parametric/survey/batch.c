@@ -6,9 +6,11 @@
  * found of them alone. */
 
 #include "batch/share.h"
+#include "common/clock.h"
 #include "common/host.h"
 #include "common/options.h"
 #include "common/outside.h"
+#include "common/threads.h"
 #include "survey/faults.h"
 #include "survey/judge.h"
 #include "survey/same_rows.h"
@@ -17,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-TP_OPTIONS_END(tp_batch_options, level);
+TP_OPTIONS_END(tp_batch_options, forecast);
 
 void tp_batch_options_init(tp_batch_options *options, size_t size) {
   const tp_solve_options solve = tp_solve_options_default();
@@ -32,6 +34,7 @@ typedef struct work {
   tp_batch *batch;
   tp_row_faults *faults; /* of each row */
   tp_same_rows rows;
+  size_t begun; /* of the rows that differ: solved before those that are being shared out */
 } work;
 
 /* ---- one row -----------------------------------------------------------------------------------
@@ -134,7 +137,7 @@ static tp_status solve_different(tp_workspace *workspace, const void *task, size
                                  tp_message *message) {
   const work *w = task;
   (void)workspace;
-  return solve_row(w, w->rows.different[number], message);
+  return solve_row(w, w->rows.different[w->begun + number], message);
 }
 
 static tp_status solve_same(tp_workspace *workspace, const void *task, size_t number,
@@ -144,12 +147,64 @@ static tp_status solve_same(tp_workspace *workspace, const void *task, size_t nu
   return solve_row(w, w->rows.same[number], message);
 }
 
-static tp_status solve_rows(work *w, size_t threads, tp_message *message) {
-  enum { CHUNK = 1, SAME_CHUNK = 64 };
+static tp_status solve_next(work *w, size_t count, size_t threads, tp_message *message) {
+  enum { CHUNK = 1 };
+  tp_blocks_summary summary;
+  const tp_status status =
+      tp_share_out(&summary, solve_different, w, count, CHUNK, threads, message);
+  w->begun += count;
+  return status;
+}
+
+/* Brings `count` rows from all over the table to the front: a table that is sorted begins with its
+ * quickest or its slowest. */
+static void spread(size_t *rows, size_t all, size_t count) {
+  for (size_t k = 0; k < count; k++) {
+    const size_t at = k + (all - count) / count * k, row = rows[at];
+    rows[at] = rows[k];
+    rows[k] = row;
+  }
+}
+
+static double bytes_of_scenes(const work *w) {
+  double bytes = 0;
+  for (size_t k = 0; k < w->begun; k++) {
+    const char *scene = w->batch->rows[w->rows.different[k]].scene;
+    bytes += scene != NULL ? (double)strlen(scene) : 0;
+  }
+  return bytes / (double)w->begun * (double)w->batch->row_count;
+}
+
+/* By a row for each thread, and where these are quick by some more. */
+static tp_status forecast(work *w, const tp_batch_options *options, tp_message *message) {
+  enum { MORE = 15 };
+  static const double quick = 0.02; /* seconds */
+  const size_t threads = options->threads > 0 ? options->threads : tp_threads_present();
+  const size_t count = w->rows.different_count;
+  if (options->forecast == NULL || count / 2 < threads) return TP_OK;
+  const size_t more = count / (1 + MORE) > threads ? MORE * threads : 0;
+  spread(w->rows.different, count, threads + more);
+  const double began = tp_clock_now();
+  tp_status status = solve_next(w, threads, options->threads, message);
+  if (status == TP_OK && tp_clock_now() - began < quick) {
+    status = solve_next(w, more, options->threads, message);
+  }
+  if (status != TP_OK) return status;
+  const double each = (tp_clock_now() - began) / (double)w->begun;
+  const size_t left = count - w->begun;
+  options->forecast(options->context, left, each * (double)left, bytes_of_scenes(w));
+  return TP_OK;
+}
+
+static tp_status solve_rows(work *w, const tp_batch_options *options, tp_message *message) {
+  enum { SAME_CHUNK = 64 };
+  const size_t threads = options->threads;
   tp_blocks_summary summary;
   if (!tp_same_rows_find(&w->rows, w->survey)) return tp_fail_memory(message, "a table");
-  tp_status status =
-      tp_share_out(&summary, solve_different, w, w->rows.different_count, CHUNK, threads, message);
+  tp_status status = forecast(w, options, message);
+  if (status == TP_OK) {
+    status = solve_next(w, w->rows.different_count - w->begun, threads, message);
+  }
   if (status == TP_OK) {
     status =
         tp_share_out(&summary, solve_same, w, w->rows.same_count, SAME_CHUNK, threads, message);
@@ -211,7 +266,7 @@ static tp_status solve_all(tp_batch *batch, const tp_survey *survey,
     return tp_fail_memory(message, "a table");
   }
   batch->row_count = count;
-  tp_status status = solve_rows(&w, options->threads, message);
+  tp_status status = solve_rows(&w, options, message);
   if (status == TP_OK) status = add_sources(batch, survey, message);
   if (status == TP_OK) status = tp_batch_group_faults(batch, w.faults, survey, message);
   for (size_t k = 0; k < count; k++) tp_row_faults_clear(w.faults + k);

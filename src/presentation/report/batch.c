@@ -11,6 +11,7 @@
 #include "report/results.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---- cells -------------------------------------------------------------------------------------
@@ -50,11 +51,13 @@ static int decimals_of(const tp_batch_row *row) {
 tp_batch_cell tp_batch_fos(const tp_batch_row *row) {
   tp_batch_cell cell = {.text = ""};
   const char *words = tp_text_batch_fos(row);
-  if (words != NULL) {
+  if (row->has_case && row->fos.state == TP_FOS_UNDECIDED && isfinite(row->at_most)) {
+    char most[TP_NUMBER_SIZE];
+    tp_text_fixed_up(most, (tp_bounded){.value = row->at_most}, 3);
+    snprintf(cell.text, sizeof cell.text, "at most %s", most);
+  } else if (words != NULL) {
     strcpy(cell.text, words);
-    return cell;
-  }
-  if (row->has_case && row->fos.state == TP_FOS_NUMBER) {
+  } else if (row->has_case && row->fos.state == TP_FOS_NUMBER) {
     tp_text_fixed_down(cell.text, row->fos.value, decimals_of(row));
   }
   return cell;
@@ -116,7 +119,7 @@ enum { NAME = 20 };
 
 static void add_row(tp_text *t, const tp_batch_row *row, bool cases) {
   tp_encode_column(t, row->name, NAME);
-  tp_text_add(t, "  %-14s  %11s  %-21s  %8s  %9s", tp_batch_standing_name(row->standing),
+  tp_text_add(t, "  %-14s  %14s  %-21s  %8s  %9s", tp_batch_standing_name(row->standing),
               tp_batch_fos(row).text, tp_batch_against(row), tp_batch_required(row).text,
               row->has_margin ? tp_batch_margin(row).text : "");
   if (cases)
@@ -132,7 +135,7 @@ tp_status tp_report_batch(char **text, const tp_batch *batch) {
   tp_text t = {0};
   tp_batch_add_sum(&t, batch);
   const bool cases = tp_batch_has_cases(batch);
-  tp_text_add(&t, "\n\n%-*s  %-14s  %11s  %-21s  %8s  %8s%s\n", NAME, "block", "", "FoS", "against",
+  tp_text_add(&t, "\n\n%-*s  %-14s  %14s  %-21s  %8s  %8s%s\n", NAME, "block", "", "FoS", "against",
               "required", "margin", cases ? "  required/FoS  case" : "");
   for (size_t k = 0; k < batch->row_count; k++) add_row(&t, batch->rows + k, cases);
   for (size_t k = 0; k < batch->row_count; k++) {

@@ -94,6 +94,12 @@ tp_status tp_report_verification_json(char **text, const tp_verification *verifi
   return tp_json_document_of_verify(text, verification, &x);
 }
 
+bool tp_study_is_upper_bound(const tp_study_result *result, tp_study_quantity quantity) {
+  if (!result->of_many_blocks) return false;
+  return quantity == TP_STUDY_LIMIT_DEG || quantity == TP_STUDY_ACCELERATION_G ||
+         (quantity == TP_STUDY_FOS && result->open > 0);
+}
+
 size_t tp_json_study_quantities(const tp_study_result *result) {
   return result->of_many_blocks || result->of_solid ? TP_STUDY_QUANTITIES : TP_STUDY_FOS + 1;
 }

@@ -14,19 +14,33 @@
 
 #include <string.h>
 
+/* Up to which forces can hold the blocks, though a motion may begin before? */
+static bool is_limit_of_forces(tp_find_target target) {
+  return target == TP_FIND_LIMIT_FOS || target == TP_FIND_LIMIT_ANGLE ||
+         target == TP_FIND_ACCELERATION;
+}
+
 /* What the result was instead of the value. */
 static void add_none(tp_text *t, const tp_found *f, const tp_find_options *options) {
   char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
   tp_text_significant(least, f->least, 12);
   tp_text_significant(greatest, f->greatest, 12);
-  tp_text_add(t, "  none in range: %s%s ", f->is_upper_bound ? "the upper bound of " : "",
-              tp_find_target_name(options->target));
+  const bool of_forces = is_limit_of_forces(options->target);
+  tp_text_add(t, "  none in range: %s%s%s ",
+              f->is_upper_bound && !of_forces ? "the upper bound of " : "",
+              tp_find_target_name(options->target),
+              f->is_upper_bound && of_forces ? ", an upper bound," : "");
   if (strcmp(least, greatest) == 0) {
     tp_text_add(t, "is %s at every point examined\n", least);
   } else {
     tp_text_add(t, "goes from %s to %s there\n", least, greatest);
   }
-  if (f->is_upper_bound && f->least.value < options->value && options->value < f->greatest.value) {
+  const bool passes = f->least.value < options->value && options->value < f->greatest.value;
+  if (passes && options->target == TP_FIND_ACCELERATION) {
+    tp_text_add(t,
+                "  where it passes the value the blocks may move at rest, so that no acceleration\n"
+                "  is critical\n");
+  } else if (passes && f->is_upper_bound && !of_forces) {
     tp_text_add(t, "  where it passes the value, and at the numbers beyond that were tried, a "
                    "smaller factor is\n  proven\n");
   }
@@ -70,8 +84,9 @@ static bool is_factor_of_many(tp_find_target target) {
 /* The factor of safety there, and what else is known. */
 static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target target) {
   char n[TP_NUMBER_SIZE];
-  if (target == TP_FIND_LIMIT_FOS) {
-    tp_text_add(t, "    limit_fos is an upper bound: up to it forces can hold the blocks\n");
+  if (is_limit_of_forces(target)) {
+    tp_text_add(t, "    %s is an upper bound: up to it forces can hold the blocks\n",
+                tp_find_target_name(target));
   }
   if (is_factor_of_many(target)) {
     tp_text_add(t, "    factor of safety there: ");
@@ -97,8 +112,13 @@ static void add_blocks(tp_text *t, const tp_found_blocks *b, tp_find_target targ
   case TP_SYSTEM_UNDECIDED:
     tp_text_add(t, "    what the blocks do there is undecided\n");
     break;
-  case TP_SYSTEM_CAN_HOLD:
   case TP_SYSTEM_MAY_MOVE:
+    if (!b->has_moving_fos) {
+      tp_text_add(t, "    Caution: a motion can begin there, proven, though forces can hold the "
+                     "blocks\n");
+    }
+    break;
+  case TP_SYSTEM_CAN_HOLD:
     if (!b->has_moving_fos) {
       tp_text_add(t, "    Caution: forces can hold the blocks there; that a motion begins all the "
                      "same is neither\n    excluded nor proven\n");

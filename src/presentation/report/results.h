@@ -60,6 +60,8 @@ void tp_json_profile_facets(tp_json *json, const char *key, const tp_profile *pr
 
 /* How many quantities a study lists: of one block the first four. */
 size_t tp_json_study_quantities(const tp_study_result *result);
+/* Are quantiles of it upper bounds, as of what forces can hold, or where some samples are open? */
+bool tp_study_is_upper_bound(const tp_study_result *result, tp_study_quantity quantity);
 
 /* "c = 7.41, b = 100" as {"c": 7.41, "b": 100}. */
 void tp_json_numbers_by_name(tp_json *json, const char *key, const char *text);

@@ -67,7 +67,7 @@ void tp_sheet_add_fos(tp_sheet *s, tp_fos fos, bool at_most) {
     tp_document_word(&s->document, state_words(fos));
   } else {
     tp_document_cell(&s->document, at_most ? "at most %s" : "%s",
-                     tp_text_fixed_down(n, fos.value, 3));
+                     (at_most ? tp_text_fixed_up : tp_text_fixed_down)(n, fos.value, 3));
   }
 }
 

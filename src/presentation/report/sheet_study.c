@@ -155,6 +155,18 @@ static void add_spreads(tp_document *d, const tp_study_result *r) {
   }
 }
 
+/* What forces can hold is no more than that; a motion may begin before. */
+static void add_upper_bounds(tp_document *d, const tp_study_result *r) {
+  if (!r->of_many_blocks) return;
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      "Static limits and accelerations are upper bounds: up to them forces can hold the "
+      "blocks.");
+  if (r->open == 0) return;
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The factor of safety of an open sample is an upper bound.");
+}
+
 static void add_variables(tp_document *d, const tp_study_result *r) {
   tp_document_heading(d, 2, "Variables");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x1c, "Variables and their samples");
@@ -254,6 +266,7 @@ void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
     add_outcomes(d, result);
     add_tilts(d, result);
     add_spreads(d, result);
+    add_upper_bounds(d, result);
     add_variables(d, result);
     tp_sheet_add_analyses(d, result);
     add_price(d, result);

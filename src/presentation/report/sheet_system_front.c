@@ -144,8 +144,12 @@ static void add_safety(tp_document *d, const tp_system_safety *own) {
     tp_document_word(d, "none");
     break;
   default:
-    if (isinf(most)) {
+    if (isinf(most) && !(least > 0)) {
+      tp_document_word(d, "undecided");
+    } else if (isinf(most)) {
       tp_document_cell(d, "at least %.4f", least);
+    } else if (!(least > 0)) {
+      tp_document_cell(d, "at most %.4f (upper bound)", most);
     } else {
       tp_document_cell(d, "at least %.4f, at most %.4f", least, most);
     }

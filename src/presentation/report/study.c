@@ -85,6 +85,15 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
   }
 }
 
+/* What forces can hold is no more than that; a motion may begin before. */
+static void add_upper_bounds(tp_text *t, const tp_study_result *r) {
+  tp_text_add(t, "Static limits and accelerations are upper bounds: up to them forces can hold the "
+                 "blocks.\n");
+  if (r->open > 0) {
+    tp_text_add(t, "The factor of safety of an open sample is an upper bound.\n");
+  }
+}
+
 static void add_spreads(tp_text *t, const tp_study_result *r) {
   const tp_study_spread *heads = NULL;
   bool infinite = false, unsupported = false;
@@ -118,6 +127,7 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
               "acceleration, is enough or allowed.\n"
             : "always: stands at every tilt, or nothing overturns it; never: at no tilt.\n");
   }
+  if (r->of_many_blocks) add_upper_bounds(t, r);
   if (unsupported) tp_text_add(t, "beyond: no such support holds the blocks.\n");
 }
 
@@ -241,7 +251,11 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
 
 /* What accuracy costs, in bulk. */
 static void add_tellers(tp_text *t, const tp_study_result *r) {
-  if (r->of_many_blocks) tp_text_add(t, "Limits and factors are certain to 1e-6 of themselves.\n");
+  if (r->of_many_blocks) {
+    tp_text_add(t,
+                "Limits and factors are certain to 1e-6 of themselves, but for open factors: upper "
+                "bounds.\n");
+  }
   if (r->of_solid) {
     tp_text_add(t, "Solved in doubles with proven bounds, or in whole numbers where these do not "
                    "tell.\n");

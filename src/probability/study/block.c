@@ -8,6 +8,7 @@
 
 #include "batch/share.h"
 #include "common/clock.h"
+#include "common/threads.h"
 #include "study/roughness.h"
 #include "study/row_csv.h"
 #include "study/sample.h"
@@ -51,6 +52,20 @@ void tp_block_begin(tp_block *block) {
 /* ---- a chunk -----------------------------------------------------------------------------------
  */
 
+/* By what the first second has come to, of a sample for each thread at least. */
+static void foretell(tp_block *b) {
+  static const double second = 1;
+  const tp_study_options *options = b->options;
+  if (options->forecast == NULL || atomic_load(&b->foretold)) return;
+  const size_t threads = options->threads > 0 ? options->threads : tp_threads_present();
+  const size_t solved = atomic_fetch_add(&b->solved, 1) + 1;
+  const double elapsed = tp_clock_now() - b->began;
+  if (elapsed < second || solved < threads || solved >= b->planned) return;
+  const size_t left = (size_t)(b->planned - solved);
+  if (atomic_exchange(&b->foretold, true)) return;
+  options->forecast(options->context, left, elapsed / (double)solved * (double)left);
+}
+
 static tp_status solve_one(tp_workspace *workspace, const void *task, size_t at,
                            tp_message *message) {
   tp_block *b = *(tp_block *const *)task;
@@ -64,6 +79,7 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t at,
   const double began = tp_clock_now();
   tp_status status = tp_study_solve(row, b->study, b->study->tilt_count, message);
   row->seconds = tp_clock_now() - began;
+  foretell(b);
   if (status == TP_OK) status = tp_study_measure_roughness(row, b->study, message);
   if (status == TP_OK) tp_study_round_row(row, b->study);
   return status;

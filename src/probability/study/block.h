@@ -24,7 +24,11 @@ typedef struct tp_block {
   double *values;
   tp_study_at *at;
   atomic_bool stopped; /* options.stop said so: the chunk in which it did is not in the block */
-  size_t count;        /* chunks in it, each with its counts, and where its text ends */
+  double began; /* the run, by the clock, and how many samples this rank has to solve in it */
+  uint64_t planned;
+  atomic_size_t solved; /* of them, until options.forecast was called */
+  atomic_bool foretold; /* it was */
+  size_t count;         /* chunks in it, each with its counts, and where its text ends */
   tp_row_counts *chunk_counts;
   size_t ends[TP_BLOCK_CHUNKS];
   tp_text text;

@@ -45,8 +45,8 @@ tp_study_view tp_study_view_of_moments(const tp_study_result *result) {
 }
 
 const char *tp_study_angle_label(const tp_study_view *view) {
-  return view->quantity == TP_STUDY_LIMIT_DEG ? "Static limit (°)"
-                                              : "Critical angle by moments (°)";
+  if (view->quantity != TP_STUDY_LIMIT_DEG) return "Critical angle by moments (°)";
+  return view->result->of_many_blocks ? "Static limit (°), upper bound" : "Static limit (°)";
 }
 
 void tp_study_tilt_name(char *text, size_t size, const tp_study_view *view, const char *what,

@@ -6,6 +6,7 @@
  * counted in their order. So what comes out depends neither on threads or ranks nor on where a run
  * was interrupted. */
 
+#include "common/clock.h"
 #include "common/host.h"
 #include "common/options.h"
 #include "study/hdf5_rows.h"
@@ -15,7 +16,7 @@
 
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_study_options, ranks);
+TP_OPTIONS_END(tp_study_options, forecast);
 
 void tp_study_options_init(tp_study_options *options, size_t size) {
   const tp_study_options defaults = {.size = sizeof defaults, .shard = 1, .shards = 1};
@@ -63,6 +64,8 @@ static tp_status make_rounds(tp_rounds *r, tp_study_end *ended, tp_message *mess
   const uint64_t past = tp_chunk_sample(r->study, r->past);
   tp_status status = tp_rounds_go_on(r, message);
   bool last = false;
+  r->block.began = tp_clock_now();
+  r->block.planned = (past - tp_chunk_sample(r->study, r->next)) / tp_rank_count(r->options->ranks);
   while (status == TP_OK && !r->over && r->next < r->past && !last && !is_certain(r)) {
     status = tp_rounds_next(r, &last, message);
     if (status == TP_OK && !r->over && !last && r->options->progress != NULL) {

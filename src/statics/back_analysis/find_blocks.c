@@ -32,19 +32,37 @@ static void tell_system(tp_found_blocks *blocks, const tp_block_system *system) 
   blocks->governing_fos.fos.value.digits = NULL;
 }
 
-/* All that is known at a number. */
-static void look_at(tp_found_blocks *blocks, tp_search *s, double x) {
+/* In any direction, so that no acceleration is critical. */
+static bool moves_at_rest(const tp_block_system *system) {
+  for (size_t k = 0; k < system->case_count; k++) {
+    if (tp_system_case_moves_at_rest(system->cases + k)) return true;
+  }
+  return false;
+}
+
+/* All that is known at a number; `excluded` where the target has no value there once motions are
+ * looked for. */
+static void look_for(tp_found_blocks *blocks, bool *excluded, tp_search *s, double x) {
   tp_block_system *system = NULL;
   *blocks =
       (tp_found_blocks){.verdict = TP_SYSTEM_UNDECIDED,
                         .governing_fos = {.fos = {.state = TP_FOS_UNDECIDED}, .at_most = INFINITY},
                         .is_upper_bound = true};
+  *excluded = false;
   const tp_status status = tp_search_solve_system(&system, s, x, TP_MOTIONS_ALL);
-  if (status == TP_OK) tell_system(blocks, system);
+  if (status == TP_OK) {
+    tell_system(blocks, system);
+    *excluded = s->options->target == TP_FIND_ACCELERATION && moves_at_rest(system);
+  }
   if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
     s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
   }
   tp_block_system_free(system);
+}
+
+static void look_at(tp_found_blocks *blocks, tp_search *s, double x) {
+  bool excluded;
+  look_for(blocks, &excluded, s, x);
 }
 
 /* Is a factor proven there that is less than the wanted one, by more than numbers are found to? */
@@ -140,9 +158,10 @@ void tp_search_tell_blocks(tp_search *s) {
   for (size_t k = 0; k < count && s->status == TP_OK; k++) {
     tp_bounded solution = found->solutions[k];
     tp_found_blocks blocks;
-    look_at(&blocks, s, solution.value);
+    bool excluded;
+    look_for(&blocks, &excluded, s, solution.value);
     const bool less = tp_find_target_is_governing(s->options->target) && has_less(s, &blocks);
-    if (s->status != TP_OK || (less && !move(&solution, &blocks, s))) continue;
+    if (s->status != TP_OK || excluded || (less && !move(&solution, &blocks, s))) continue;
     found->solutions[found->count] = solution;
     found->blocks[found->count++] = blocks;
   }

@@ -116,6 +116,12 @@ static tp_status take_from_case(tp_sample *at, bool *unbounded, tp_search *s) {
   return status;
 }
 
+/* Of many blocks up to where forces can hold them, though a motion may begin before? */
+static bool is_of_forces(tp_find_target target) {
+  return target == TP_FIND_LIMIT_FOS || target == TP_FIND_LIMIT_ANGLE ||
+         target == TP_FIND_ACCELERATION;
+}
+
 /* Solve the scene with the number replaced. */
 tp_sample tp_search_sample(tp_search *s, double x) {
   tp_sample at = {.x = x};
@@ -124,7 +130,8 @@ tp_sample tp_search_sample(tp_search *s, double x) {
       s->of_many ? tp_search_take_system(&at, &unbounded, s) : take_from_case(&at, &unbounded, s);
   if (at.known) {
     note_result(s->found, at.result);
-    s->found->is_upper_bound = s->found->is_upper_bound || at.is_bound;
+    s->found->is_upper_bound =
+        s->found->is_upper_bound || at.is_bound || (s->of_many && is_of_forces(s->options->target));
     at.gap = at.result;
     at.gap.value -= s->options->value;
     /* the difference is rounded once */

@@ -398,6 +398,13 @@ static tp_status join_static(tp_system_case *own, solving *x, bool left, tp_mess
 /* ---- all ---------------------------------------------------------------------------------------
  */
 
+/* Where a motion may begin before anything shakes no acceleration is critical, and none is the
+ * least with which one begins. */
+static void leave_out_accelerations(tp_system_case *own) {
+  if (!tp_system_case_moves_at_rest(own)) return;
+  own->has_acceleration = own->has_moving_acceleration = false;
+}
+
 static tp_status solve_case(solving *x, bool left, tp_message *message) {
   const tp_scene *scene = x->s->scene;
   const tp_vertical_part vertical = tp_scene_vertical_part(scene, x->s->is_measured, left);
@@ -412,6 +419,7 @@ static tp_status solve_case(solving *x, bool left, tp_message *message) {
   if (status == TP_OK) status = join_static(own, x, left, message);
   if (status != TP_OK) return status;
   tp_system_case_set_safety(own);
+  leave_out_accelerations(own);
   own->has_required_fos = x->system->has_required_fos;
   if (own->has_required_fos) {
     own->meets_required = tp_system_case_meets(own, x->system->required_fos.value);
