@@ -126,7 +126,7 @@ class FactorLawBlocks(GoverningCase):
         for name, towards, verdict, least, most, status in (
                 ("may_move_many.yaml", "left", "may move", 0.39254, 0.39255, 1),  # its toe turns from 8.3277° on: tan 8.3277° / tan 20.45°
                 ("batch_holds_though_may_move.yaml", "left", "may move", 0.39254, 0.39255, 1),
-                ("governs_wrong_way.yaml", "left", "can be held", 0, 2.0345, 1),  # linear program 2.04773; a motion at 2.0344
+                ("governs_wrong_way.yaml", "left", "stands", 0, 2.0345, 1),  # linear program 2.04773; a motion at 2.0344; the right is open
                 ("fos_many.yaml", "left", "stands", 1.73869, 1.73871, 1),
                 ("vertical_part_up_dip.yaml", "left", "collapses", 0.58716, 0.58718, 0),
                 ("governs_1_19.yaml", "left", "may move", 0, 0.82199, 0),

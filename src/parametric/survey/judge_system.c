@@ -38,7 +38,7 @@ static tp_mechanism verdict_of(const tp_system_case *c) {
 }
 
 tp_severity tp_batch_system_severity(const tp_block_system *system) {
-  const tp_safety safety = {.verdict = tp_system_case_rule(tp_system_governing(system)).verdict,
+  const tp_safety safety = {.verdict = tp_system_case_rule(tp_system_most_severe(system)).verdict,
                             .least = system->governing_fos.at_least,
                             .most = system->governing_fos.at_most};
   return tp_severity_of_safety(&safety, system->has_required_fos, system->required_fos.value);
@@ -49,7 +49,8 @@ static char *tell_remark(const tp_batch_row *row, const tp_block_system *s,
                          const tp_system_case *c) {
   tp_text text = {0};
   char *remark = NULL;
-  const tp_system_verdict verdict = tp_system_case_worst_verdict(c);
+  const tp_system_case *worst = tp_system_most_severe(s);
+  const tp_system_verdict verdict = tp_system_case_worst_verdict(worst);
   if (verdict == TP_SYSTEM_CAN_HOLD) {
     tp_text_add(&text, "forces can hold the blocks; that a motion begins all the same is neither "
                        "excluded nor proven");
@@ -57,7 +58,7 @@ static char *tell_remark(const tp_batch_row *row, const tp_block_system *s,
   if (verdict == TP_SYSTEM_MAY_MOVE) {
     tp_text_add(&text, "forces can hold the blocks, but a motion can begin all the same");
   }
-  if (verdict != c->verdict) {
+  if (verdict != worst->verdict) {
     tp_text_add(&text, "%swithout the earthquake", text.length > 0 ? "; this is " : "this is ");
   }
   tp_batch_add_bounds(&text, row);
@@ -75,7 +76,7 @@ static char *tell_remark(const tp_batch_row *row, const tp_block_system *s,
 }
 
 tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_message *message) {
-  const tp_system_case *c = tp_system_governing(s);
+  const tp_system_case *c = tp_system_governing(s), *worst = tp_system_most_severe(s);
   const tp_system_safety *safety = &s->governing_fos;
   const tp_design meets = tp_block_system_meets(s, s->required_fos.value);
   const tp_batch_row own = {
@@ -86,11 +87,12 @@ tp_status tp_batch_judge_system(tp_batch_row *row, const tp_block_system *s, tp_
   row->remark = remark;
   row->has_case = true;
   row->as_it_lies = s->lies_in_place;
-  row->standing = standing_of_system(tp_system_case_worst_verdict(c), s->has_required_fos, meets);
+  row->standing =
+      standing_of_system(tp_system_case_worst_verdict(worst), s->has_required_fos, meets);
   row->status = tp_block_system_is_undecided(s) ? TP_UNDECIDED : TP_OK;
   row->dip_deg = c->tilt_angle_deg;
   row->towards = c->towards;
-  row->verdict = verdict_of(c);
+  row->verdict = verdict_of(worst);
   row->fos = safety->fos;
   row->at_least = safety->at_least;
   row->at_most = safety->at_most;

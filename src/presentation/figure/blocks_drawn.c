@@ -54,7 +54,7 @@ static void set_sizes(tp_blocks_figure *f) {
 
 void tp_blocks_set_up(tp_blocks_figure *f) {
   const double degree = atan(1) / 45;
-  f->own = tp_system_governing(f->system);
+  f->own = tp_system_most_severe(f->system);
   const double tilt = f->own->tilt_angle_deg.value * degree;
   f->turn = f->own->towards == TP_TOWARDS_LEFT ? tilt : -tilt;
   set_sizes(f);

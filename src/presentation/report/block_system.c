@@ -250,7 +250,8 @@ static void add_worst(tp_text *t, const tp_block_system *s) {
   const tp_system_case *worst = tp_system_governing(s);
   bool differ = false;
   for (size_t k = 0; k < s->case_count; k++) {
-    differ = differ || tp_system_case_is_worse(worst, s->cases + k);
+    differ = differ || tp_system_case_is_worse(worst, s->cases + k) ||
+             tp_system_case_is_worse(s->cases + k, worst);
   }
   if (!differ) return;
   tp_text_add(t, "Governs  towards the %s: ", tp_direction_name(worst->towards));

@@ -84,7 +84,7 @@ static void take_case(tp_study_row *row, const tp_block_system *system) {
 
 /* What forces can hold and no proof says more of is open, and so is what is required of it. */
 static bool is_open(const tp_block_system *system) {
-  const tp_system_case *own = tp_system_governing(system);
+  const tp_system_case *own = tp_system_most_severe(system);
   const tp_system_verdict verdict = tp_system_case_worst_verdict(own);
   return verdict == TP_SYSTEM_UNDECIDED || verdict == TP_SYSTEM_CAN_HOLD ||
          own->limit == TP_SYSTEM_LIMIT_UNDECIDED ||
@@ -93,7 +93,7 @@ static bool is_open(const tp_block_system *system) {
 }
 
 void tp_study_take_system(tp_study_row *row, size_t at, const tp_block_system *system) {
-  const tp_system_case *own = tp_system_governing(system);
+  const tp_system_case *own = tp_system_most_severe(system);
   row->at[at] = (tp_study_at){tp_study_outcome_of_system(own), fos_of(&system->governing_fos)};
   row->open = row->open || is_open(system);
   if (at > 0) return;

@@ -19,7 +19,7 @@ static void tell_system(tp_found_blocks *blocks, const tp_block_system *system) 
   const tp_system_case *own = tp_system_governing(system);
   const tp_goodman_bray *columns = &own->goodman_bray;
   *blocks = (tp_found_blocks){
-      .verdict = tp_system_case_worst_verdict(own),
+      .verdict = tp_system_case_worst_verdict(tp_system_most_severe(system)),
       .has_standing_fos = own->has_standing_fos,
       .standing_fos = own->standing_fos,
       .has_moving_fos = own->has_moving_fos && !(own->fos.state == TP_FOS_NUMBER &&

@@ -15,7 +15,7 @@ static bool is_worse(const tp_block_system *one, const tp_block_system *other) {
   const tp_design first = tp_block_system_meets(one, one->required_fos.value);
   const tp_design second = tp_block_system_meets(other, other->required_fos.value);
   if (first == second) {
-    return tp_system_case_is_worse(tp_system_governing(one), tp_system_governing(other));
+    return tp_system_case_is_worse(tp_system_most_severe(one), tp_system_most_severe(other));
   }
   return first == TP_DESIGN_NOT_MET || (first == TP_DESIGN_OPEN && second == TP_DESIGN_MET);
 }

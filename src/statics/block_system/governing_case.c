@@ -207,18 +207,25 @@ bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *ot
   return tp_safety_compare(&a, &b) < 0;
 }
 
-void tp_block_system_set_safety(tp_block_system *s) {
-  s->governing = 0;
+const tp_system_case *tp_system_most_severe(const tp_block_system *s) {
+  const tp_system_case *worst = s->cases;
   for (size_t k = 1; k < s->case_count; k++) {
-    if (tp_system_case_is_worse(s->cases + k, s->cases + s->governing)) s->governing = k;
+    if (tp_system_case_is_worse(s->cases + k, worst)) worst = s->cases + k;
   }
-  /* with the mechanism of the least factor, which may be that of another case */
-  size_t least = s->governing;
-  for (size_t k = 0; k < s->case_count; k++) {
-    if (s->cases[k].governing_fos.at_most < s->cases[least].governing_fos.at_most) least = k;
+  return worst;
+}
+
+/* Where no motion is known that can begin, the case that bounds the factor from above: one that is
+ * open is no news beside that. */
+void tp_block_system_set_safety(tp_block_system *s) {
+  const tp_system_case *worst = tp_system_most_severe(s);
+  tp_safety all = tp_system_case_rule(worst);
+  s->governing = (size_t)(worst - s->cases);
+  for (size_t k = 0; k < s->case_count && all.verdict >= TP_VERDICT_OPEN; k++) {
+    const double most = s->cases[k].governing_fos.at_most;
+    if (most < s->cases[s->governing].governing_fos.at_most) s->governing = k;
   }
-  s->governing_fos = s->cases[least].governing_fos;
-  tp_safety all = tp_system_case_rule(s->cases + s->governing);
+  s->governing_fos = s->cases[s->governing].governing_fos;
   for (size_t k = 0; k < s->case_count; k++) {
     all.least = fmin(all.least, s->cases[k].governing_fos.at_least);
     all.most = fmin(all.most, s->cases[k].governing_fos.at_most);

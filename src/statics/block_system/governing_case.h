@@ -38,8 +38,10 @@ bool tp_system_case_is_worse(const tp_system_case *one, const tp_system_case *ot
 /* Do they collapse as they lie, though forces hold them farther to its side? */
 bool tp_system_case_is_held_farther(const tp_system_case *own);
 
-/* A system has one at least. */
+/* The case whose factor governs; a system has one at least. And the one of the most severe verdict,
+ * which is another where that is open. */
 const tp_system_case *tp_system_governing(const tp_block_system *system);
+const tp_system_case *tp_system_most_severe(const tp_block_system *system);
 
 /* How the blocks begin to move in the collapse: slide, topple, both; stands: none is known. */
 tp_mechanism tp_system_case_mechanism(const tp_system_case *own);
