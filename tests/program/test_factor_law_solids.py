@@ -301,7 +301,7 @@ class Law(SceneCase):
 
     def test_rock_on_contacts(self):
         """The rock of the example stands with up to 4.966 times the driving loads, proven, so that a factor of 1.5 is met; forces hold it up to
-        6.769 times, which had no proof and was taken for the factor. An iteration that lets it go (letting_go.py) finds motions from 5.0 on."""
+        6.769 times, which had no proof and was taken for the factor. An iteration that lets it go (letting_go.py) finds motions from 5.2 on."""
         text = (ROOT / "examples/solids/rock_on_contacts.yaml").read_text(encoding="utf-8")
         for required, expected, word in ((1.5, 0, "met"), (5.5, 4, "open"), (6.8, 1, "not met")):
             path = self.put("scene.yaml", text.replace("balanced_rock.obj", str(ROOT / "examples/solids/balanced_rock.obj")) + f"required_fos: {required}\n")
