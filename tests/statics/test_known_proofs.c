@@ -163,8 +163,8 @@ static void ask(scene *s, account *seen, tp_known_proofs *known, double incline,
     for (long c = 0; c < s->resting.contact_count; c++) {
       s->friction[k][c] = (tp_near){tangent + more, 0};
     }
-    ck_assert_int_eq(tp_resting_loads(s->loads[k], s->central, &weights_alone, &s->resting, &weights,
-                                      live, s->none, &message),
+    ck_assert_int_eq(tp_resting_loads(s->loads[k], s->central, &weights_alone, &s->resting,
+                                      &weights, live, s->none, &message),
                      TP_OK);
   }
   const tp_modes_question q = {.resting = &s->resting,
