@@ -6,6 +6,8 @@
 
 #include "contact_modes/virtual_program.h"
 
+#include "number/ball.h"
+
 #include <stdlib.h>
 #include <string.h>
 
