@@ -21,7 +21,7 @@ static const char scene[] = "parameters: {a: 30, b: 1}\n"
 /* Figures go there, charts do not. */
 static bool is_for_cad(const char *word) {
   const char *ending = strrchr(word, '.');
-  return ending != NULL && strcasecmp(ending, ".dxf") == 0;
+  return ending != NULL && (strcasecmp(ending, ".dxf") == 0 || strcasecmp(ending, ".glb") == 0);
 }
 
 static void read_words(char *text) {

@@ -191,9 +191,9 @@ bool tp_modes_is_held_fast(const tp_modes_node *n, const tp_resting *r, long blo
   find_rows(&b, n, r, block);
   if (b.count < 3 || seems_free(&b)) return false;
   whole_rows w = {.count = b.count};
-  for (int k = 0; k < 3 * w.count; k++) fmpz_init(w.entry[0] + k);
+  for (int k = 0; k < 3 * w.count; k++) fmpz_init(w.entry[k / 3] + k % 3);
   for (int k = 0; k < w.count; k++) set_whole(w.entry[k], r, b.all + k);
   const bool held = !is_free(&b, &w);
-  for (int k = 0; k < 3 * w.count; k++) fmpz_clear(w.entry[0] + k);
+  for (int k = 0; k < 3 * w.count; k++) fmpz_clear(w.entry[k / 3] + k % 3);
   return held;
 }
