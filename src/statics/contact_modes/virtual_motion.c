@@ -184,7 +184,7 @@ static bool leave_out(solving *s) {
     }
     for (long t = p->signs.forms[k].first; t < p->signs.forms[k].end; t++) {
       const long unknown = p->signs.unknown[t];
-      if (s->out[unknown] || !p->adjustable[unknown]) continue;
+      if (s->out[unknown] || tp_virtual_is_of_transform(unknown)) continue;
       if (transforms && p->is_traded[unknown]) continue;
       s->out[unknown] = changed = true;
       s->x[unknown] = 0;

@@ -12,7 +12,6 @@
 #include <string.h>
 
 void tp_virtual_program_clear(tp_virtual_program *p) {
-  free(p->adjustable);
   free(p->is_traded);
   free(p->role);
   free(p->of_gap);
@@ -24,22 +23,19 @@ void tp_virtual_program_clear(tp_virtual_program *p) {
   memset(p, 0, sizeof *p);
 }
 
-static long add_unknown(tp_virtual_program *p, bool adjustable, long role) {
+static long add_unknown(tp_virtual_program *p, long role) {
   enum { FIRST_ROOM = 1024 };
   if (p->unknown_count == p->unknown_room && !p->failed) {
     const long room = p->unknown_room == 0 ? FIRST_ROOM : 2 * p->unknown_room;
-    bool *more = realloc(p->adjustable, (size_t)room * sizeof *more);
-    if (more != NULL) p->adjustable = more;
     bool *traded = realloc(p->is_traded, (size_t)room * sizeof *traded);
     if (traded != NULL) p->is_traded = traded;
     long *roles = realloc(p->role, (size_t)room * sizeof *roles);
     if (roles != NULL) p->role = roles;
-    p->failed = more == NULL || traded == NULL || roles == NULL;
+    p->failed = traded == NULL || roles == NULL;
     if (!p->failed) p->unknown_room = room;
   }
   if (p->failed) return -1;
   p->is_traded[p->unknown_count] = false;
-  p->adjustable[p->unknown_count] = adjustable;
   p->role[p->unknown_count] = role;
   if (role >= p->role_count) p->role_count = role + 1;
   return p->unknown_count++;
@@ -148,10 +144,10 @@ static void add_edge(tp_virtual_program *p, const tp_virtual_relations *r, long 
             .end = end,
             .sense = sense,
             .force = zero_row,
-            .traded = r->has_slip ? add_unknown(p, true, role) : -1};
+            .traded = r->has_slip ? add_unknown(p, role) : -1};
   if (g.traded >= 0) p->is_traded[g.traded] = true;
   g.first_relation = p->unknown_count;
-  for (long k = 0; k < r->relation_count; k++) (void)add_unknown(p, true, role + 1 + k);
+  for (long k = 0; k < r->relation_count; k++) (void)add_unknown(p, role + 1 + k);
   const tp_near shear = sense > 0 ? friction : tp_near_neg(friction);
   for (int k = 0; k < 3; k++) {
     g.force.of[k] = tp_near_plus(c->gaps[end].of[k], tp_near_times(shear, c->slips.of[k]));
@@ -226,7 +222,7 @@ static void add_powers(tp_virtual_program *p, int load, long block) {
 static void add_loads(tp_virtual_program *p, int load, long role) {
   const tp_virtual_frame *f = p->frame;
   for (long gap = 0; gap < 2 * f->contact_count; gap++) {
-    p->reach[load][gap] = add_unknown(p, true, role + gap);
+    p->reach[load][gap] = add_unknown(p, role + gap);
     tp_linear_forms_begin(&p->signs, (tp_near){0, 0});
     tp_linear_forms_add(&p->signs, p->reach[load][gap], (tp_near){1, 0});
     for (long b = 0; b < f->block_count; b++) {
@@ -406,11 +402,11 @@ tp_status tp_virtual_program_init(bool *exists, tp_virtual_program *p, const tp_
   for (long k = 0; k < f->contact_count; k++) *exists &= tp_near_is_zero(q->cohesion[1][k]);
   if (!*exists) return TP_OK;
   p->failed = !has_room(p);
-  for (int k = 0; k < 6; k++) p->transform[k / 2][k % 2] = add_unknown(p, false, k);
+  for (int k = 0; k < 6; k++) p->transform[k / 2][k % 2] = add_unknown(p, k);
   for (long b = 0; b < f->block_count && !p->failed; b++) {
     p->of_gap[b] = p->unknown_count;
     for (long k = 0; k < 3 * f->blocks[b].near_count; k++) {
-      (void)add_unknown(p, true, p->role_count);
+      (void)add_unknown(p, p->role_count);
     }
   }
   for (long k = 0; k < f->contact_count && !p->failed; k++) add_contact(p, k);

@@ -32,9 +32,8 @@ typedef struct tp_virtual_program {
   int load_count;
   tp_near drive[2]; /* by load: -w . D / (w . D') */
   long unknown_count, unknown_room;
-  bool *adjustable; /* by unknown: it may be left out; of all but T */
-  bool *is_traded;  /* by unknown: a part of a slip that is stated by gaps */
-  long *role;       /* by unknown: the same for all bounds of friction and all loads */
+  bool *is_traded; /* by unknown: a part of a slip that is stated by gaps */
+  long *role;      /* by unknown: the same for all bounds of friction and all loads */
   long role_count;
   long *of_gap;           /* by block: the first unknown of its H; of one gap three follow */
   long *reach[2];         /* by load, by gap */
@@ -59,7 +58,7 @@ void tp_virtual_program_clear(tp_virtual_program *program);
 long tp_virtual_first_of_load(const tp_virtual_program *program, int load);
 /* Is another entry off the diagonal in the row of this one, which is on it? */
 bool tp_virtual_is_beside(const tp_virtual_program *program, long entry, long other);
-/* Is the unknown of T? */
+/* Is the unknown of T? All others may be left out. */
 bool tp_virtual_is_of_transform(long unknown);
 
 #endif
