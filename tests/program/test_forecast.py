@@ -16,7 +16,8 @@ from harness import PROGRAM, ROOT, main, run
 
 COLUMNS = ROOT / "tests" / "data" / "factor_law" / "study_open.yaml"
 SURVEY = ROOT / "examples" / "slope" / "survey_block.yaml"
-SAID = r"^(\d+) (rows|samples) more will take some ([\d.]+) (seconds|minutes|hours)(?: and ([\d.]+) GB of memory)?, by the first of them$"
+SAID = (r"^the (\d+) remaining (rows|samples) will take about ([\d.]+) (seconds|minutes|hours)"
+        r"(?: and ([\d.]+) GB of memory)?, judged by the first ones$")
 UNITS = {"seconds": 1, "minutes": 60, "hours": 3600}
 
 

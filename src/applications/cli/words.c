@@ -51,8 +51,9 @@ void tp_cli_tell_forecast(size_t count, const char *what, double seconds, double
   char text[160], memory[60] = "";
   if (seconds < most_seconds && bytes < most_bytes) return;
   if (bytes >= most_bytes) snprintf(memory, sizeof memory, " and %.2g GB of memory", bytes / 1e9);
-  snprintf(text, sizeof text, "%zu %s more will take some %.*f %s%s, by the first of them", count,
-           what, seconds / unit < few ? 1 : 0, seconds / unit,
+  snprintf(text, sizeof text,
+           "the %zu remaining %s will take about %.*f %s%s, judged by the first ones", count, what,
+           seconds / unit < few ? 1 : 0, seconds / unit,
            in_hours     ? "hours"
            : in_minutes ? "minutes"
                         : "seconds",
